@@ -78,7 +78,7 @@ static FAMILIES: [Family; 1] = [Family {
     about: "points on a few vertical lines: many share the smallest x",
     read: |_, fields| {
         let columns = fields.integer_or("columns", 8, 1..=1000)?.cast_signed();
-        Ok(Recipe::new(move |making| {
+        Ok(Recipe::new(|n| 2 * n, move |making| {
             let mut random = making.random();
             let points: Vec<[f64; 2]> =
                 (0..making.n).map(|_| [bits::integer(random.integer(0, columns - 1)), random.unit()]).collect();

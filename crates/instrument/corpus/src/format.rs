@@ -55,6 +55,12 @@ pub trait SceneFormat: Send + Sync {
         &[]
     }
 
+    /// Lines of a `[[generate]]` table, such as `shift = 1`: values of the keys that a family needs, or that make its scenes large. Where
+    /// all families are tried, each gets the lines of its keys.
+    fn sample_keys(&self) -> &'static [&'static str] {
+        &[]
+    }
+
     /// Those keys of generators that are part of a scene's default name.
     fn naming_keys(&self) -> &'static [&'static str] {
         &[]
@@ -86,16 +92,13 @@ pub struct Recipe {
 }
 
 impl Recipe {
-    /// A recipe for any number of queries.
-    pub fn new(make: impl Fn(&Making) -> Parts + Send + Sync + 'static) -> Recipe {
-        Recipe { fixed_size: None, make: Arc::new(make), coordinates: Arc::new(|n| n) }
-    }
-
-    /// Says about how many coordinates a scene of n has, at most: what asks for too many is refused before it
-    /// is made. The function has to grow with n and not overflow; without one, a scene of n has n coordinates.
-    #[must_use]
-    pub fn with_coordinates(self, coordinates: impl Fn(u64) -> u64 + Send + Sync + 'static) -> Recipe {
-        Recipe { coordinates: Arc::new(coordinates), ..self }
+    /// A recipe for any number of queries, and about how many coordinates a scene of n has, at most: what asks for too many is refused
+    /// before it is made. `coordinates` has to grow with n and not overflow.
+    pub fn new(
+        coordinates: impl Fn(u64) -> u64 + Send + Sync + 'static,
+        make: impl Fn(&Making) -> Parts + Send + Sync + 'static,
+    ) -> Recipe {
+        Recipe { fixed_size: None, make: Arc::new(make), coordinates: Arc::new(coordinates) }
     }
 
     /// About how many coordinates a scene of n has, at most.

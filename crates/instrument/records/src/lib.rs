@@ -23,12 +23,12 @@ pub mod format;
 mod hold;
 mod imported;
 mod junit;
-mod lined;
 pub mod moment;
 mod phases;
 mod plan;
 mod replace;
 mod rows;
+mod rows_with_lines;
 mod run_dir;
 mod sampled;
 mod schema;
@@ -42,12 +42,12 @@ pub use error::{Error, with_cure};
 pub use hold::Hold;
 pub use imported::ImportRow;
 pub use junit::junit;
-pub use lined::Rows;
 pub use phases::PhaseRow;
 pub use plan::{EngineFile, ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
 pub use predicament_predicates::{Class, Severity, Status};
 pub use replace::{Beside, make_folder, replace};
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};
+pub use rows_with_lines::Rows;
 pub use run_dir::{
     CostRow, Lined, NotMerged, NotRun, Outcome, Record, RunDir, RunFolder, RunWriter, SegmentRow, TABLES, TableSpec,
     merge,

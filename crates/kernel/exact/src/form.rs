@@ -3,11 +3,11 @@
 //! With all differences less than M, the sum of the magnitudes of all terms is
 //! at most 2M² for orient2d, 6M³ for orient3d, 3·2·2 M⁴ = 12M⁴ for incircle
 //! and 4·6·3 M⁵ = 72M⁵ for insphere: `growth` is the next logarithm to base
-//! two. The bits for integers are counted in [`integer`].
+//! two. The bits for integers are counted in [`integer_determinants`].
 
 use predicament_arithmetic::{Form, Parts, bound};
 
-use crate::integer;
+use crate::integer_determinants;
 
 /// A determinant: what a plan needs to know, and the constant of its filter.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -48,7 +48,7 @@ const fn limbs(bits: i32) -> usize {
 }
 
 const fn determinant(degree: i32, growth: i32, bound: f64) -> Determinant {
-    Determinant { form: Form { degree, growth, integer_bits: integer::BITS }, bound }
+    Determinant { form: Form { degree, growth, integer_bits: integer_determinants::BITS }, bound }
 }
 
 /// The turn of three points.

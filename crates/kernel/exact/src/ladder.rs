@@ -7,8 +7,8 @@ use predicament_arithmetic::{Arithmetic, Fixed, Plan};
 use predicament_predicates::{Sign, Vertex};
 
 use crate::common_unit::{self, Short};
-use crate::integers::{Integers, Rows, scaled};
 use crate::predicate::Predicate;
+use crate::scene_integers::{Integers, Rows, scaled};
 use crate::stage;
 
 /// What a plan proves for one predicate.

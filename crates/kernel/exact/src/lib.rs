@@ -6,7 +6,7 @@
 //!    for the whole scene;
 //! 2. the semi-static filter, with a bound for the query, for any doubles ([`anywhere`]);
 //! 3. plain floating point as it is, where every intermediate is a double anyway;
-//! 4. [`integer`]s of a fixed size, over one power of two for the scene or the query;
+//! 4. integers of a fixed size ([`integer_determinants`]), over one power of two for the scene or the query;
 //! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
 //! A session knows how far its scene extends, which is all that filters need. Which of the other rungs apply is proved by a
@@ -34,8 +34,7 @@ pub mod estimate;
 pub mod filter;
 mod first;
 pub mod form;
-pub mod integer;
-mod integers;
+pub mod integer_determinants;
 mod ladder;
 mod partial;
 mod planned;
@@ -44,6 +43,7 @@ mod predicate;
 mod products;
 pub mod rational;
 pub mod raw;
+mod scene_integers;
 mod session;
 pub mod side;
 pub mod stage;

@@ -10,9 +10,9 @@ use predicament_predicates::{
     Refused, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-use crate::integers::Integers;
 use crate::ladder::Prepared;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::scene_integers::Integers;
 use crate::{Session, stage};
 
 /// The exact backend's stages up to one of them, then the sign of the double determinant. Nothing about it is proved.

@@ -3,9 +3,9 @@
 use predicament_arithmetic::Plan;
 use predicament_predicates::{Axis, Plane};
 
-use crate::integers::Integers;
 use crate::ladder::Prepared;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d};
+use crate::scene_integers::Integers;
 
 /// The plan of a scene of the plane.
 pub(crate) struct Flat {

@@ -73,10 +73,14 @@ static FAMILIES: [Family; 2] = [
         about: "integers",
         read: |_, fields| {
             let height = fields.integer_or("height", 0, 0..=9)?;
-            Ok(Recipe::new(move |making| {
-                let coordinates = (0..making.n).flat_map(|at| [f64::from(u32::try_from(at).unwrap()), 0.0]).collect();
-                Parts::new(Scene::new(Dimension::Two, coordinates).unwrap(), Height(height))
-            }))
+            Ok(Recipe::new(
+                |n| 2 * n,
+                move |making| {
+                    let coordinates =
+                        (0..making.n).flat_map(|at| [f64::from(u32::try_from(at).unwrap()), 0.0]).collect();
+                    Parts::new(Scene::new(Dimension::Two, coordinates).unwrap(), Height(height))
+                },
+            ))
         },
     },
     Family {
@@ -87,10 +91,13 @@ static FAMILIES: [Family; 2] = [
         read: |_, fields| {
             let place = fields.required("place")?.integer(0..=9)?;
             let x = f64::from(u32::try_from(place).unwrap());
-            Ok(Recipe::new(move |making| {
-                let coordinates = [x, f64::from(u32::try_from(making.seed).unwrap())].into();
-                Parts::new(Scene::new(Dimension::Two, coordinates).unwrap(), Height(place))
-            })
+            Ok(Recipe::new(
+                |n| 2 * n,
+                move |making| {
+                    let coordinates = [x, f64::from(u32::try_from(making.seed).unwrap())].into();
+                    Parts::new(Scene::new(Dimension::Two, coordinates).unwrap(), Height(place))
+                },
+            )
             .of_size(1))
         },
     },

@@ -3,7 +3,7 @@
 use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_exact::form::{self, Determinant};
-use predicament_exact::{filter, integer};
+use predicament_exact::{filter, integer_determinants};
 use predicament_predicates::{Plane, Predicates, Question, Sign, Vertex};
 
 use super::Session;
@@ -86,10 +86,10 @@ impl Session<'_> {
         let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
             Question::Compare(_) => None,
-            Question::Orient2d(plane) => rows(&flat(plane)).map(integer::orient2d::<1, 2>),
-            Question::Orient3d => rows(&solid()).map(integer::orient3d::<1, 2, 3>),
-            Question::Incircle => rows(&flat(Plane::Xy)).map(integer::incircle::<1, 2, 4>),
-            Question::Insphere => rows(&solid()).map(integer::insphere::<1, 2, 3, 5>),
+            Question::Orient2d(plane) => rows(&flat(plane)).map(integer_determinants::orient2d::<1, 2>),
+            Question::Orient3d => rows(&solid()).map(integer_determinants::orient3d::<1, 2, 3>),
+            Question::Incircle => rows(&flat(Plane::Xy)).map(integer_determinants::incircle::<1, 2, 4>),
+            Question::Insphere => rows(&solid()).map(integer_determinants::insphere::<1, 2, 3, 5>),
         }
     }
 }

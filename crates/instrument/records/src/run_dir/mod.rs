@@ -21,7 +21,6 @@
 mod costs;
 mod csv_file;
 mod hashed;
-mod lined;
 mod lock;
 mod merge;
 mod once;
@@ -31,16 +30,17 @@ mod segments;
 mod state;
 mod stream;
 mod tables;
+mod text_rows;
 mod writer;
 
 pub use costs::CostRow;
-pub use lined::Lined;
 pub use merge::{NotMerged, merge};
 pub use reader::{NotRun, RunDir};
 pub use segments::SegmentRow;
 pub use state::Outcome;
 pub use stream::RunFolder;
 pub use tables::{Record, TableSpec};
+pub use text_rows::Lined;
 pub use writer::RunWriter;
 
 use crate::{FindingRow, PrecisionRow, StageRow, SummaryRow, ThroughputRow};

@@ -7,12 +7,12 @@
 mod answers;
 mod axioms;
 mod checks;
-mod class;
-mod classes;
+mod classify;
 mod constructed;
 mod content;
 mod degeneracy;
 mod draw;
+mod each_class;
 mod error;
 mod explain;
 pub mod families;
@@ -30,10 +30,10 @@ use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
-pub use class::classify;
-pub use classes::classes;
+pub use classify::classify;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
+pub use each_class::classes;
 pub use truth::truth;
 
 use crate::output::Canvas;
@@ -124,6 +124,10 @@ impl SceneFormat for Signs {
 
     fn families(&self) -> &'static [Family] {
         families::of(self.kind)
+    }
+
+    fn sample_keys(&self) -> &'static [&'static str] {
+        &["p = [0.5, 0.5]", "q = [12, 12]", "r = [24, 24]", "side = 5", "dimension = 3"]
     }
 
     fn generator_keys(&self) -> &'static [&'static str] {

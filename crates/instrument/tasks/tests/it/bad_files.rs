@@ -16,6 +16,22 @@ fn load(name: &str, text: &str, cache: &Cache) -> Result<(), CorpusError> {
     suite.scenes.iter().try_for_each(|scene| scene.load(Level::Quick, cache).map(drop))
 }
 
+/// The names of all tasks, in the order of messages.
+fn tasks() -> String {
+    predicament_bundle::vocabulary().names().collect::<Vec<_>>().join(", ")
+}
+
+/// The names of all families, each where it comes first.
+fn families() -> String {
+    let mut names: Vec<&str> = Vec::new();
+    for family in predicament_bundle::vocabulary().tasks().iter().flat_map(|task| task.families()) {
+        if !names.contains(&family.name) {
+            names.push(family.name);
+        }
+    }
+    names.join(", ")
+}
+
 #[test]
 fn every_bad_file_says_where_what_and_what_to_do() {
     let cache = Cache::new(folder().join("no-cache"));
@@ -28,6 +44,7 @@ fn every_bad_file_says_where_what_and_what_to_do() {
         let name = path.file_name().unwrap().to_str().unwrap();
         let text = std::fs::read_to_string(&path).unwrap();
         let expected = text.lines().next().unwrap().trim_start_matches("# ");
+        let expected = expected.replace("{families}", &families()).replace("{tasks}", &tasks());
         let got = match load(name, &text, &cache) {
             Ok(()) => "no error".to_owned(),
             Err(error) => {

@@ -1,6 +1,7 @@
 //! The embedded suites are what they say they are.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 
 use predicament_corpus::{Family, Level, Library, LoadedScene, SceneDef, Suite, content_id, fmt};
 use predicament_formats::Cache;
@@ -36,15 +37,41 @@ fn offline() -> Vec<LoadedScene> {
     scenes.map(|scene| scene.load(Level::Quick, &cache()).unwrap()).collect()
 }
 
+/// The file of a crate in which the ids of its tasks' scenes are pinned: those of signs stand here, those of a system beside its tests.
+const PINNED: &str = "tests/ids.txt";
+
+/// The ids that crates have pinned, by the scenes' names, each with the file.
+fn pinned() -> BTreeMap<String, (String, PathBuf)> {
+    let systems = std::fs::read_dir("../../systems").unwrap().map(|entry| entry.unwrap().path().join(PINNED));
+    let mut pinned = BTreeMap::new();
+    for file in systems.chain([PathBuf::from(PINNED)]).filter(|file| file.is_file()) {
+        for line in std::fs::read_to_string(&file).unwrap().lines() {
+            let (id, name) = line.split_once(' ').expect("an id and a name");
+            let before = pinned.insert(name.to_owned(), (id.to_owned(), file.clone()));
+            assert!(before.is_none(), "{name} is in {} and {}", before.unwrap().1.display(), file.display());
+        }
+    }
+    pinned
+}
+
 #[test]
 fn ids_are_pinned_on_every_platform() {
-    let ids: Vec<String> =
-        offline().iter().map(|loaded| format!("{} {}/{}", loaded.id, loaded.suite, loaded.name)).collect();
-    let pinned: Vec<&str> = include_str!("ids.txt").lines().collect();
-    assert_eq!(
-        ids, pinned,
-        "a generator, a suite or the id has changed: expectations and baselines speak of these ids"
-    );
+    let mut pinned = pinned();
+    let mut new = Vec::new();
+    for loaded in offline() {
+        let name = format!("{}/{}", loaded.suite, loaded.name);
+        match pinned.remove(&name) {
+            None => new.push(format!("{} {name}", loaded.id)),
+            Some((id, file)) => assert_eq!(
+                loaded.id,
+                id,
+                "{name} in {}: a generator, a suite or the id has changed: expectations and baselines speak of these ids",
+                file.display()
+            ),
+        }
+    }
+    assert!(new.is_empty(), "add these to {PINNED} of the crates whose tasks they are of:\n{}", new.join("\n"));
+    assert!(pinned.is_empty(), "these are gone: {:?}", pinned.keys());
 }
 
 #[test]

@@ -79,12 +79,15 @@ static FAMILIES: [Family; 1] = [Family {
     about: "paths through pixels near a line",
     read: |_, fields| {
         let width = fields.integer_or("width", 16, 1..=256)?;
-        Ok(Recipe::new(move |making| {
-            let pixel = |k: u64| 0.5 + f64::from(u32::try_from(k % width).unwrap()) * f64::EPSILON / 2.0;
-            let lap = |k: u64| [pixel(k), pixel(k / width), 12.0, 12.0, 24.0, 24.0];
-            let points = (0..making.n as u64).flat_map(lap).collect();
-            Parts::new(Scene::new(Dimension::Two, points).unwrap(), Stride(1))
-        }))
+        Ok(Recipe::new(
+            |n| 6 * n,
+            move |making| {
+                let pixel = |k: u64| 0.5 + f64::from(u32::try_from(k % width).unwrap()) * f64::EPSILON / 2.0;
+                let lap = |k: u64| [pixel(k), pixel(k / width), 12.0, 12.0, 24.0, 24.0];
+                let points = (0..making.n as u64).flat_map(lap).collect();
+                Parts::new(Scene::new(Dimension::Two, points).unwrap(), Stride(1))
+            },
+        ))
     },
 }];
 

@@ -7,8 +7,8 @@ use predicament_arithmetic::power_of_two;
 use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
 use super::Decider;
-use crate::integers::scaled;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
+use crate::scene_integers::scaled;
 use crate::stage;
 
 impl Decider<'_> {

@@ -101,6 +101,10 @@ impl SceneFormat for Contacts {
         content::Written::read(context, fields, self.dimension)?.source()
     }
 
+    fn sample_keys(&self) -> &'static [&'static str] {
+        &["shift = 1"]
+    }
+
     fn families(&self) -> &'static [Family] {
         match self.dimension {
             Dimension::Two => &generate::PLANE,

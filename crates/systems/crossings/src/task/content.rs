@@ -79,12 +79,14 @@ pub(super) static FAMILIES: [Family; 3] = [
 ];
 
 fn recipe(points: fn(usize, &mut Random) -> Vec<[f64; 2]>) -> Recipe {
-    Recipe::new(move |making: &Making| {
-        let points = points(making.n, &mut making.random());
-        let segments = (0..points.len() / 2).map(|at| [2 * at, 2 * at + 1].map(Vertex::input)).collect();
-        Parts::new(Scene::from_points2(&points).expect("generators make finite points"), Segments(segments))
-    })
-    .with_coordinates(|n| 4 * n)
+    Recipe::new(
+        |n| 4 * n,
+        move |making: &Making| {
+            let points = points(making.n, &mut making.random());
+            let segments = (0..points.len() / 2).map(|at| [2 * at, 2 * at + 1].map(Vertex::input)).collect();
+            Parts::new(Scene::from_points2(&points).expect("generators make finite points"), Segments(segments))
+        },
+    )
 }
 
 /// Between points uniform in the unit square.

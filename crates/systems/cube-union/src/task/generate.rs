@@ -55,7 +55,7 @@ fn length(fields: &Fields<'_, '_>, key: &'static str) -> Result<i64, CorpusError
 
 impl Placing {
     fn recipe(self) -> Recipe {
-        Recipe::new(move |making| self.make(making.n, &mut making.random())).with_coordinates(|n| 6 * n)
+        Recipe::new(|n| 6 * n, move |making| self.make(making.n, &mut making.random()))
     }
 
     /// At most `n` cubes.

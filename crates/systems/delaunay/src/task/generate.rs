@@ -50,24 +50,28 @@ pub(super) static FAMILIES: [Family; 12] = [
 ];
 
 fn recipe(points: Points) -> Recipe {
-    Recipe::new(move |making| {
-        let points = points(making.n, &mut making.random());
-        let scene = Scene::from_points2(&points).expect("generators make finite points");
-        let sites = Sites { points: scene.len(), constraints: Vec::new() };
-        Parts::new(scene, sites)
-    })
-    .with_coordinates(|n| n.saturating_mul(2))
+    Recipe::new(
+        |n| n.saturating_mul(2),
+        move |making| {
+            let points = points(making.n, &mut making.random());
+            let scene = Scene::from_points2(&points).expect("generators make finite points");
+            let sites = Sites { points: scene.len(), constraints: Vec::new() };
+            Parts::new(scene, sites)
+        },
+    )
 }
 
 fn constrained(edges: Edges) -> Recipe {
-    Recipe::new(move |making| {
-        let (points, constraints) = edges(making.n, &mut making.random());
-        let scene = Scene::from_points2(&points).expect("generators make finite points");
-        let constraints = constraints.into_iter().map(|ends| ends.map(Vertex::input)).collect();
-        let sites = Sites { points: scene.len(), constraints };
-        Parts::new(scene, sites)
-    })
-    .with_coordinates(|n| n.saturating_mul(8))
+    Recipe::new(
+        |n| n.saturating_mul(8),
+        move |making| {
+            let (points, constraints) = edges(making.n, &mut making.random());
+            let scene = Scene::from_points2(&points).expect("generators make finite points");
+            let constraints = constraints.into_iter().map(|ends| ends.map(Vertex::input)).collect();
+            let sites = Sites { points: scene.len(), constraints };
+            Parts::new(scene, sites)
+        },
+    )
 }
 
 /// A few pairs of points, opposite of each other, and more points.

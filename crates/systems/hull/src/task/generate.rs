@@ -48,13 +48,15 @@ pub(super) static SPACE: [Family; 8] = [
 
 fn recipe<M: Method>(fields: &Fields<'_, '_>, points: Points) -> Result<Recipe, CorpusError> {
     let method = method::<M>(fields)?;
-    Ok(Recipe::new(move |making| {
-        let coordinates = points(making.n, &mut making.random());
-        let scene = Scene::new(M::DIMENSION, coordinates).expect("generators make finite points");
-        let cloud = Cloud { points: scene.len(), method };
-        Parts::new(scene, cloud)
-    })
-    .with_coordinates(|n| n.saturating_mul(M::DIMENSION.count() as u64)))
+    Ok(Recipe::new(
+        |n| n.saturating_mul(M::DIMENSION.count() as u64),
+        move |making| {
+            let coordinates = points(making.n, &mut making.random());
+            let scene = Scene::new(M::DIMENSION, coordinates).expect("generators make finite points");
+            let cloud = Cloud { points: scene.len(), method };
+            Parts::new(scene, cloud)
+        },
+    ))
 }
 
 fn points<const D: usize>(n: usize, mut point: impl FnMut() -> [f64; D]) -> Vec<f64> {

@@ -31,12 +31,12 @@ fn recipe(ends: Ends, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     let axis = axis(fields)?;
     let space = axis == Axis::Z || fields.integer_or("dimension", 2, 2..=3)? == 3;
     let dimension = if space { Dimension::Three } else { Dimension::Two };
-    Ok(Recipe::new(move |making| {
+    // Ends, and four places to probe for each.
+    let coordinates = move |n| 5 * (n + 1) * dimension.count() as u64;
+    Ok(Recipe::new(coordinates, move |making| {
         let (scene, cells) = make(ends, making.n, axis, dimension, &mut making.random());
         Parts::new(scene, cells)
-    })
-    // Ends, and four places to probe for each.
-    .with_coordinates(move |n| 5 * (n + 1) * dimension.count() as u64))
+    }))
 }
 
 /// Where the ends of cells are.

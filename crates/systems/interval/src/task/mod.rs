@@ -83,6 +83,10 @@ impl SceneFormat for Interval {
         &generate::FAMILIES
     }
 
+    fn sample_keys(&self) -> &'static [&'static str] {
+        &["dimension = 3"]
+    }
+
     fn generator_keys(&self) -> &'static [&'static str] {
         &["dimension", "axis"]
     }

@@ -109,7 +109,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> 
         parts([first, second])
     };
     // At most as many vertices as triangles; a few are made even for the smallest n.
-    Ok(Recipe::new(make).with_coordinates(|n| 6 * (n + 200)))
+    Ok(Recipe::new(|n| 6 * (n + 200), make))
 }
 
 fn place(placed: Placed, [x, y, z]: [f64; 3]) -> [f64; 3] {
@@ -172,5 +172,5 @@ fn terrains(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
         }
         parts([first, second])
     };
-    Ok(Recipe::new(make).with_coordinates(|n| 6 * (n + 200)))
+    Ok(Recipe::new(|n| 6 * (n + 200), make))
 }

@@ -47,7 +47,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, Changes, &mut Random) -> Sur
         with_probes(shape(making.n, changes, &mut making.random()), None, &probing, making.level)
     };
     // At most as many vertices as triangles; a few are made even for the smallest n.
-    Ok(Recipe::new(make).with_coordinates(move |n| 3 * (n + 100 + probes.count(n + 100))))
+    Ok(Recipe::new(move |n| 3 * (n + 100 + probes.count(n + 100)), make))
 }
 
 /// The triangles of faces, with these regions in front and behind.

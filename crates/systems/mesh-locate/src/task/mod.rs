@@ -114,6 +114,10 @@ impl SceneFormat for MeshLocate {
         &generate::FAMILIES
     }
 
+    fn sample_keys(&self) -> &'static [&'static str] {
+        &["random = 20", "random_full = 30"]
+    }
+
     fn generator_keys(&self) -> &'static [&'static str] {
         &["random", "random_full", "quick_stride", "full_stride"]
     }

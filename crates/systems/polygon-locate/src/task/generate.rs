@@ -30,19 +30,19 @@ pub(super) static FAMILIES: [Family; 2] = [
 /// Reads how to probe the map.
 fn recipe(fields: &Fields<'_, '_>, map: fn(&Making) -> (Vec<[f64; 2]>, PolygonMap)) -> Result<Recipe, CorpusError> {
     let probing = Probing::read(fields)?;
-    Ok(Recipe::new(move |making| {
-        let (points, map) = map(making);
-        with_probes(points, map, &[], probing, making.level)
-    })
     // At most two vertices a cell and twice as many edges as vertices, and all of them may be probed: the
     // vertices three times.
-    .with_coordinates(move |n| {
+    let coordinates = move |n: u64| {
         let vertices = (n + 1).saturating_mul(2 * n + 2);
         let probes = |level: Level| {
             let stride = probing.stride(level) as u64;
             vertices.checked_div(stride).map_or(0, |each| 5 * (each + 1)) + probing.random(level) as u64
         };
         2 * (vertices.saturating_add(probes(Level::Quick).max(probes(Level::Full))))
+    };
+    Ok(Recipe::new(coordinates, move |making| {
+        let (points, map) = map(making);
+        with_probes(points, map, &[], probing, making.level)
     }))
 }
 

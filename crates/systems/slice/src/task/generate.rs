@@ -77,7 +77,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Re
         Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("a generator made no solid: {wrong:?}")))
     };
     // A closed mesh has at most two vertices a face; a few are made even for the smallest n.
-    Ok(Recipe::new(make).with_coordinates(move |n| 6 * n + 9 * planes as u64 + 1000))
+    Ok(Recipe::new(move |n| 6 * n + 9 * planes as u64 + 1000, make))
 }
 
 /// A plane through the first `vertices` points; what else it needs is appended.

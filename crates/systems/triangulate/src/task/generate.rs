@@ -98,5 +98,5 @@ fn recipe(
         Parts::new(scene, Polygons { polygons: vec![loops], method })
     };
     // The smallest shapes have up to sixteen vertices; nests of rings begin with four more each.
-    Ok(Recipe::new(make).with_coordinates(|n| 3 * n + 100))
+    Ok(Recipe::new(|n| 3 * n + 100, make))
 }

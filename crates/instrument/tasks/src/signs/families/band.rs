@@ -22,8 +22,10 @@ pub(super) const SPACE: [f64; 3] = [28.0, 56.0, 83.14];
 /// Reads a table of the family, which has no parameters of its own.
 pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     let asked = Asked::read(task, fields, None)?;
-    Ok(Recipe::new(move |making| asked.placed(band(asked.kind(), making.n, &mut making.random()), making))
-        .with_coordinates(move |n| asked.coordinates(n + 1)))
+    Ok(Recipe::new(
+        move |n| asked.coordinates(n + 1),
+        move |making| asked.placed(band(asked.kind(), making.n, &mut making.random()), making),
+    ))
 }
 
 /// `n` queries between two anchors that make L exactly 1.

@@ -108,13 +108,15 @@ fn by_query(
     query: impl Fn(PredicateKind, &mut Random, &mut Vec<f64>) + Send + Sync + 'static,
 ) -> Result<Recipe, CorpusError> {
     let asked = Asked::read(task, fields, None)?;
-    Ok(Recipe::new(move |making| {
-        let (kind, mut rng) = (asked.kind(), making.random());
-        let mut coordinates = Vec::with_capacity(making.n * kind.arity() * native(kind));
-        for _ in 0..making.n {
-            query(kind, &mut rng, &mut coordinates);
-        }
-        asked.placed(Cloud { coordinates, ..Cloud::default() }, making)
-    })
-    .with_coordinates(move |n| asked.coordinates(n)))
+    Ok(Recipe::new(
+        move |n| asked.coordinates(n),
+        move |making| {
+            let (kind, mut rng) = (asked.kind(), making.random());
+            let mut coordinates = Vec::with_capacity(making.n * kind.arity() * native(kind));
+            for _ in 0..making.n {
+                query(kind, &mut rng, &mut coordinates);
+            }
+            asked.placed(Cloud { coordinates, ..Cloud::default() }, making)
+        },
+    ))
 }

@@ -15,9 +15,7 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
     let asked = Asked::read(task, fields, None)?;
     let size = map.pixels();
     let width = asked.dimension.count() as u64;
-    Ok(Recipe::new(move |making| asked.placed(map.points(), making))
-        .of_size(size)
-        .with_coordinates(move |n| (n + 2) * width))
+    Ok(Recipe::new(move |n| (n + 2) * width, move |making| asked.placed(map.points(), making)).of_size(size))
 }
 
 /// A square of points against two fixed ones.

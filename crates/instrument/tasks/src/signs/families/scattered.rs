@@ -16,8 +16,9 @@ const POINTS: usize = 5;
 pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     let asked = Asked::read(task, fields, None)?;
     let coordinates = move |n| POINTS as u64 * n * asked.dimension.count() as u64;
-    Ok(Recipe::new(move |making| asked.placed(scattered(asked.kind(), making.n, &mut making.random()), making))
-        .with_coordinates(coordinates))
+    Ok(Recipe::new(coordinates, move |making| {
+        asked.placed(scattered(asked.kind(), making.n, &mut making.random()), making)
+    }))
 }
 
 /// `n` queries of distinct vertices of points that are uniform in [0, 1).

@@ -123,7 +123,7 @@ impl Shape {
 impl Pair {
     fn recipe(self) -> Recipe {
         // A few points are made even for the smallest n.
-        Recipe::new(move |making| self.make(making.n, &mut making.random())).with_coordinates(|n| 9 * n + 1000)
+        Recipe::new(|n| 9 * n + 1000, move |making| self.make(making.n, &mut making.random()))
     }
 
     fn dimension(self) -> Dimension {

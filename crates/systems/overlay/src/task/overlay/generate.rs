@@ -39,7 +39,7 @@ fn lines(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Lines) -> Res
         let segments = segments.into_iter().map(|ends| ends.map(Vertex::input)).collect();
         parts(&points, Layers::Segments(segments), method)
     };
-    Ok(Recipe::new(make).with_coordinates(|n| 4 * n + 16))
+    Ok(Recipe::new(|n| 4 * n + 16, make))
 }
 
 fn pairs(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Pair) -> Result<Recipe, CorpusError> {
@@ -50,7 +50,7 @@ fn pairs(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Pair) -> Resu
         let loops = loops.map(|loops| loops.into_iter().map(vertices).collect());
         parts(&points, Layers::Polygons(loops, Rule::NonZero), method)
     };
-    Ok(Recipe::new(make).with_coordinates(|n| 8 * n + 64))
+    Ok(Recipe::new(|n| 8 * n + 64, make))
 }
 
 fn parts(points: &[[f64; 2]], layers: Layers, method: crate::algorithm::overlay::Method) -> Parts {

@@ -165,7 +165,7 @@ fn recipe(fields: &Fields<'_, '_>, points: fn(usize, &mut Random) -> Vec<[f64; 2
         let scene = Scene::from_points2(&points).expect("generators make finite points");
         Parts::new(scene, Drawn::new(segments, pixel, method))
     };
-    Ok(Recipe::new(make).with_coordinates(|n| 4 * n))
+    Ok(Recipe::new(|n| 4 * n, make))
 }
 
 /// From two points at the left to points in a column at the right, in order and in the opposite order.

@@ -97,8 +97,10 @@ impl Arrangement {
     /// Makes it what a table asks for.
     fn recipe(self, task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
         let asked = Asked::read(task, fields, Some(self.dimension()))?;
-        Ok(Recipe::new(move |making| asked.parts(self.queries(asked.question, making.n, making.random())))
-            .with_coordinates(|n| n.div_ceil(QUERIES as u64) * MOST_IN_PATCH))
+        Ok(Recipe::new(
+            |n| n.div_ceil(QUERIES as u64) * MOST_IN_PATCH,
+            move |making| asked.parts(self.queries(asked.question, making.n, making.random())),
+        ))
     }
 
     /// That of the points.
