@@ -92,7 +92,7 @@
 //! rounding, and all sums are exact.
 //!
 //! ```
-//! # use crate::algorithm::cube_union;
+//! # use predicament_cube_union::algorithm::cube_union;
 //! // Two cubes of edge 2 with a corner in each other.
 //! let mass = cube_union(&[[0, 0, 0], [1, 1, 1]], 2)?;
 //! assert_eq!((mass.volume, mass.area, mass.edge_length), (15, 42, 48));
@@ -100,7 +100,7 @@
 //! let vertices = mass.vertices;
 //! assert_eq!((vertices.corners, vertices.edge_faces, vertices.three_faces), (14, 6, 0));
 //! assert_eq!(vertices.euler_characteristic(), Some(2));
-//! # Ok::<(), crate::algorithm::CubesError>(())
+//! # Ok::<(), predicament_cube_union::algorithm::CubesError>(())
 //! ```
 
 mod bins;

@@ -11,7 +11,7 @@
 //! what equal coordinates are.
 //!
 //! ```
-//! # use crate::algorithm::{Place, half_open, place};
+//! # use predicament_interval::algorithm::{Place, half_open, place};
 //! # use predicament_exact::Exact;
 //! # use predicament_sos::Sos;
 //! # use predicament_predicates::{Axis, Backend, Off, Scene, Vertex};

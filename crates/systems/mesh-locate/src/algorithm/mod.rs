@@ -33,7 +33,7 @@
 //! other, it can be another sum: [`Location::Contradiction`]. It needs no order, no labels, and goes along all axes.
 //!
 //! ```
-//! # use crate::algorithm::{Location, MeshIndex, locate_all};
+//! # use predicament_mesh_locate::algorithm::{Location, MeshIndex, locate_all};
 //! # use predicament_exact::Exact;
 //! # use predicament_mesh::MaterialMesh;
 //! # use predicament_predicates::{Backend, Off, Scene, Vertex};

@@ -22,7 +22,7 @@
 //!   vertices, and the code becomes the paper's algorithm.
 //!
 //! ```
-//! # use crate::algorithm::{LocateIndex, locate_all};
+//! # use predicament_polygon_locate::algorithm::{LocateIndex, locate_all};
 //! # use predicament_exact::Exact;
 //! # use predicament_mesh::PolygonMap;
 //! # use predicament_predicates::{Backend, Off, Scene, Vertex};

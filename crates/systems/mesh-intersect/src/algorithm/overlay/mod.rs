@@ -30,7 +30,7 @@
 //!
 //! ```
 //! # use std::sync::Arc;
-//! # use crate::algorithm::overlay::{Zeros, mesh_overlay};
+//! # use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
 //! # use predicament_overlay::algorithm::overlay::Operation;
 //! # use predicament_exact::Exact;
 //! # use predicament_mesh::MaterialMesh;
