@@ -1,7 +1,7 @@
 //! What a scene of the task asks, how a suite writes it, and one family of generated scenes.
 
 use predicament::corpus::{
-    Canon, Content, Context, Family, Items, List, Parts, Recipe, SceneFormat, Source, Spelled, spelled_points,
+    Canon, Content, Context, Family, Items, List, Making, Parts, Recipe, SceneFormat, Source, Spelled, spelled_points,
 };
 use predicament::formats::{CorpusError, Fields, bits, read_points};
 use predicament::predicates::{Scene, Vertex};
@@ -78,13 +78,14 @@ static FAMILIES: [Family; 1] = [Family {
     about: "points on a few vertical lines: many share the smallest x",
     read: |_, fields| {
         let columns = fields.integer_or("columns", 8, 1..=1000)?.cast_signed();
-        Ok(Recipe::new(|n| 2 * n, move |making| {
+        let make = move |making: &Making| {
             let mut random = making.random();
             let points: Vec<[f64; 2]> =
                 (0..making.n).map(|_| [bits::integer(random.integer(0, columns - 1)), random.unit()]).collect();
             let scene = Scene::from_points2(&points).expect("integers and fractions are finite");
             let among = scene.vertices().collect();
             Parts::new(scene, Among(among))
-        }))
+        };
+        Ok(Recipe::new(|n| 2 * n, make))
     },
 }];
