@@ -33,7 +33,7 @@ impl Study for Column {
         host.begin(backends.len() as u64, "backends");
         let points: Vec<[f64; 2]> = (0..self.n).map(|y| [1.0, f64::from(y)]).collect();
         let scene = Scene::from_points2(&points).map_err(Error::unfit)?;
-        let vertices: Vec<Vertex> = (0..self.n).map(Vertex::input).collect();
+        let vertices: Vec<Vertex> = scene.vertices().collect();
         let measure = |backend: &&dyn Contestant| {
             let mut leftmost = 0;
             let mut ask = |session: &mut dyn Predicates| {
