@@ -36,7 +36,7 @@ struct Arguments {
 
 /// Where studies stand in the help, and what stands behind them.
 const OF_STUDIES: usize = 500;
-const BEHIND_STUDIES: usize = 1000;
+const BEHIND_STUDIES: usize = 900;
 
 #[derive(Subcommand)]
 enum Command {
@@ -62,13 +62,13 @@ enum Command {
     Selftest(cmd::selftest::Args),
     Bounds(cmd::bounds::Args),
     Corpus(cmd::corpus::Args),
-    #[command(display_order = BEHIND_STUDIES)]
+    #[command(display_order = BEHIND_STUDIES + 0)]
     Engines(cmd::engines::Args),
-    #[command(display_order = BEHIND_STUDIES)]
+    #[command(display_order = BEHIND_STUDIES + 1)]
     Doctor(cmd::doctor::Args),
-    #[command(display_order = BEHIND_STUDIES)]
+    #[command(display_order = BEHIND_STUDIES + 2)]
     Completions(cmd::shell::Completions),
-    #[command(display_order = BEHIND_STUDIES)]
+    #[command(display_order = BEHIND_STUDIES + 3)]
     Man(cmd::shell::Man),
 }
 
@@ -151,7 +151,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         let tool = Tool::new(self.backends, &self.tasks, self.guests);
         // Backends and tasks of other crates belong into the help.
         let help = format!("Backends:\n{}", tool.backend_help());
-        let studies = tool.studies().iter().map(|study| study.command().display_order(OF_STUDIES));
+        let studies = (OF_STUDIES..).zip(tool.studies()).map(|(place, study)| study.command().display_order(place));
         let command = Arguments::command()
             .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
             .subcommands(studies);
