@@ -21,29 +21,22 @@ const PACKAGES: [&str; 6] = ["arithmetic", "exact", "sos", "tolerance", "laws", 
 const FOLDER: &str = "target/mutants";
 /// Where they are compiled.
 const BUILT: &str = "target/mutants-build";
-/// The packages whose tests are run after those of a mutant's own.
-const ABOVE: [&str; 16] = [
-    "interval",
-    "polygon-locate",
-    "cube-union",
-    "contacts",
-    "crossings",
-    "triangulate",
-    "hull",
-    "slice",
-    "delaunay",
-    "overlay",
-    "mesh-locate",
-    "mesh-intersect",
-    "tasks",
-    "oracle",
-    "studies",
-    "search",
-];
+/// The packages whose tests are run after those of a mutant's own: all systems, and these.
+const ABOVE: [&str; 4] = ["tasks", "oracle", "studies", "search"];
 /// Seconds for these, all together. (By itself cargo-mutants would allow them what a mutant's own tests take.)
 const SECONDS_ABOVE: &str = "1800";
 /// What cargo-mutants ends with where mutants were missed, or ran out of time: that is what is counted.
 const FINE: [i32; 3] = [0, 2, 3];
+
+/// The packages of the systems: the folders of their group.
+fn systems() -> Result<Vec<String>, String> {
+    let group = root().join("crates/systems");
+    let entries = std::fs::read_dir(&group).map_err(|why| format!("{}: {why}", group.display()))?;
+    let folders = entries.flatten().filter(|entry| entry.path().join("Cargo.toml").is_file());
+    let mut names: Vec<String> = folders.filter_map(|entry| entry.file_name().into_string().ok()).collect();
+    names.sort();
+    Ok(names)
+}
 
 /// What became of the mutants of one package.
 #[derive(Default)]
@@ -184,7 +177,9 @@ pub fn score(args: &[String]) -> Result<(), String> {
             let mut which: Vec<String> =
                 score.missed.iter().flat_map(|name| ["--re".to_owned(), whole(name)]).collect();
             which.extend(files(&score.missed).into_iter().flat_map(|file| ["--file".to_owned(), file]));
-            let tests = ABOVE.iter().filter(|&&above| above != package.as_str());
+            let systems = systems()?;
+            let above = systems.iter().map(String::as_str).chain(ABOVE);
+            let tests = above.filter(|&above| above != package.as_str());
             which.extend(tests.flat_map(|above| ["--test-package".to_owned(), format!("predicament-{above}")]));
             let what = format!("mutants of {package}, by the tests of crates above");
             which.extend(["--timeout", SECONDS_ABOVE].map(str::to_owned));

@@ -129,9 +129,9 @@ impl MapSource {
 /// Which regions of a file are the map.
 #[derive(Clone, Debug)]
 pub enum Selected {
-    /// All of them.
+    /// All regions of the file.
     All,
-    /// Those whose ids begin with a text.
+    /// The regions whose ids begin with a text.
     Ids {
         /// The text.
         begin: String,
@@ -140,7 +140,7 @@ pub enum Selected {
         /// Its line.
         line: usize,
     },
-    /// Those with these numbers.
+    /// The regions with these numbers.
     Numbers {
         /// The numbers, ascending, from 0 in the file's order, each with its line in the suite.
         numbers: Vec<(usize, usize)>,

@@ -63,7 +63,7 @@ impl SceneFormat for Pairs {
     }
 }
 
-/// What loading a scene of these lines says, with files of two, three and unreadable points beside its suite.
+/// The error of loading a scene of these lines. Files with two, three and unreadable points stand beside its suite.
 fn refusal(lines: &str) -> (String, String) {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in [("two.csv", "0,0\n1,1\n"), ("three.csv", "0,0\n1,1\n2,2\n"), ("bad.csv", "0,0\n1,x\n")] {

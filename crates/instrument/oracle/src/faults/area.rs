@@ -11,7 +11,7 @@ pub enum Area {
     Sos,
     /// Bands and the contacts that go by distances.
     Tolerance,
-    /// What algorithms hand over: contacts, and right answers that are spoiled.
+    /// Contacts that a backend registers, and right answers that are spoiled before they are judged.
     Answers,
     /// What judges answers: a check that is off.
     Checks,

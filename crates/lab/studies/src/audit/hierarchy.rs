@@ -22,14 +22,14 @@ pub enum Driver {
     Honest,
     /// The last registration below full dimension is lost.
     LostSubPair,
-    /// Of the first registration below full dimension, a pair that it has ended is registered as well.
+    /// A pair is registered as well that the first registration below full dimension has ended.
     ForgottenSubPairs,
     /// No two vertices are registered.
     SkippedVertices,
 }
 
 impl Driver {
-    /// Those that are spoiled.
+    /// The drivers that lose registrations or add some.
     pub const PLANTED: [Driver; 3] = [Driver::LostSubPair, Driver::ForgottenSubPairs, Driver::SkippedVertices];
 
     /// In words, with dashes.
