@@ -157,7 +157,7 @@ fn an_engine_of_a_run_is_not_started_unless_it_is_named() {
     let marker = at(&folder, "started");
     let engine = format!("name = \"evil\"\nrun = [\"touch\", {marker:?}]\n");
     let engine = write(&folder, "engine.toml", &engine);
-    let mut plan: serde_json::Value = serde_json::from_str(&read(&out, "plan.json")).unwrap();
+    let mut plan: serde_json::Value = serde_json::from_str(&unsealed(&out, "plan.json")).unwrap();
     plan["backends"] = serde_json::json!(["exact", "engine:evil"]);
     plan["engines"] = serde_json::json!({ "engine:evil": { "file": engine, "sha256": "" } });
     std::fs::write(format!("{out}/plan.json"), serde_json::to_string_pretty(&plan).unwrap()).unwrap();

@@ -35,19 +35,29 @@ pub(super) fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<
     const CURE: &str = "restore the file from a copy, or start a new run";
     let unsealed = match sealed(bytes) {
         Some((seal, json)) if digest(&json).as_bytes() == seal => Some(json),
-        Some(_) => {
+        // A seal that is elsewhere in the file is none that a run has written.
+        None if !has_seal(bytes) => None,
+        _ => {
             return Err(Error::new(
                 path,
                 format!("its bytes are not those that the run has written, by its seal; {CURE}"),
             ));
         }
-        None => None,
     };
     serde_json::from_slice(unsealed.as_deref().unwrap_or(bytes)).map_err(|error| {
         let Error { path, line, message } = Error::json(path)(error);
         let line = line.map(|line| line + u64::from(unsealed.is_some()));
         Error { path, line, message: format!("{message}; {CURE}") }
     })
+}
+
+/// Whether a JSON object has a member `seal`, wherever it stands.
+fn has_seal(bytes: &[u8]) -> bool {
+    #[derive(serde::Deserialize)]
+    struct Object {
+        seal: Option<serde::de::IgnoredAny>,
+    }
+    serde_json::from_slice::<Object>(bytes).is_ok_and(|object| object.seal.is_some())
 }
 
 /// The seal of a file, and the file without its line, if it has one.
@@ -77,6 +87,12 @@ mod tests {
                 let error = of_json::<crate::Env>(&path, &changed).expect_err("the bit counts").to_string();
                 assert!(error.contains("env.json") && error.ends_with("or start a new run"), "{error}");
             }
+        }
+        // Other line ends, and a seal in another place.
+        let text = String::from_utf8(written.clone()).unwrap();
+        for moved in [text.replace('\n', "\r\n"), text.replacen("{\n", "{ ", 1)] {
+            let error = of_json::<serde_json::Value>(&path, moved.as_bytes()).expect_err("it is not as it was written");
+            assert!(error.to_string().contains("by its seal"), "{error}");
         }
         // The seal is that of the file without its line, which alone is as good as it was before there were seals.
         let (seal, json) = sealed(&written).unwrap();
