@@ -113,4 +113,6 @@ impl Backend for Epsilon {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
         Ok(Session::new(scene, *self, tally))
     }
+
+    predicament_predicates::boxed_here!();
 }

@@ -49,4 +49,6 @@ impl Backend for Naive {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
         Ok(NaiveSession::new(scene, self.pivot, tally))
     }
+
+    predicament_predicates::boxed_here!();
 }

@@ -24,6 +24,43 @@ pub(crate) trait Float: Send + Sync {
     }
 }
 
+/// A formula for `N` points of `D` coordinates, by which [`Float`] offers all of its own.
+trait Formula<const D: usize, const N: usize>: Float {
+    fn determinant(&self, points: [[f64; D]; N]) -> f64;
+}
+
+macro_rules! formulas {
+    ($(($d:literal, $n:literal): |$float:ident, $points:ident| $determinant:expr;)+) => {
+        $(impl<F: Float> Formula<$d, $n> for F {
+            #[inline(always)]
+            fn determinant(&self, $points: [[f64; $d]; $n]) -> f64 {
+                let $float = self;
+                $determinant
+            }
+        })+
+    };
+}
+
+formulas! {
+    (1, 2): |_float, points| points[0][0] - points[1][0];
+    (2, 3): |float, points| float.orient2d(points);
+    (3, 4): |float, points| float.orient3d(points);
+    (2, 4): |float, points| float.incircle(points);
+    (3, 5): |float, points| float.insphere(points);
+}
+
+/// Answers a batch in vector registers. It is generic over the formula and not over the session, of which there are two for each formula.
+#[inline(never)]
+fn in_lanes<F: Formula<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    float: &F,
+    points: &[[f64; E]],
+    (queries, out): (&[[Vertex; N]], &mut [Sign]),
+    elsewhere: &dyn Fn([Vertex; N]) -> Sign,
+) {
+    let value = |points| float.value(float.determinant(points));
+    lanes::answer::<V, E, D, N>(points, queries, out, value, elsewhere);
+}
+
 /// A control, prepared for one scene.
 pub struct Session<'s, F, T> {
     /// With the vertices that were constructed since.
@@ -329,20 +366,17 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
 
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let one = |quadruple| self.side_of(quadruple);
-        let evaluate = |points| self.float.orient3d(points);
-        self.many::<Whole, 3, 3, 4>(PredicateKind::Orient3d, self.points3, (queries, out), evaluate, one);
+        self.many::<Whole, 3, 3, 4>(PredicateKind::Orient3d, self.points3, (queries, out), one);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let one = |quadruple| self.float.incircle(self.circle(quadruple));
-        let evaluate = |points| self.float.incircle(points);
-        self.many::<Whole, 2, 2, 4>(PredicateKind::Incircle, self.points2, (queries, out), evaluate, one);
+        self.many::<Whole, 2, 2, 4>(PredicateKind::Incircle, self.points2, (queries, out), one);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
         let one = |quintuple| self.float.insphere(self.input().solid(quintuple));
-        let evaluate = |points| self.float.insphere(points);
-        self.many::<Whole, 3, 3, 5>(PredicateKind::Insphere, self.points3, (queries, out), evaluate, one);
+        self.many::<Whole, 3, 3, 5>(PredicateKind::Insphere, self.points3, (queries, out), one);
     }
 }
 
@@ -355,8 +389,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         out: &mut [Sign],
         one: impl Fn([Vertex; 2]) -> f64,
     ) {
-        let evaluate = |[[a], [b]]: [[f64; 1]; 2]| a - b;
-        self.many::<V, E, 1, 2>(PredicateKind::Compare, points, (queries, out), evaluate, one);
+        self.many::<V, E, 1, 2>(PredicateKind::Compare, points, (queries, out), one);
     }
 
     fn turn_lanes<V: View<E, 2>, const E: usize>(
@@ -366,11 +399,10 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         out: &mut [Sign],
         one: impl Fn([Vertex; 3]) -> f64,
     ) {
-        let evaluate = |points| self.float.orient2d(points);
-        self.many::<V, E, 2, 3>(PredicateKind::Orient2d, points, (queries, out), evaluate, one);
+        self.many::<V, E, 2, 3>(PredicateKind::Orient2d, points, (queries, out), one);
     }
 
-    /// Answers a batch, in vector registers where the formula is made for them: by `evaluate` from points in view, and by `one` where a
+    /// Answers a batch, in vector registers where the formula is made for them: by the formula from points in view, and by `one` where a
     /// vertex is none of the scene's points.
     #[inline(always)]
     fn many<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
@@ -378,16 +410,17 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         kind: PredicateKind,
         points: &[[f64; E]],
         (queries, out): (&[[Vertex; N]], &mut [Sign]),
-        evaluate: impl Fn([[f64; D]; N]) -> f64,
         one: impl Fn([Vertex; N]) -> f64,
-    ) {
+    ) where
+        F: Formula<D, N>,
+    {
         if !F::IN_LANES {
             return self.one_by_one(kind, queries, out, one);
         }
-        let value = |points| self.float.value(evaluate(points));
+        let answered = queries.len().min(out.len()) as u64;
         let elsewhere = |query| Sign::of(self.float.value(one(query)));
-        lanes::answer::<V, E, D, N>(points, queries, out, value, elsewhere);
-        self.tally.settled_many(kind, 0, queries.len().min(out.len()) as u64);
+        in_lanes::<F, V, E, D, N>(&self.float, points, (queries, out), &elsewhere);
+        self.tally.settled_many(kind, 0, answered);
     }
 
     #[inline(always)]

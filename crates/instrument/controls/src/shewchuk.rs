@@ -69,4 +69,6 @@ impl Backend for Shewchuk {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined> {
         Ok(Session::new(scene, Shewchuk, tally))
     }
+
+    predicament_predicates::boxed_here!();
 }

@@ -4,7 +4,7 @@
 //! itself how long it took, goes behind a pointer, and a query costs a dynamic call.
 
 use predicament_predicates::{
-    Backend, Batches, Constructs, Contract, Counts, Declined, Off, PredicateKind, Predicates, Scene, Tally,
+    Backend, Batches, Constructs, Contract, Counts, Declined, PredicateKind, Predicates, Scene, Tally,
 };
 
 /// A session of any type.
@@ -62,10 +62,7 @@ impl<B: Backend + 'static> Any for B {
     }
 
     fn prepare<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Session<'s>, Declined> {
-        Ok(match counts {
-            Some(counts) => Box::new(Backend::prepare(self, scene, counts)?),
-            None => Box::new(Backend::prepare(self, scene, Off)?),
-        })
+        Backend::boxed(self, scene, counts)
     }
 }
 
@@ -104,5 +101,9 @@ impl Backend for Boxed {
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s>, Declined> {
         self.0.prepare(scene, tally.counts())
+    }
+
+    fn boxed<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Session<'s>, Declined> {
+        self.0.prepare(scene, counts)
     }
 }

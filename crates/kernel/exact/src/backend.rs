@@ -36,4 +36,6 @@ impl Backend for Exact {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         Session::new(scene, tally)
     }
+
+    predicament_predicates::boxed_here!();
 }

@@ -69,6 +69,8 @@ impl Backend for Partial {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<PartialSession<'s, T>, Declined> {
         PartialSession::new(scene, tally, self.last)
     }
+
+    predicament_predicates::boxed_here!();
 }
 
 /// The first stages, prepared for one scene.

@@ -12,8 +12,8 @@
 //!   a, b, c, d with a positive `orient3d`.
 
 use crate::{
-    Axis, Band, Construction, Constructs, Contract, Declined, Dimension, Plane, PredicateKind, Question, Refused,
-    Scene, Sessions, Sign, Tally, Vertex, contact,
+    Axis, Band, Construction, Constructs, Contract, Counts, Declined, Dimension, Off, Plane, PredicateKind, Question,
+    Refused, Scene, Sessions, Sign, Tally, Vertex, contact,
 };
 
 /// How a backend answers a batch of queries.
@@ -74,6 +74,20 @@ pub trait Backend: Send + Sync {
     /// # Errors
     /// [`Declined`] where the backend can't take the scene at all.
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined>;
+
+    /// A session behind a pointer, for callers that are generic over nothing; with counts of stages, or without.
+    ///
+    /// Whoever calls it compiles the sessions. A backend that writes the method out by [`boxed_here!`](crate::boxed_here) compiles them in its own
+    /// crate, once for all callers.
+    ///
+    /// # Errors
+    /// Those of [`prepare`](Backend::prepare).
+    fn boxed<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Box<dyn Predicates + 's>, Declined> {
+        Ok(match counts {
+            Some(counts) => Box::new(self.prepare(scene, counts)?),
+            None => Box::new(self.prepare(scene, Off)?),
+        })
+    }
 }
 
 /// Geometric questions about the vertices of one prepared scene.

@@ -138,3 +138,20 @@ macro_rules! forward_to {
         }
     };
 }
+
+/// Writes [`Backend::boxed`](crate::Backend::boxed) out, so that the sessions of a backend are compiled in its own crate.
+#[macro_export]
+macro_rules! boxed_here {
+    () => {
+        fn boxed<'s>(
+            &'s self,
+            scene: &'s $crate::Scene,
+            counts: Option<&'s $crate::Counts>,
+        ) -> Result<Box<dyn $crate::Predicates + 's>, $crate::Declined> {
+            Ok(match counts {
+                Some(counts) => Box::new($crate::Backend::prepare(self, scene, counts)?),
+                None => Box::new($crate::Backend::prepare(self, scene, $crate::Off)?),
+            })
+        }
+    };
+}

@@ -59,4 +59,6 @@ impl Backend for Sos {
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
         Ok(Session::new(Breaker::new(self.scheme, scene)?, tally))
     }
+
+    predicament_predicates::boxed_here!();
 }

@@ -73,6 +73,8 @@ impl Backend for PerMesh {
         constructed::are_of_inputs(scene)?;
         Ok(Session { exact: Exact.prepare(scene, Off)?, tally })
     }
+
+    predicament_predicates::boxed_here!();
 }
 
 /// The backend, prepared for one scene.

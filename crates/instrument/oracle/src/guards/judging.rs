@@ -14,7 +14,7 @@ use crate::expect::Expectations;
 use crate::faults::Area;
 
 /// What judges answers: each function is the real one, unless a fault replaces it.
-trait Judging {
+pub(super) trait Judging {
     /// The class of an answer to a query whose determinant is this, exactly.
     fn class(&self, zero: ZeroMeaning, band: Option<Band>, answer: Sign, determinant: f64) -> Class {
         classify(zero, band, answer, Sign::of(determinant), |limit| determinant.abs() <= limit)
@@ -70,30 +70,19 @@ const fn guard(name: &'static str, means: &'static str) -> Guard {
 }
 
 /// What each guard finds.
-pub(super) fn held(judging: &dyn HeldBy) -> Vec<Held> {
-    judging.all()
-}
-
-/// A judging whose type is hidden.
-pub(super) trait HeldBy {
-    fn all(&self) -> Vec<Held>;
-}
-
-impl<J: Judging> HeldBy for J {
-    fn all(&self) -> Vec<Held> {
-        let guards: [fn(&J, &mut Facts); 6] = [class_table, status_table, ids, signs, ties, honest];
-        let held = |(guard, look): (&Guard, fn(&J, &mut Facts))| {
-            let mut facts = Facts::default();
-            look(self, &mut facts);
-            facts.held(guard.name)
-        };
-        GUARDS.iter().zip(guards).map(held).collect()
-    }
+pub(super) fn held(judging: &dyn Judging) -> Vec<Held> {
+    let guards: [fn(&dyn Judging, &mut Facts); 6] = [class_table, status_table, ids, signs, ties, honest];
+    let held = |(guard, look): (&Guard, fn(&dyn Judging, &mut Facts))| {
+        let mut facts = Facts::default();
+        look(judging, &mut facts);
+        facts.held(guard.name)
+    };
+    GUARDS.iter().zip(guards).map(held).collect()
 }
 
 const BAND: Option<Band> = Some(Band { lower: 1.0, width: 2.0, upper: 3.0 });
 
-fn class_table<J: Judging>(judging: &J, facts: &mut Facts) {
+fn class_table(judging: &dyn Judging, facts: &mut Facts) {
     use Sign::{Negative, Positive, Zero};
     use ZeroMeaning::{Band as InBand, Exact, Never};
     let table = [
@@ -142,7 +131,7 @@ reason = \"overflow\"
 level = \"full\"
 ";
 
-fn status_table<J: Judging>(judging: &J, facts: &mut Facts) {
+fn status_table(judging: &dyn Judging, facts: &mut Facts) {
     use Class::{Agree, InBand, Nan, Overreach, SignFlip, TieBroken};
     let table: [([&str; 4], &[Class], Status); 12] = [
         (["families", "near-plane", "naive", "quick"], &[Agree, SignFlip, Overreach], Status::Expected),
@@ -164,7 +153,7 @@ fn status_table<J: Judging>(judging: &J, facts: &mut Facts) {
     }
 }
 
-fn ids<J: Judging>(judging: &J, facts: &mut Facts) {
+fn ids(judging: &dyn Judging, facts: &mut Facts) {
     let query = |text: &str| text.parse().into_iter().collect::<Vec<_>>();
     let finding = |class, check: &str, at: &str| Finding::plain(class, check, query(at), String::new(), String::new());
     let [one, other] = ["orient2d(xy; 0 1 2)", "orient2d(xy; 0 1 3)"];
@@ -201,7 +190,7 @@ fn vertices<const N: usize>(places: [usize; N]) -> [Vertex; N] {
     places.map(Vertex::input)
 }
 
-fn signs<J: Judging>(judging: &J, facts: &mut Facts) {
+fn signs(judging: &dyn Judging, facts: &mut Facts) {
     use Question::{Compare, Incircle, Insphere, Orient2d, Orient3d};
     use Sign::{Negative, Positive, Zero};
     let mut look = |scene: &Scene, question: Question, args: &[Vertex], sign: Sign| {
@@ -239,7 +228,7 @@ fn signs<J: Judging>(judging: &J, facts: &mut Facts) {
     look(&near, Orient2d(Plane::Xy), &vertices([3, 1, 2]), Negative);
 }
 
-fn ties<J: Judging>(judging: &J, facts: &mut Facts) {
+fn ties(judging: &dyn Judging, facts: &mut Facts) {
     use Question::{Compare, Orient2d};
     use Sign::{Negative, Positive};
     let line = flat(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0]]);
@@ -257,7 +246,7 @@ fn ties<J: Judging>(judging: &J, facts: &mut Facts) {
     look(Orient2d(Plane::Xy), &vertices([2, 0, 1]), Positive);
 }
 
-fn honest<J: Judging>(judging: &J, facts: &mut Facts) {
+fn honest(judging: &dyn Judging, facts: &mut Facts) {
     let points: Vec<[f64; 3]> =
         (0..7_u32).map(|i| [i * i % 5, (3 * i + 1) % 7, i * i * i % 11].map(f64::from)).collect();
     let scene = scene(&points);

@@ -16,7 +16,7 @@ type Faces = Vec<Vec<[f64; 3]>>;
 type Chains = Vec<Vec<[f64; 2]>>;
 
 /// What reads: each function is the real one, unless a fault replaces it. None is a file that is refused.
-trait Reading {
+pub(super) trait Reading {
     /// A coordinate.
     fn coordinate(&self, text: &str) -> Option<f64> {
         exact_coordinate(text).ok()
@@ -97,25 +97,14 @@ const fn guard(name: &'static str, means: &'static str) -> Guard {
 }
 
 /// What each guard finds.
-pub(super) fn held(reading: &dyn HeldBy) -> Vec<Held> {
-    reading.all()
-}
-
-/// A reading whose type is hidden.
-pub(super) trait HeldBy {
-    fn all(&self) -> Vec<Held>;
-}
-
-impl<R: Reading> HeldBy for R {
-    fn all(&self) -> Vec<Held> {
-        let guards: [fn(&R, &mut Facts); 7] = [hex_floats, decimals, csv, meshes, rings, lines, ids];
-        let held = |(guard, look): (&Guard, fn(&R, &mut Facts))| {
-            let mut facts = Facts::default();
-            look(self, &mut facts);
-            facts.held(guard.name)
-        };
-        GUARDS.iter().zip(guards).map(held).collect()
-    }
+pub(super) fn held(reading: &dyn Reading) -> Vec<Held> {
+    let guards: [fn(&dyn Reading, &mut Facts); 7] = [hex_floats, decimals, csv, meshes, rings, lines, ids];
+    let held = |(guard, look): (&Guard, fn(&dyn Reading, &mut Facts))| {
+        let mut facts = Facts::default();
+        look(reading, &mut facts);
+        facts.held(guard.name)
+    };
+    GUARDS.iter().zip(guards).map(held).collect()
 }
 
 /// Doubles of all kinds.
@@ -144,7 +133,7 @@ fn hex(x: f64) -> String {
     }
 }
 
-fn hex_floats<R: Reading>(reading: &R, facts: &mut Facts) {
+fn hex_floats(reading: &dyn Reading, facts: &mut Facts) {
     for x in DOUBLES {
         let text = hex(x);
         let got = reading.coordinate(&text);
@@ -156,7 +145,7 @@ fn hex_floats<R: Reading>(reading: &R, facts: &mut Facts) {
     }
 }
 
-fn decimals<R: Reading>(reading: &R, facts: &mut Facts) {
+fn decimals(reading: &dyn Reading, facts: &mut Facts) {
     for (text, bits) in [
         ("0", 0),
         ("0.5", 0x3fe0_0000_0000_0000),
@@ -183,7 +172,7 @@ fn known<const D: usize>(count: u32) -> Vec<[f64; D]> {
     (0..count).map(|at| std::array::from_fn(|axis| coordinate(at, axis))).collect()
 }
 
-fn csv<R: Reading>(reading: &R, facts: &mut Facts) {
+fn csv(reading: &dyn Reading, facts: &mut Facts) {
     fn text<const D: usize>(points: &[[f64; D]]) -> String {
         points.iter().map(|point| point.map(hex).join(",") + "\n").collect()
     }
@@ -204,7 +193,7 @@ fn tetrahedron() -> (Vec<[f64; 3]>, [[usize; 3]; 4]) {
     (known::<3>(4), [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 }
 
-fn meshes<R: Reading>(reading: &R, facts: &mut Facts) {
+fn meshes(reading: &dyn Reading, facts: &mut Facts) {
     let (points, faces) = tetrahedron();
     let corners: Faces = faces.iter().map(|face| face.map(|v| points[v]).to_vec()).collect();
     let lines = |before: &str| -> String { points.iter().map(|[x, y, z]| format!("{before}{x} {y} {z}\n")).collect() };
@@ -281,7 +270,7 @@ fn wkt(chain: &[[f64; 2]]) -> String {
     format!("({})", places.join(", "))
 }
 
-fn rings<R: Reading>(reading: &R, facts: &mut Facts) {
+fn rings(reading: &dyn Reading, facts: &mut Facts) {
     let polygons = known_rings();
     let wanted: Chains = polygons.iter().flatten().cloned().collect();
     let all = |form: fn(&[[f64; 2]]) -> String| {
@@ -297,7 +286,7 @@ fn rings<R: Reading>(reading: &R, facts: &mut Facts) {
     }
 }
 
-fn lines<R: Reading>(reading: &R, facts: &mut Facts) {
+fn lines(reading: &dyn Reading, facts: &mut Facts) {
     let lines = [vec![[0.0, 0.0], [1.0, 2.0], [3.0, 1.0]], vec![[10.0, 0.0], [11.0, 5.0]]];
     let wanted: Chains = lines.iter().flat_map(|line| line.windows(2).map(<[_]>::to_vec)).collect();
     let geojson =
@@ -312,7 +301,7 @@ fn lines<R: Reading>(reading: &R, facts: &mut Facts) {
 /// The id of the scene since there are ids.
 const PINNED: &str = "0fa27daf00cfd24b";
 
-fn ids<R: Reading>(reading: &R, facts: &mut Facts) {
+fn ids(reading: &dyn Reading, facts: &mut Facts) {
     let points = [[0.5, 1.0], [0.0, 3.0], [-2.0, 0.1]];
     let id = reading.id(&points);
     facts.hold(id.as_deref() == Some(PINNED), || format!("the id of a known scene is {id:?}"));
