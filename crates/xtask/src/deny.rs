@@ -3,7 +3,7 @@
 use crate::steps::{answers, cargo};
 
 /// The workspaces of this repository. The smaller ones do not have every licence of the list, and only one has fuzz targets.
-const MANIFESTS: [&str; 3] = ["Cargo.toml", "fuzz/Cargo.toml", "examples/leftmost/Cargo.toml"];
+const MANIFESTS: [&str; 2] = ["Cargo.toml", "fuzz/Cargo.toml"];
 
 /// Holds licences, sources and bans of all workspaces against `deny.toml`; says so where cargo-deny is not installed.
 ///

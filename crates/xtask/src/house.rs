@@ -123,35 +123,6 @@ fn a_lost_test_is_seen() {
     assert!(!has_lost_tests(no_examples, &example.replacen("```", "```text", 1)), "a figure");
 }
 
-/// The lines of the sections of a manifest about a profile, but for those about packages of this workspace.
-fn profile<'m>(manifest: &'m str, profile: &str) -> Vec<&'m str> {
-    let start = format!("[profile.{profile}");
-    let mut is_inside = false;
-    let mut lines = Vec::new();
-    for line in manifest.lines().map(str::trim).filter(|line| !line.is_empty() && !line.starts_with('#')) {
-        if line.starts_with('[') {
-            is_inside = line.strip_prefix(&start).is_some_and(|rest| rest.starts_with(['.', ']']));
-        }
-        let is_ours = line.starts_with("predicament") || line.starts_with("xtask");
-        if is_inside && !is_ours {
-            lines.push(line);
-        }
-    }
-    lines
-}
-
-/// Both are built into one folder. Where a flag differs, everything is compiled twice, GMP too.
-#[test]
-fn the_example_is_built_with_the_profile_of_the_workspace() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    let read = |path: &str| std::fs::read_to_string(root.join(path)).expect("a manifest");
-    let (ours, theirs) = (read("Cargo.toml"), read("examples/leftmost/Cargo.toml"));
-    assert!(profile(&ours, "ci").len() > 5);
-    assert_eq!(profile(&ours, "ci"), profile(&theirs, "ci"));
-    let other = ours.replace("codegen-units = 4", "codegen-units = 5");
-    assert_ne!(profile(&other, "ci"), profile(&theirs, "ci"), "a difference is seen");
-}
-
 /// What tells where a page was written, or where its packages came from.
 fn names_a_host(line: &str) -> bool {
     // In pieces, so that this file passes.
@@ -220,6 +191,37 @@ fn rust_blocks(page: &str) -> Vec<&str> {
 /// The blocks of a page that are in none of these files.
 fn unknown<'p>(page: &'p str, files: &[String]) -> Vec<&'p str> {
     rust_blocks(page).into_iter().filter(|block| !files.iter().any(|file| file.contains(block))).collect()
+}
+
+/// The text of a file without what a page does not repeat of it: the lines about itself and the path of the tool.
+fn shown(file: &str) -> String {
+    let own = file.lines().skip_while(|line| line.starts_with("//!")).collect::<Vec<_>>().join("\n");
+    own.trim().replace("../../harness", "../predicament/harness")
+}
+
+/// The pages of a backend and of a task can be followed to the letter: each of these files is a block of the page, whole.
+#[test]
+fn a_page_has_every_file_of_its_example() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let read = |path: &str| std::fs::read_to_string(root.join(path)).unwrap_or_else(|why| panic!("{path}: {why}"));
+    let files = [
+        ("BACKENDS", "mine", &["Cargo.toml", "src/lib.rs", "src/main.rs", "tests/holds.rs"][..]),
+        ("TASKS", "convexity", &["Cargo.toml", "src/lib.rs", "src/main.rs", "corpora/corners.toml", "tests/holds.rs"]),
+    ];
+    for (page, example, files) in files {
+        let text = read(&format!("docs/{page}.md"));
+        let blocks: Vec<&str> =
+            text.split("\n```").skip(1).step_by(2).filter_map(|b| b.split_once('\n')).map(|b| b.1).collect();
+        assert!(blocks.len() >= files.len(), "{page} shows code");
+        for file in files {
+            let shown = shown(&read(&format!("examples/{example}/{file}")));
+            assert!(
+                shown.len() > 60 && blocks.iter().any(|block| block.trim() == shown),
+                "docs/{page}.md has another {file}"
+            );
+        }
+    }
+    assert_eq!(shown("//! About.\n\nfn main() {}\n"), "fn main() {}");
 }
 
 #[test]

@@ -16,8 +16,10 @@ mod deny;
 mod house;
 mod m4;
 mod mutants;
+mod pages;
 #[cfg(test)]
 mod recipes;
+mod rustdoc;
 mod sample;
 mod spread;
 mod steps;
@@ -31,7 +33,7 @@ Usage: cargo xtask <command>
 
 Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
-  test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate, the example crate
+  test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate
   test CRATE...
          format, clippy and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
   nightly
@@ -49,6 +51,7 @@ Commands:
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
+  pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, the schema in docs/DATA.md
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   mutants [--every N] [--from K] [--all-tests] [PACKAGE...]
@@ -70,6 +73,9 @@ Examples:
 ";
 
 fn main() -> ExitCode {
+    if let Some(real) = std::env::var_os(rustdoc::REAL) {
+        return rustdoc::run(&real, std::env::args_os().skip(1));
+    }
     let mut args = std::env::args().skip(1);
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
@@ -93,6 +99,7 @@ fn main() -> ExitCode {
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "spread" => m4::ensure().and_then(|()| spread::check()),
         "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
+        "pages" => m4::ensure().and_then(|()| pages::write()),
         "sample" => m4::ensure().and_then(|()| sample::make()),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {

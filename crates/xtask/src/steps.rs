@@ -11,10 +11,9 @@ use crate::cpu;
 const DEMO: &str = "target/demo";
 /// Where `test` leaves its run.
 const GATE: &str = "target/gate";
-/// The crate outside of the workspace that uses the tool as a library.
-const EXAMPLE: &str = "examples/leftmost";
-/// The package of benches. It has no tests, but what it depends on would be compiled for doc tests, and gives other crates
-/// features that the example does without: all that depends on them would be compiled twice.
+/// The crates that use the tool as a library. In the workspace they share its builds; `nightly` builds them outside, as somebody else's.
+const EXAMPLES: [&str; 3] = ["leftmost", "convexity", "mine"];
+/// The package of benches. It has no tests, and what it depends on would be compiled for them, or checked: the nightly looks at it.
 const BENCHES: &str = "predicament-benches";
 /// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
 const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
@@ -49,13 +48,13 @@ pub fn demo() -> Result<(), String> {
 /// runs the corpora.
 pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
-    cargo("clippy", &["clippy", "--profile", "ci", "--workspace", "--all-targets", "--", "-D", "warnings"])?;
+    let clippy =
+        ["clippy", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--all-targets", "--", "-D", "warnings"];
+    cargo("clippy", &clippy)?;
     run_tests(&[], &[])?;
     engine_examples()?;
     docs()?;
-    gate()?;
-    example()?;
-    page()
+    gate()
 }
 
 /// Format, clippy and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
@@ -80,11 +79,15 @@ pub fn test_of(crates: &[String]) -> Result<(), String> {
 ///
 /// Rustdoc needs the metadata of what a crate depends on, and clippy has left it, but for itself: it is taken where the compiler is
 /// the same one, with the same arguments. `--examples` has features be those of clippy, with dev-dependencies. Where any of this is not so,
-/// it is made again, which takes half a minute.
+/// it is made again, which takes half a minute. Each crate has a folder of its own ([`rustdoc`](crate::rustdoc)).
 fn docs() -> Result<(), String> {
     let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps", "--lib", "--bins", "--examples"];
+    let left_out = EXAMPLES.into_iter().chain([BENCHES]).flat_map(|name| ["--exclude", name]);
+    let docs: Vec<&str> = docs.into_iter().chain(left_out).collect();
     let driver = clippy_driver();
-    let mut env = vec![("RUSTDOCFLAGS", "-D warnings")];
+    let own = std::env::current_exe().map_err(|error| format!("the path of xtask: {error}"))?.display().to_string();
+    let rustdoc = std::env::var("RUSTDOC").unwrap_or_else(|_| "rustdoc".to_owned());
+    let mut env = vec![("RUSTDOCFLAGS", "-D warnings"), ("RUSTDOC", &own), (crate::rustdoc::REAL, &rustdoc)];
     if let Some(driver) = &driver {
         env.extend([("RUSTC_WORKSPACE_WRAPPER", driver.as_str()), ("CLIPPY_ARGS", CLIPPY_ARGS)]);
     }
@@ -134,97 +137,6 @@ pub fn engines(names: &[String]) -> Result<(), String> {
         failed.extend(cargo(&format!("{chore} engines"), &words).err());
     }
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
-}
-
-/// A task and a backend of a crate of their own: its tests, then its tool on its own suite, and the gate.
-///
-/// It shares the target folder. Cargo tells the crates of this workspace apart from the same crates as dependencies of
-/// another one, so they are compiled again, without optimisation; everything else is there.
-fn example() -> Result<(), String> {
-    let target = target_directory()?;
-    let run = fresh(&format!("{GATE}-example"))?.join("run").display().to_string();
-    let manifest = format!("{EXAMPLE}/Cargo.toml");
-    cargo("format of the example", &["fmt", "--manifest-path", &manifest, "--check"])?;
-    let mut test: Vec<String> =
-        ["test", "--profile", "ci", "--locked", "--test", "holds", "--manifest-path", &manifest]
-            .map(str::to_owned)
-            .into();
-    for package in packages()? {
-        test.extend(["--config".to_owned(), format!("profile.ci.package.{package}.opt-level=0")]);
-    }
-    step("tests of the example", &cargo_command(&test), &[("CARGO_TARGET_DIR", &target.display().to_string())])?;
-    let tool = target.join("ci").join("leftmost").display().to_string();
-    let tool = |what: &str, args: &[&str]| step(what, &words(&tool, args), &[]);
-    tool("run the example's suite", &["run", "leftmost-suite", "--out", &run])?;
-    tool("hold the example's run against its expectations", &["gate", &run])?;
-    let faults = ["selftest", "--only", "answer:leftmost-first-only", "-f", "^leftmost-suite/"];
-    tool("see that the example's planted fault is caught", &faults)
-}
-
-/// The page about backends, followed to the letter: its blocks in an empty folder, its test, and its tool on two scenes.
-fn page() -> Result<(), String> {
-    let target = target_directory()?;
-    let folder = root().join(fresh(&format!("{GATE}-page"))?);
-    let read = |file: &str| {
-        let path = root().join(file);
-        std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))
-    };
-    let (page, example) = (read("docs/BACKENDS.md")?, read(&format!("{EXAMPLE}/Cargo.toml"))?);
-    // The workspace of its own and its profile are those of the example, so that what is compiled is there.
-    let own = example.split_once("[workspace]").map_or("", |(_, own)| own);
-    let manifest =
-        block(&page, "[package]")?.replace("../predicament/harness", &root().join("harness").display().to_string());
-    let mine = |text: String| text.replace("predicament::example::Mine", "mine::Mine");
-    let files = [
-        ("Cargo.toml", format!("{manifest}\n[workspace]\n{own}")),
-        ("Cargo.lock", read(&format!("{EXAMPLE}/Cargo.lock"))?.replace("name = \"leftmost\"", "name = \"mine\"")),
-        ("src/lib.rs", block(&page, "impl Backend for Mine")?),
-        ("src/main.rs", mine(block(&page, "predicament::cli()")?)),
-        ("tests/holds.rs", mine(block(&page, "predicament::conformance(Mine)")?)),
-    ];
-    for (file, text) in files {
-        let path = folder.join(file);
-        let parent = path.parent().unwrap_or(&folder);
-        std::fs::create_dir_all(parent)
-            .and_then(|()| std::fs::write(&path, text))
-            .map_err(|error| format!("{file}: {error}"))?;
-    }
-    let manifest = folder.join("Cargo.toml").display().to_string();
-    let mut test: Vec<String> = ["test", "--profile", "ci", "--manifest-path", &manifest].map(str::to_owned).into();
-    for package in packages()? {
-        test.extend(["--config".to_owned(), format!("profile.ci.package.{package}.opt-level=0")]);
-    }
-    step(
-        "test of the page about backends",
-        &cargo_command(&test),
-        &[("CARGO_TARGET_DIR", &target.display().to_string())],
-    )?;
-    let tool = target.join("ci").join("mine").display().to_string();
-    let run = folder.join("run").display().to_string();
-    let args = ["run", "families", "-f", "/(uniform|grid)-orient2d", "-b", "mine,exact", "--out", &run];
-    step("tool of the page about backends", &words(&tool, &args), &[])
-}
-
-/// The first code block of a page that has this in it.
-fn block(page: &str, with: &str) -> Result<String, String> {
-    let blocks = page.split("```").skip(1).step_by(2);
-    let found =
-        blocks.filter_map(|block| block.split_once('\n')).map(|(_, text)| text).find(|text| text.contains(with));
-    found.map(str::to_owned).ok_or_else(|| format!("the page has no block with `{with}`"))
-}
-
-/// The packages that the example depends on by path: the tool and the crates under it.
-fn packages() -> Result<Vec<String>, String> {
-    let path = root().join(EXAMPLE).join("Cargo.lock");
-    let lock = std::fs::read_to_string(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok(local_packages(&lock).into_iter().filter(|name| name != "leftmost").collect())
-}
-
-/// The packages of a lock file that come from no registry.
-fn local_packages(lock: &str) -> Vec<String> {
-    let packages = lock.split("[[package]]").skip(1).filter(|package| !package.contains("\nsource = "));
-    let names = packages.filter_map(|package| package.split_once("name = \"")?.1.split_once('"'));
-    names.map(|(name, _)| name.to_owned()).collect()
 }
 
 /// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
@@ -279,7 +191,22 @@ pub fn nightly() -> Result<(), String> {
             &["bench", "--profile", "ci", "--workspace", "--benches", "--features", "peers", "--no-run"],
         ),
         // Into a folder of its own: packages are compiled as somebody else's.
-        cargo("packages", &["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"]),
+        cargo(
+            "packages",
+            &[
+                "package",
+                "--workspace",
+                "--exclude",
+                "leftmost",
+                "--exclude",
+                "convexity",
+                "--exclude",
+                "mine",
+                "--allow-dirty",
+                "--target-dir",
+                "target/package-check",
+            ],
+        ),
         crate::deny::check(),
         crate::advisories::check_if_at_hand(),
         crate::ci_page::check(),
@@ -287,6 +214,7 @@ pub fn nightly() -> Result<(), String> {
         crate::data::check(),
         crate::spread::check(),
         minimum_version(),
+        strangers(),
         fuzz(),
     ];
     let failed: Vec<String> = done.into_iter().filter_map(Result::err).collect();
@@ -303,6 +231,39 @@ fn minimum_version() -> Result<(), String> {
     }
     let check = ["run", version, "cargo", "check", "--workspace", "--all-targets", "--target-dir", "target/msrv"];
     step(&format!("check with Rust {version}"), &words("rustup", &check), &[])
+}
+
+/// The examples in folders of their own, each a workspace by itself as in anybody's repository: their tests.
+fn strangers() -> Result<(), String> {
+    let folder = fresh("target/strangers")?;
+    let harness = format!("\"{}\"", root().join("harness").display());
+    let mut failed = Vec::new();
+    for name in EXAMPLES {
+        let (from, to) = (root().join("examples").join(name), root().join(&folder).join(name));
+        copy(&from, &to).map_err(|error| format!("{}: {error}", from.display()))?;
+        let manifest = to.join("Cargo.toml");
+        let text = std::fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
+        let alone = text.replace("\"../../harness\"", &harness)
+            + "\n[workspace]\n\n[profile.dev.package.\"*\"]\nopt-level = 1\n";
+        std::fs::write(&manifest, alone).map_err(|error| format!("{}: {error}", manifest.display()))?;
+        let manifest = manifest.display().to_string();
+        // One folder for the three: what they build on is the same.
+        let target = root().join(&folder).join("target").display().to_string();
+        let test = ["test", "--manifest-path", &manifest, "--target-dir", &target];
+        failed.extend(cargo(&format!("tests of {name} as a crate of its own"), &test).err());
+    }
+    if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
+}
+
+/// Copies a folder with all that is in it.
+fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
+    std::fs::create_dir_all(to)?;
+    for entry in std::fs::read_dir(from)? {
+        let entry = entry?;
+        let (path, to) = (entry.path(), to.join(entry.file_name()));
+        if path.is_dir() { copy(&path, &to)? } else { std::fs::copy(&path, &to).map(|_| ())? }
+    }
+    Ok(())
 }
 
 /// Every fuzz target for a while, beginning with the scenes of the embedded suites.
@@ -438,22 +399,6 @@ pub fn step_ending(what: &str, words: &[String], env: &[(&str, &str)], fine: &[i
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn packages_of_no_registry_are_read_from_a_lock_file() {
-        let lock = "version = 4\n\n[[package]]\nname = \"a\"\nversion = \"1\"\nsource = \"registry\"\n\n[[package]]\n\
-                    name = \"b\"\nversion = \"1\"\ndependencies = [\n \"a\",\n]\n";
-        assert_eq!(local_packages(lock), ["b"]);
-        assert!(packages().unwrap().contains(&"predicament-tasks".to_owned()));
-    }
-
-    #[test]
-    fn blocks_are_found_by_what_they_say() {
-        let page = "a\n```toml\nx = 1\n```\nb `c`\n```rust\nfn f() {}\nx = 2\n```\n";
-        assert_eq!(block(page, "fn f"), Ok("fn f() {}\nx = 2\n".to_owned()));
-        assert_eq!(block(page, "x = "), Ok("x = 1\n".to_owned()));
-        assert!(block(page, "b `c`").is_err());
-    }
 
     #[test]
     fn the_target_directory_is_read() {

@@ -51,6 +51,8 @@ impl Work<'_> {
             return Ok(());
         }
         let mut scenes = selection.plan()?;
+        // What a small scene shows need not be looked for in a large one.
+        scenes.sort_by_key(|scene| scene.plan.queries);
         interrupt::listen_for_all();
         let bar = progress::bar(scenes.len() as u64, "scenes");
         let interrupted = |_| {

@@ -8,7 +8,7 @@ fn the_committed_page_is_what_the_command_prints() {
     // what a search has found comes last, and is not derived
     let (page, found) = page.split_once("\n## Worst cases\n").expect("the search comes last");
     assert!(found.contains("`predicament worst`"));
-    assert_eq!(expect(0, &["bounds"]).stdout, page, "renew it, up to its last section: predicament bounds");
+    assert_eq!(expect(0, &["bounds"]).stdout, page, "run `cargo xtask pages`");
     assert_eq!(expect(0, &["bounds", "--format", "md"]).stdout, page);
 }
 

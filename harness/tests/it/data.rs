@@ -82,7 +82,7 @@ fn the_page_has_the_schema_and_every_column_a_meaning() {
         .split_once("<!-- predicament: schema -->\n")
         .and_then(|(_, rest)| rest.split_once("\n<!-- /predicament -->"));
     let (schema, _) = marked.expect("the page has marks");
-    assert!(schema == printed.trim_end(), "write it anew: predicament schema --splice docs/DATA.md");
+    assert!(schema == printed.trim_end(), "run `cargo xtask pages`");
 
     let json: Value = serde_json::from_str(&expect(0, &["schema", "--format", "json"]).stdout).unwrap();
     let tables = json["tables"].as_array().unwrap();

@@ -11,7 +11,7 @@ use crate::common::{at, expect, tool};
 fn the_page_of_checks_is_what_the_tool_prints() {
     let page = expect(0, &["selftest", "--checks", "--format", "md"]).stdout;
     let kept = include_str!("../../../docs/CHECKS.md");
-    assert!(page == kept, "run `predicament selftest --checks --format md > docs/CHECKS.md`:\n{page}");
+    assert!(page == kept, "run `cargo xtask pages`:\n{page}");
     let table = expect(0, &["selftest", "--checks", "--format", "csv"]).stdout;
     let rows = page.lines().filter(|line| line.starts_with("| ")).count() - 2;
     assert_eq!(table.lines().count() - 1, rows, "a row for each check");

@@ -59,9 +59,12 @@ pub fn scale(x: f64, k: i64) -> f64 {
     }
 }
 
-/// An integer below 2^53 in magnitude as a double, exactly.
+/// An integer of at most 2^53 in magnitude as a double, exactly.
+///
+/// # Panics
+/// If it is larger.
 pub fn integer(n: i64) -> f64 {
-    debug_assert!(n.unsigned_abs() <= 1 << 53, "{n} has more bits than a double");
+    assert!(n.unsigned_abs() <= 1 << 53, "{n} has more bits than a double");
     #[allow(clippy::cast_precision_loss)] // at most 53 bits
     let x = n as f64;
     x

@@ -299,7 +299,7 @@ impl<'d, 't> Fields<'d, 't> {
 
     /// The value of a key, if it is there.
     pub fn get(&self, key: &'static str) -> Option<Field<'d, 't>> {
-        debug_assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
+        assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
         self.asked.borrow_mut().insert(key);
         let (key, value) = self.table.get_key_value(key)?;
         Some(Field::new(self.document, self.decimals, key.get_ref(), value))

@@ -221,8 +221,11 @@ impl Table {
     }
 
     /// Adds a row: a cell for each column.
+    ///
+    /// # Panics
+    /// If there are more or fewer.
     pub fn push(&mut self, row: Vec<Cell>) {
-        debug_assert_eq!(row.len(), self.columns.len(), "a cell for each column");
+        assert_eq!(row.len(), self.columns.len(), "a cell for each column");
         self.rows.push(row);
     }
 

@@ -1,4 +1,7 @@
-//! An independent judge: textbook determinants over rationals.
+//! An independent judge: textbook determinants over rationals; and the ids that are pinned.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{QuerySet, Question, Sign, Vertex};
@@ -51,4 +54,37 @@ fn laplace(rows: &[Vec<Rational>]) -> Rational {
 /// The exact sign of one query.
 pub fn sign(loaded: &LoadedScene, query: usize) -> Sign {
     Sign::from(determinant(loaded, query).cmp0())
+}
+
+/// The file of a crate in which the ids of its tasks' scenes are pinned: those of signs stand here, those of a system beside its tests.
+pub const PINNED: &str = "tests/ids.txt";
+
+/// The id of a scene, as a crate has pinned it.
+pub struct Pinned {
+    /// The id.
+    pub id: String,
+    /// The file.
+    pub file: PathBuf,
+    /// Whether the scene has another id once it is written out: `spelled` of its content says why. The word `other` follows its name.
+    pub is_other_once_written: bool,
+}
+
+/// The ids that crates have pinned, by the scenes' names.
+pub fn pinned() -> BTreeMap<String, Pinned> {
+    let systems = std::fs::read_dir("../../systems").unwrap().map(|entry| entry.unwrap().path().join(PINNED));
+    let mut pinned: BTreeMap<String, Pinned> = BTreeMap::new();
+    for file in systems.chain([PathBuf::from(PINNED)]).filter(|file| file.is_file()) {
+        for line in std::fs::read_to_string(&file).unwrap().lines() {
+            let words: Vec<&str> = line.split(' ').collect();
+            let (id, name, is_other_once_written) = match words[..] {
+                [id, name] => (id, name, false),
+                [id, name, "other"] => (id, name, true),
+                _ => panic!("{}: `{line}` is not an id, a name and perhaps `other`", file.display()),
+            };
+            let new = Pinned { id: id.to_owned(), file: file.clone(), is_other_once_written };
+            let before = pinned.insert(name.to_owned(), new);
+            assert!(before.is_none(), "{name} is in {} and {}", before.unwrap().file.display(), file.display());
+        }
+    }
+    pinned
 }

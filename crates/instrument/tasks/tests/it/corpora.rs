@@ -1,7 +1,6 @@
 //! The embedded suites are what they say they are.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::PathBuf;
 
 use predicament_corpus::{Family, Level, Library, LoadedScene, SceneDef, Suite, content_id, fmt};
 use predicament_formats::Cache;
@@ -10,7 +9,7 @@ use predicament_predicates::{Sign, Vertex};
 use predicament_tasks::signs::{SignQueries, degeneracy};
 use rug::Rational;
 
-use crate::common::{determinant, queries, sign};
+use crate::common::{PINNED, determinant, pinned, queries, sign};
 
 fn cache() -> Cache {
     Cache::new("/nonexistent/predicament-cache")
@@ -37,23 +36,6 @@ fn offline() -> Vec<LoadedScene> {
     scenes.map(|scene| scene.load(Level::Quick, &cache()).unwrap()).collect()
 }
 
-/// The file of a crate in which the ids of its tasks' scenes are pinned: those of signs stand here, those of a system beside its tests.
-const PINNED: &str = "tests/ids.txt";
-
-/// The ids that crates have pinned, by the scenes' names, each with the file.
-fn pinned() -> BTreeMap<String, (String, PathBuf)> {
-    let systems = std::fs::read_dir("../../systems").unwrap().map(|entry| entry.unwrap().path().join(PINNED));
-    let mut pinned = BTreeMap::new();
-    for file in systems.chain([PathBuf::from(PINNED)]).filter(|file| file.is_file()) {
-        for line in std::fs::read_to_string(&file).unwrap().lines() {
-            let (id, name) = line.split_once(' ').expect("an id and a name");
-            let before = pinned.insert(name.to_owned(), (id.to_owned(), file.clone()));
-            assert!(before.is_none(), "{name} is in {} and {}", before.unwrap().1.display(), file.display());
-        }
-    }
-    pinned
-}
-
 #[test]
 fn ids_are_pinned_on_every_platform() {
     let mut pinned = pinned();
@@ -62,11 +44,11 @@ fn ids_are_pinned_on_every_platform() {
         let name = format!("{}/{}", loaded.suite, loaded.name);
         match pinned.remove(&name) {
             None => new.push(format!("{} {name}", loaded.id)),
-            Some((id, file)) => assert_eq!(
+            Some(pinned) => assert_eq!(
                 loaded.id,
-                id,
+                pinned.id,
                 "{name} in {}: a generator, a suite or the id has changed: expectations and baselines speak of these ids",
-                file.display()
+                pinned.file.display()
             ),
         }
     }

@@ -183,7 +183,7 @@ fn one<F: Float>(driver: Driver, dimension: Dimension, pair: &[Vec<[f64; 3]>; 2]
     let scene = scene.with_primitive_lengths([half; 2]);
     let backend = Tolerance::<F>::new();
     let session = backend.prepare(&scene, Off).expect("L is in the middle of the format's range");
-    debug_assert!(Published::of(&session).is_some());
+    assert!(Published::of(&session).is_some());
     let mut found = contacts(&session, &a, &b);
     driver.spoil(dimension, [&a, &b], &mut found.registered);
     let audit = predicament_contacts::checks::audit::audit(&session, &a, &b, &found);

@@ -60,7 +60,7 @@ pub(super) fn fan(mesh: &mut Mesh, chain: &[Vertex], v: Vertex, side: Sign) {
     inner.extend(open);
     // From v to the first one, along the chain, and back to v: the hull, counterclockwise.
     let ends = [v].into_iter().chain(chain.iter().copied()).chain([v]).collect::<Vec<_>>();
-    debug_assert_eq!((ends[1], ends[ends.len() - 2]), (first, last));
+    assert_eq!((ends[1], ends[ends.len() - 2]), (first, last));
     let outer: Vec<Edge> = ends.windows(2).map(|pair| mesh.add(INFINITE, pair[1], pair[0])).collect();
     for (at, (&outside, &inside)) in outer.iter().zip(&inner).enumerate() {
         mesh.link(outside, inside);

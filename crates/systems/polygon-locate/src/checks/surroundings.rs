@@ -211,7 +211,7 @@ impl Around {
             }
             sectors.push(cover.clone());
         }
-        debug_assert_eq!(sectors.first(), sectors.last(), "boundaries are closed");
+        assert_eq!(sectors.first(), sectors.last(), "boundaries are closed");
         sort_dedup(&mut sectors);
 
         let most = sectors.iter().map(Vec::len).max().unwrap_or(0);

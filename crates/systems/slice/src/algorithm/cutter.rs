@@ -96,7 +96,7 @@ impl<'a> Cutter<'a> {
     pub(super) fn see_new_vertices(&mut self, new: &[MeshVertex]) {
         for &v in new {
             // None is ever removed, so handles count up.
-            debug_assert_eq!(v.index(), self.points.len());
+            assert_eq!(v.index(), self.points.len());
             self.points.push(self.mesh.scene_vertex(v));
             self.signs.push(Sign::Zero);
         }

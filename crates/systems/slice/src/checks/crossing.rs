@@ -22,12 +22,13 @@ impl Slices {
                     continue;
                 }
                 index.near(&index.boxes()[place], reach, &mut near);
+                let plane = Plane::of(self.points(triangle));
                 for other in near.iter().map(|&other| other as usize) {
                     if other == place || part.pieces[other] == Piece::Cover {
                         continue;
                     }
                     let other = part.triangles[other];
-                    if self.pass(triangle, other, expected) {
+                    if self.pass(&plane, triangle, other, expected) {
                         flaws.add(Check::SelfIntersection, &[triangle, other].concat(), || {
                             format!("two triangles of part {at} pass through each other")
                         });
@@ -51,18 +52,20 @@ impl Slices {
     }
 
     /// Whether an edge of one triangle passes through the inside of the other, or edges of both cross in a common plane.
-    /// Faces of a part without volume, which breaking ties makes, may lie on each other.
-    fn pass(&self, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
-        let shared = first.iter().filter(|p| second.contains(p)).count();
-        if shared == 3 {
+    /// Faces of a part without volume, which breaking ties makes, may lie on each other. `plane` is that of the first triangle.
+    fn pass(&self, plane: &Plane, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
+        if first.iter().all(|p| second.contains(p)) {
             return false;
         }
-        let planes = [Plane::of(self.points(first)), Plane::of(self.points(second))];
-        let of_second = self.points(second).map(|p| planes[0].side(p));
+        let of_second = self.sides_of(plane, first, second);
         if of_second == [Ordering::Equal; 3] {
-            return expected.has_areas && self.overlap(&planes[0], first, second);
+            return expected.has_areas && self.overlap(plane, first, second);
         }
-        let of_first = self.points(first).map(|p| planes[1].side(p));
+        // A triangle that is on one side of the plane has no point of its inside there.
+        if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
+            return false;
+        }
+        let of_first = self.sides_of(&Plane::of(self.points(second)), second, first);
         let pierces = |edges: [u32; 3], sides: [Ordering; 3], triangle: [u32; 3]| {
             (0..3).any(|i| {
                 let j = (i + 1) % 3;
@@ -71,6 +74,11 @@ impl Slices {
             })
         };
         pierces(second, of_second, first) || pierces(first, of_first, second)
+    }
+
+    /// The sides of points on the plane of a triangle, which its own corners are on.
+    fn sides_of(&self, plane: &Plane, corners: [u32; 3], points: [u32; 3]) -> [Ordering; 3] {
+        points.map(|p| if corners.contains(&p) { Ordering::Equal } else { plane.side(&self.points[p as usize]) })
     }
 
     /// Whether the line through an edge meets the inside of a triangle.

@@ -50,7 +50,7 @@ pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut V
         }
     }
     let last = out.len() - dimension;
-    debug_assert!(last > start);
+    assert!(last > start);
     for x in &mut out[last..] {
         *x = step(*x, rng.integer(-ulps, ulps));
     }

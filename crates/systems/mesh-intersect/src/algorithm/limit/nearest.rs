@@ -139,6 +139,6 @@ fn short(points: &[[f64; 3]; 5]) -> Option<[f64; 3]> {
 /// An integer of at most [`SHORT`] bits.
 #[allow(clippy::cast_possible_truncation)] // an integer
 fn integer(x: f64) -> i128 {
-    debug_assert!(x.trunc() == x && x.abs() < power_of_two(SHORT));
+    assert!(x.trunc() == x && x.abs() < power_of_two(SHORT));
     i128::from(x as i64)
 }

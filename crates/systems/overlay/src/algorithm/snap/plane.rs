@@ -104,6 +104,6 @@ fn power(exponent: i32) -> f64 {
 /// An integer of less than 2^53 as a double, exactly.
 #[allow(clippy::cast_precision_loss)] // below 2^53
 pub fn double(i: i64) -> f64 {
-    debug_assert!(i.unsigned_abs() < 1 << 53);
+    assert!(i.unsigned_abs() < 1 << 53);
     i as f64
 }

@@ -1,0 +1,9 @@
+//! The tool with the task beside its own.
+
+fn main() -> std::process::ExitCode {
+    predicament::cli()
+        .task(convexity::Convexity)
+        .suites(concat!(env!("CARGO_MANIFEST_DIR"), "/corpora"))
+        .expected(concat!(env!("CARGO_MANIFEST_DIR"), "/expected.toml"))
+        .main()
+}
