@@ -27,8 +27,6 @@ mod output;
 mod own_data;
 mod own_files;
 mod paths;
-#[cfg(feature = "peers")]
-mod peers;
 mod pictures;
 mod plan;
 mod resolve;
