@@ -6,10 +6,13 @@ use std::ops::Range;
 /// The longest body of a message, in bytes.
 const LONGEST: u32 = 1 << 30;
 
+/// Where a key and its value are.
+type Entry = (Range<usize>, Range<usize>);
+
 /// A message that was read.
 pub struct Message {
     body: Vec<u8>,
-    entries: Vec<(Range<usize>, Range<usize>)>,
+    entries: Vec<Entry>,
 }
 
 impl Message {
@@ -61,7 +64,7 @@ impl Message {
 }
 
 /// Where the keys and values of a body are.
-fn split(body: &[u8]) -> Result<Vec<(Range<usize>, Range<usize>)>, String> {
+fn split(body: &[u8]) -> Result<Vec<Entry>, String> {
     let mut entries = Vec::new();
     let mut at = 0;
     while at < body.len() {

@@ -23,6 +23,7 @@ mod lines_and_cubes;
 mod merge;
 mod mesh_intersections;
 mod mesh_points;
+mod of_crates;
 mod output;
 mod own_data;
 mod own_files;

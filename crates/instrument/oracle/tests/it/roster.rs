@@ -29,8 +29,10 @@ fn mistakes_are_answered_with_what_there_is() {
 /// What the help names without a parameter runs by default or is said not to.
 #[test]
 fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
-    let names =
-        HELP.lines().filter(|line| !line.starts_with(' ')).flat_map(|line| line.split("  ").next().unwrap().split(", "));
+    let names = HELP
+        .lines()
+        .filter(|line| !line.starts_with(' '))
+        .flat_map(|line| line.split("  ").next().unwrap().split(", "));
     let plain: Vec<&str> = names.filter(|name| !name.contains(char::is_uppercase)).collect();
     assert!(plain.len() > 8, "{plain:?}");
     for name in &plain {
