@@ -1,9 +1,9 @@
 //! The answers to messages: the scene that is kept, the batch that is timed.
 
-use std::any::Any;
 use std::hint::black_box;
 use std::io::{Read, Write};
-use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use crate::message::{Message, Reply};
@@ -23,6 +23,12 @@ pub fn main<E: Engine>(args: Vec<String>) -> Result<(), String> {
         _ => return Err("usage: --version, or nothing: an engine on stdin and stdout".to_owned()),
     }
     let mut output = own_stdout()?;
+    let hook = take_hook();
+    set_hook(Box::new(move |info| {
+        if !IN_LIBRARY.load(Ordering::Relaxed) {
+            hook(info);
+        }
+    }));
     serve::<E>(std::io::stdin().lock(), &mut output).map_err(|why| format!("engine: {why}"))
 }
 
@@ -142,8 +148,8 @@ impl<E: Engine> Server<E> {
             (None, 2) => Points::Plane(&self.plane),
             (None, _) => Points::Space(&self.space),
         };
-        let prepare = AssertUnwindSafe(|| self.engine.prepare(points));
-        let prepared = catch_unwind(prepare).map_err(|panic| Refused::Failed(told("prepare", panic.as_ref())))?;
+        let prepared = caught(|| self.engine.prepare(points));
+        let prepared = prepared.map_err(|panic| Refused::Failed(format!("prepare panicked: {panic}")))?;
         prepared.map_err(Refused::Declined)?;
         self.prepared = Some(view);
         Ok(())
@@ -285,28 +291,35 @@ impl Batch<'_> {
     ) -> Result<Reply, Refused> {
         let mut signs = vec![NOT_ASKED; queries.len()];
         let start = Instant::now();
-        let asked = catch_unwind(AssertUnwindSafe(|| {
+        let asked = caught(|| {
             for (query, sign) in queries.iter().zip(&mut signs) {
                 *sign = predicate(query.map(|id| Vertex { at: points[id as usize], id })) as u8;
             }
-        }));
+        });
         let ns = start.elapsed().as_nanos().to_string();
         match asked {
             Ok(()) => Ok(Reply::new("signs").with("ns", ns).with("signs", signs)),
             Err(panic) => {
                 let at = signs.iter().position(|&sign| sign == NOT_ASKED).unwrap_or_default();
                 let ids: Vec<String> = queries[at].iter().map(u32::to_string).collect();
-                Err(Refused::Failed(told(&format!("{}({})", self.name, ids.join(" ")), panic.as_ref())))
+                Err(Refused::Failed(format!("{}({}) panicked: {panic}", self.name, ids.join(" "))))
             }
         }
     }
 }
 
-/// A panic in words.
-fn told(during: &str, panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<&str>().copied();
-    let text = text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message");
-    format!("{during} panicked: {text}")
+/// Whether the library is at work: its panics are told to the tool, and not on stderr with the paths of this machine.
+static IN_LIBRARY: AtomicBool = AtomicBool::new(false);
+
+/// What the library has done; the text of its panic, if it panicked.
+fn caught<R>(work: impl FnOnce() -> R) -> Result<R, String> {
+    IN_LIBRARY.store(true, Ordering::Relaxed);
+    let done = catch_unwind(AssertUnwindSafe(work));
+    IN_LIBRARY.store(false, Ordering::Relaxed);
+    done.map_err(|panic| {
+        let text = panic.downcast_ref::<&str>().copied();
+        text.or_else(|| panic.downcast_ref::<String>().map(String::as_str)).unwrap_or("no message").to_owned()
+    })
 }
 
 #[cfg(test)]

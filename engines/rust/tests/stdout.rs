@@ -43,6 +43,17 @@ fn what_a_library_prints_goes_to_stderr() {
 }
 
 #[test]
+#[cfg(unix)]
+fn a_panic_of_a_library_is_told_to_the_tool_alone() {
+    let scene = message(&[("type", b"scene"), ("dimension", b"2"), ("points", &[0; 16])]);
+    let batch = message(&[("type", b"batch"), ("predicate", b"compare"), ("axis", b"x"), ("ids", &[0; 8])]);
+    let said = loud(&[], &[scene, batch].concat());
+    assert!(said.status.success());
+    assert_eq!(String::from_utf8_lossy(&said.stderr), "a library that says 0 and 0\n");
+    assert!(String::from_utf8_lossy(&said.stdout).contains("compare(0 0) panicked: assertion"));
+}
+
+#[test]
 fn the_version_is_one_line_and_other_input_is_refused() {
     let said = loud(&["--version"], b"");
     assert_eq!((said.status.code(), &said.stdout[..]), (Some(0), &b"1.0\n"[..]));
