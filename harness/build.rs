@@ -1,5 +1,5 @@
-//! Tells the tool what it was built from and how: the commit, the compiler and its flags, and the versions of other
-//! people's crates it compares with. All of them belong beside every measurement.
+//! Tells the tool what it was built from and how: the commit, the compiler and its flags, and the version of the crate
+//! behind the backend `shewchuk`. All of them belong beside every measurement.
 //!
 //! The commit and whether the sources differed from it are found out here, not when the tool runs: a tool may run long
 //! after its sources have changed. So that neither goes stale, this runs again whenever the checked-out commit changes
@@ -10,20 +10,6 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The peers, as packages.
-const PEERS: [&str; 10] = [
-    "axiolid-predicates",
-    "delaunay",
-    "geo",
-    "geogram_predicates",
-    "geometry-predicates",
-    "hyperlimit",
-    "rgeometry",
-    "robust",
-    "rstar",
-    "simplicity",
-];
-
 fn main() {
     println!("cargo::rerun-if-changed=../Cargo.lock");
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
@@ -33,12 +19,9 @@ fn main() {
     println!("cargo::rustc-env=PREDICAMENT_FLAGS={}", flags());
     commit();
     let lock = std::fs::read_to_string("../Cargo.lock").unwrap_or_default();
-    for peer in PEERS {
-        let mut lines = lock.lines().skip_while(|line| *line != format!("name = \"{peer}\""));
-        let version = lines.nth(1).and_then(|line| line.split('"').nth(1)).unwrap_or("unknown");
-        let variable = peer.to_uppercase().replace('-', "_");
-        println!("cargo::rustc-env=PREDICAMENT_{variable}={version}");
-    }
+    let mut lines = lock.lines().skip_while(|line| *line != "name = \"robust\"");
+    let version = lines.nth(1).and_then(|line| line.split('"').nth(1)).unwrap_or("unknown");
+    println!("cargo::rustc-env=PREDICAMENT_ROBUST={version}");
 }
 
 /// The profile and what was given to the compiler besides. The profile's name stands in the path of the output folder,

@@ -51,7 +51,6 @@ mod judged;
 mod ledger;
 mod line_ends;
 mod one_scene;
-mod peers;
 mod pixels;
 mod places;
 mod planning;

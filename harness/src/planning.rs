@@ -93,7 +93,7 @@ pub fn plan(
     }
 }
 
-/// The machine, the compiler, what the tool was built from, and the peers.
+/// The machine, the compiler, what the tool was built from, and the version of the crate behind `shewchuk`.
 pub fn env() -> Env {
     let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
     env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
@@ -101,7 +101,6 @@ pub fn env() -> Env {
     env.commit = option_env!("PREDICAMENT_COMMIT").map(str::to_owned);
     env.dirty = option_env!("PREDICAMENT_DIRTY").map(|dirty| dirty == "true");
     env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
-    env.peers.extend(crate::peers::VERSIONS.iter().map(|&(peer, version)| (peer.to_owned(), version.to_owned())));
     env
 }
 

@@ -149,9 +149,9 @@ impl Tool {
         self.own_backends.iter().any(|own| own == name) || roster::knows(name)
     }
 
-    /// Whether a backend is somebody else's: the tool's maker's, or a crate of the feature `peers`.
+    /// Whether a backend is the tool's maker's own.
     pub fn is_foreign(&self, name: &str) -> bool {
-        self.own_backends.iter().any(|own| own == name) || roster::WILD.contains(&name)
+        self.own_backends.iter().any(|own| own == name)
     }
 
     /// The backends named by `-b`, or all that run by default; each once.

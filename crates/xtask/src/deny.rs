@@ -1,9 +1,7 @@
 //! Licences and sources of dependencies, by cargo-deny where it is installed, as `deny.toml` says.
 
-use crate::steps::{answers, cargo};
-
-/// The workspaces of this repository. The smaller ones do not have every licence of the list, and only one has fuzz targets.
-const MANIFESTS: [&str; 2] = ["Cargo.toml", "fuzz/Cargo.toml"];
+use crate::advisories::locks;
+use crate::steps::{answers, cargo, root};
 
 /// Holds licences, sources and bans of all workspaces against `deny.toml`; says so where cargo-deny is not installed.
 ///
@@ -20,8 +18,10 @@ pub fn check() -> Result<(), String> {
         return Ok(());
     }
     let checks = ["licenses", "sources", "bans"];
-    for (at, manifest) in MANIFESTS.into_iter().enumerate() {
-        let graph = ["deny", "--locked", "--manifest-path", manifest, "--config", "deny.toml"];
+    // The smaller ones do not have every licence of the list, and only one has fuzz targets.
+    for (at, lock) in locks(&root())?.iter().enumerate() {
+        let manifest = lock.replace("Cargo.lock", "Cargo.toml");
+        let graph = ["deny", "--locked", "--manifest-path", &manifest, "--config", "deny.toml"];
         let quiet = ["check", "--hide-inclusion-graph", "-A", "duplicate", "-A", "license-exception-not-encountered"];
         let allowed = if at == 0 { &[][..] } else { &["-A", "license-not-encountered"] };
         let what = format!("licences and sources of dependencies of {manifest}");

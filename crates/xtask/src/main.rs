@@ -37,10 +37,10 @@ Commands:
   test CRATE...
          format, clippy and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
   nightly
-         heavy tests whole, the peers, the benches, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
+         heavy tests whole, the engines of crates, the benches with peers, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
-         install and build engines of other languages (CGAL, GEOS, libigl, ...) for `run -b engine:NAME`: by apt,
-         pip and npm, into their folders where the client can
+         install and build the engines of other libraries (CGAL, GEOS, libigl, crates, ...) for `run -b engine:NAME`: by
+         apt, pip, npm and cargo, into their folders where the client can
   browser [--accept]
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.

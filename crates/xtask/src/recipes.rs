@@ -1,14 +1,19 @@
-//! What `engines install` and the chores install, held to the rules of the house: versions fixed, digests known, scripts off.
+//! What `engines install`, `engines build` and the chores install, held to the rules of the house: versions fixed, digests known,
+//! scripts off.
 
 use std::path::{Path, PathBuf};
 
 use crate::steps::root;
 
-/// The commands of `install` in an `engine.toml`, which has them in one line.
+/// The commands of `install` in an `engine.toml`, which has them in one line, and those of `build` that are cargo's: it
+/// fetches what is not there.
 fn commands(config: &str) -> Vec<Vec<String>> {
-    let line = config.lines().find_map(|line| line.strip_prefix("install")).unwrap_or_default();
-    let words = |command: &str| command.split('"').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
-    line.split("],").map(words).filter(|words| !words.is_empty()).collect()
+    let of = |key: &str| {
+        let line = config.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_default();
+        let words = |command: &str| command.split('"').skip(1).step_by(2).map(str::to_owned).collect::<Vec<_>>();
+        line.split("],").map(words).filter(|words| !words.is_empty()).collect::<Vec<_>>()
+    };
+    of("install").into_iter().chain(of("build").into_iter().filter(|words| words[0] == "cargo")).collect()
 }
 
 /// What is wrong with a command in a folder; `None` if its packages are fixed.
@@ -38,6 +43,14 @@ fn wrong(folder: &Path, command: &[String]) -> Option<String> {
         let list = file.map(|file| read(file)).unwrap_or_default();
         return unhashed(&list).map(|why| format!("{shown}: {why}"));
     }
+    if is("cargo") {
+        if !has("--locked") {
+            return Some(format!("{shown}: use `--locked`"));
+        }
+        let manifest = command.iter().skip_while(|word| *word != "--manifest-path").nth(1);
+        let manifest = manifest.map_or("Cargo.toml", String::as_str);
+        return unsummed(&read(&manifest.replace(".toml", ".lock"))).map(|why| format!("{shown}: {why}"));
+    }
     (!has("venv")).then(|| format!("{shown}: a client that this test does not know"))
 }
 
@@ -50,6 +63,17 @@ fn unlocked(lock: &str) -> Option<String> {
     }
     lock.contains("\"resolved\"")
         .then(|| "package-lock.json names a host; make it with --omit-lockfile-registry-resolved".to_owned())
+}
+
+/// What is wrong with the lock file of cargo: each package is of this repository, or has a digest and comes from the registry.
+fn unsummed(lock: &str) -> Option<String> {
+    let packages: Vec<&str> = lock.split("[[package]]").skip(1).filter(|one| one.contains("\nsource = ")).collect();
+    if packages.is_empty() {
+        return Some("Cargo.lock is missing, or has no package of the registry".to_owned());
+    }
+    let is_fixed = |one: &&str| one.contains("\nsource = \"registry+") && one.contains("\nchecksum = \"");
+    let loose = packages.into_iter().find(|one| !is_fixed(one))?;
+    Some(format!("a package without a digest, or of another source: {}", loose.trim().replace('\n', ", ")))
 }
 
 /// What is wrong with a list of requirements: each has a fixed version and a digest.
@@ -81,7 +105,7 @@ fn engines_are_installed_from_fixed_versions_with_digests() {
             assert_eq!(wrong(&folder, &command), None, "{}", folder.display());
         }
     }
-    assert!(seen >= 15, "{seen} commands");
+    assert!(seen >= 35, "{seen} commands");
 }
 
 #[test]
@@ -110,8 +134,17 @@ fn a_loose_recipe_is_seen() {
             "there is no list",
         ),
         (r#"["brew", "install", "geos"]"#, "a client that this test does not know"),
+        (r#"["cargo", "fetch"]"#, "use `--locked`"),
+        (r#"["cargo", "fetch", "--locked"]"#, "Cargo.lock is missing"),
     ] {
         assert!(said(install).contains(why), "{install}: {}", said(install));
+    }
+    let built = commands("install = [[\"npm\", \"ci\"]]\nbuild   = [[\"c++\", \"a\"], [\"cargo\", \"build\"]]\n");
+    assert_eq!(built, [["npm", "ci"], ["cargo", "build"]]);
+    let lock = |source: &str| format!("[[package]]\nname = \"a\"\nversion = \"1\"\n{source}\n");
+    assert_eq!(unsummed(&lock("source = \"registry+r\"\nchecksum = \"0\"")), None);
+    for loose in ["source = \"registry+r\"", "source = \"git+g\"\nchecksum = \"0\"", ""] {
+        assert!(unsummed(&lock(loose)).is_some(), "{loose}");
     }
     assert!(unlocked("{\n    \"node_modules/a\": {\n \"version\": \"1\"").is_some());
     assert!(unhashed("a==1 \\\n    --hash=sha256:00\nb==2\n").is_some_and(|why| why.starts_with("`b==2`")));

@@ -51,7 +51,7 @@ pub fn test() -> Result<(), String> {
     let clippy =
         ["clippy", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--all-targets", "--", "-D", "warnings"];
     cargo("clippy", &clippy)?;
-    run_tests(&[], &[])?;
+    run_tests(&[])?;
     engine_examples()?;
     docs()?;
     gate()
@@ -108,22 +108,58 @@ fn clippy_driver() -> Option<String> {
 
 /// The tests of engines, each where what its language needs is there; says which are not run.
 fn engine_examples() -> Result<(), String> {
-    for (language, program, tests) in [("C++", "c++", "in_cpp"), ("Python", "python3", "in_python")] {
+    let helper = ["--locked", "--target-dir", "target/engine-helper", "--manifest-path", "engines/rust/Cargo.toml"];
+    cargo("format of engines in Rust", &["fmt", "--manifest-path", "engines/rust/Cargo.toml", "--check"])?;
+    cargo(
+        "clippy of the helper in Rust",
+        &[&["clippy", "--all-targets"], &helper[..], &["--", "-D", "warnings"]].concat(),
+    )?;
+    cargo("tests of the helper in Rust", &[&["test"], &helper[..]].concat())?;
+    let languages = [("C++", "c++", "in_cpp"), ("Python", "python3", "in_python"), ("Rust", "cargo", "in_rust")];
+    for (language, program, tests) in languages {
         if !answers(program, &["--version"]) {
             println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
             continue;
         }
-        // The same packages as before: one alone has other features, and GMP would be built again.
-        let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
-        let run = if has_nextest() {
-            // It starts those that it is asked for, and no test binary for nothing.
-            [&["nextest", "run", "--cargo-profile", "ci"][..], &packages, &["--run-ignored", "only", tests]].concat()
-        } else {
-            [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored", tests]].concat()
-        };
-        cargo(&format!("engine in {language}"), &run)?;
+        ignored_tests(&format!("engine in {language}"), tests)?;
     }
     Ok(())
+}
+
+/// The tests whose names have this in them and that do not run by default.
+fn ignored_tests(what: &str, tests: &str) -> Result<(), String> {
+    // The same packages as before: one alone has other features, and GMP would be built again.
+    let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
+    let run = if has_nextest() {
+        // It starts those that it is asked for, and no test binary for nothing.
+        [&["nextest", "run", "--cargo-profile", "ci"][..], &packages, &["--run-ignored", "only", tests]].concat()
+    } else {
+        [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored", tests]].concat()
+    };
+    cargo(what, &run)
+}
+
+/// The engines of other people's crates: built, greeted, and held to the pages about them.
+fn crates() -> Result<(), String> {
+    let locks = crate::advisories::locks(&root())?;
+    let folders = locks.iter().filter_map(|lock| lock.strip_prefix("engines/")?.strip_suffix("/Cargo.lock"));
+    let mut names: Vec<&str> = folders.filter(|name| *name != "rust").collect();
+    for name in &names {
+        let manifest = format!("engines/{name}/Cargo.toml");
+        let with =
+            ["--release", "--locked", "--manifest-path", &manifest, "--target-dir", &format!("engines/{name}/target")];
+        cargo(&format!("format of the engine {name}"), &["fmt", "--manifest-path", &manifest, "--check"])?;
+        let lint = [&["clippy", "--all-targets"], &with[..], &["--", "-D", "warnings"]].concat();
+        cargo(&format!("clippy of the engine {name}"), &lint)?;
+        cargo(&format!("tests of the engine {name}"), &[&["test"], &with[..]].concat())?;
+    }
+    // These are built in the folders of others.
+    names.extend(["delaunay-sorted", "geogram-predicates-sos"]);
+    for chore in ["install", "build", "check"] {
+        let run = ["run", "--quiet", "--profile", "ci", "--", "engines", chore];
+        cargo(&format!("{chore} engines of crates"), &[&run[..], &names].concat())?;
+    }
+    ignored_tests("engines of crates", "of_crates")
 }
 
 /// Installs and builds the engines that come with the project, by the clients of their registries; those that are
@@ -140,19 +176,16 @@ pub fn engines(names: &[String]) -> Result<(), String> {
 }
 
 /// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
-fn run_tests(features: &[&str], env: &[(&str, &str)]) -> Result<(), String> {
-    let with = |args: &[&'static str]| {
-        let all: Vec<String> = args.iter().chain(features).map(|&word| word.to_owned()).collect();
-        cargo_command(&all)
-    };
+fn run_tests(env: &[(&str, &str)]) -> Result<(), String> {
     if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
-        step("tests", &with(&run), env)?;
-        step("doc tests", &with(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"]), env)
+        step("tests", &cargo_command(&run), env)?;
+        let docs = ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"];
+        step("doc tests", &cargo_command(&docs), env)
     } else {
         step(
             "tests and doc tests",
-            &with(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"]),
+            &cargo_command(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"]),
             env,
         )
     }
@@ -178,18 +211,15 @@ fn gate() -> Result<(), String> {
 /// What takes too long for every change, or needs more than a Rust toolchain. Goes on after a failure, and fails if
 /// anything did, or was not there to be run.
 pub fn nightly() -> Result<(), String> {
-    let peers = ["--features", "peers"];
-    let lint = ["clippy", "--profile", "ci", "--workspace", "--all-targets", "--features", "peers"];
-    let lint = lint.into_iter().chain(["--", "-D", "warnings"]).collect::<Vec<_>>();
+    let with_peers = ["--profile", "ci", "--workspace", "--features", "predicament-benches/peers"];
+    let lint = [&["clippy", "--all-targets"], &with_peers[..], &["--", "-D", "warnings"]].concat();
     let done = [
-        cargo("clippy, with peers", &lint),
-        // The table about other crates is held against the published fixtures.
-        cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--features", "peers", "--", "corpus", "fetch"]),
-        run_tests(&peers, &[EFFORT]),
-        cargo(
-            "build the benches",
-            &["bench", "--profile", "ci", "--workspace", "--benches", "--features", "peers", "--no-run"],
-        ),
+        cargo("clippy, with the peers of benches", &lint),
+        // The table about wrong answers of crates is held against the published fixtures.
+        cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
+        run_tests(&[EFFORT]),
+        crates(),
+        cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         // Into a folder of its own: packages are compiled as somebody else's.
         cargo(
             "packages",

@@ -24,15 +24,14 @@ use crate::programs::recorded;
 use crate::select::{Planned, Selection, Selector};
 use crate::timing::{Runner, Samples, empty, phases, start};
 use crate::tool::Tool;
-use crate::{expectations, interrupt, peers, progress, rows};
+use crate::{expectations, interrupt, progress, rows};
 
 const EXAMPLES: &str = "\
 Examples:
   predicament bench                                     all embedded corpora
   predicament bench --judged predicament-run-1          the scenes and backends of a run, and what it has judged
   predicament bench families -f orient2d --samples 21 --precision 0.01
-  predicament bench families -b exact,sos,naive         built with `--features peers`, other crates take part
-  predicament bench maps -f 10m -b exact,sos,naive      the same with maps, against `geo`
+  predicament bench families -b exact,shewchuk,engine:robust,engine:simplicity    beside other crates, as engines
   predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive
   predicament bench mesh-sizes --level full --samples 3 --threads 2 -b exact    points in meshes, phase by phase: phases.csv";
 
@@ -154,7 +153,6 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         say!("  {line}");
     }
     say_text!("{}", contact_tables::tables(&folder, &primitives, &threads).map_err(Failure::usage)?);
-    say_text!("{}", peers::tables(&folder).map_err(Failure::usage)?);
     Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
@@ -211,12 +209,6 @@ impl Bench<'_> {
         for backend in self.backends.iter().map(AsRef::as_ref) {
             let Some(digest) = self.judge(&scene, &mut truth, backend, &watch)? else { return STOPPED };
             runners.extend(self.started(&scene, &loaded, backend, digest));
-        }
-        if peers::ANY {
-            truth.known(&watch);
-            for peer in truth.case.iter().flat_map(|case| peers::runners(case.as_ref())) {
-                runners.extend(self.peer(&scene, peer)?);
-            }
         }
         let Bench { samples, threads, writer, remarks, .. } = self;
         let is_done = samples.take(&scene, &mut runners, writer, remarks)?
@@ -275,14 +267,5 @@ impl Bench<'_> {
             }
         }
         runners
-    }
-
-    /// Writes down what a peer has answered: a runner, where it can be timed.
-    fn peer<'s>(&mut self, scene: &PlannedScene, peer: peers::Peer<'s>) -> Result<Option<Runner<'s>>, Failure> {
-        let level = self.selection.level.name();
-        rows::record(&mut self.writer, scene, &peer.name, &peer.outcome, self.expected, level)
-            .map_err(Failure::usage)?;
-        self.remarks.extend(peer.remarks.iter().map(|remark| format!("{}/{}: {remark}", scene.suite, scene.scene)));
-        Ok(Runner::of_peer(peer, scene))
     }
 }

@@ -9,7 +9,6 @@ use predicament_records::{Interface, PlannedScene};
 use predicament_tasks::{Contestant, Stopwatch};
 
 use crate::contact_tables::on_threads;
-use crate::peers::Peer;
 
 /// One backend at its starting line.
 pub struct Runner<'a> {
@@ -28,25 +27,6 @@ pub struct Runner<'a> {
     pub(super) passes: u32,
     /// Nanoseconds per query of each sample.
     pub(super) samples: Vec<f64>,
-}
-
-impl<'a> Runner<'a> {
-    /// A peer, where its answers can be timed.
-    pub fn of_peer(peer: Peer<'a>, scene: &PlannedScene) -> Option<Runner<'a>> {
-        let timed = peer.timed?;
-        Some(Runner {
-            name: peer.name,
-            family: scene.family.clone(),
-            version: peer.version,
-            interface: timed.interface,
-            threads: 1,
-            watch: timed.watch,
-            judged: timed.judged,
-            queries: peer.outcome.queries,
-            passes: 1,
-            samples: Vec::new(),
-        })
-    }
 }
 
 /// Prepares one backend by each interface: contacts and meshes with points or other meshes for each number of threads, all else for one.

@@ -1,4 +1,4 @@
-//! The example engines, built and run as their pages say. They need a C++ compiler and Python: `cargo xtask test` runs
+//! The example engines, built and run as their pages say. They need a C++ compiler, Python and a crate: `cargo xtask test` runs
 //! these tests where it finds them, and says so where it does not.
 
 use std::path::Path;
@@ -9,6 +9,12 @@ use tempfile::tempdir;
 /// An engine that computes what `naive` computes has the same rows as `naive`, but for its name.
 /// (orient3d is expanded in another order there: where nothing is near a tie, that is no difference.)
 fn agrees_with_naive(engine: &str) {
+    let filter = "/(uniform|grid|near|kettner|wide-mixed)-(compare|orient2d|incircle)|/(uniform|grid)-orient3d";
+    agrees(engine, "naive", filter);
+}
+
+/// An engine has the same rows as a backend in these scenes, but for its name.
+fn agrees(engine: &str, backend: &str, filter: &str) {
     let folder = tempdir().unwrap();
     let engines = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines");
     let call = |args: &[&str]| {
@@ -19,8 +25,7 @@ fn agrees_with_naive(engine: &str) {
     let built = call(&["engines", "build", engine]);
     assert_eq!(built.0, Some(0), "{}", built.1);
     let out = at(&folder, "run");
-    let backends = format!("naive,engine:{engine}");
-    let filter = "/(uniform|grid|near|kettner|wide-mixed)-(compare|orient2d|incircle)|/(uniform|grid)-orient3d";
+    let backends = format!("{backend},engine:{engine}");
     let ran = call(&["run", "families", "-f", filter, "-b", &backends, "--out", &out]);
     assert_eq!(ran.0, Some(100), "its mistakes are expected of nobody: {}", ran.1);
     let summary = read(&out, "summary.csv");
@@ -29,7 +34,7 @@ fn agrees_with_naive(engine: &str) {
         let of = summary.lines().filter(|line| line.split(',').nth(4) == Some(backend));
         of.map(|line| line.replace(backend, "").rsplit_once(',').unwrap().0.to_owned()).collect()
     };
-    let (ours, theirs) = (rows("naive"), rows(&format!("engine:{engine}")));
+    let (ours, theirs) = (rows(backend), rows(&format!("engine:{engine}")));
     assert!(ours.len() >= 10, "{summary}");
     assert_eq!(ours, theirs);
     let findings = read(&out, "findings.csv");
@@ -163,6 +168,13 @@ fn the_example_in_cpp_is_built_and_judged() {
 #[ignore = "needs Python"]
 fn the_example_in_python_is_judged() {
     agrees_with_naive("naive-python");
+}
+
+/// The backend `shewchuk` is the same crate, in this process.
+#[test]
+#[ignore = "needs a crate from the registry"]
+fn the_example_in_rust_is_built_and_judged() {
+    agrees("robust", "shewchuk", "/(uniform|grid|near|kettner|wide-mixed)-(orient2d|orient3d|incircle|insphere)");
 }
 
 /// A copy of the Python example with its helper, in a folder of this name; the path of its configuration.

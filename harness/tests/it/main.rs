@@ -23,12 +23,11 @@ mod lines_and_cubes;
 mod merge;
 mod mesh_intersections;
 mod mesh_points;
+mod of_crates;
 mod output;
 mod own_data;
 mod own_files;
 mod paths;
-#[cfg(feature = "peers")]
-mod peers;
 mod pictures;
 mod plan;
 mod resolve;

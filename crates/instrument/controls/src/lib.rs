@@ -9,8 +9,6 @@
 //! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
 //!   underflow and overflow.
 //!
-//! With the feature `peers`, `wild` has other crates: Simulation of Simplicity, and certified signs.
-//!
 //! Constructed vertices are [computed](constructed) in doubles when a scene is
 //! prepared or a session constructs them, and taken for points with those
 //! coordinates from then on: that is wrong before the first predicate is asked.
@@ -27,8 +25,6 @@ mod naive_session;
 mod rounded;
 mod session;
 mod shewchuk;
-#[cfg(feature = "peers")]
-pub mod wild;
 
 pub use determinant::Pivot;
 pub use epsilon::{BadEpsilon, Epsilon};

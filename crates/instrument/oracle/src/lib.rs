@@ -22,7 +22,5 @@ pub mod roster;
 
 mod boxed;
 mod twice;
-#[cfg(feature = "peers")]
-mod wild;
 
 pub use predicament_tasks::{caught, run, run_spoiled};

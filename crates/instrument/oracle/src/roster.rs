@@ -41,15 +41,7 @@ naive:nalgebra          the determinant of the homogeneous matrix, by the crate 
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
-engine:NAME             a program of another language: engines/NAME/engine.toml, or a path to such a file
-Where the tool is built with --features peers, other crates:
-simplicity, geogram, rgeometry, delaunay, delaunay:sorted (by vertex, as the crate asks its kernel)
-                        their Simulation of Simplicity
-axiolid, hyperlimit     signs that claim to be certified";
-
-/// Backends that are other crates, with the feature `peers`.
-pub const WILD: &[&str] =
-    &["simplicity", "geogram", "rgeometry", "delaunay", "delaunay:sorted", "axiolid", "hyperlimit"];
+engine:NAME             a program with somebody else's predicates: engines/NAME/engine.toml, or a path to such a file";
 
 /// Work for one backend, whatever its type.
 pub trait Visit {
@@ -110,21 +102,13 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
                 return faults::visit(fault, visitor)
                     .map_err(|_| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
             }
-            #[cfg(feature = "peers")]
-            if WILD.contains(&name) {
-                return Ok(crate::wild::visit(name, visitor));
-            }
-            if WILD.contains(&name) {
-                return Err(format!("`{name}` is there where the tool is built with --features peers"));
-            }
             let names = DEFAULT.join(", ");
             return Err(format!("no backend is called `{name}`; there are {names}, engine:NAME and fault:NAME"));
         }
     })
 }
 
-/// Whether there is a backend with this name. Crates of the feature `peers` count whether they are built in or not;
-/// an engine is there if its configuration is, and is not started.
+/// Whether there is a backend with this name. An engine is there if its configuration is, and is not started.
 #[must_use]
 pub fn knows(name: &str) -> bool {
     struct Nothing;
@@ -135,7 +119,7 @@ pub fn knows(name: &str) -> bool {
     }
     match name.strip_prefix(predicament_engines::PREFIX) {
         Some(engine) => predicament_engines::find(engine).is_ok(),
-        None => WILD.contains(&name) || visit(name, Nothing).is_ok(),
+        None => visit(name, Nothing).is_ok(),
     }
 }
 

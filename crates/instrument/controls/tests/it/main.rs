@@ -1,6 +1,4 @@
 //! The integration tests, as one binary: each further one would link the crate and compile what they share again.
 
 mod batches;
-mod condemned;
 mod controls;
-mod wild;

@@ -1,6 +1,6 @@
 //! Backends by name.
 
-use predicament_oracle::roster::{DEFAULT, HELP, MORE, WILD, backend};
+use predicament_oracle::roster::{DEFAULT, HELP, MORE, backend};
 use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
 
 #[test]
@@ -29,16 +29,17 @@ fn mistakes_are_answered_with_what_there_is() {
 /// What the help names without a parameter runs by default or is said not to.
 #[test]
 fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
-    let lines = HELP.lines().take_while(|line| !line.contains("--features peers"));
-    let names =
-        lines.filter(|line| !line.starts_with(' ')).flat_map(|line| line.split("  ").next().unwrap().split(", "));
+    let names = HELP
+        .lines()
+        .filter(|line| !line.starts_with(' '))
+        .flat_map(|line| line.split("  ").next().unwrap().split(", "));
     let plain: Vec<&str> = names.filter(|name| !name.contains(char::is_uppercase)).collect();
     assert!(plain.len() > 8, "{plain:?}");
     for name in &plain {
         let name = backend(name, &()).unwrap().name();
         assert!(DEFAULT.contains(&&*name) != MORE.contains(&&*name), "{name}");
     }
-    assert!(MORE.iter().all(|name| plain.contains(name) && !WILD.contains(name)));
+    assert!(MORE.iter().all(|name| plain.contains(name)));
 }
 
 /// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as it is.

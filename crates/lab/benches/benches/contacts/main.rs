@@ -1,6 +1,6 @@
 //! Contacts of two complexes of 10^3 to 10^6 primitives (edges in the plane,
 //! triangles in space), by backend; and crossing edges against an R-tree of the
-//! crate `rstar` with the same exact test. What takes how much of the time and
+//! crate `rstar` with the same exact test, and against the sweep of `geo`. What takes how much of the time and
 //! what became of the pairs is printed first; contacts are compared before
 //! anything is timed.
 
@@ -9,6 +9,8 @@ mod scenes;
 use std::time::Instant;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
+use geo::sweep::{Cross, Intersections};
+use geo::{Coord, Line};
 use predicament_contacts::algorithm::pairs::{Contacts, contacts2d, contacts3d};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
@@ -93,6 +95,31 @@ fn crossings<S: Predicates>(session: &S, scene: &Scene, a: &Complex, b: &Complex
     a.edges().iter().map(of).sum()
 }
 
+/// An edge as `geo` wants it, and whether it is of the second complex.
+#[derive(Clone, Copy, Debug)]
+struct Edge(Line, bool);
+
+impl Cross for Edge {
+    type Scalar = f64;
+
+    fn line(&self) -> Line {
+        self.0
+    }
+}
+
+/// Crossing edges by the sweep of `geo` over all of both; crossings within one complex are dropped.
+fn swept(scene: &Scene, a: &Complex, b: &Complex) -> usize {
+    let end = |v| {
+        let [x, y] = [Axis::X, Axis::Y].map(|axis| scene.coordinate(axis, v));
+        Coord { x, y }
+    };
+    let edges = |of: &Complex, of_b| -> Vec<Edge> {
+        of.edges().iter().map(|&[p, q]| Edge(Line::new(end(p), end(q)), of_b)).collect()
+    };
+    let all: Intersections<Edge> = edges(a, false).into_iter().chain(edges(b, true)).collect();
+    all.filter(|(e, f, _)| e.1 != f.1).count()
+}
+
 fn bench(criterion: &mut Criterion) {
     for size in SIZES {
         backends(criterion, "contacts2d", &polygons(size));
@@ -104,12 +131,14 @@ fn bench(criterion: &mut Criterion) {
     let ours = || one.install(|| contacts2d(&session, &pair.a, &pair.b));
     let crossing = ours().levels.iter().find(|level| level.ranks == [1, 1]).map(|level| level.registered);
     assert_eq!(crossing, Some(crossings(&session, &pair.scene, &pair.a, &pair.b) as u64));
+    assert_eq!(crossing, Some(swept(&pair.scene, &pair.a, &pair.b) as u64));
     let mut group = criterion.benchmark_group("crossings");
     group.sample_size(10).throughput(Throughput::Elements(primitives(&pair) as u64));
     group.bench_function("all contacts, one thread", |bencher| bencher.iter(ours));
     group.bench_function("edges alone, rstar", |bencher| {
         bencher.iter(|| crossings(&session, &pair.scene, &pair.a, &pair.b));
     });
+    group.bench_function("edges alone, geo's sweep", |bencher| bencher.iter(|| swept(&pair.scene, &pair.a, &pair.b)));
     group.finish();
 }
 

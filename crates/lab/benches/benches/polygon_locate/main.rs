@@ -1,7 +1,7 @@
 //! Point location on a map of 217,600 edges and 256 regions, on one thread,
 //! against the paper's own test and the crate `geo`: its plain polygons and its
-//! interval trees, one per region, each behind a bounding-box test. Answers are
-//! compared before anything is timed.
+//! interval trees, one per region, each behind a bounding-box test, and the
+//! trees behind an R-tree of all boxes (`rstar`). Answers are compared before anything is timed.
 //!
 //! Generic code and the paper's test are compared twice: by the index, as they
 //! are used, and edge by edge, where every edge above a point is tested and
@@ -18,6 +18,8 @@ use predicament_polygon_locate::algorithm::special::Point;
 use predicament_polygon_locate::algorithm::{LocateIndex, Locations, Scratch, locate_all, locate_all_specially};
 use predicament_predicates::{Backend, Off, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
+use rstar::RTree;
+use rstar::primitives::{GeomWithData, Rectangle};
 
 const QUERIES: usize = 20_000;
 
@@ -40,6 +42,20 @@ fn located<R: Contains<Coord>>(regions: &[(Rect, R)], queries: &[Coord]) -> Vec<
         let hits =
             (0..).zip(regions).filter(|(_, (bounds, region))| bounds.intersects(query) && region.contains(query));
         hits.map(|(at, _)| at).collect()
+    };
+    queries.iter().map(inside).collect()
+}
+
+/// A tree of the boxes of regions.
+type Boxes = RTree<GeomWithData<Rectangle<[f64; 2]>, u32>>;
+
+/// The same by a tree of the boxes.
+fn located_by_boxes<R: Contains<Coord>>(boxes: &Boxes, regions: &[(Rect, R)], queries: &[Coord]) -> Vec<Vec<u32>> {
+    let inside = |query: &Coord| {
+        let held = boxes.locate_all_at_point(&[query.x, query.y]).map(|held| held.data);
+        let mut hits: Vec<u32> = held.filter(|&at| regions[at as usize].1.contains(query)).collect();
+        hits.sort_unstable();
+        hits
     };
     queries.iter().map(inside).collect()
 }
@@ -87,6 +103,11 @@ fn bench(criterion: &mut Criterion) {
         .iter()
         .map(|(bounds, polygon)| (*bounds, IntervalTreeMultiPolygon::new(&MultiPolygon::new(vec![polygon.clone()]))))
         .collect();
+    let boxed = |(at, (bounds, _)): (u32, &(Rect, IntervalTreeMultiPolygon<f64>))| {
+        let corners = [bounds.min(), bounds.max()].map(|corner| [corner.x, corner.y]);
+        GeomWithData::new(Rectangle::from_corners(corners[0], corners[1]), at)
+    };
+    let boxes: Boxes = RTree::bulk_load((0..).zip(&trees).map(boxed).collect());
     let points: Vec<Coord> = queries.iter().map(|&q| coordinate(&scene, q)).collect();
 
     let answers = ours(&index, &exact, &queries);
@@ -95,7 +116,8 @@ fn bench(criterion: &mut Criterion) {
     let by_exact_sign = || locate_all_specially(&index, &scene, &by_exact, &queries, &|_| true);
     assert_eq!(answers, by_robust_sign());
     assert_eq!(answers, by_exact_sign());
-    for geo in [located(&plain, &points), located(&trees, &points)] {
+    let by_boxes = || located_by_boxes(&boxes, &trees, &points);
+    for geo in [located(&plain, &points), located(&trees, &points), by_boxes()] {
         assert!(answers.iter().map(|location| location.inside).eq(geo.iter()));
     }
 
@@ -108,6 +130,7 @@ fn bench(criterion: &mut Criterion) {
     group.bench_function("special/exact", |b| b.iter(|| one_thread.install(by_exact_sign)));
     group.bench_function("geo/polygon", |b| b.iter(|| located(&plain, &points)));
     group.bench_function("geo/interval-tree", |b| b.iter(|| located(&trees, &points)));
+    group.bench_function("geo/interval-tree/r-tree", |b| b.iter(by_boxes));
     group.finish();
 
     let few = &queries[..queries.len() / 10];

@@ -1,0 +1,37 @@
+//! The crate `rgeometry`: an orientation in the plane that breaks ties by three numbers.
+//!
+//! `Orientation::new` is exact for doubles. `Orientation::break_ties` looks at no coordinate: a tie is the turn of (i, 2^i),
+//! (j, 2^j), (k, 2^k), where the numbers are the vertices' ids. It panics where a number comes twice; that question is not put
+//! to it, and the answer is zero. It has no other predicate that breaks ties.
+
+use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, by_id, locked, serve};
+use rgeometry::{Orientation, SoS};
+
+#[derive(Default)]
+struct Rgeometry;
+
+impl Engine for Rgeometry {
+    const NAME: &'static str = "rgeometry";
+    const ZERO: Zero = Zero::Never;
+    const PREDICATES: &'static [Predicate] = &[Predicate::Orient2d];
+    const IN_ORDER: bool = true;
+
+    fn version() -> String {
+        locked(include_str!("Cargo.lock"), "rgeometry")
+    }
+
+    fn orient2d(&self, points: [Vertex<2>; 3]) -> Answer {
+        if by_id(points).is_none() {
+            return Answer::Zero;
+        }
+        let [a, b, c] = points;
+        match Orientation::new(&a.at, &b.at, &c.at).break_ties(a.id, b.id, c.id) {
+            SoS::CounterClockWise => Answer::Positive,
+            SoS::ClockWise => Answer::Negative,
+        }
+    }
+}
+
+fn main() -> std::process::ExitCode {
+    serve::<Rgeometry>()
+}
