@@ -53,7 +53,8 @@ fn an_engine_has_a_limit_of_memory() {
     let hungry = |memory: &str| {
         let mut config = config(folder.path(), "hungry").unwrap();
         let text = std::fs::read_to_string(&config.file).unwrap().replace("timeout = 1", "timeout = 60");
-        std::fs::write(&config.file, format!("memory = {memory}\n{text}")).unwrap();
+        std::fs::write(&config.file, format!("memory = {memory}\nenvironment = {{ RUST_BACKTRACE = \"0\" }}\n{text}"))
+            .unwrap();
         config = Config::read(&config.file).unwrap();
         let engine = Engine::start(config).unwrap();
         let session = engine.prepare(&scene, Off).unwrap();
