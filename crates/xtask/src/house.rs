@@ -1,5 +1,7 @@
 //! House rules that the compiler does not check, as tests.
 
+mod truth;
+
 use std::path::{Path, PathBuf};
 
 /// The manifests of all crates.

@@ -7,12 +7,11 @@
 mod band;
 mod checks;
 mod classes;
-mod content;
+pub(crate) mod content;
 mod generate;
 mod judge;
 mod order;
 mod pairs;
-mod perturbed;
 mod section;
 mod sigma;
 mod spoiled;
@@ -21,6 +20,7 @@ mod topology;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::pairs::{Contact, Contacts as Registered, Weights, contacts};
+use crate::truth::{Pair, Truth};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::Judged;
@@ -32,10 +32,9 @@ use predicament_report::drawing::{Role, Shape};
 
 pub use content::Complexes;
 pub use generate::thresholds;
-pub use judge::Truth;
 pub use section::ContactRow;
 
-use pairs::{Pair, closure};
+use pairs::closure;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,

@@ -18,6 +18,7 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Location, Ray, Scratch, locate_all, question_all};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::solids::{Materials, Place};
@@ -28,7 +29,6 @@ use predicament_report::Section;
 use predicament_report::drawing::Role;
 
 pub use content::{Probe, ProbeKind, ProbedMesh};
-pub use judge::Truth;
 pub use section::MeshLocateRow;
 
 use predicament_tasks::output::Canvas;

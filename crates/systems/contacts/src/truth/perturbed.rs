@@ -13,12 +13,12 @@ use predicament_mesh::Simplex;
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 use rayon::prelude::*;
 
-use super::pairs::Pair;
-use super::{Complexes, judge::simplices, vertices_of};
+use super::{Pair, simplices, vertices_of};
+use crate::task::content::Complexes;
 use predicament_tasks::{Stop, Watch};
 
 /// Those of some simplices of the first complex, and those among the pairs `said`.
-pub(super) fn registered(
+pub(crate) fn perturbed(
     scene: &Scene,
     ties: &TieJudge,
     content: &Complexes,

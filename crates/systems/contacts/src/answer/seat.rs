@@ -3,8 +3,7 @@
 use predicament_mesh::Simplex;
 use predicament_predicates::Vertex;
 
-use super::{MergedPoint, Side};
-use crate::algorithm::pairs::Weights;
+use super::{MergedPoint, Side, Weights};
 
 /// Whose location a merged point takes.
 ///

@@ -3,10 +3,10 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
-use crate::algorithm::LocateIndex;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 use rayon::prelude::*;
 
+use super::Edges;
 use super::edge::{Place, place};
 
 /// What kind of ground a probe stands on.
@@ -117,10 +117,10 @@ impl Surroundings {
 /// `exact` must answer exact signs; with anything else the result means nothing.
 ///
 /// # Panics
-/// If the session's scene is not the one that the index was made for.
+/// If the session's scene is not the one of the edges.
 #[must_use]
-pub fn surroundings<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, probes: &[Vertex]) -> Surroundings {
-    let around: Vec<Around> = probes.par_iter().map(|&probe| Around::of(index, exact, probe)).collect();
+pub fn surroundings<P: Predicates + ?Sized>(edges: &Edges, exact: &P, probes: &[Vertex]) -> Surroundings {
+    let around: Vec<Around> = probes.par_iter().map(|&probe| Around::of(edges, exact, probe)).collect();
     let mut sets = BTreeMap::new();
     let mut intern = |set: Vec<u32>| {
         let next = u32::try_from(sets.len()).expect("fewer than 2^32 distinct sets of regions");
@@ -162,7 +162,7 @@ struct Ray {
 }
 
 impl Around {
-    fn of<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, probe: Vertex) -> Around {
+    fn of<P: Predicates + ?Sized>(edges: &Edges, exact: &P, probe: Vertex) -> Around {
         // The first sector is the one just clockwise of straight up: a ray
         // upward from there crosses what is strictly above the probe, by the
         // half-open rule, and nothing that goes through the probe.
@@ -171,15 +171,16 @@ impl Around {
         let mut rays = Vec::new();
         let mut vertices_here = Vec::new();
         let mut edges_through = 0;
-        for edge in index.columns().above(exact.scene().point2(Plane::Xy, probe), 0.0) {
-            let [u, v] = index.ends(edge);
+        let owners = |edge: u32| &edges.all()[edge as usize].1[..];
+        for edge in edges.above(exact.scene().point2(Plane::Xy, probe)) {
+            let [u, v] = edges.all()[edge as usize].0;
             let mut leave_towards = |towards: &[Vertex]| {
-                boundary.extend_from_slice(index.owners(edge));
+                boundary.extend_from_slice(owners(edge));
                 rays.extend(towards.iter().map(|&towards| Ray { towards, edge }));
             };
             match place(exact, [u, v], probe) {
                 Place::Elsewhere => {}
-                Place::Below => toggle(&mut cover, index.owners(edge)),
+                Place::Below => toggle(&mut cover, owners(edge)),
                 Place::Between => {
                     edges_through += 1;
                     leave_towards(&[u, v]);
@@ -207,7 +208,7 @@ impl Around {
         for together in rays.chunk_by(|a, b| clockwise_from_up(exact, probe, a.towards, b.towards).is_eq()) {
             sound &= together.len() == 1;
             for ray in together {
-                toggle(&mut cover, index.owners(ray.edge));
+                toggle(&mut cover, owners(ray.edge));
             }
             sectors.push(cover.clone());
         }

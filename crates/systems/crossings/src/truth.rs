@@ -12,15 +12,23 @@ use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Sc
 use rayon::prelude::*;
 use rug::Rational;
 
-use super::Segments;
 use predicament_tasks::{Stop, Watch};
 
-/// The crossings of each segment: groups of segments that cross it in one point.
-pub(super) fn truth(scene: &Scene, content: &Segments, watch: &Watch) -> Result<Vec<Vec<Vec<u32>>>, Stop> {
+/// The crossings along a segment: groups of segments that cross it in one point, ascending.
+pub type Along = Vec<Vec<u32>>;
+
+/// The crossings of each segment.
+///
+/// # Errors
+/// [`Stop`] where the watch says so.
+///
+/// # Panics
+/// If there are 2^32 segments.
+pub fn crossings(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Vec<Along>, Stop> {
     let ends: Vec<[[Rational; 2]; 2]> =
-        content.0.iter().map(|ends| ends.map(|v| scene.point2(Plane::Xy, v).map(rational))).collect();
-    let boxes: Vec<[[f64; 2]; 2]> = content.0.iter().map(|&ends| extent(scene, ends)).collect();
-    let of = |at: usize| -> Result<Vec<Vec<u32>>, Stop> {
+        segments.iter().map(|ends| ends.map(|v| scene.point2(Plane::Xy, v).map(rational))).collect();
+    let boxes: Vec<[[f64; 2]; 2]> = segments.iter().map(|&ends| extent(scene, ends)).collect();
+    let of = |at: usize| -> Result<Along, Stop> {
         let others = (0..ends.len()).filter(|&other| other != at && overlap(boxes[at], boxes[other]));
         let mut found: Vec<(Rational, u32)> = others
             .filter_map(|other| {
@@ -29,7 +37,7 @@ pub(super) fn truth(scene: &Scene, content: &Segments, watch: &Watch) -> Result<
             })
             .collect();
         found.sort();
-        let mut along: Vec<Vec<u32>> = Vec::new();
+        let mut along: Along = Vec::new();
         for (place, (fraction, other)) in found.iter().enumerate() {
             match along.last_mut() {
                 Some(group) if found[place - 1].0 == *fraction => group.push(*other),
@@ -68,13 +76,18 @@ fn crossing([a, b]: &[[Rational; 2]; 2], [p, q]: &[[Rational; 2]; 2]) -> Option<
 }
 
 /// The same of a scene whose ties are broken; `None` where the judge constructs no crossing.
-pub(super) fn perturbed(
+///
+/// # Errors
+/// [`Stop`] where the watch says so.
+///
+/// # Panics
+/// If there are 2^32 segments.
+pub fn perturbed(
     scene: &Scene,
     ties: &TieJudge,
-    content: &Segments,
+    segments: &[[Vertex; 2]],
     watch: &Watch,
-) -> Result<Option<Vec<Vec<Vec<u32>>>>, Stop> {
-    let segments = &content.0;
+) -> Result<Option<Vec<Along>>, Stop> {
     let mut judged = Judged::perturbed(scene, ties);
     let crossings = |at: usize| -> Result<Vec<usize>, Stop> {
         watch.done(0)?;
@@ -86,7 +99,7 @@ pub(super) fn perturbed(
     let Ok(points) = judged.construct(&all.collect::<Vec<_>>()) else { return Ok(None) };
     let mut points = points.into_iter();
     let points: Vec<Vec<Vertex>> = of.iter().map(|others| points.by_ref().take(others.len()).collect()).collect();
-    let along = |at: usize| -> Result<Vec<Vec<u32>>, Stop> {
+    let along = |at: usize| -> Result<Along, Stop> {
         watch.done(0)?;
         let [a, b] = segments[at];
         // Along an axis on which the ends differ, and they do on one at least: they are two vertices.
@@ -115,7 +128,8 @@ fn cross(judged: &Judged<'_>, one: [Vertex; 2], other: [Vertex; 2]) -> bool {
 }
 
 /// Whether an end of one segment is on the line of the other.
-pub(super) fn touches(scene: &Scene, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
+#[must_use]
+pub fn touches(scene: &Scene, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
     let on = |u, v, w| sign(scene, Question::Orient2d(Plane::Xy), &[u, v, w]).is_zero();
     on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b)
 }

@@ -1,15 +1,13 @@
 //! Where pieces are, and points of space: a sample of both against the judge of points in meshes.
 
-use predicament_corpus::Random;
 use predicament_judge::solids::{Boundary, Materials, Place};
 use predicament_mesh::OUTSIDE;
-use predicament_overlay::algorithm::overlay::Operation;
+use predicament_overlay::answer::Operation;
 use predicament_predicates::{Scene, Vertex};
 use rug::Rational;
 
 use super::settled::Settlement;
-use super::{Laws, name, note};
-use predicament_tasks::Outcome;
+use super::{Laws, Violations, name, note};
 
 /// Directions of rays, one of which misses all edges.
 const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
@@ -17,11 +15,11 @@ const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [
 impl Laws<'_> {
     /// The middle of each piece of a sample is in the region that the piece is said to be in; where it is on the other mesh, either
     /// side is right.
-    pub(super) fn located(&self, budget: usize, outcome: &mut Outcome) {
-        let regions = self.regions();
+    pub fn located(&self, budget: usize, found: &mut Violations) {
+        let regions = self.regions;
         let mut wrong = 0;
         for mesh in 0..2 {
-            let other = &self.content.meshes[1 - mesh];
+            let other = &self.meshes[1 - mesh];
             let materials = Materials::new(self.scene, other.triangles(), other.sides());
             let judge = materials.in_integers();
             let own: Vec<usize> =
@@ -48,7 +46,7 @@ impl Laws<'_> {
                         let got = format!(
                             "a piece of {of} is said to be in region {said} of the other mesh, and is in {place:?}"
                         );
-                        note(outcome, "region of a piece", got, "a piece is in the region that its middle is in");
+                        note(found, "region of a piece", got, "a piece is in the region that its middle is in");
                     }
                 }
             }
@@ -57,18 +55,18 @@ impl Laws<'_> {
 
     /// Points of space are in a result if, and only if, the operation says so of what they are in: each is located in both meshes, and in the
     /// surface of each result, with a perturbation and without, and in doubles. Points on any of these are left out.
-    pub(super) fn probed(&self, count: usize, settlement: Option<&Settlement<'_>>, outcome: &mut Outcome) {
-        let probes = self.probes(count);
+    pub fn probed(&self, probes: &[[f64; 3]], settlement: Option<&Settlement<'_>>, found: &mut Violations) {
         let count = self.scene.len();
-        let points: Vec<[f64; 3]> = self.scene.vertices().map(|v| self.scene.point3(v)).chain(probes.clone()).collect();
+        let given = self.scene.vertices().map(|v| self.scene.point3(v));
+        let points: Vec<[f64; 3]> = given.chain(probes.iter().copied()).collect();
         let Ok(scene) = Scene::from_points3(&points) else { return };
-        let meshes = self.content.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
-        let perturbed = Operation::ALL.into_iter().zip(&self.answer.solids).map(|(operation, solid)| {
+        let meshes = self.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
+        let perturbed = Operation::ALL.into_iter().zip(self.solids).map(|(operation, solid)| {
             let corners = solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect();
             (operation, Boundary::new(corners))
         });
         let results: Vec<_> = perturbed.collect();
-        for (at, probe) in probes.into_iter().enumerate() {
+        for (at, &probe) in probes.iter().enumerate() {
             let places = meshes.each_ref().map(|mesh| mesh.locate(Vertex::input(count + at)));
             let [Place::In(first), Place::In(second)] = places else { continue };
             let inside = [first, second].map(|region| region != OUTSIDE);
@@ -85,31 +83,9 @@ impl Laws<'_> {
                     operation.name()
                 );
                 let law = "a result goes once around what the operation says is in it, and not around anything else";
-                note(outcome, "point in a result", got, law);
+                note(found, "point in a result", got, law);
                 return;
             }
         }
-    }
-
-    /// Points in no special place: every second one in the box of both meshes, the others where the boxes of the meshes overlap.
-    fn probes(&self, count: usize) -> Vec<[f64; 3]> {
-        let mut random = Random::new("points", "mesh-intersect", 1);
-        let boxes = self.content.meshes.each_ref().map(|mesh| {
-            let corners = || mesh.triangles().as_flattened().iter().map(|&v| self.scene.point3(v));
-            [0, 1, 2].map(|axis: usize| {
-                let along = || corners().map(|p| p[axis]);
-                [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
-            })
-        });
-        let both = |axis: usize| boxes.each_ref().map(|along| along[axis]);
-        let within = |random: &mut Random, shared: bool| {
-            [0, 1, 2].map(|axis: usize| {
-                let [[a, b], [c, d]] = both(axis);
-                let [low, high] = if shared { [a.max(c), b.min(d)] } else { [a.min(c), b.max(d)] };
-                let part = random.unit();
-                low * (1.0 - part) + high * part
-            })
-        };
-        (0..count).map(|at| within(&mut random, at % 2 == 1)).collect()
     }
 }

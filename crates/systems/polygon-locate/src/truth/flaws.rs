@@ -1,9 +1,9 @@
 //! The flaws of a map: where it is no tiling.
 
-use crate::algorithm::LocateIndex;
 use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 use rayon::prelude::*;
 
+use super::Edges;
 use super::edge::{Place, place};
 
 /// An edge by its two vertices, the smaller index first.
@@ -40,29 +40,26 @@ impl Flaws {
     }
 }
 
-/// Finds every flaw of the map behind `index`.
+/// Finds every flaw of the map with these edges.
 ///
 /// `exact` must answer exact signs; with anything else the result means
 /// nothing. Time goes with the pairs of edges whose boxes meet.
 ///
 /// # Panics
-/// If the session's scene is not the one that the index was made for.
+/// If the session's scene is not the one of the edges.
 #[must_use]
-pub fn map_flaws<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P) -> Flaws {
-    let vertices = used_vertices(index);
+pub fn map_flaws<P: Predicates + ?Sized>(edges: &Edges, exact: &P) -> Flaws {
+    let vertices = used_vertices(edges);
     let mut flaws = Flaws {
         duplicates: duplicates(exact.scene(), &vertices),
-        junctions: junctions(index, exact, &vertices),
+        junctions: junctions(edges, exact, &vertices),
         ..Flaws::default()
     };
-    let pairs: Vec<(Meeting, [Edge; 2])> = (0..index.columns().count())
+    let pairs: Vec<(Meeting, [Edge; 2])> = (0..edges.len())
         .into_par_iter()
-        .flat_map_iter(|column| {
-            let pairs = index.columns().overlaps(column);
-            pairs.filter_map(|[e, f]| {
-                let pair = [edge_of(index, e), edge_of(index, f)];
-                Some((meeting(exact, pair)?, pair))
-            })
+        .flat_map_iter(|at| {
+            let one = edges.all()[at].0;
+            edges.meeting(at).filter_map(move |other| Some((meeting(exact, [one, other])?, [one, other])))
         })
         .collect();
     for (meeting, [e, f]) in pairs {
@@ -77,13 +74,8 @@ pub fn map_flaws<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P) -> Flaw
     flaws
 }
 
-fn edge_of(index: &LocateIndex, edge: u32) -> Edge {
-    let [u, v] = index.ends(edge);
-    [u.min(v), u.max(v)]
-}
-
-fn used_vertices(index: &LocateIndex) -> Vec<Vertex> {
-    let mut vertices: Vec<Vertex> = index.edges().flat_map(|edge| index.ends(edge)).collect();
+fn used_vertices(edges: &Edges) -> Vec<Vertex> {
+    let mut vertices: Vec<Vertex> = edges.all().iter().flat_map(|(ends, _)| *ends).collect();
     vertices.sort_unstable();
     vertices.dedup();
     vertices
@@ -101,13 +93,13 @@ fn duplicates(scene: &Scene, vertices: &[Vertex]) -> Vec<[Vertex; 2]> {
     pairs
 }
 
-fn junctions<P: Predicates + ?Sized>(index: &LocateIndex, exact: &P, vertices: &[Vertex]) -> Vec<(Edge, Vertex)> {
+fn junctions<P: Predicates + ?Sized>(edges: &Edges, exact: &P, vertices: &[Vertex]) -> Vec<(Edge, Vertex)> {
     let mut found: Vec<(Edge, Vertex)> = vertices
         .par_iter()
         .flat_map_iter(|&vertex| {
             let point = exact.scene().point2(Plane::Xy, vertex);
-            let edges = index.columns().above(point, 0.0).map(|edge| edge_of(index, edge));
-            edges.filter(move |&ends| place(exact, ends, vertex) == Place::Between).map(move |ends| (ends, vertex))
+            let above = edges.above(point).into_iter().map(|edge| edges.all()[edge as usize].0);
+            above.filter(move |&ends| place(exact, ends, vertex) == Place::Between).map(move |ends| (ends, vertex))
         })
         .collect();
     found.sort_unstable();

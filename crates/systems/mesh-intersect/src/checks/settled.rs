@@ -6,26 +6,40 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::rounding::Rounded;
+use predicament_judge::rational;
 use predicament_judge::solids::Boundary;
-use predicament_judge::{Points, rational};
-use predicament_overlay::algorithm::overlay::Operation;
-use predicament_predicates::{Construction, Scene, Vertex};
+use predicament_overlay::answer::Operation;
+use predicament_predicates::{Construction, Vertex};
 use predicament_slice::checks::Check;
 use rug::Rational;
 
-use super::{Laws, Point, note};
-use crate::task::settled::{Result, Settled};
-use crate::task::surface::flaws;
-use predicament_tasks::Outcome;
+use super::surface::flaws;
+use super::{Laws, Point, Violations, note};
+use crate::truth;
 
 /// A plane: the axis along which its normal's component is one, the other two, and the distance along that axis.
 type Plane = (usize, Point);
 
+/// A result of an operation without a perturbation.
+#[derive(Clone, Copy, Debug)]
+pub struct Settled<'a> {
+    /// The limit.
+    pub limit: &'a [[Vertex; 3]],
+    /// The vertices of the limit in doubles, and the triangles over them.
+    pub points: &'a [[f64; 3]],
+    /// By the places of points.
+    pub triangles: &'a [[u32; 3]],
+    /// For each point the vertex of the limit that it was.
+    pub vertices: &'a [Vertex],
+    /// Whether rounding has left nothing that crosses.
+    pub is_whole: bool,
+}
+
 /// Results without a perturbation, and where all vertices are.
-pub(super) struct Settlement<'a> {
+pub struct Settlement<'a> {
     laws: &'a Laws<'a>,
-    settled: &'a Settled,
+    /// In the order of [`Operation::ALL`].
+    settled: [Settled<'a>; 4],
     /// By the number of the construction, from the first of the answer on.
     constructed: Vec<Point>,
     /// By operation: of the limit and in doubles.
@@ -58,49 +72,57 @@ impl Surface {
 
 impl<'a> Settlement<'a> {
     /// The results, if all of their vertices are points.
-    pub fn new(laws: &'a Laws<'a>, settled: &'a Settled) -> Option<Settlement<'a>> {
-        let constructed = points(laws.scene, &settled.constructions)?;
+    #[must_use]
+    pub fn new(
+        laws: &'a Laws<'a>,
+        constructions: &[Construction],
+        settled: [Settled<'a>; 4],
+    ) -> Option<Settlement<'a>> {
+        let constructed = truth::constructed(laws.scene, constructions).ok()?;
         let mut settlement = Settlement { laws, settled, constructed, surfaces: Vec::new(), boundaries: Vec::new() };
-        settlement.surfaces =
-            settled.results.iter().map(|result| [settlement.limit(result), in_doubles(&result.rounded)]).collect();
+        settlement.surfaces = settled.iter().map(|result| [settlement.limit(result), in_doubles(result)]).collect();
         settlement.boundaries = settlement.surfaces.iter().map(|both| both.each_ref().map(Surface::boundary)).collect();
         Some(settlement)
     }
 
+    /// The results by operation.
+    fn by_operation(&self) -> impl Iterator<Item = (Operation, &Settled<'a>)> {
+        Operation::ALL.into_iter().zip(&self.settled)
+    }
+
     fn point(&self, v: Vertex) -> &Point {
-        let before = self.laws.answer.before;
+        let before = self.laws.before;
         v.construction().map_or_else(|| &self.laws.points[v.index()], |index| &self.constructed[index - before])
     }
 
-    fn limit(&self, result: &Result) -> Surface {
-        let vertices: BTreeSet<Vertex> = result.solid.triangles.iter().flatten().copied().collect();
+    fn limit(&self, result: &Settled<'_>) -> Surface {
+        let vertices: BTreeSet<Vertex> = result.limit.iter().flatten().copied().collect();
         let places: BTreeMap<Vertex, u32> = vertices.iter().copied().zip(0..).collect();
         Surface {
             points: vertices.iter().map(|&v| self.point(v).clone()).collect(),
-            triangles: result.solid.triangles.iter().map(|triangle| triangle.map(|v| places[&v])).collect(),
+            triangles: result.limit.iter().map(|triangle| triangle.map(|v| places[&v])).collect(),
         }
     }
 
     /// Everything about the surfaces themselves: `crossed` triangles are held against their neighbours.
-    pub fn surfaces(&self, crossed: usize, outcome: &mut Outcome) {
-        for ((operation, result), [limit, doubles]) in self.settled.by_operation().zip(&self.surfaces) {
+    pub fn surfaces(&self, crossed: usize, found: &mut Violations) {
+        for ((operation, result), [limit, doubles]) in self.by_operation().zip(&self.surfaces) {
             let name = operation.name();
-            whole(limit, &format!("{name}, limit"), crossed, outcome);
-            self.apart(operation, result, outcome);
-            let has_no_flaw = result.rounded.counts.left == 0;
-            let crossed = if has_no_flaw { crossed } else { 0 };
-            whole(doubles, &format!("{name}, in doubles"), crossed, outcome);
-            self.beside(operation, result, outcome);
+            whole(limit, &format!("{name}, limit"), crossed, found);
+            self.apart(operation, result, found);
+            let crossed = if result.is_whole { crossed } else { 0 };
+            whole(doubles, &format!("{name}, in doubles"), crossed, found);
+            self.beside(operation, result, found);
         }
-        if self.laws.is_twice() && !self.settled.results[2].solid.triangles.is_empty() {
-            let got = format!("{} triangles of the difference", self.settled.results[2].solid.triangles.len());
-            note(outcome, "limit of a mesh with itself", got, "a mesh less itself is nothing");
+        if self.laws.is_twice() && !self.settled[2].limit.is_empty() {
+            let got = format!("{} triangles of the difference", self.settled[2].limit.len());
+            note(found, "limit of a mesh with itself", got, "a mesh less itself is nothing");
         }
     }
 
     /// No two vertices of a limit are at one place, but for those that a mesh was given with.
-    fn apart(&self, operation: Operation, result: &Result, outcome: &mut Outcome) {
-        let vertices: BTreeSet<Vertex> = result.solid.triangles.iter().flatten().copied().collect();
+    fn apart(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
+        let vertices: BTreeSet<Vertex> = result.limit.iter().flatten().copied().collect();
         let mut by_place: BTreeMap<&Point, Vertex> = BTreeMap::new();
         let second = self.laws.scene.second_mesh();
         let mesh = |v: Vertex| second.map(|second| second[v.index()]);
@@ -108,21 +130,21 @@ impl<'a> Settlement<'a> {
             let Some(other) = by_place.insert(self.point(v), v) else { continue };
             if v.is_constructed() || other.is_constructed() || mesh(v) != mesh(other) {
                 let got = format!("{}: {other} and {v} are at one place", operation.name());
-                note(outcome, "vertices of a limit", got, "at one place there is one vertex");
+                note(found, "vertices of a limit", got, "at one place there is one vertex");
                 return;
             }
         }
     }
 
     /// What is in each plane of a limit is what the perturbed result has there.
-    pub fn planes(&self, outcome: &mut Outcome) {
-        for ((operation, _), [limit, _]) in self.settled.by_operation().zip(&self.surfaces) {
+    pub fn planes(&self, found: &mut Violations) {
+        for ((operation, _), [limit, _]) in self.by_operation().zip(&self.surfaces) {
             let mut left: BTreeMap<Plane, Rational> = BTreeMap::new();
             for &triangle in &limit.triangles {
                 add(&mut left, limit.corners(triangle), 1);
             }
             let at = Operation::ALL.iter().position(|of| *of == operation).unwrap_or_default();
-            for &triangle in &self.laws.answer.solids[at] {
+            for &triangle in &self.laws.solids[at] {
                 add(&mut left, self.laws.corners(triangle), -1);
             }
             left.retain(|_, area| !area.is_zero());
@@ -135,7 +157,7 @@ impl<'a> Settlement<'a> {
                     area.to_f64() / 2.0
                 );
                 note(
-                    outcome,
+                    found,
                     "areas of a limit",
                     got,
                     "a limit has the areas that the perturbed result has in each plane",
@@ -145,8 +167,8 @@ impl<'a> Settlement<'a> {
     }
 
     /// Each vertex in doubles is within one ulp of its place.
-    fn beside(&self, operation: Operation, result: &Result, outcome: &mut Outcome) {
-        let Rounded { closed, vertices, .. } = &result.rounded;
+    fn beside(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
+        let Settled { points, vertices, .. } = *result;
         let is_near = |(point, &v): (&[f64; 3], &Vertex)| {
             point.iter().zip(self.point(v)).all(|(&x, place)| {
                 let around = [x.next_down(), x.next_up()];
@@ -155,21 +177,21 @@ impl<'a> Settlement<'a> {
                 &rational(low) <= place && place <= &rational(high)
             })
         };
-        let far = closed.points.iter().zip(vertices).find(|&pair| !is_near(pair));
+        let far = points.iter().zip(vertices).find(|&pair| !is_near(pair));
         if let Some((point, v)) = far {
             let got = format!("{}: {v} is at {point:?}", operation.name());
-            note(outcome, "place of a rounded vertex", got, "each coordinate is within one ulp of its place");
+            note(found, "place of a rounded vertex", got, "each coordinate is within one ulp of its place");
         }
-        if closed.points.len() != vertices.len() {
-            let got = format!("{}: {} of {}", operation.name(), vertices.len(), closed.points.len());
-            note(outcome, "place of a rounded vertex", got, "it is known what each vertex was");
+        if points.len() != vertices.len() {
+            let got = format!("{}: {} of {}", operation.name(), vertices.len(), points.len());
+            note(found, "place of a rounded vertex", got, "it is known what each vertex was");
         }
     }
 
     /// Holds a point of space against the limits and the results in doubles; the first surface that does not go around it as the operation says.
     pub fn probed(&self, probe: [f64; 3], inside: [bool; 2]) -> Option<(&'static str, Operation, i64)> {
         for (((operation, result), [limit, doubles]), [of_limit, of_doubles]) in
-            self.settled.by_operation().zip(&self.surfaces).zip(&self.boundaries)
+            self.by_operation().zip(&self.surfaces).zip(&self.boundaries)
         {
             let wanted = i64::from(operation.holds(inside));
             if let Some(winding) = of_limit.winding(probe).filter(|winding| *winding != wanted) {
@@ -178,7 +200,7 @@ impl<'a> Settlement<'a> {
             // What crosses itself goes around some points as it likes, and rounding moves each vertex by an ulp in each coordinate: a point that is
             // nearer than that may change sides.
             let reach = limit.reach().max(doubles.reach()) * 2.0_f64.powi(-50);
-            let is_known = result.rounded.counts.left == 0 && !of_limit.is_near(probe, reach);
+            let is_known = result.is_whole && !of_limit.is_near(probe, reach);
             if is_known && let Some(winding) = of_doubles.winding(probe).filter(|winding| *winding != wanted) {
                 return Some(("the result in doubles", operation, winding));
             }
@@ -187,28 +209,21 @@ impl<'a> Settlement<'a> {
     }
 }
 
-/// Where constructed vertices are.
-fn points(scene: &Scene, constructions: &[Construction]) -> Option<Vec<Point>> {
-    let mut exact = Points::of(scene);
-    let vertices = exact.construct(constructions).ok()?;
-    vertices.into_iter().map(|v| <Point>::try_from(exact.point(v)?.into_owned()).ok()).collect()
-}
-
-fn in_doubles(rounded: &Rounded) -> Surface {
+fn in_doubles(result: &Settled<'_>) -> Surface {
     Surface {
-        points: rounded.closed.points.iter().map(|point| point.map(rational)).collect(),
-        triangles: rounded.closed.triangles.clone(),
+        points: result.points.iter().map(|point| point.map(rational)).collect(),
+        triangles: result.triangles.to_vec(),
     }
 }
 
 /// A surface is closed, each triangle has an area, none is there twice, and none passes through another one.
-fn whole(surface: &Surface, of: &str, crossed: usize, outcome: &mut Outcome) {
+fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
     let mut seen = BTreeSet::new();
     for &triangle in &surface.triangles {
         let mut sorted = triangle;
         sorted.sort_unstable();
         if crossed > 0 && !seen.insert(sorted) {
-            note(outcome, "sheet", format!("{of}: {sorted:?} is there twice"), "no triangle is there twice");
+            note(found, "sheet", format!("{of}: {sorted:?} is there twice"), "no triangle is there twice");
             break;
         }
     }
@@ -218,7 +233,7 @@ fn whole(surface: &Surface, of: &str, crossed: usize, outcome: &mut Outcome) {
             Check::SelfIntersection => "settled result crosses itself",
             check => check.name(),
         };
-        note(outcome, check, format!("{of}: {} times, first: {}", flaw.count, flaw.what), flaw.check.law());
+        note(found, check, format!("{of}: {} times, first: {}", flaw.count, flaw.what), flaw.check.law());
     }
 }
 

@@ -2,20 +2,19 @@
 
 use std::collections::BTreeMap;
 
-use crate::algorithm::overlay::Source;
+use crate::answer::Source;
 use predicament_mesh::OUTSIDE;
-use predicament_overlay::algorithm::overlay::Operation;
+use predicament_overlay::answer::Operation;
 use predicament_predicates::Vertex;
 use rug::Rational;
 
-use super::{Laws, Point, name, note};
-use predicament_tasks::Outcome;
+use super::{Laws, Point, Violations, name, note};
 
 /// Three components of twice an area's normal, and six times the volume that it spans with the origin.
-pub(super) type Measure = [Rational; 4];
+pub type Measure = [Rational; 4];
 
 /// What is summed for each triangle that was given.
-pub(super) type Sums = BTreeMap<Source, Measure>;
+pub type Sums = BTreeMap<Source, Measure>;
 
 /// The names of both meshes.
 const MESHES: [&str; 2] = ["first", "second"];
@@ -40,17 +39,17 @@ impl Laws<'_> {
     }
 
     /// What each triangle of either mesh has in a result, turned as the result has it.
-    pub(super) fn of_result(&self, at: usize) -> Sums {
+    pub fn of_result(&self, at: usize) -> Sums {
         let mut sums = Sums::new();
-        for (&triangle, &source) in self.answer.solids[at].iter().zip(&self.answer.sources[at]) {
+        for (&triangle, &source) in self.solids[at].iter().zip(&self.sources[at]) {
             add(&mut sums, source, &self.measure(triangle), 1);
         }
         sums
     }
 
     /// What each triangle has in the surface of the inside of its mesh, turned so that the inside is behind it.
-    pub(super) fn of_mesh(&self, mesh: usize) -> Sums {
-        let of = &self.content.meshes[mesh];
+    pub fn of_mesh(&self, mesh: usize) -> Sums {
+        let of = &self.meshes[mesh];
         let mut sums = Sums::new();
         for ((&triangle, sides), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
             let times = match sides.map(|region| region != OUTSIDE) {
@@ -65,7 +64,7 @@ impl Laws<'_> {
 
     /// The volumes of the results, from their surfaces: that of the union and that of the intersection add up to those of the meshes, and so on. The same holds for
     /// areas, triangle by triangle: a part of a triangle is in the surface of the union, or in that of the intersection.
-    pub(super) fn results(&self, outcome: &mut Outcome) {
+    pub fn results(&self, found: &mut Violations) {
         let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| self.of_result(at));
         let [first, second] = [0, 1].map(|mesh| self.of_mesh(mesh));
         let laws: [(&str, Vec<(&Sums, i32)>); 3] = [
@@ -95,29 +94,29 @@ impl Laws<'_> {
                 .collect();
             if let Some(source) = areas.first() {
                 let got = format!("{} triangles, first {}: its parts are not", areas.len(), name(**source));
-                note(outcome, "areas of results", got, law);
+                note(found, "areas of results", got, law);
             }
             let volume: Rational = left.values().map(|measure| &measure[3]).sum();
             if !volume.is_zero() {
                 let got = format!("volumes are {:e} off", volume.to_f64() / 6.0);
-                note(outcome, "volumes of results", got, law);
+                note(found, "volumes of results", got, law);
             }
         }
         if self.is_twice() {
-            self.of_itself([&union, &intersection, &difference, &exclusive], &first, outcome);
+            self.of_itself([&union, &intersection, &difference, &exclusive], &first, found);
         }
     }
 
     /// Whether the second mesh is the first again.
-    pub(super) fn is_twice(&self) -> bool {
-        let [first, second] = &self.content.meshes;
+    pub fn is_twice(&self) -> bool {
+        let [first, second] = &self.meshes;
         let at = |v: Vertex| self.scene.point3(v);
         first.sides() == second.sides()
             && first.triangles().iter().zip(second.triangles()).all(|(a, b)| a.map(at) == b.map(at))
     }
 
     /// A mesh with itself: both have all of it, and what one has alone has no volume.
-    fn of_itself(&self, results: [&Sums; 4], mesh: &Sums, outcome: &mut Outcome) {
+    fn of_itself(&self, results: [&Sums; 4], mesh: &Sums, found: &mut Violations) {
         for ((operation, sums), times) in Operation::ALL.into_iter().zip(results).zip([1, 1, 0, 0]) {
             // Both copies of a triangle together, so that what is left is small.
             let mut left = Sums::new();
@@ -128,7 +127,7 @@ impl Laws<'_> {
             if !volume.is_zero() {
                 let got = format!("the volume of the {} is {:e} off", operation.name(), volume.to_f64() / 6.0);
                 note(
-                    outcome,
+                    found,
                     "a mesh with itself",
                     got,
                     "union and intersection are the mesh, differences have no volume",
@@ -138,12 +137,12 @@ impl Laws<'_> {
     }
 
     /// The volume of a region of a mesh is that of all its parts.
-    pub(super) fn volumes(&self, outcome: &mut Outcome) {
+    pub fn volumes(&self, found: &mut Violations) {
         let six = |triangle: [Vertex; 3]| self.six(triangle);
         for (mesh, name) in MESHES.into_iter().enumerate() {
             // Of a region: of its boundary as the overlay has it, less as the mesh has it, triangle by triangle.
             let mut missing: BTreeMap<(u32, Source), Rational> = BTreeMap::new();
-            let regions = self.regions();
+            let regions = self.regions;
             for ((&triangle, sides), &source) in regions.triangles.iter().zip(&regions.sides).zip(&regions.sources) {
                 let [front, behind] = sides.map(|side| regions.pairs[side as usize][mesh]);
                 if front != behind {
@@ -152,7 +151,7 @@ impl Laws<'_> {
                     *missing.entry((front, source)).or_default() -= &volume;
                 }
             }
-            let of = &self.content.meshes[mesh];
+            let of = &self.meshes[mesh];
             for ((&triangle, &[front, behind]), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
                 if front != behind {
                     let source = Source { mesh: u8::from(mesh == 1), triangle: at };
@@ -170,14 +169,14 @@ impl Laws<'_> {
                     "parts of region {region} of the {name} mesh have {:e} more than it",
                     volume.to_f64() / 6.0
                 );
-                note(outcome, "volume", got, "the volumes of a region's parts add up to its volume");
+                note(found, "volume", got, "the volumes of a region's parts add up to its volume");
             }
         }
     }
 }
 
 /// Adds a measure so many times.
-pub(super) fn add(sums: &mut Sums, source: Source, measure: &Measure, times: i32) {
+pub fn add(sums: &mut Sums, source: Source, measure: &Measure, times: i32) {
     if times == 0 {
         return;
     }

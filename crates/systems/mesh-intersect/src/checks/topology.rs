@@ -17,13 +17,12 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::overlay::Source;
+use crate::answer::Source;
 use predicament_mesh::{MaterialMesh, OUTSIDE};
-use predicament_overlay::algorithm::overlay::Operation;
+use predicament_overlay::answer::Operation;
 use predicament_predicates::{Construction, Vertex};
 
-use super::{Laws, note};
-use predicament_tasks::Outcome;
+use super::{Laws, Violations, note};
 
 /// An edge, its smaller vertex first.
 type Edge = [Vertex; 2];
@@ -32,7 +31,7 @@ type Edge = [Vertex; 2];
 type Around = Vec<(Source, bool)>;
 
 /// The edges of the overlay and of both meshes.
-pub(super) struct Edges {
+pub struct Edges {
     of_pieces: BTreeMap<Edge, Around>,
     /// For each edge of either mesh how many triangles are around it.
     of_meshes: [BTreeMap<Edge, usize>; 2],
@@ -70,15 +69,15 @@ fn boundary(mesh: &MaterialMesh) -> impl Iterator<Item = [Vertex; 3]> {
 }
 
 impl Edges {
-    pub(super) fn of(laws: &Laws<'_>) -> Edges {
+    pub fn of(laws: &Laws<'_>) -> Edges {
         let mut of_pieces: BTreeMap<Edge, Around> = BTreeMap::new();
-        for (&triangle, &source) in laws.regions().triangles.iter().zip(&laws.regions().sources) {
+        for (&triangle, &source) in laws.regions.triangles.iter().zip(&laws.regions.sources) {
             for (edge, is_forward) in edges(triangle) {
                 of_pieces.entry(edge).or_default().push((source, is_forward));
             }
         }
         let (mut of_meshes, mut around) = <([BTreeMap<Edge, usize>; 2], [BTreeMap<Vec<u32>, usize>; 2])>::default();
-        for (own, mesh) in laws.content.meshes.iter().enumerate() {
+        for (own, mesh) in laws.meshes.iter().enumerate() {
             let mut triangles: BTreeMap<Edge, Vec<u32>> = BTreeMap::new();
             for (&triangle, at) in mesh.triangles().iter().zip(0..) {
                 edges(triangle).into_iter().for_each(|(edge, _)| triangles.entry(edge).or_default().push(at));
@@ -118,16 +117,16 @@ fn is_inside(around: &[&(Source, bool)]) -> bool {
 
 impl Laws<'_> {
     /// Edges of pieces, curves, and surfaces of results.
-    pub(super) fn topology(&self, outcome: &mut Outcome) {
+    pub fn topology(&self, found: &mut Violations) {
         let edges = Edges::of(self);
-        self.edges_of_pieces(&edges, outcome);
-        self.curves(&edges, outcome);
-        self.surfaces(&edges, outcome);
-        self.characteristics(&edges, outcome);
+        self.edges_of_pieces(&edges, found);
+        self.curves(&edges, found);
+        self.surfaces(&edges, found);
+        self.characteristics(&edges, found);
     }
 
     /// Each edge is inside of a triangle, on an edge of a mesh, or a segment of a curve.
-    fn edges_of_pieces(&self, edges: &Edges, outcome: &mut Outcome) {
+    fn edges_of_pieces(&self, edges: &Edges, found: &mut Violations) {
         let (mut wrong, mut wrong_curves) = (Vec::new(), Vec::new());
         for (edge, around) in &edges.of_pieces {
             let of = |mesh: u8| around.iter().filter(move |(source, _)| source.mesh == mesh).collect::<Vec<_>>();
@@ -144,18 +143,18 @@ impl Laws<'_> {
         if let Some([a, b]) = wrong.first() {
             let got = format!("{} times, first: the edge of {a} and {b}", wrong.len());
             let law = "an edge is inside of a triangle with a piece on either side, or on an edge of a mesh with a piece of each triangle there";
-            note(outcome, "edge of a piece", got, law);
+            note(found, "edge of a piece", got, law);
         }
         if let Some([a, b]) = wrong_curves.first() {
             let got = format!("{} times, first: the edge of {a} and {b}", wrong_curves.len());
             let law = "a segment of a curve has two pieces of one triangle of either mesh, one on either side";
-            note(outcome, "segment of a curve", got, law);
+            note(found, "segment of a curve", got, law);
         }
     }
 
     /// Curves are closed: in each constructed vertex as many segments end as triangles are around the edge that it is on.
-    fn curves(&self, edges: &Edges, outcome: &mut Outcome) {
-        let sides = [0, 1].map(|mesh: usize| self.content.meshes[mesh].sides());
+    fn curves(&self, edges: &Edges, found: &mut Violations) {
+        let sides = [0, 1].map(|mesh: usize| self.meshes[mesh].sides());
         // Of all segments, and of those between surfaces of solids.
         let mut ends: BTreeMap<Vertex, [usize; 2]> = BTreeMap::new();
         for (edge, around) in edges.curves() {
@@ -167,16 +166,16 @@ impl Laws<'_> {
                 *of_surfaces += usize::from(is_of_surface);
             }
         }
-        let wanted = |at: usize| match self.answer.constructions[at] {
+        let wanted = |at: usize| match self.constructions[at] {
             Construction::Lpi { line: [a, b], .. } => {
                 let edge = [a.min(b), a.max(b)];
                 edges.of_meshes.iter().find_map(|of_mesh| of_mesh.get(&edge)).copied()
             }
             _ => None,
         };
-        let vertex = |at: usize| Vertex::constructed(self.answer.before + at);
+        let vertex = |at: usize| Vertex::constructed(self.before + at);
         let of = |v: Vertex| ends.get(&v).copied().unwrap_or_default();
-        let wrong = (0..self.answer.constructions.len()).find(|&at| {
+        let wrong = (0..self.constructions.len()).find(|&at| {
             let [all, of_surfaces] = of(vertex(at));
             wanted(at) != Some(all) || of_surfaces % 2 != 0
         });
@@ -187,14 +186,14 @@ impl Laws<'_> {
             let got =
                 format!("{v} is on {around}, and {all} segments end there, {of_surfaces} of them between surfaces");
             let law = "as many segments of curves end in a point as triangles are around its edge; of surfaces an even number";
-            note(outcome, "curve not closed", got, law);
+            note(found, "curve not closed", got, law);
         }
     }
 
     /// The surface of each result passes each edge as often one way as the other, and goes around each edge and each constructed vertex once, unless a mesh or
     /// two surfaces do so more often.
-    fn surfaces(&self, edges: &Edges, outcome: &mut Outcome) {
-        for (operation, solid) in Operation::ALL.into_iter().zip(&self.answer.solids) {
+    fn surfaces(&self, edges: &Edges, found: &mut Violations) {
+        for (operation, solid) in Operation::ALL.into_iter().zip(self.solids) {
             let mut uses: BTreeMap<Edge, [usize; 2]> = BTreeMap::new();
             for &triangle in solid {
                 for (edge, is_forward) in self::edges(triangle) {
@@ -205,7 +204,7 @@ impl Laws<'_> {
             let open = uses.iter().find(|(_, [back, forward])| back != forward);
             if let Some(([a, b], _)) = open {
                 let got = format!("{}: open at the edge of {a} and {b}", operation.name());
-                note(outcome, "result not closed", got, "a result's surface is closed and turned one way");
+                note(found, "result not closed", got, "a result's surface is closed and turned one way");
                 continue;
             }
             let is_right = |edge: &Edge, forward: usize| {
@@ -216,10 +215,10 @@ impl Laws<'_> {
             };
             if let Some(([a, b], [_, count])) = uses.iter().find(|(edge, [_, forward])| !is_right(edge, *forward)) {
                 let got = format!("{}: {} triangles at the edge of {a} and {b}", operation.name(), 2 * count);
-                note(outcome, "edge of a result", got, "an edge has two triangles, or as many as the meshes say");
+                note(found, "edge of a result", got, "an edge has two triangles, or as many as the meshes say");
             } else if !is_exclusive && let Some(v) = self.pinched(solid, &uses) {
                 let got = format!("{}: triangles at {v} are more than one fan", operation.name());
-                note(outcome, "corner of a result", got, "the triangles at a constructed vertex are one fan");
+                note(found, "corner of a result", got, "the triangles at a constructed vertex are one fan");
             }
         }
     }
@@ -249,10 +248,10 @@ impl Laws<'_> {
     }
 
     /// The Euler characteristics of the results, and of the meshes as they were given.
-    fn characteristics(&self, edges: &Edges, outcome: &mut Outcome) {
-        let [first, second] = self.content.meshes.each_ref().map(|mesh| characteristic(boundary(mesh)));
-        let of = |at: usize| characteristic(self.answer.solids[at].iter().copied());
-        let sides = [0, 1].map(|mesh: usize| self.content.meshes[mesh].sides());
+    fn characteristics(&self, edges: &Edges, found: &mut Violations) {
+        let [first, second] = self.meshes.each_ref().map(|mesh| characteristic(boundary(mesh)));
+        let of = |at: usize| characteristic(self.solids[at].iter().copied());
+        let sides = [0, 1].map(|mesh: usize| self.meshes[mesh].sides());
         let (mut vertices, mut segments) = (BTreeSet::<Vertex>::new(), 0_usize);
         for (edge, around) in edges.curves() {
             if around.iter().all(|(source, _)| is_boundary(sides[usize::from(source.mesh)][source.triangle as usize])) {
@@ -265,11 +264,11 @@ impl Laws<'_> {
         if union + intersection != first + second {
             let got = format!("{union} and {intersection}, of meshes of {first} and {second}");
             let law = "the characteristics of union and intersection add up to those of both meshes";
-            note(outcome, "Euler characteristic", got, law);
+            note(found, "Euler characteristic", got, law);
         } else if exclusive != first + second - curves {
             let got = format!("{exclusive}, of meshes of {first} and {second} and curves of {curves}");
             let law = "the characteristic of the symmetric difference is that of both meshes less that of the curves";
-            note(outcome, "Euler characteristic", got, law);
+            note(found, "Euler characteristic", got, law);
         }
     }
 }
