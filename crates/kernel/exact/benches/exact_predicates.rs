@@ -22,7 +22,7 @@
 //!
 //! `robust` and `raw` are given coordinates; the others are given vertices.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
 mod turns;

@@ -7,10 +7,10 @@
 //! makes the points from their definitions, as a query without preparation has to,
 //! `rational, prepared` has them ready, in lowest terms.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
-#[path = "../../../kernel/exact/tests/it/constructed/judge.rs"]
+#[path = "../tests/it/constructed/judge.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod judge;
 

@@ -12,7 +12,7 @@
 //! * *beside*: one line or plane and many points, in relation to the batch of
 //!   the same queries.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
 

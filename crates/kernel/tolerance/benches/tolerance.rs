@@ -3,7 +3,7 @@
 //! Every query has points of its own, uniform in a unit cube or square. The engines take turns, pass by pass, on queries in cache, one by
 //! one and in batches. Medians are printed, and their ratio: 1 is the time of the filters of `exact`.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../../exact/tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
 

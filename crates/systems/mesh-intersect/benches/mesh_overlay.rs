@@ -9,7 +9,7 @@
 //! command with blanks. They are given the files of two closed meshes, each seen counterclockwise from outside: two 64-bit counts, of
 //! points and of triangles, then coordinates as doubles, three a point, then 32-bit indices, three a triangle; all little-endian.
 //! They print the seconds that the union took (without reading), and the number of its triangles and its volume. How many threads
-//! they take is theirs to choose. `programs/mesh_overlay.py` is one for Manifold, libigl and trueform.
+//! they take is theirs to choose. `mesh_overlay.py` beside this file is one for Manifold, libigl and trueform.
 
 use std::collections::HashMap;
 use std::hint::black_box;

@@ -23,7 +23,7 @@
 //!
 //! Words after `--` select: what is measured, and predicates, as in `-- random orient2d`. Without any, all is measured.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
 #[path = "access/family.rs"]

@@ -1,7 +1,7 @@
 //! Unions of 10³ to 10⁶ random cubes, one of which covers a point on average,
 //! on one thread; and of 10⁵ at other densities.
 
-#[path = "../../../../systems/cube-union/examples/cube_union/random.rs"]
+#[path = "../examples/cube_union/random.rs"]
 mod random;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};

@@ -12,7 +12,7 @@
 //! printed with their times in relation to `from scratch`. On a machine that
 //! does other things as well, believe that line.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
 

@@ -4,7 +4,7 @@
 //!
 //! Programs of other libraries take their turns where `DISSOLVE_PROGRAMS` names them: `name=command` with semicolons between, words of a
 //! command with blanks. They read a WKT polygon a line, an empty line after each group, and print the seconds that it took, the number of corners
-//! of the result, and the number of groups that they have no union of; `programs/dissolve.py` is one for GEOS.
+//! of the result, and the number of groups that they have no union of; `dissolve.py` beside this file is one for GEOS.
 //!
 //! Ours is given rings of coordinates or, as from a file of arcs, of vertices; sessions are prepared in its time. The map is fetched by
 //! `predicament corpus fetch us-counties`.

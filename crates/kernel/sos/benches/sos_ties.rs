@@ -16,9 +16,10 @@
 //! with their times in relation to the exact backend's. On a machine that does
 //! other things as well, believe that line.
 
-#[path = "../../../kernel/exact/tests/it/common.rs"]
+#[path = "../../exact/tests/it/common.rs"]
 #[allow(dead_code)] // what the tests need beside
 mod common;
+#[path = "../../exact/benches/turns.rs"]
 mod turns;
 
 use std::cell::Cell;
