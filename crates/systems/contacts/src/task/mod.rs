@@ -15,8 +15,10 @@ mod pairs;
 mod section;
 mod sigma;
 mod spoiled;
+mod timed;
 mod topology;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::pairs::{Contact, Contacts as Registered, Weights, contacts};
@@ -151,6 +153,27 @@ impl Task for Contacts {
 
     fn supported(&self, session: &dyn Predicates) -> Result<(), Declined> {
         session.supports_contacts()
+    }
+
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
+    fn primitives(&self, scene: &Scene, content: &Complexes) -> Option<u64> {
+        Some(timed::primitives(scene, content))
+    }
+
+    /// One table of both dimensions.
+    fn timed(
+        &self,
+        run: &RunDir,
+        primitives: &BTreeMap<String, u64>,
+        threads: &[usize],
+    ) -> Result<String, predicament_records::Error> {
+        match self.dimension {
+            Dimension::Two => timed::tables(run, primitives, threads),
+            Dimension::Three => Ok(String::new()),
+        }
     }
 
     fn truth(&self, scene: &Scene, content: &Complexes, watch: &Watch) -> Result<Truth, Stop> {

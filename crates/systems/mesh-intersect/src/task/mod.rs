@@ -181,6 +181,10 @@ impl Task for MeshIntersect {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
     }
 
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
     fn constructs(&self) -> bool {
         true
     }

@@ -149,6 +149,10 @@ impl Task for MeshLocate {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
     }
 
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
     fn looks_at_watch(&self) -> bool {
         true
     }

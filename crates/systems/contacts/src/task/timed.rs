@@ -2,51 +2,41 @@
 //! pairs. All but the number of primitives is read back from the folder.
 
 use std::collections::BTreeMap;
-use std::path::Path;
 
-use predicament_contacts::task::{Complexes, ContactRow};
-use predicament_corpus::LoadedScene;
+use super::{Complexes, ContactRow};
 use predicament_mesh::Complex;
-use predicament_predicates::Dimension;
+use predicament_predicates::{Dimension, Scene};
 use predicament_records::{Error, PlannedScene, RunDir, Spread};
 use predicament_report::text::{in_order, markdown};
+use predicament_tasks::on_threads;
 
-/// The number of primitives of each scene: edges in the plane, triangles in space.
-#[derive(Default)]
-pub struct Primitives(BTreeMap<String, u64>);
+/// The number of primitives: edges in the plane, triangles in space.
+pub(super) fn primitives(scene: &Scene, complexes: &Complexes) -> u64 {
+    let of = |complex: &Complex| match scene.dimension() {
+        Dimension::Two => complex.edges().len(),
+        Dimension::Three => complex.triangles().len(),
+    };
+    complexes.both().into_iter().map(of).sum::<usize>() as u64
+}
 
-impl Primitives {
-    /// Learns a scene, if it is one of contacts.
-    pub fn learn(&mut self, loaded: &LoadedScene) {
-        if let Some(complexes) = loaded.content::<Complexes>() {
-            let of = |complex: &Complex| match loaded.scene.dimension() {
-                Dimension::Two => complex.edges().len(),
-                Dimension::Three => complex.triangles().len(),
-            };
-            let count: usize = complexes.both().into_iter().map(of).sum();
-            self.0.insert(loaded.id.clone(), count as u64);
-        }
-    }
+/// The primitives of each scene, by its id.
+struct Primitives<'a>(&'a BTreeMap<String, u64>);
 
+impl Primitives<'_> {
     fn of(&self, scene: &PlannedScene) -> Option<u64> {
         self.0.get(&scene.scene_id).copied().filter(|&count| count > 0)
     }
-}
-
-/// What a family is called where it was timed on so many threads.
-pub fn on_threads(family: &str, threads: usize) -> String {
-    if threads == 1 { family.to_owned() } else { format!("{family} on {threads} threads") }
 }
 
 /// What a bench folder says about contacts, as Markdown; nothing where it has none.
 ///
 /// # Errors
 /// That of a folder that cannot be read.
-pub fn tables(folder: &Path, primitives: &Primitives, threads: &[usize]) -> Result<String, Error> {
-    let run = RunDir::open(folder)?;
+pub(super) fn tables(run: &RunDir, primitives: &BTreeMap<String, u64>, threads: &[usize]) -> Result<String, Error> {
+    let primitives = Primitives(primitives);
     let mut text = String::new();
-    times(&mut text, &run, primitives, threads);
-    pairs(&mut text, &run, &run.rows()?, primitives);
+    times(&mut text, run, &primitives, threads);
+    pairs(&mut text, run, &run.rows()?, &primitives);
     Ok(text)
 }
 
@@ -57,7 +47,7 @@ fn series(scene: &PlannedScene) -> (&str, &str, &str) {
 
 // Counts here are far below 2^53.
 #[allow(clippy::cast_precision_loss)]
-fn times(text: &mut String, run: &RunDir, primitives: &Primitives, threads: &[usize]) {
+fn times(text: &mut String, run: &RunDir, primitives: &Primitives<'_>, threads: &[usize]) {
     let mut samples: BTreeMap<(&str, &str, &str), Vec<f64>> = BTreeMap::new();
     for row in &run.throughput {
         let total = row.ns_per_query * row.queries as f64;
@@ -108,7 +98,7 @@ struct Level {
 }
 
 #[allow(clippy::cast_precision_loss)] // as above
-fn pairs(text: &mut String, run: &RunDir, contacts: &[ContactRow], primitives: &Primitives) {
+fn pairs(text: &mut String, run: &RunDir, contacts: &[ContactRow], primitives: &Primitives<'_>) {
     let mut rows: Vec<Vec<String>> = Vec::new();
     for scene in &run.plan.scenes {
         let Some(count) = primitives.of(scene) else { continue };
