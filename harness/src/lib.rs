@@ -38,7 +38,6 @@ mod cli;
 mod cmd;
 mod comment;
 mod conformance;
-mod contact_tables;
 mod details;
 pub mod example;
 mod exit;

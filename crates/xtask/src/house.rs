@@ -1,5 +1,7 @@
 //! House rules that the compiler does not check, as tests.
 
+mod truth;
+
 use std::path::{Path, PathBuf};
 
 /// The manifests of all crates.
@@ -165,6 +167,36 @@ fn no_file_names_a_host_or_somebodys_folders() {
     }
     assert!(seen > 300, "{seen} files");
     assert!(names_a_host(&["see ", "do", "cs.rs/rug"].concat()));
+}
+
+/// Whether a system has a page of its own, which its package shows.
+fn has_a_page(manifest: &str, page: &str) -> bool {
+    let lines = page.lines().count();
+    let says = ["## What it asks", "## What is true", "## Checks", "## Scenes", "## Run it"];
+    manifest.contains("\nreadme = \"README.md\"\n")
+        && (25..=70).contains(&lines)
+        && says.iter().all(|heading| page.contains(heading))
+}
+
+#[test]
+fn each_system_has_a_page() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../systems");
+    let list = std::fs::read_to_string(root.join("README.md")).expect("a page");
+    let mut seen = 0;
+    for entry in std::fs::read_dir(&root).expect("the systems") {
+        let folder = entry.expect("an entry").path();
+        if !folder.join("src/algorithm").is_dir() {
+            continue;
+        }
+        let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
+        assert!(has_a_page(&read("Cargo.toml"), &read("README.md")), "{} has no page", folder.display());
+        let name = folder.file_name().and_then(|name| name.to_str()).expect("a name");
+        assert!(list.contains(&format!("]({name}/README.md)")), "{name} is not in the list of systems");
+        seen += 1;
+    }
+    assert!(seen > 10, "{seen} systems");
+    let page = "# a\n".repeat(30);
+    assert!(!has_a_page("\nreadme = \"README.md\"\n", &page), "without headings");
 }
 
 /// A command is a leaf: what two of them need is not in either.

@@ -7,16 +7,16 @@
 //! answers that were judged, or it is not a measurement. A backend is done when
 //! its median is known well enough. The parts of some algorithms are timed one by one after that: see `timing/phases.rs`.
 
+use std::collections::BTreeMap;
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::time::Duration;
 
 use predicament_corpus::LoadedScene;
 use predicament_oracle::expect::Expectations;
-use predicament_records::{self as records, Plan, PlannedScene, RunWriter, Shard};
+use predicament_records::{self as records, Plan, PlannedScene, RunDir, RunWriter, Shard};
 use predicament_tasks::{AnyCase, AnyTask, Contestant, Watch};
 
-use crate::contact_tables::{self, Primitives};
 use crate::exit::{self, Failure};
 use crate::judged::Judged;
 use crate::planning::{budget, env_of, free_folder, plan};
@@ -131,7 +131,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         writer,
         remarks,
         taken_over: 0,
-        primitives: Primitives::default(),
+        primitives: BTreeMap::new(),
     };
     let mut ended = records::Outcome::Complete;
     for planned in &mut scenes {
@@ -152,7 +152,10 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     for line in &remarks {
         say!("  {line}");
     }
-    say_text!("{}", contact_tables::tables(&folder, &primitives, &threads).map_err(Failure::usage)?);
+    let run = RunDir::open(&folder).map_err(Failure::usage)?;
+    for task in tool.tasks() {
+        say_text!("{}", task.timed_in(&run, &primitives, &threads).map_err(Failure::usage)?);
+    }
     Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
@@ -173,7 +176,8 @@ struct Bench<'b> {
     remarks: Vec<String>,
     /// How many judgements were those of an earlier run.
     taken_over: usize,
-    primitives: Primitives,
+    /// By the id of each scene that has some.
+    primitives: BTreeMap<String, u64>,
 }
 
 /// A scene, and its truth once somebody's answers have to be judged.
@@ -199,9 +203,9 @@ impl Bench<'_> {
         const STOPPED: Result<ControlFlow<()>, Failure> = Ok(ControlFlow::Break(()));
         let scene = planned.plan.clone();
         let loaded = planned.take(self.selection)?;
-        self.primitives.learn(&loaded);
         self.writer.write(rows::imported(&scene, &loaded.notes).as_slice()).map_err(Failure::usage)?;
         let task = self.tool.task(loaded.task);
+        self.primitives.extend(task.primitives_of(&loaded).map(|count| (loaded.id.clone(), count)));
         let quiet = |_: u64| {};
         let watch = Watch::new(interrupt::flag(), None, &quiet);
         let mut truth = Truth { task, loaded: &loaded, case: None };
@@ -254,7 +258,9 @@ impl Bench<'_> {
         Self: 's,
     {
         let name = backend.name();
-        let mut all = vec![(name.clone(), start(loaded, backend, scene, digest, &self.threads))];
+        let is_threaded = self.tool.task(loaded.task).is_threaded();
+        let threads = if is_threaded { &self.threads[..] } else { &self.threads[..1] };
+        let mut all = vec![(name.clone(), start(loaded, backend, scene, digest, threads))];
         let bindings: &'s [(String, Box<dyn Contestant>)] = self.bindings;
         if let Some((_, binding)) = bindings.iter().find(|(of, _)| *of == name && digest.is_some()) {
             all.push((binding.name(), empty(loaded, binding.as_ref(), scene, &self.threads[..1])));

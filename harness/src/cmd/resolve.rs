@@ -10,7 +10,7 @@ use predicament_mesh::MaterialError;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_mesh_intersect::algorithm::resolve::{Counts, Unresolved, rounded};
 use predicament_mesh_intersect::algorithm::rounding::Closed;
-use predicament_mesh_intersect::task::flaw_of;
+use predicament_mesh_intersect::checks::flaw_of;
 use predicament_predicates::Vertex;
 use predicament_records::replace;
 

@@ -1,14 +1,9 @@
 //! Backends at their starting lines: what is timed, and what it has to answer.
 
-use predicament_contacts::task::Complexes;
 use predicament_corpus::LoadedScene;
-use predicament_mesh_intersect::task::TwoMeshes;
-use predicament_mesh_locate::task::ProbedMesh;
 use predicament_oracle::caught;
 use predicament_records::{Interface, PlannedScene};
-use predicament_tasks::{Contestant, Stopwatch};
-
-use crate::contact_tables::on_threads;
+use predicament_tasks::{Contestant, Stopwatch, on_threads};
 
 /// One backend at its starting line.
 pub struct Runner<'a> {
@@ -29,7 +24,7 @@ pub struct Runner<'a> {
     pub(super) samples: Vec<f64>,
 }
 
-/// Prepares one backend by each interface: contacts and meshes with points or other meshes for each number of threads, all else for one.
+/// Prepares one backend by each interface, for each of these numbers of threads.
 pub fn start<'a>(
     loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
@@ -39,10 +34,6 @@ pub fn start<'a>(
 ) -> Result<Vec<Runner<'a>>, String> {
     let judged = judged.ok_or("there are no judged answers")?;
     let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
-    let is_parallel = loaded.content::<Complexes>().is_some()
-        || loaded.content::<ProbedMesh>().is_some()
-        || loaded.content::<TwoMeshes>().is_some();
-    let threads = if is_parallel { threads } else { &threads[..1] };
     let content = loaded.content.as_ref();
     let mut runners = Vec::new();
     for &threads in threads {

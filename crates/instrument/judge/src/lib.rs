@@ -9,6 +9,7 @@
 //! * [`sign`], [`is_within`], [`verdict`], [`point`]: determinants and constructed points.
 //! * [`Points`]: the same for one scene, whose constructed points it keeps.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
+//! * [`boxes`]: which boxes of many are near a box.
 //! * [`contacts`]: which simplices of two complexes meet.
 //! * [`cubes`]: what a union of cubes measures.
 //! * [`hull`]: the extreme vertices of small scenes.
@@ -19,6 +20,7 @@
 //! * [`sum`]: sums of many rationals.
 //! * [`Sample`]: which part of a large input is judged.
 
+pub mod boxes;
 mod constructed;
 pub mod contacts;
 pub mod cubes;

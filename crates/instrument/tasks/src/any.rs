@@ -1,6 +1,7 @@
 //! Tasks with their types hidden, for crates that handle all of them alike.
 
 use std::any::Any;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{LoadedScene, SceneFormat};
@@ -59,6 +60,23 @@ pub trait AnyTask: SceneFormat {
 
     /// [`Task::size`].
     fn size_of(&self, loaded: &LoadedScene) -> usize;
+
+    /// [`Task::takes_threads`].
+    fn is_threaded(&self) -> bool;
+
+    /// [`Task::primitives`].
+    fn primitives_of(&self, loaded: &LoadedScene) -> Option<u64>;
+
+    /// [`Task::timed`].
+    ///
+    /// # Errors
+    /// Where a table of the run cannot be read.
+    fn timed_in(
+        &self,
+        run: &RunDir,
+        primitives: &BTreeMap<String, u64>,
+        threads: &[usize],
+    ) -> Result<String, predicament_records::Error>;
 
     /// [`Task::building`].
     fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase>;
@@ -180,6 +198,23 @@ impl<T: Task> AnyTask for T {
 
     fn size_of(&self, loaded: &LoadedScene) -> usize {
         self.size(content(self, loaded))
+    }
+
+    fn is_threaded(&self) -> bool {
+        self.takes_threads()
+    }
+
+    fn primitives_of(&self, loaded: &LoadedScene) -> Option<u64> {
+        self.primitives(&loaded.scene, content(self, loaded))
+    }
+
+    fn timed_in(
+        &self,
+        run: &RunDir,
+        primitives: &BTreeMap<String, u64>,
+        threads: &[usize],
+    ) -> Result<String, predicament_records::Error> {
+        self.timed(run, primitives, threads)
     }
 
     fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase> {

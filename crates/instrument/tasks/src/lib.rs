@@ -41,6 +41,7 @@ pub mod solids;
 mod solver;
 mod spoiled;
 mod task;
+mod threads;
 mod watch;
 
 pub mod output;
@@ -64,4 +65,5 @@ pub use run::{caught, run, run_spoiled};
 pub use solver::{Halt, How, OnTask, Purpose, Refusal, Solver, Stopwatch};
 pub use spoiled::{AnySpoiled, Catch, Spoiled};
 pub use task::{Answer, Explanation, Task};
+pub use threads::on_threads;
 pub use watch::{Stop, Watch};

@@ -1,5 +1,6 @@
 //! The trait that a task implements.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Content, LoadedScene, SceneFormat};
@@ -162,6 +163,31 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// How large a scene is, by which the growth of times is told: the number of queries where it has no better measure.
     fn size(&self, content: &Self::Content) -> usize {
         content.count()
+    }
+
+    /// Whether solving takes all threads of the current pool: benches time it on each number of threads that they are given.
+    fn takes_threads(&self) -> bool {
+        false
+    }
+
+    /// By how many primitives the tables of a bench divide the time of a scene; none where the task has no such tables.
+    fn primitives(&self, scene: &Scene, content: &Self::Content) -> Option<u64> {
+        let _ = (scene, content);
+        None
+    }
+
+    /// What a bench folder says about its scenes, as Markdown: `primitives` by the id of each scene that has some, on so many threads.
+    ///
+    /// # Errors
+    /// Where a table of the run cannot be read.
+    fn timed(
+        &self,
+        run: &RunDir,
+        primitives: &BTreeMap<String, u64>,
+        threads: &[usize],
+    ) -> Result<String, predicament_records::Error> {
+        let _ = (run, primitives, threads);
+        Ok(String::new())
     }
 
     /// Times the parts of using the algorithm that ask no predicate, one after the other, on all threads of the current

@@ -1,3 +1,4 @@
-//! Benches only, in the folder `benches`; this library is empty.
+//! Compiles the benches that are in the folders `benches` of the other crates; this library is empty.
 //!
-//! With the feature `peers`, benches of whole algorithms run published peers on the same input in the same run.
+//! A bench is beside what it times. It is a target of this package, so that no other crate depends on Criterion or geo. With the feature
+//! `peers`, benches of whole algorithms run published peers on the same input in the same run.

@@ -1,7 +1,9 @@
 //! In which region of a mesh does a point lie? (PinMesh, 4.4)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
+//! * [`truth`]: what is true about a scene, found without the algorithm.
 //! * [`task`]: how it is asked, judged, drawn and reported.
 
 pub mod algorithm;
 pub mod task;
+pub mod truth;

@@ -2,11 +2,9 @@
 //!
 //! Spoiled answers prove that judges can fail. What they do not prove is that the scenes of the corpora, or the tests, lead an
 //! algorithm to the place where it can go wrong, and that it shows. A fault is data: the text of a file as it is, and what it becomes.
-//! No algorithm knows of it.
+//! It is beside the crate that it is of, in `tests/faults.toml`; no algorithm knows of it.
 
-mod meshes;
-mod plane;
-mod space;
+mod read;
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -18,67 +16,48 @@ use crate::steps::{cargo_command, root};
 const FOLDER: &str = "target/planted";
 
 /// A fault.
+#[derive(Debug)]
 struct Planted {
-    name: &'static str,
+    name: String,
     /// What is wrong, in one line.
-    what: &'static str,
-    changes: &'static [Change],
+    what: String,
+    changes: Vec<Change>,
     seen: Seen,
 }
 
 /// A text that is in a file once, and what it becomes.
+#[derive(Debug)]
 struct Change {
-    package: &'static str,
-    /// The file, in the package's folder `src`.
-    file: &'static str,
-    is: &'static str,
-    becomes: &'static str,
-}
-
-/// A change of a system: of a file in its folder `src`.
-const fn change(package: &'static str, file: &'static str, is: &'static str, becomes: &'static str) -> Change {
-    Change { package, file, is, becomes }
+    /// The file, from the root of the tree on.
+    file: PathBuf,
+    is: String,
+    becomes: String,
 }
 
 /// What has to see a fault, and sees nothing without it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Seen {
     /// A test of this package with this in its name fails.
-    Test(&'static str, &'static str),
+    Test { package: String, name: String },
     /// A run of this suite by this backend has findings of each of these classes and checks.
-    Run(&'static str, &'static str, &'static [[&'static str; 2]]),
-}
-
-fn all() -> impl Iterator<Item = &'static Planted> {
-    plane::FAULTS.iter().chain(space::FAULTS).chain(meshes::FAULTS)
+    Run { suite: String, backend: String, finds: Vec<[String; 2]> },
 }
 
 impl Change {
-    /// The file, in a tree: its package is a folder of `crates`, or of one of the folders there.
-    fn path(&self, tree: &Path) -> Result<PathBuf, String> {
-        let crates = tree.join("crates");
-        let groups = std::fs::read_dir(&crates).map_err(|why| format!("{}: {why}", crates.display()))?;
-        let groups = groups.filter_map(|entry| entry.ok().map(|entry| entry.path()));
-        let mut folders = std::iter::once(crates).chain(groups).map(|folder| folder.join(self.package));
-        let package = folders.find(|folder| folder.join("Cargo.toml").exists());
-        let package = package.ok_or_else(|| format!("there is no package {}", self.package))?;
-        Ok(package.join("src").join(self.file))
-    }
-
     /// The file as it is, and with the change.
     ///
     /// # Errors
     /// If the text is not in it exactly once.
     fn texts(&self, tree: &Path) -> Result<[String; 2], String> {
-        let path = self.path(tree)?;
+        let path = tree.join(&self.file);
         let text = std::fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
         let changed = self.applied(&text).map_err(|why| format!("{}: {why}", path.display()))?;
         Ok([text, changed])
     }
 
     fn applied(&self, text: &str) -> Result<String, String> {
-        match text.matches(self.is).count() {
-            1 => Ok(text.replacen(self.is, self.becomes, 1)),
+        match text.matches(&self.is).count() {
+            1 => Ok(text.replacen(&self.is, &self.becomes, 1)),
             count => Err(format!("this is there {count} times, and not once:\n{}", self.is)),
         }
     }
@@ -89,12 +68,12 @@ impl Change {
 /// # Errors
 /// If one is not seen, does not compile, or there is no such fault.
 pub(super) fn try_all(names: &[String]) -> Result<(), String> {
-    if let Some(unknown) = names.iter().find(|name| all().all(|fault| fault.name != name.as_str())) {
-        let known: Vec<&str> = all().map(|fault| fault.name).collect();
+    let all = read::all(&root())?;
+    if let Some(unknown) = names.iter().find(|name| all.iter().all(|fault| fault.name != **name)) {
+        let known: Vec<&str> = all.iter().map(|fault| fault.name.as_str()).collect();
         return Err(format!("mutants: no planted fault is called `{unknown}`; there are {}", known.join(", ")));
     }
-    let chosen: Vec<&Planted> =
-        all().filter(|fault| names.is_empty() || names.iter().any(|name| name == fault.name)).collect();
+    let chosen: Vec<&Planted> = all.iter().filter(|fault| names.is_empty() || names.contains(&fault.name)).collect();
     let folder = root().join(FOLDER);
     let tree = Tree { path: folder.join("tree"), built: root().join(super::BUILT), out: folder.join("run") };
     tree.copy()?;
@@ -104,13 +83,13 @@ pub(super) fn try_all(names: &[String]) -> Result<(), String> {
         println!("\n== {}: {}", fault.name, fault.what);
         let before = match without.get(&fault.seen) {
             Some(&known) => known,
-            None => tree.sees(fault.seen)?,
+            None => tree.sees(&fault.seen)?,
         };
-        without.insert(fault.seen, before);
+        without.insert(&fault.seen, before);
         let seen = if before == Sight::Nothing { tree.planted(fault)? } else { Sight::Unclear };
         println!("{}: {}", fault.name, seen.told());
         if seen != Sight::Fault {
-            unseen.push(fault.name);
+            unseen.push(fault.name.as_str());
         }
     }
     match unseen[..] {
@@ -195,9 +174,9 @@ impl Tree {
         let write =
             |path: &Path, text: &str| std::fs::write(path, text).map_err(|why| format!("{}: {why}", path.display()));
         let mut planted = Ok(());
-        for change in fault.changes {
-            planted = change.path(&self.path).and_then(|path| {
-                let [text, changed] = change.texts(&self.path)?;
+        for change in &fault.changes {
+            let path = self.path.join(&change.file);
+            planted = change.texts(&self.path).and_then(|[text, changed]| {
                 before.push((path.clone(), text));
                 write(&path, &changed)
             });
@@ -205,7 +184,7 @@ impl Tree {
                 break;
             }
         }
-        let seen = planted.and_then(|()| self.sees(fault.seen));
+        let seen = planted.and_then(|()| self.sees(&fault.seen));
         // The last first: a file may have changed twice.
         for (path, text) in before.iter().rev() {
             write(path, text)?;
@@ -214,9 +193,9 @@ impl Tree {
     }
 
     /// What a test or a run sees in the tree as it is.
-    fn sees(&self, seen: Seen) -> Result<Sight, String> {
+    fn sees(&self, seen: &Seen) -> Result<Sight, String> {
         match seen {
-            Seen::Test(package, name) => {
+            Seen::Test { package, name } => {
                 let package = format!("predicament-{package}");
                 let build = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--no-run"];
                 if self.cargo(&build)? != 0 {
@@ -225,7 +204,7 @@ impl Tree {
                 let run = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--", name];
                 Ok(if self.cargo(&run)? == 0 { Sight::Nothing } else { Sight::Fault })
             }
-            Seen::Run(suite, backend, finds) => {
+            Seen::Run { suite, backend, finds } => {
                 if self.cargo(&["build", "--quiet", "--profile", "mutants", "--bin", "predicament"])? != 0 {
                     return Ok(Sight::Unbuilt);
                 }
@@ -271,8 +250,8 @@ impl Tree {
 }
 
 /// Whether there are findings of a backend of all of these classes and checks, and whether there are any.
-fn has_all(findings: &str, backend: &str, finds: &[[&str; 2]]) -> [bool; 2] {
-    let has = |[class, check]: &[&str; 2]| findings.contains(&format!(",{backend},{class},{check},"));
+fn has_all(findings: &str, backend: &str, finds: &[[String; 2]]) -> [bool; 2] {
+    let has = |[class, check]: &[String; 2]| findings.contains(&format!(",{backend},{class},{check},"));
     [finds.iter().all(has), finds.iter().any(has)]
 }
 
@@ -293,21 +272,23 @@ mod tests {
     /// Each fault can be planted in the tree as it is; whether it is seen takes minutes, and is for the command to say.
     #[test]
     fn every_text_is_in_its_file_once() {
-        for fault in all() {
+        let all = read::all(&root()).unwrap_or_else(|why| panic!("{why}"));
+        for fault in &all {
             assert!(!fault.changes.is_empty(), "{}", fault.name);
-            for change in fault.changes {
+            for change in &fault.changes {
                 let [text, changed] = change.texts(&root()).unwrap_or_else(|why| panic!("{}: {why}", fault.name));
                 assert_ne!(text, changed, "{}", fault.name);
             }
         }
-        let names: BTreeSet<&str> = all().map(|fault| fault.name).collect();
-        assert_eq!(names.len(), all().count(), "each name once");
+        let names: BTreeSet<&str> = all.iter().map(|fault| fault.name.as_str()).collect();
+        assert_eq!(names.len(), all.len(), "each name once");
         assert!(names.len() > 50, "{}", names.len());
     }
 
     #[test]
     fn a_text_that_is_not_there_once_is_an_error() {
-        let of = |is| change("hull", "a.rs", is, "z").applied("x y y");
+        let change = |is: &str| Change { file: "a.rs".into(), is: is.to_owned(), becomes: "z".to_owned() };
+        let of = |is| change(is).applied("x y y");
         assert_eq!(of("x"), Ok("z y y".to_owned()));
         assert!(of("y").unwrap_err().starts_with("this is there 2 times"));
         assert!(of("w").unwrap_err().starts_with("this is there 0 times"));
@@ -317,8 +298,12 @@ mod tests {
     #[test]
     fn findings_are_told_by_class_and_check() {
         let table = "id,suite,scene,scene_id,task,backend,class,check\n1,s,a,b,t,exact,topology,gap,\n";
-        assert_eq!(has_all(table, "exact", &[["topology", "gap"]]), [true, true]);
-        assert_eq!(has_all(table, "exact", &[["topology", "gap"], ["topology", "double"]]), [false, true]);
-        assert_eq!(has_all(table, "sos", &[["topology", "gap"]]), [false, false]);
+        let has = |backend, finds: &[[&str; 2]]| {
+            let finds: Vec<[String; 2]> = finds.iter().map(|pair| pair.map(str::to_owned)).collect();
+            has_all(table, backend, &finds)
+        };
+        assert_eq!(has("exact", &[["topology", "gap"]]), [true, true]);
+        assert_eq!(has("exact", &[["topology", "gap"], ["topology", "double"]]), [false, true]);
+        assert_eq!(has("sos", &[["topology", "gap"]]), [false, false]);
     }
 }

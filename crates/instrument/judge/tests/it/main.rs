@@ -1,6 +1,7 @@
 //! The truths of the judge: against what is known, against second
 //! computations, and against the algorithms that they are for.
 
+mod boxes;
 mod contacts;
 mod cubes;
 mod dependencies;

@@ -4,8 +4,9 @@
 
 use predicament_exact::{Exact, raw};
 use predicament_polygon_locate::algorithm::{LocateIndex, locate_all, locate_all_specially};
-use predicament_polygon_locate::checks::{surroundings, tiling_report};
+use predicament_polygon_locate::checks::tiling_report;
 use predicament_polygon_locate::task::MapWithProbes;
+use predicament_polygon_locate::truth::{Edges, surroundings};
 use predicament_predicates::{Backend, Off, ZeroMeaning};
 use predicament_sos::Sos;
 
@@ -27,7 +28,11 @@ fn the_papers_test_answers_as_a_perturbed_session_does() {
             locate_all_specially(&index, &loaded.scene, &|l, r, p| raw::orient2d([l, r, p]), &probes, &|_| true);
         let truth = locate_all(&index, &exact, &probes, &|_| true);
         let answers = locate_all(&index, &perturbed, &probes, &|_| true);
-        let report = tiling_report(&surroundings(&index, &exact, &probes), &answers, ZeroMeaning::Never);
+        let report = tiling_report(
+            &surroundings(&Edges::new(map, &loaded.scene), &exact, &probes),
+            &answers,
+            ZeroMeaning::Never,
+        );
         assert_eq!(report.violations(), [], "{}", loaded.name);
 
         for (at, &probe) in probes.iter().enumerate() {

@@ -4,7 +4,8 @@ use predicament_contacts::checks::audit::{PairKind, Symbol, Verdict};
 use predicament_interval::checks::PartitionFault;
 use predicament_laws::axioms::Law;
 use predicament_overlay::checks::{overlay, snap};
-use predicament_polygon_locate::checks::{Fault, Ground};
+use predicament_polygon_locate::checks::Fault;
+use predicament_polygon_locate::truth::Ground;
 use predicament_slice::checks as slice;
 
 #[test]

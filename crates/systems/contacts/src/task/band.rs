@@ -29,7 +29,8 @@ use crate::checks::audit::{Finding, Verdict, audit};
 use predicament_mesh::Complex;
 use predicament_predicates::Predicates;
 
-use super::pairs::{Pair, Pairs, is_degenerate};
+use super::pairs::{Pairs, is_degenerate};
+use crate::truth::Pair;
 use predicament_tasks::Class;
 
 /// The pairs that break the guarantee.

@@ -25,7 +25,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_predicates::{Dimension, ZeroMeaning};
 
-use super::pairs::{Pair, Pairs, is_degenerate};
+use super::pairs::{Pairs, is_degenerate};
+use crate::truth::Pair;
 use predicament_tasks::Class;
 
 /// A class with the check that led to it.

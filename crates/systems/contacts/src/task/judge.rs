@@ -14,91 +14,37 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::pairs::{Contacts as Registered, Weights};
-use predicament_judge::{Judged, Sample, contacts as judge};
-use predicament_mesh::{Complex, Faces, Simplex};
-use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
+use crate::answer::{Contacts as Registered, Weights};
+use crate::truth::{Pair, Truth, perturbed};
+use predicament_judge::{Judged, contacts as judge};
+use predicament_predicates::{PredicateKind, Scene, ZeroMeaning};
 
 use super::classes::{self, Judgement};
-use super::pairs::{Pair, Pairs};
+use super::pairs::Pairs;
 use super::section::ContactRow;
-use super::{Complexes, Contacts, alone, band, order, perturbed, query, topology, vertices_of};
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, Watch};
+use super::{Complexes, Contacts, band, order, query, topology, vertices_of};
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
-/// One registered pair in so many is found again, in another way.
-const TWICE: usize = 16;
 /// Orders of a pair's vertices, at most: what a pair costs of the budget for permutations.
 const ORDERS: usize = 24;
 
-/// The pairs that meet, exactly.
-pub struct Truth {
-    /// Those of the sampled simplices of the first complex.
-    registered: BTreeSet<Pair>,
-    /// Which simplices of the first complex were looked at, by their place in [`simplices`].
-    sample: Sample,
-    /// Those simplices.
-    sampled: BTreeSet<Simplex>,
-    faces: [Faces; 2],
+/// The pairs that were registered.
+fn pairs<'p>(truth: &'p Truth, content: &'p Complexes, contacts: &Registered) -> Pairs<'p> {
+    let pairs = contacts.registered.iter().map(|contact| [contact.a, contact.b]);
+    Pairs::new(content.both(), &truth.faces, pairs.collect())
 }
 
-/// All simplices of a complex by rank, with their vertices.
-pub(super) fn simplices(complex: &Complex) -> Vec<(Simplex, &[Vertex])> {
-    let counts =
-        [complex.vertices().len(), complex.edges().len(), complex.triangles().len(), complex.tetrahedra().len()];
-    let of_rank = |(rank, count): (u8, usize)| {
-        let count = u32::try_from(count).expect("a complex has fewer than 2^32 simplices");
-        (0..count).map(move |index| Simplex { rank, index })
-    };
-    let all = (0..4).zip(counts).flat_map(of_rank);
-    all.map(|simplex| (simplex, complex.vertices_of(simplex))).collect()
-}
-
-impl Truth {
-    /// Finds the truth.
-    ///
-    /// # Panics
-    /// If the judge contradicts itself.
-    pub(super) fn new(scene: &Scene, content: &Complexes, watch: &Watch) -> Result<Truth, Stop> {
-        let [a, b] = content.both().map(simplices);
-        let [of_a, of_b]: [Vec<&[Vertex]>; 2] = [&a, &b].map(|all| all.iter().map(|&(_, vertices)| vertices).collect());
-        let sample = judge::sample(scene.dimension(), [a.len(), b.len()]);
-        let found = judge::contacts_of(scene, &of_a, &of_b, sample);
-        let registered: BTreeSet<Pair> =
-            found.iter().map(|contact| [a[contact.pair[0]].0, b[contact.pair[1]].0]).collect();
-        watch.done((a.len() + b.len()) as u64)?;
-        for &pair in registered.iter().step_by(TWICE) {
-            let again = alone(scene, content, &Judged::again(scene), pair);
-            let same = again.registered.iter().any(|again| [again.a, again.b] == pair);
-            assert!(same, "the judge contradicts itself about {}", query(scene, content, pair));
-        }
-        watch.done(0)?;
-        let sampled = sample.places().map(|place| a[place].0).collect();
-        Ok(Truth { registered, sample, sampled, faces: content.both().map(Faces::new) })
-    }
-
-    /// How many simplices of the first complex were looked at, if not all.
-    pub(super) fn sampled(&self) -> Option<String> {
-        (!self.sample.is_all())
-            .then(|| format!("simplices of the first complex: {}; and all registered pairs", self.sample))
-    }
-
-    fn pairs<'p>(&'p self, content: &'p Complexes, contacts: &Registered) -> Pairs<'p> {
-        let pairs = contacts.registered.iter().map(|contact| [contact.a, contact.b]);
-        Pairs::new(content.both(), &self.faces, pairs.collect())
-    }
-
-    /// The truth with everything that it takes to judge these pairs too, and their faces.
-    fn about<'p>(&'p self, scene: &Scene, content: &'p Complexes, pairs: impl Iterator<Item = Pair>) -> Pairs<'p> {
-        let mut registered = self.registered.clone();
-        let [of_a, of_b] = &self.faces;
-        let faces = pairs.flat_map(|[s, t]| of_a.of(s).flat_map(move |s| of_b.of(t).map(move |t| [s, t])));
-        let unknown: BTreeSet<Pair> = faces.filter(|[s, _]| !self.sampled.contains(s)).collect();
-        registered.extend(unknown.into_iter().filter(|&pair| {
-            let [s, t] = vertices_of(content, pair);
-            judge::contact(scene, s, t).is_some()
-        }));
-        Pairs::new(content.both(), &self.faces, registered)
-    }
+/// The truth with everything that it takes to judge these pairs too, and their faces.
+fn about<'p>(truth: &'p Truth, scene: &Scene, content: &'p Complexes, pairs: impl Iterator<Item = Pair>) -> Pairs<'p> {
+    let mut registered = truth.registered.clone();
+    let [of_a, of_b] = &truth.faces;
+    let faces = pairs.flat_map(|[s, t]| of_a.of(s).flat_map(move |s| of_b.of(t).map(move |t| [s, t])));
+    let unknown: BTreeSet<Pair> = faces.filter(|[s, _]| !truth.sampled.contains(s)).collect();
+    registered.extend(unknown.into_iter().filter(|&pair| {
+        let [s, t] = vertices_of(content, pair);
+        judge::contact(scene, s, t).is_some()
+    }));
+    Pairs::new(content.both(), &truth.faces, registered)
 }
 
 /// Judges all pairs that the backend registers.
@@ -111,10 +57,10 @@ pub(super) fn judge(
     let (scene, content, session, watch) = (case.scene(), case.content, asked.session, asked.watch);
     let dimension = scene.dimension();
     let zero = asked.contract(PredicateKind::Orient2d).zero;
-    let got = case.truth.pairs(content, found);
+    let got = pairs(&case.truth, content, found);
     let perturbed = match (zero, asked.backend.tie_judge()) {
         (ZeroMeaning::Never, Some(ties)) => {
-            let registered = perturbed::registered(scene, ties, content, &case.truth.sampled, got.iter(), watch)?;
+            let registered = perturbed(scene, ties, content, &case.truth.sampled, got.iter(), watch)?;
             Some(Pairs::new(content.both(), &case.truth.faces, registered))
         }
         _ => None,
@@ -126,7 +72,7 @@ pub(super) fn judge(
     watch.done(0)?;
     let perturbed = perturbed.as_ref();
     let said = got.iter().chain(perturbed.into_iter().flat_map(Pairs::iter)).chain(audited.keys().copied());
-    let truth = case.truth.about(scene, content, said);
+    let truth = about(&case.truth, scene, content, said);
     let judge = classes::Judge { dimension, zero, got: &got, truth: &truth, perturbed, audited: &audited };
     let weights: BTreeMap<Pair, [Weights; 2]> =
         found.registered.iter().map(|contact| ([contact.a, contact.b], [contact.on_a, contact.on_b])).collect();

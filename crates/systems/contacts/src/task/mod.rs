@@ -7,20 +7,22 @@
 mod band;
 mod checks;
 mod classes;
-mod content;
+pub(crate) mod content;
 mod generate;
 mod judge;
 mod order;
 mod pairs;
-mod perturbed;
 mod section;
 mod sigma;
 mod spoiled;
+mod timed;
 mod topology;
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::pairs::{Contact, Contacts as Registered, Weights, contacts};
+use crate::truth::{Pair, Truth};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::Judged;
@@ -32,10 +34,9 @@ use predicament_report::drawing::{Role, Shape};
 
 pub use content::Complexes;
 pub use generate::thresholds;
-pub use judge::Truth;
 pub use section::ContactRow;
 
-use pairs::{Pair, closure};
+use pairs::closure;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
@@ -152,6 +153,27 @@ impl Task for Contacts {
 
     fn supported(&self, session: &dyn Predicates) -> Result<(), Declined> {
         session.supports_contacts()
+    }
+
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
+    fn primitives(&self, scene: &Scene, content: &Complexes) -> Option<u64> {
+        Some(timed::primitives(scene, content))
+    }
+
+    /// One table of both dimensions.
+    fn timed(
+        &self,
+        run: &RunDir,
+        primitives: &BTreeMap<String, u64>,
+        threads: &[usize],
+    ) -> Result<String, predicament_records::Error> {
+        match self.dimension {
+            Dimension::Two => timed::tables(run, primitives, threads),
+            Dimension::Three => Ok(String::new()),
+        }
     }
 
     fn truth(&self, scene: &Scene, content: &Complexes, watch: &Watch) -> Result<Truth, Stop> {

@@ -2,13 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use predicament_mesh::{Complex, Faces, Simplex, Simplices};
+use predicament_mesh::{Complex, Faces, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
+use crate::truth::Pair;
 use predicament_tasks::ids;
-
-/// A simplex of each complex.
-pub(crate) type Pair = [Simplex; 2];
 
 /// Registered pairs of two complexes.
 pub(crate) struct Pairs<'a> {

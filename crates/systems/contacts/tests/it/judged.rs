@@ -14,8 +14,7 @@ use predicament_contacts::checks::pairs::{
 };
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, PolygonMap, Simplex, Simplices};
-use predicament_polygon_locate::algorithm::LocateIndex;
-use predicament_polygon_locate::checks::map_flaws;
+use predicament_polygon_locate::truth::{Edges, map_flaws};
 use predicament_predicates::{Backend, Off, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Sos};
 use proptest::prelude::*;
@@ -287,7 +286,7 @@ proptest! {
         let exact = Exact.prepare(&pair.scene, Off).unwrap();
         let mut map = PolygonMap::new();
         map.push("ring", vec![(0..ring.len()).map(Vertex::input).collect()]).unwrap();
-        let flaws = map_flaws(&LocateIndex::new(&map, &pair.scene), &exact);
+        let flaws = map_flaws(&Edges::new(&map, &pair.scene), &exact);
         prop_assert_eq!(is_embedded(&exact, &pair.a), flaws.is_empty());
     }
 

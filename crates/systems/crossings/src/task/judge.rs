@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use crate::algorithm::Along;
+use crate::truth::{self, Along};
 use predicament_predicates::{PredicateKind, Query, Scene, ZeroMeaning};
 
-use super::{Crossings, Segments, describe, truth};
+use super::{Crossings, Segments, describe};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Judges the crossings of all segments.
@@ -19,7 +19,7 @@ pub(super) fn judge(
     let zero = asked.contract(PredicateKind::Orient2d).zero;
     // What a backend that breaks ties has to find: the crossings of the perturbed scene.
     let perturbed = match (zero, asked.backend.tie_judge()) {
-        (ZeroMeaning::Never, Some(ties)) => truth::perturbed(scene, ties, content, asked.watch)?,
+        (ZeroMeaning::Never, Some(ties)) => truth::perturbed(scene, ties, &content.0, asked.watch)?,
         _ => None,
     };
     for (at, (got, truth)) in found.iter().zip(&case.truth).enumerate() {

@@ -9,14 +9,14 @@ mod checks;
 pub mod content;
 mod judge;
 mod spoiled;
-mod truth;
 
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Along, crossings};
+use crate::truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
 use predicament_report::drawing::Role;
 
 pub use content::Segments;
@@ -105,7 +105,7 @@ impl Task for Crossings {
     }
 
     fn truth(&self, scene: &Scene, content: &Segments, watch: &Watch) -> Result<Vec<Along>, Stop> {
-        truth::truth(scene, content, watch)
+        truth::crossings(scene, &content.0, watch)
     }
 
     fn solve<P: Predicates>(
@@ -140,7 +140,7 @@ impl Task for Crossings {
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {
-        let truth = truth::truth(&loaded.scene, content, watch)?;
+        let truth = truth::crossings(&loaded.scene, &content.0, watch)?;
         let crossings: usize = truth.iter().flatten().map(Vec::len).sum();
         Ok(format!("{} segments, {} crossings\n", content.0.len(), crossings / 2))
     }
@@ -215,11 +215,6 @@ impl Task for Crossings {
         canvas.points(&scene, "crossings", Role::Found, crossings)?;
         Ok(())
     }
-}
-
-/// The crossings of each of these segments, in rationals.
-pub fn exactly(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Vec<Along>, Stop> {
-    truth::truth(scene, &Segments(segments.to_vec()), watch)
 }
 
 /// The crossings along a segment in words: `3, 5 and 7, 2`.

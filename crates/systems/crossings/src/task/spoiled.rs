@@ -2,7 +2,8 @@
 
 use predicament_predicates::Scene;
 
-use super::{Crossed, Crossings, Segments, truth};
+use super::{Crossed, Crossings, Segments};
+use crate::truth;
 use predicament_tasks::{Class, Spoiled};
 
 pub(super) fn all() -> Vec<Spoiled<Crossings>> {

@@ -14,6 +14,7 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Mass, cube_union_by};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
@@ -22,7 +23,6 @@ use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
 
 pub use content::Cubes;
-pub use judge::Truth;
 pub use section::MassRow;
 
 use predicament_tasks::output::Canvas;

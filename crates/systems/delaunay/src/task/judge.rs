@@ -2,32 +2,13 @@
 
 use crate::algorithm::Delaunay2;
 use crate::checks::{Found, flaws};
+use crate::truth::PAIRS;
 use predicament_hull::checks::{Flaw, Signs};
 use predicament_judge::Judged;
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex, ZeroMeaning};
 
 use super::Delaunay2d;
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
-
-/// How many triangles and how many edges are held against exact signs, at level quick and at level full.
-const PAIRS: [usize; 2] = [20_000, 1 << 18];
-
-/// The truth is in the checks; this is how much of a scene they are about.
-pub struct Truth {
-    points: usize,
-}
-
-impl Truth {
-    pub(super) fn new(scene: &Scene) -> Truth {
-        Truth { points: scene.len() }
-    }
-
-    /// What is judged, where it is not all.
-    pub(super) fn sampled(&self) -> Option<String> {
-        let [most, _] = PAIRS;
-        (3 * self.points > most).then(|| "edges, hull and copies; turns and circles: an even sample".to_owned())
-    }
-}
 
 /// Judges a triangulation.
 pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Delaunay2, outcome: &mut Outcome) {

@@ -13,13 +13,13 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Delaunay2, constrained_delaunay2d, delaunay2d};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 pub use content::Sites;
-pub use judge::Truth;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{

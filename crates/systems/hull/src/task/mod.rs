@@ -12,7 +12,6 @@ mod space;
 mod spoiled;
 
 pub use cloud::{Cloud, Method};
-pub use judge::Truth;
 pub use plane::{Hull2d, Polygon};
 pub use space::{Hull3d, Surface};
 

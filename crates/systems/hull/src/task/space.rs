@@ -10,8 +10,9 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_report::drawing::Role;
 
 use super::cloud::{self, Cloud, Method};
-use super::judge::{Found, Truth, judge};
+use super::judge::{Found, judge};
 use super::{generate, template};
+use crate::truth::Truth;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,

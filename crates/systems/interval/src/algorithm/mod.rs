@@ -30,16 +30,7 @@
 
 use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
-/// Where a point is, seen from a cell.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub enum Place {
-    /// Left or right of it.
-    Outside,
-    /// As far along the line as one of the ends, and not outside.
-    AtEnd,
-    /// Between the ends.
-    Inside,
-}
+pub use crate::answer::Place;
 
 /// Where the point is, seen from the cell between a left and a right end, as
 /// the session compares them along the axis.

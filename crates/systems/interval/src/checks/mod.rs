@@ -1,6 +1,6 @@
 //! Cells of a line: every point is in exactly one of them (Franklin & Magalhães, 4.1).
 
-use crate::algorithm::Place;
+use crate::answer::Place;
 
 /// How cells fail to be a partition.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]

@@ -1,42 +1,13 @@
 //! Every probe against the rule without infinitesimals, and the cells against each other.
 
-use crate::algorithm::{Place, place};
+use crate::algorithm::place;
+use crate::answer::{Found, Place};
 use crate::checks::partition_fault;
-use predicament_judge::interval as judge;
-use predicament_predicates::{Axis, PredicateKind, Predicates, Query, Scene, Vertex, ZeroMeaning};
-use rayon::prelude::*;
+use crate::truth::perturbed;
+use predicament_predicates::{PredicateKind, Predicates, Query, Vertex, ZeroMeaning};
 
-use super::{CHUNK, Cells, Found, Interval, describe};
-use predicament_tasks::{AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
-
-/// What is true about each probe, by the coordinates of cells and probe.
-pub(super) fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
-    let chunks: Result<Vec<Vec<Found>>, Stop> = content
-        .probes
-        .par_chunks(CHUNK)
-        .map(|probes| {
-            let found = probes.iter().map(|&probe| by_rule(scene, content, judge::place, probe)).collect();
-            watch.done(probes.len() as u64).map(|()| found)
-        })
-        .collect();
-    Ok(chunks?.into_iter().flatten().collect())
-}
-
-/// The answer by a rule of the judge, about coordinates and numbers.
-fn by_rule(
-    scene: &Scene,
-    content: &Cells,
-    rule: impl Fn(&Scene, Axis, [Vertex; 2], Vertex) -> judge::Place,
-    probe: Vertex,
-) -> Found {
-    let place = |cell| match rule(scene, content.axis, cell, probe) {
-        judge::Place::Outside => Place::Outside,
-        judge::Place::AtEnd => Place::AtEnd,
-        judge::Place::Inside => Place::Inside,
-    };
-    let places = content.cells.iter().map(|&cell| place(cell));
-    places.enumerate().filter(|&(_, place)| place != Place::Outside).collect()
-}
+use super::{Cells, Interval, describe};
+use predicament_tasks::{AnswerLine, Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Where the probe is, seen from all cells as one.
 fn whole(session: &dyn Predicates, content: &Cells, probe: Vertex) -> Place {
@@ -54,7 +25,7 @@ pub(super) fn judge(
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let zero = asked.contract(PredicateKind::Compare).zero;
-    let perturbed = |probe| by_rule(case.scene(), case.content, judge::perturbed_place, probe);
+    let perturbed = |probe| perturbed(case.scene(), case.content, probe);
     for (at, (cells, &probe)) in found.iter().zip(&case.content.probes).enumerate() {
         let exact = &case.truth[at];
         let whole = whole(asked.session, case.content, probe);

@@ -4,14 +4,16 @@
 //! matters: a probe at an end is in both cells, in one or in none.
 
 mod checks;
-mod content;
+pub(crate) mod content;
 mod generate;
 mod judge;
 mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Place, cells_at};
+use crate::algorithm::cells_at;
+use crate::answer::{Found, Place};
+use crate::truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
@@ -35,9 +37,6 @@ type FindAll<'a> = dyn Fn((&mut [Found], &[Vertex])) -> Result<(), Stop> + Sync 
 /// The task.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Interval;
-
-/// The cells that a probe is not outside of, ascending.
-pub type Found = Vec<(usize, Place)>;
 
 /// The cells of all probes, in order.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -125,7 +124,7 @@ impl Task for Interval {
     }
 
     fn truth(&self, scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
-        judge::truth(scene, content, watch)
+        truth::truth(scene, content, watch)
     }
 
     fn solve<P: Predicates>(

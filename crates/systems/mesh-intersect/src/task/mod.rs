@@ -17,7 +17,6 @@ mod settled;
 mod shapes;
 mod spoiled;
 mod spoiled_results;
-mod surface;
 
 use std::path::{Path, PathBuf};
 
@@ -36,7 +35,6 @@ use manner::{Manner, manner};
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
 pub use settled::Settled;
-pub use surface::flaw_of;
 
 use predicament_tasks::output::{Canvas, Placed};
 use predicament_tasks::{
@@ -181,6 +179,10 @@ impl Task for MeshIntersect {
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn takes_threads(&self) -> bool {
+        true
     }
 
     fn constructs(&self) -> bool {

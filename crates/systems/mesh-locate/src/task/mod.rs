@@ -18,6 +18,7 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Location, Ray, Scratch, locate_all, question_all};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::solids::{Materials, Place};
@@ -28,7 +29,6 @@ use predicament_report::Section;
 use predicament_report::drawing::Role;
 
 pub use content::{Probe, ProbeKind, ProbedMesh};
-pub use judge::Truth;
 pub use section::MeshLocateRow;
 
 use predicament_tasks::output::Canvas;
@@ -147,6 +147,10 @@ impl Task for MeshLocate {
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
+    }
+
+    fn takes_threads(&self) -> bool {
+        true
     }
 
     fn looks_at_watch(&self) -> bool {

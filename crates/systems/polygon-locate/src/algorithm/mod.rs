@@ -44,6 +44,7 @@ mod index;
 mod single;
 pub mod special;
 
-pub use all::{CHUNK, Locations, locate_all, locate_all_specially, question_all};
+pub use crate::answer::{Location, Locations};
+pub use all::{CHUNK, locate_all, locate_all_specially, question_all};
 pub use index::LocateIndex;
-pub use single::{Location, Scratch};
+pub use single::Scratch;

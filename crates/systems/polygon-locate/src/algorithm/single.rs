@@ -4,16 +4,7 @@ use predicament_grid::Entry;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::LocateIndex;
-
-/// Where a point is: the regions it is inside of and those whose boundary it
-/// is on, ascending; no region is in both.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Location<'a> {
-    /// Regions with an odd crossing number.
-    pub inside: &'a [u32],
-    /// Regions that own an edge which the point is on, by the session's answers.
-    pub boundary: &'a [u32],
-}
+use crate::answer::Location;
 
 /// Working memory for [`LocateIndex::locate`], to be reused from query to query.
 #[derive(Clone, Debug, Default)]

@@ -5,9 +5,9 @@
 //! border, where "which region" has no answer but a perturbed one. So the law
 //! is taken from the map itself:
 //!
-//! 1. [`map_flaws`] finds where the map is no tiling: crossings, T-junctions,
+//! 1. [`map_flaws`](crate::truth::map_flaws) finds where the map is no tiling: crossings, T-junctions,
 //!    duplicate points, overlapping edges.
-//! 2. [`surroundings`] decides, exactly, which regions cover each *sector*
+//! 2. [`surroundings`](crate::truth::surroundings) decides, exactly, which regions cover each *sector*
 //!    around a probe: the parts into which the edges through the probe cut a
 //!    small disc around it. Away from all edges there is one sector.
 //! 3. [`tiling_report`] compares a session's answers with them.
@@ -33,14 +33,9 @@
 //! counted by itself. A T-junction above a probe makes two regions disagree
 //! about the points *at the junction*, not about the points below it. Only
 //! where the probe lies on the flaw itself does the perturbation decide
-//! whether it falls into the gap: such probes are [`Ground::Defect`], and no
+//! whether it falls into the gap: such probes are [`Ground::Defect`](crate::truth::Ground::Defect), and no
 //! law is read off them.
 
-mod edge;
-mod flaws;
 mod report;
-mod surroundings;
 
-pub use flaws::{Edge, Flaws, map_flaws};
 pub use report::{Counts, Fault, TilingReport, TilingViolation, tiling_report};
-pub use surroundings::{Ground, Surroundings, surroundings};

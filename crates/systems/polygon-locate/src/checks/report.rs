@@ -1,9 +1,8 @@
 //! A session's answers against the surroundings of the probes.
 
-use crate::algorithm::{Location, Locations};
+use crate::answer::{Location, Locations};
+use crate::truth::{Ground, Surroundings};
 use predicament_predicates::ZeroMeaning;
-
-use super::{Ground, Surroundings};
 
 /// What is wrong with an answer.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]

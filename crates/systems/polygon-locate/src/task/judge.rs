@@ -8,72 +8,17 @@
 //! the shortcut that leaves those edges out; a backend whose signs are proved
 //! has to give the same answers by it.
 
-use crate::algorithm::{Location, Locations, locate_all, question_all};
-use crate::checks::{Fault, Flaws, Ground, Surroundings, map_flaws, surroundings, tiling_report};
-use predicament_judge::{Judged, Sample, is_within, locate as judge};
+use crate::algorithm::locate_all;
+use crate::answer::{Location, Locations};
+use crate::checks::{Fault, tiling_report};
+use crate::truth::Ground;
+use predicament_judge::is_within;
 use predicament_laws::published;
-use predicament_predicates::{Plane, PredicateKind, Predicates, Query, Question, Scene, Vertex, ZeroMeaning};
-use rayon::prelude::*;
+use predicament_predicates::{Plane, PredicateKind, Predicates, Query, Question, Vertex, ZeroMeaning};
 
 use super::section::LocateRow;
 use super::{Located, MapWithProbes, PolygonLocate, describe};
-use predicament_tasks::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop, Watch};
-
-/// What is true about a map and its probes.
-pub struct Truth {
-    /// The map's own flaws.
-    pub flaws: Flaws,
-    /// What is around each probe.
-    pub surroundings: Surroundings,
-    /// Where the probes of a sample are: by all edges of the map, without an index.
-    exact: Vec<judge::Location>,
-    sample: Sample,
-    /// Where all probes are, by the driver on the judge's signs: it tells ties of other probes, no right from wrong.
-    by_signs: Locations,
-}
-
-impl Truth {
-    /// Finds the map's flaws and the truth about the probes.
-    pub(super) fn new(scene: &Scene, content: &MapWithProbes, watch: &Watch) -> Result<Truth, Stop> {
-        let (index, probes) = (content.locate_index(scene), content.vertices());
-        let session = Judged::exact(scene);
-        let flaws = map_flaws(index, &session);
-        watch.done(0)?;
-        let surroundings = surroundings(index, &session, &probes);
-        watch.done(0)?;
-        let regions = content.map.regions().iter();
-        let rings = regions.map(|region| region.rings.iter().map(|ring| ring.vertices().to_vec()).collect());
-        let borders = judge::Borders::new(scene, &rings.collect::<Vec<Vec<Vec<Vertex>>>>());
-        let sample = judge::sample(probes.len(), borders.len());
-        let places: Vec<usize> = sample.places().collect();
-        let exact = places.par_iter().map(|&place| borders.locate(probes[place])).collect();
-        let by_signs = watch.counted(|go_on| question_all(index, &session, &probes, go_on))?;
-        Ok(Truth { flaws, surroundings, exact, sample, by_signs })
-    }
-
-    /// How many probes were located without an index, if not all.
-    pub(super) fn sampled(&self) -> Option<String> {
-        (!self.sample.is_all())
-            .then(|| format!("probes by all edges: {}; the others by their surroundings", self.sample))
-    }
-
-    /// Where a probe is.
-    fn location(&self, at: usize) -> Location<'_> {
-        if self.sample.has(at) {
-            let exact = &self.exact[at / self.sample.step()];
-            Location { inside: &exact.inside, boundary: &exact.boundary }
-        } else {
-            location(&self.by_signs, at)
-        }
-    }
-
-    /// How many probes stand on each kind of ground.
-    #[must_use]
-    pub fn grounds(&self, probes: usize) -> Vec<(&'static str, usize)> {
-        let count = |ground| (0..probes).filter(|&at| self.surroundings.ground(at) == ground).count();
-        Ground::ALL.into_iter().map(|ground| (ground.name(), count(ground))).filter(|&(_, n)| n > 0).collect()
-    }
-}
+use predicament_tasks::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop};
 
 /// Judges the locations of all probes.
 pub(super) fn judge(
@@ -95,7 +40,8 @@ pub(super) fn judge(
     let mut violations = report.violations().iter().peekable();
     for (at, answer) in answers.iter().enumerate() {
         let violation = violations.next_if(|violation| violation.probe == at);
-        let exact = truth.location(at);
+        let known = truth.location(at);
+        let exact = Location { inside: &known.inside, boundary: &known.boundary };
         let class = match violation {
             Some(violation) => class_of_fault(violation.fault),
             None if answer == exact => Class::Agree,
@@ -109,7 +55,7 @@ pub(super) fn judge(
             },
         };
         // What is wrong already is no matter of the shortcut.
-        let by_shortcut = shortcut.map(|all| location(all, at)).filter(|&other| class.is_legal() && other != answer);
+        let by_shortcut = shortcut.map(|all| all.get(at)).filter(|&other| class.is_legal() && other != answer);
         let class = if by_shortcut.is_some() { Class::Topology } else { class };
         if asked.budget.answers {
             let [answer, exact] = [answer, exact].map(|location| describe(&content.map, location));
@@ -175,10 +121,6 @@ fn in_band(
         exact.boundary.binary_search(region).is_ok() || rings.iter().flat_map(|ring| ring.edges()).any(is_near)
     };
     if answer.boundary.iter().all(is_explained) { Class::InBand } else { Class::Overreach }
-}
-
-fn location(all: &Locations, at: usize) -> Location<'_> {
-    Location { inside: all.inside(at), boundary: all.boundary(at) }
 }
 
 /// Where an answer fits no sector, topology is broken; the other faults are

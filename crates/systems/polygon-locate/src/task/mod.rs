@@ -14,6 +14,7 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Location, Locations, Scratch, locate_all, question_all};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
@@ -23,7 +24,6 @@ use predicament_report::Section;
 use predicament_report::drawing::Role;
 
 pub use content::{MapWithProbes, Probe, ProbeKind};
-pub use judge::Truth;
 pub use section::LocateRow;
 
 use predicament_tasks::output::Canvas;

@@ -7,15 +7,15 @@ use crate::common::problems::{Problem, bricks, island, square_cells, squares};
 use predicament_controls::Naive;
 use predicament_exact::Exact;
 use predicament_polygon_locate::algorithm::{LocateIndex, Locations, question_all};
-use predicament_polygon_locate::checks::{
-    Fault, Flaws, Ground, Surroundings, TilingReport, TilingViolation, map_flaws, surroundings, tiling_report,
-};
+use predicament_polygon_locate::checks::{Fault, TilingReport, TilingViolation, tiling_report};
+use predicament_polygon_locate::truth::{Edges, Flaws, Ground, Surroundings, map_flaws, surroundings};
 use predicament_predicates::{Backend, Off, Predicates, Vertex, ZeroMeaning};
 use predicament_sos::{Scheme, Sos};
 
 struct Case {
     problem: Problem,
     index: LocateIndex,
+    edges: Edges,
     surroundings: Surroundings,
     flaws: Flaws,
 }
@@ -24,9 +24,10 @@ impl Case {
     fn new(problem: Problem) -> Case {
         let index = LocateIndex::new(&problem.map, &problem.scene);
         let exact = Exact.prepare(&problem.scene, Off).unwrap();
-        let surroundings = surroundings(&index, &exact, &problem.probes);
-        let flaws = map_flaws(&index, &exact);
-        Case { surroundings, flaws, index, problem }
+        let edges = Edges::new(&problem.map, &problem.scene);
+        let surroundings = surroundings(&edges, &exact, &problem.probes);
+        let flaws = map_flaws(&edges, &exact);
+        Case { surroundings, flaws, edges, index, problem }
     }
 
     fn locate<P: Predicates>(&self, session: &P) -> Locations {

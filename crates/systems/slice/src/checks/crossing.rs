@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use predicament_grid::{Bounds, BoxIndex};
+use predicament_judge::boxes::{Boxes, Extent, extent};
 
 use super::exact::{Plane, area, side};
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
@@ -21,7 +21,7 @@ impl Slices {
                 if number % step != 0 || part.pieces[place] == Piece::Cover {
                     continue;
                 }
-                index.near(&index.boxes()[place], reach, &mut near);
+                index.near(&index.all()[place], reach, &mut near);
                 let plane = Plane::of(self.points(triangle));
                 for other in near.iter().map(|&other| other as usize) {
                     if other == place || part.pieces[other] == Piece::Cover {
@@ -39,16 +39,16 @@ impl Slices {
     }
 
     /// The boxes of the triangles, and how far they may be off.
-    fn index(&self, part: &Part) -> Option<(BoxIndex<3>, f64)> {
+    fn index(&self, part: &Part) -> Option<(Boxes<3>, f64)> {
         let mut largest = 0.0_f64;
         let boxes = part.triangles.iter().map(|triangle| {
             let points = self.points(*triangle).map(|p| [0, 1, 2].map(|i| p[i].to_f64()));
             points.as_flattened().iter().for_each(|x| largest = largest.max(x.abs()));
-            Bounds::of(points)
+            extent(points)
         });
-        let boxes: Vec<Bounds<3>> = boxes.collect();
+        let boxes: Vec<Extent<3>> = boxes.collect();
         // Coordinates are rounded by less than a part in 2^52.
-        (!boxes.is_empty()).then(|| (BoxIndex::new(boxes), largest * 2.0_f64.powi(-50)))
+        (!boxes.is_empty()).then(|| (Boxes::new(boxes), largest * 2.0_f64.powi(-50)))
     }
 
     /// Whether an edge of one triangle passes through the inside of the other, or edges of both cross in a common plane.
@@ -125,11 +125,11 @@ mod tests {
         let part = Part { triangles: vec![[0, 1, 2], [0, 1, 3]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
         let slices = Slices { points, parts: vec![part, Part::default()], ..Slices::default() };
         let (index, reach) = slices.index(&slices.parts[0]).expect("two triangles");
-        assert_eq!(index.boxes().len(), 2);
+        assert_eq!(index.all().len(), 2);
         assert_eq!(reach.to_bits(), (1023 + 4 - 50) << 52, "a part in 2^50 of 16");
         assert!(slices.index(&slices.parts[1]).is_none(), "no triangle");
         let mut near = Vec::new();
-        index.near(&index.boxes()[1], reach, &mut near);
+        index.near(&index.all()[1], reach, &mut near);
         assert_eq!(near.iter().collect::<std::collections::BTreeSet<_>>().len(), 2);
     }
 }

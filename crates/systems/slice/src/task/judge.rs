@@ -3,7 +3,8 @@
 use crate::algorithm::{Part, Source};
 use crate::checks as laws;
 use crate::checks::{Expected, Piece, Slices};
-use predicament_judge::{Points, rational};
+use crate::truth;
+use predicament_judge::rational;
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
@@ -100,11 +101,5 @@ fn constructed(scene: &Scene, answer: &Cut) -> Result<Vec<[Rational; 3]>, Vertex
         };
         return rounded.iter().enumerate().map(exactly).collect();
     }
-    let mut points = Points::of(scene);
-    let vertices = points.construct(&answer.sliced.constructions).map_err(|why| vertex(why.index().unwrap_or(0)))?;
-    let exactly = |v: Vertex| {
-        let point = points.point(v).map(std::borrow::Cow::into_owned).ok_or(v)?;
-        <[Rational; 3]>::try_from(point).map_err(|_| v)
-    };
-    vertices.into_iter().map(exactly).collect()
+    truth::constructed(scene, &answer.sliced.constructions).map_err(vertex)
 }

@@ -1,6 +1,6 @@
 //! Which loops are holes: by rays from their first vertices, edge by edge.
 
-use predicament_grid::Columns;
+use predicament_judge::boxes::{Boxes, Extent, extent};
 
 use super::plane::Points;
 
@@ -8,14 +8,14 @@ use super::plane::Points;
 pub(super) fn holes(points: &Points, loops: &[Vec<usize>]) -> Vec<bool> {
     let edges: Vec<(usize, [usize; 2])> =
         loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
-    // The index looks up, and rays go down.
-    let flip = |[x, y]: [f64; 2]| [x, -y];
-    let segments: Vec<[[f64; 2]; 2]> =
-        edges.iter().map(|(_, edge)| edge.map(|place| flip(points.raw(place)))).collect();
-    let columns = Columns::new(&segments);
+    let boxes: Vec<Extent<2>> = edges.iter().map(|(_, edge)| extent(edge.map(|place| points.raw(place)))).collect();
+    let boxes = Boxes::new(boxes);
+    let mut near = Vec::new();
     let is_hole = |(at, one): (usize, &Vec<usize>)| {
         let Some((start, lower)) = first_edge(points, one) else { return false };
-        let below = columns.above(flip(points.raw(start)), 0.0).filter(|&edge| {
+        let [x, y] = points.raw(start);
+        boxes.near(&[[x, f64::NEG_INFINITY], [x, y]], 0.0, &mut near);
+        let below = near.iter().filter(|&&edge| {
             let (other, edge) = edges[edge as usize];
             other != at && is_below(points, edge, start, lower)
         });

@@ -1,6 +1,6 @@
 //! Where loops touch, and whether they cross.
 
-use predicament_grid::{Bounds, BoxIndex};
+use predicament_judge::boxes::{Boxes, Extent, extent};
 use predicament_predicates::Vertex;
 
 use super::nesting::edges;
@@ -33,14 +33,13 @@ impl Touches {
     pub(super) fn new(points: &Points, loops: &[Vec<usize>]) -> Touches {
         let all: Vec<(usize, [usize; 2])> =
             loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
-        let boxes: Vec<Bounds<2>> =
-            all.iter().map(|(_, edge)| Bounds::of(edge.map(|place| points.raw(place)))).collect();
+        let boxes: Vec<Extent<2>> = all.iter().map(|(_, edge)| extent(edge.map(|place| points.raw(place)))).collect();
         let mut left = MOST_NEAR * all.len();
-        let index = BoxIndex::new(boxes);
+        let index = Boxes::new(boxes);
         let mut touches = Touches { is_known: true, ..Touches::default() };
         let mut near = Vec::new();
         for (at, &edge) in all.iter().enumerate() {
-            index.near(&index.boxes()[at], 0.0, &mut near);
+            index.near(&index.all()[at], 0.0, &mut near);
             let Some(rest) = left.checked_sub(near.len()) else { return Touches::default() };
             left = rest;
             near.iter()

@@ -9,7 +9,7 @@ use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_judge::sign;
 use predicament_predicates::{Dimension, Plane, Question, Scene, Vertex};
 
-use super::judge::seen;
+use crate::truth::seen;
 use predicament_tasks::map_loops::{Loops, MapLoops, labelled_loops, read_loops};
 use predicament_tasks::map_source::MapSource;
 

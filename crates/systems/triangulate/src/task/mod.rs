@@ -13,13 +13,13 @@ mod spoiled;
 use std::path::{Path, PathBuf};
 
 use crate::algorithm::{Triangulation, oriented, projection, triangulate};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 pub use content::Polygons;
-pub use judge::Truth;
 
 pub use checks::RULES;
 use predicament_tasks::output::Canvas;

@@ -3,7 +3,8 @@
 use predicament_judge::sign;
 use predicament_predicates::{Question, Scene, Vertex};
 
-use super::{Polygons, Triangulate, Triangulated, judge};
+use super::{Polygons, Triangulate, Triangulated};
+use crate::truth::seen;
 use predicament_tasks::{Class, Spoiled};
 
 pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
@@ -28,7 +29,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
             &[(Class::Topology, "perturbed triangles")],
             |scene: &Scene, content: &Polygons, answer: &mut Triangulated| {
                 for (found, loops) in answer.0.iter_mut().zip(&content.polygons) {
-                    let (plane, _) = judge::seen(scene, loops);
+                    let (plane, _) = seen(scene, loops);
                     flip(scene, Question::Orient2d(plane), &mut found.triangles);
                 }
             },

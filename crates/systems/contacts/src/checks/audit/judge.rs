@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::algorithm::pairs::Weights;
+use crate::answer::Weights;
 use predicament_error_calculus::Enclosure;
 use predicament_predicates::{Band, Dimension, Predicates};
 use rug::Rational;

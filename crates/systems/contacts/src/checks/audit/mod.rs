@@ -43,7 +43,7 @@ mod sweep;
 
 use std::collections::{HashMap, HashSet};
 
-use crate::algorithm::pairs::{Contact, Contacts, ask, levels};
+use crate::answer::{Contact, Contacts, ask, levels};
 use predicament_mesh::{Complex, Faces, Simplex};
 use predicament_predicates::{Dimension, Predicates, Scene, Vertex};
 use rayon::prelude::*;

@@ -3,7 +3,7 @@
 //! Everything is a polynomial in integers: the coordinates over one power of
 //! two. Points of the plane are points of space with z = 0.
 
-use crate::algorithm::pairs::Weights;
+use crate::answer::Weights;
 use predicament_arithmetic::Scaled;
 use predicament_error_calculus::vector::{cross, dot, minus, norm_squared};
 use predicament_predicates::Dimension;

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::algorithm::arrangement::Side;
-use crate::algorithm::pairs::Contacts;
+use crate::answer::Contacts;
+use crate::answer::Side;
 use predicament_mesh::{Complex, Simplex};
 
 use super::NotOriented;

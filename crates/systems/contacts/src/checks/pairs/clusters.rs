@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
-use crate::algorithm::arrangement::{Arrangement, Side};
-use crate::algorithm::pairs::Contacts;
+use crate::answer::Contacts;
+use crate::answer::{Arrangement, Side};
 use predicament_mesh::Complex;
 use predicament_predicates::Vertex;
 

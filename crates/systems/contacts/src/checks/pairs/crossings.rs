@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::arrangement::{Arrangement, Seat, Side};
-use crate::algorithm::pairs::Contacts;
-use predicament_grid::BoxIndex;
+use crate::answer::Contacts;
+use crate::answer::{Arrangement, Seat, Side};
+use predicament_judge::boxes::Boxes;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
 
@@ -98,7 +98,7 @@ pub fn crossings(
 
     let mut elsewhere: BTreeMap<[u32; 2], usize> = registered.iter().map(|&edges| (edges, 0)).collect();
     let mut crossings = Crossings { of_edges: registered.len(), absorbed: absorbed.len(), ..Crossings::default() };
-    let index = BoxIndex::new(of_b.iter().map(|&(_, other)| seated.bounds(other)).collect());
+    let index = Boxes::new(of_b.iter().map(|&(_, other)| seated.bounds(other)).collect());
     let mut near = Vec::new();
     for &(e, piece) in &of_a {
         index.near(&seated.bounds(piece), 0.0, &mut near);

@@ -1,7 +1,7 @@
 //! The intersection curves of two closed surfaces have no loose ends.
 
-use crate::algorithm::arrangement::{Arrangement, Side};
-use crate::algorithm::pairs::Contacts;
+use crate::answer::Contacts;
+use crate::answer::{Arrangement, Side};
 use predicament_mesh::Complex;
 use predicament_predicates::Vertex;
 

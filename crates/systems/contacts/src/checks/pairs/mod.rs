@@ -43,7 +43,7 @@ mod orient;
 mod piercings;
 mod seated;
 
-pub use crate::algorithm::arrangement::{Seat, Side};
+pub use crate::answer::{Seat, Side};
 pub use boundaries::{Boundaries, boundaries};
 pub use clusters::{Cluster, Collapse, clusters, collapses};
 pub use crossings::{Crossings, Unfaithful, crossings};

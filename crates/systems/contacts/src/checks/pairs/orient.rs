@@ -6,7 +6,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::algorithm::arrangement::Side;
+use crate::answer::Side;
 use predicament_mesh::Complex;
 use predicament_predicates::{Sign, Vertex};
 

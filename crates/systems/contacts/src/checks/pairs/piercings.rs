@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::arrangement::Side;
-use crate::algorithm::pairs::Contacts;
+use crate::answer::Contacts;
+use crate::answer::Side;
 use predicament_mesh::Complex;
 use predicament_predicates::{Predicates, Sign, Vertex};
 

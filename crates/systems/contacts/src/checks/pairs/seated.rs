@@ -1,8 +1,8 @@
 //! The exact places of merged points, and turns between them.
 
-use crate::algorithm::arrangement::{Arrangement, MergedPoint, Seat, Side, Stand};
-use crate::algorithm::pairs::Weights;
-use predicament_grid::Bounds;
+use crate::answer::Weights;
+use crate::answer::{Arrangement, MergedPoint, Seat, Side, Stand};
+use predicament_judge::boxes::{Extent, extent};
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Plane, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
@@ -37,8 +37,8 @@ impl Seated {
     }
 
     /// A box of the piece. The boxes of pieces that meet do too.
-    pub(super) fn bounds(&self, piece: [usize; 2]) -> Bounds<2> {
-        Bounds::of(piece.map(|point| self.about[point].expect("pieces end at points with vertices")))
+    pub(super) fn bounds(&self, piece: [usize; 2]) -> Extent<2> {
+        extent(piece.map(|point| self.about[point].expect("pieces end at points with vertices")))
     }
 
     /// Whether two points are in one place.
@@ -148,6 +148,8 @@ mod places;
 
 #[cfg(test)]
 mod tests {
+    use predicament_judge::boxes::are_near;
+
     use super::*;
 
     fn at(points: &[[i32; 2]]) -> Seated {
@@ -180,7 +182,7 @@ mod tests {
         let (mut crossing, mut excluded) = (0, 0);
         for code in 0..16_usize.pow(4) {
             let [p, q, r, s] = [0, 1, 2, 3].map(|digit| code / 16_usize.pow(digit) % 16);
-            let near = seated.bounds([p, q]).is_near(&seated.bounds([r, s]), 0.0);
+            let near = are_near(&seated.bounds([p, q]), &seated.bounds([r, s]), 0.0);
             let crosses = seated.crosses([p, q], [r, s]);
             assert!(near || !crosses, "{p} {q} {r} {s}");
             crossing += usize::from(crosses);

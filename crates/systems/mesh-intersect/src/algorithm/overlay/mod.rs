@@ -67,8 +67,9 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
+pub use crate::answer::{Regions, Source};
 pub use registered::{Registered, mesh_overlay_registered};
-pub use result::{Regions, Solid, Source};
+pub use result::Solid;
 
 use self::cut::Cutting;
 use self::meet::{Hit, Question};

@@ -1,7 +1,8 @@
 //! What users take from an overlay: Boolean operations, and the regions of both meshes together.
 
+use crate::answer::{Regions, Source};
+use predicament_mesh::OUTSIDE;
 use predicament_mesh::half_edge::{ConversionError, HalfEdgeMesh, IndexedFaces};
-use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::Vertex;
 use rayon::prelude::*;
 
@@ -20,15 +21,6 @@ pub struct Solid {
     pub sources: Vec<Source>,
     /// For each triangle whether it faces the other way than what it is a piece of.
     pub turned: Vec<bool>,
-}
-
-/// The triangle of a mesh that a triangle of a result is, or is a piece of.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-pub struct Source {
-    /// The first mesh, 0, or the second, 1.
-    pub mesh: u8,
-    /// Its place there.
-    pub triangle: u32,
 }
 
 impl Solid {
@@ -129,28 +121,5 @@ impl MeshOverlay {
         let region = self.whole[side][place]?.get() - 1;
         let triangle = self.meshes[side].triangles()[place];
         Some(Piece { triangle, of: super::near::number(place), region })
-    }
-}
-
-/// The overlay of both meshes: each triangle with the regions of both on either side.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Regions {
-    /// By input vertices and constructed ones.
-    pub triangles: Vec<[Vertex; 3]>,
-    /// For each the place of the pair of regions in front of it, and of that behind it.
-    pub sides: Vec<[u32; 2]>,
-    /// For each what it is, or is a piece of.
-    pub sources: Vec<Source>,
-    /// A region of the first mesh and one of the second, ascending.
-    pub pairs: Vec<[u32; 2]>,
-}
-
-impl Regions {
-    /// A mesh of all of it, over so many vertices, where these are all input vertices.
-    ///
-    /// # Errors
-    /// As [`MaterialMesh::new`].
-    pub fn into_mesh(self, vertices: usize) -> Result<MaterialMesh, predicament_mesh::MaterialError> {
-        MaterialMesh::new(vertices, self.triangles, self.sides)
     }
 }

@@ -12,15 +12,15 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::algorithm::overlay::Source;
+use crate::answer::Source;
+use crate::checks::{Measure, Sums, Violations, add, name, note};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use rug::Rational;
 
-use super::measures::{Measure, Sums, add};
-use super::{Laws, MeshIntersect, TwoMeshes, name, note, points};
+use super::{Judging, MeshIntersect, TwoMeshes, points};
 use crate::task::content::for_both;
-use predicament_tasks::{Asked, Outcome, Stop};
+use predicament_tasks::{Asked, Stop};
 
 /// What triangles of a box around the origin are, by corners whose bits are their coordinates' signs, seen counterclockwise from outside.
 const BOX: [[usize; 3]; 12] = [
@@ -52,13 +52,13 @@ impl Other {
     }
 }
 
-impl Laws<'_> {
+impl Judging<'_> {
     /// Overlays the meshes again.
-    pub(super) fn again(&self, asked: &Asked<'_>, outcome: &mut Outcome) -> Result<(), Stop> {
+    pub(super) fn again(&self, asked: &Asked<'_>, found: &mut Violations) -> Result<(), Stop> {
         let is_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
-        self.with_exchanged(asked, is_exact, outcome);
+        self.with_exchanged(asked, is_exact, found);
         asked.watch.done(0)?;
-        self.with_complement(asked, outcome);
+        self.with_complement(asked, found);
         asked.watch.done(0)
     }
 
@@ -67,9 +67,9 @@ impl Laws<'_> {
         &self,
         other: &Other,
         asked: &Asked<'_>,
-        check: &str,
+        check: &'static str,
         places: &dyn Fn(Source) -> Source,
-        outcome: &mut Outcome,
+        found: &mut Violations,
     ) -> Option<[Sums; 4]> {
         let law = "what is overlaid in one way is in the other too";
         let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
@@ -77,45 +77,46 @@ impl Laws<'_> {
             Err(why) => {
                 // A box is longer than the meshes, and tolerances grow with lengths.
                 if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
-                    note(outcome, check, why, law);
+                    note(found, check, why, law);
                 }
                 return None;
             }
         };
         if let Some(rule) = answer.broken {
-            note(outcome, check, rule.to_owned(), law);
+            note(found, check, rule.to_owned(), law);
             return None;
         }
         let Ok(points) = points(&other.scene, &answer, self.place) else {
-            note(outcome, check, "a vertex is no point".to_owned(), law);
+            note(found, check, "a vertex is no point".to_owned(), law);
             return None;
         };
-        let laws = Laws { scene: &other.scene, content: &other.content, answer: &answer, points, place: self.place };
-        let of =
-            |at: usize| laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect();
+        let judged = Judging::new(&other.scene, &other.content, &answer, points, self.place);
+        let of = |at: usize| {
+            judged.laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect()
+        };
         Some([0, 1, 2, 3].map(of))
     }
 
-    fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, outcome: &mut Outcome) {
+    fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
         const CHECK: &str = "meshes exchanged";
         // The vertices of the second mesh come first.
-        let is_of_second = self.scene.second_mesh().unwrap_or_default();
+        let is_of_second = self.laws.scene.second_mesh().unwrap_or_default();
         let is_of_second = |v: Vertex| is_of_second.get(v.index()).copied().unwrap_or_default();
-        let (mut order, rest): (Vec<Vertex>, Vec<Vertex>) = self.scene.vertices().partition(|&v| is_of_second(v));
+        let (mut order, rest): (Vec<Vertex>, Vec<Vertex>) = self.laws.scene.vertices().partition(|&v| is_of_second(v));
         order.extend(rest);
         let place: BTreeMap<Vertex, Vertex> = order.iter().enumerate().map(|(at, &v)| (v, Vertex::input(at))).collect();
-        let points: Vec<[f64; 3]> = order.iter().map(|&v| self.scene.point3(v)).collect();
+        let points: Vec<[f64; 3]> = order.iter().map(|&v| self.laws.scene.point3(v)).collect();
         let moved = |mesh: &MaterialMesh| {
             let triangles = mesh.triangles().iter().map(|triangle| triangle.map(|v| place[&v])).collect();
             MaterialMesh::new(points.len(), triangles, mesh.sides().to_vec())
         };
-        let [first, second] = &self.content.meshes;
+        let [first, second] = &self.laws.meshes;
         let (Ok(first), Ok(second)) = (moved(first), moved(second)) else { return };
         let Some(other) = Other::new(&points, [second, first]) else { return };
         let back = |source: Source| Source { mesh: 1 - source.mesh, ..source };
-        let Some(results) = self.results_of(&other, asked, CHECK, &back, outcome) else { return };
-        let own = [0, 1, 2, 3].map(|at| self.of_result(at));
-        let second = self.of_mesh(1);
+        let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
+        let own = [0, 1, 2, 3].map(|at| self.laws.of_result(at));
+        let second = self.laws.of_mesh(1);
         // The difference of the second and the first, and what both have in common, are the second.
         let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
             ("unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
@@ -127,16 +128,16 @@ impl Laws<'_> {
             let left = left(&terms);
             let volume: Rational = left.values().map(|measure| &measure[3]).sum();
             if !volume.is_zero() {
-                note(outcome, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
+                note(found, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
             } else if is_exact && let Some((source, _)) = left.first_key_value() {
-                note(outcome, CHECK, format!("{}: other parts of it", name(*source)), law);
+                note(found, CHECK, format!("{}: other parts of it", name(*source)), law);
             }
         }
     }
 
-    fn with_complement(&self, asked: &Asked<'_>, outcome: &mut Outcome) {
+    fn with_complement(&self, asked: &Asked<'_>, found: &mut Violations) {
         const CHECK: &str = "difference by complement";
-        let mut points: Vec<[f64; 3]> = self.scene.vertices().map(|v| self.scene.point3(v)).collect();
+        let mut points: Vec<[f64; 3]> = self.laws.scene.vertices().map(|v| self.laws.scene.point3(v)).collect();
         let count = points.len();
         let largest = points.as_flattened().iter().fold(1.0_f64, |largest, x| largest.max(x.abs()));
         let half = 2.0 * largest;
@@ -145,7 +146,7 @@ impl Laws<'_> {
         }
         points
             .extend((0..8).map(|corner: u8| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half } else { half })));
-        let of = &self.content.meshes[1];
+        let of = &self.laws.meshes[1];
         // The surface of the second mesh; places of its triangles there.
         let (mut triangles, mut sides, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for ((triangle, of_triangle), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
@@ -159,7 +160,7 @@ impl Laws<'_> {
         triangles.extend(BOX.map(|triangle| triangle.map(|corner| Vertex::input(count + corner))));
         sides.extend([[OUTSIDE, 1]; BOX.len()]);
         let Ok(complement) = MaterialMesh::new(points.len(), triangles, sides) else { return };
-        let first = MaterialMesh::clone(&self.content.meshes[0]);
+        let first = MaterialMesh::clone(&self.laws.meshes[0]);
         let Some(other) = Other::new(&points, [first, complement]) else { return };
         // Triangles of the box come after all of the mesh.
         let beyond = u32::MAX;
@@ -167,12 +168,12 @@ impl Laws<'_> {
             0 => source,
             _ => Source { triangle: places.get(source.triangle as usize).copied().unwrap_or(beyond), ..source },
         };
-        let Some(results) = self.results_of(&other, asked, CHECK, &back, outcome) else { return };
-        let left = left(&[(&self.of_result(2), 1), (&results[1], -1)]);
+        let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
+        let left = left(&[(&self.laws.of_result(2), 1), (&results[1], -1)]);
         if let Some((source, _)) = left.first_key_value() {
             let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
             let got = format!("{} triangles, first {of}: other parts of it", left.len());
-            note(outcome, CHECK, got, "A∖B is what A has in common with the complement of B");
+            note(found, CHECK, got, "A∖B is what A has in common with the complement of B");
         }
     }
 }

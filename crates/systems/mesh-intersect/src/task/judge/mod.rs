@@ -1,27 +1,19 @@
 //! The overlay of two meshes against the laws that it satisfies, decided in rationals.
 //!
-//! Pieces of each triangle cover it once, no piece passes through another one, and each piece is in the region of the other mesh that its
-//! middle is in, as the judge of points in meshes says: that is all there is to it (`pieces.rs`, `located.rs`). The rest follows from this and is decided
-//! by other means: volumes and areas of results (`measures.rs`), how pieces hang together (`topology.rs`), points of space in results
-//! (`located.rs`), and the same overlay asked for in other ways (`again.rs`). What results are without the perturbation, and in doubles, is held
-//! against them (`settled.rs`).
+//! The laws are in the [checks](crate::checks). Here they are asked, in which order and about how much, beside the same overlay asked for in
+//! other ways (`again.rs`); and what rounding alone explains is told from what it does not.
 
 mod again;
-mod located;
-mod measures;
-mod pieces;
-mod settled;
-mod topology;
 
 use std::cell::OnceCell;
 
-use crate::algorithm::overlay::{Regions, Source};
-use predicament_judge::{Points, rational};
+use crate::checks::{Laws, Point, Settled, Settlement, Violation, Violations, note};
+use crate::truth;
+use predicament_corpus::Random;
+use predicament_judge::rational;
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use predicament_slice::checks::{Check as Law, Expected};
-use rug::Rational;
 
-use self::settled::Settlement;
 use super::content::TwoMeshes;
 use super::{MeshIntersect, Overlaid};
 use predicament_tasks::rounding::Rounding;
@@ -50,8 +42,6 @@ const METRIC: [&str; 8] = [
 /// Meshes of more triangles are not overlaid again, at the two levels; of 24 times as many where ties are not broken, which takes the most time.
 const AGAIN: [usize; 2] = [12, 100];
 
-type Point = [Rational; 3];
-
 /// What is sampled.
 pub(super) fn sampled(content: &TwoMeshes) -> Option<String> {
     (content.triangles() > CROSSED[0])
@@ -65,61 +55,70 @@ pub(super) fn judge(
     answer: &Overlaid,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
+    let found = &mut Vec::new();
     if let Some(rule) = answer.broken {
-        note(outcome, rule, "violated".to_owned(), rule);
+        note(found, rule, "violated".to_owned(), rule);
+        report(found, outcome);
         return Ok(());
     }
     let points = match points(case.scene(), answer, Where::Given) {
         Ok(points) => points,
         Err(v) => {
-            note(outcome, "vertex not finite", format!("{v} has no finite coordinates"), "every vertex is a point");
+            note(found, "vertex not finite", format!("{v} has no finite coordinates"), "every vertex is a point");
+            report(found, outcome);
             return Ok(());
         }
     };
     let level = usize::from(asked.budget.thorough);
-    let laws = Laws { scene: case.scene(), content: case.content, answer, points, place: Where::Given };
+    let judged = Judging::new(case.scene(), case.content, answer, points, Where::Given);
+    let laws = &judged.laws;
     let exact = OnceCell::new();
     asked.watch.done(0)?;
-    laws.closed(outcome);
-    laws.sides(outcome);
-    laws.operations(outcome);
+    laws.closed(found);
+    laws.sides(found);
+    laws.operations(found);
+    report(found, outcome);
     asked.watch.done(0)?;
     let has_areas = asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Never;
     let crossed = |place: Where| if place == Where::Given { CROSSED[level] } else { 1 };
-    let pieces = |laws: &Laws<'_>, outcome: &mut Outcome| {
-        laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed: crossed(laws.place) }, outcome);
+    let pieces = |judged: &Judging<'_>, found: &mut Violations| {
+        let triangles_crossed = crossed(judged.place);
+        judged.laws.pieces(Expected { is_closed: false, has_areas, triangles_crossed }, found);
         Ok(())
     };
-    laws.measured(&exact, &pieces, outcome)?;
+    judged.measured(&exact, &pieces, outcome)?;
     asked.watch.done(0)?;
-    laws.located(LOCATED[level], outcome);
+    laws.located(LOCATED[level], found);
+    report(found, outcome);
     asked.watch.done(0)?;
-    if laws.regions().triangles.len() <= ADDED_UP[level] {
-        let measures = |laws: &Laws<'_>, outcome: &mut Outcome| {
-            laws.volumes(outcome);
+    let is_added_up = laws.regions.triangles.len() <= ADDED_UP[level];
+    if is_added_up {
+        let measures = |judged: &Judging<'_>, found: &mut Violations| {
+            judged.laws.volumes(found);
             asked.watch.done(0)?;
-            laws.results(outcome);
+            judged.laws.results(found);
             Ok(())
         };
-        laws.measured(&exact, &measures, outcome)?;
+        judged.measured(&exact, &measures, outcome)?;
     }
     asked.watch.done(0)?;
-    laws.topology(outcome);
+    laws.topology(found);
     asked.watch.done(0)?;
-    let settlement = laws.settlement(outcome);
+    let settlement = judged.settlement(found);
     if let Some(settlement) = &settlement {
-        settlement.surfaces(CROSSED[level], outcome);
+        settlement.surfaces(CROSSED[level], found);
         asked.watch.done(0)?;
-        if laws.regions().triangles.len() <= ADDED_UP[level] {
-            settlement.planes(outcome);
+        if is_added_up {
+            settlement.planes(found);
         }
         asked.watch.done(0)?;
     }
-    laws.probed(PROBED[level], settlement.as_ref(), outcome);
+    laws.probed(&probes(case.scene(), case.content, PROBED[level]), settlement.as_ref(), found);
+    report(found, outcome);
     asked.watch.done(0)?;
     let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
     if case.content.triangles() <= many {
-        laws.measured(&exact, &|laws, outcome| laws.again(asked, outcome), outcome)?;
+        judged.measured(&exact, &|judged, found| judged.again(asked, found), outcome)?;
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
@@ -127,9 +126,12 @@ pub(super) fn judge(
     Ok(())
 }
 
-fn note(outcome: &mut Outcome, check: &str, got: String, law: &str) {
-    outcome.counts.add(Class::Topology, 1);
-    outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law.to_owned()));
+/// Makes findings of what violates laws.
+fn report(found: &mut Violations, outcome: &mut Outcome) {
+    for Violation { check, got, law } in found.drain(..) {
+        outcome.counts.add(Class::Topology, 1);
+        outcome.findings.push(Finding::plain(Class::Topology, check, Vec::new(), got, law.to_owned()));
+    }
 }
 
 /// Where vertices are that a session has rounded.
@@ -144,8 +146,8 @@ enum Where {
 /// All points: those of the scene, then the constructed ones, as they are or as the session has rounded them; or a vertex that is
 /// no point, or not where it should be.
 fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, Vertex> {
-    let mut all: Vec<Point> = scene.vertices().map(|v| scene.point3(v).map(rational)).collect();
     let vertex = |at: usize| Vertex::constructed(answer.before + at);
+    let mut all = truth::given(scene);
     if let (Some(rounded), Where::Exactly) = (&answer.rounded, place) {
         let rounding = Rounding::of_definitions(scene, &answer.constructions, rounded);
         let is_there = rounding.is_within() && rounding.exact.len() == rounded.len();
@@ -161,96 +163,121 @@ fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, 
         }
         return Ok(all);
     }
-    let mut exact = Points::of(scene);
-    let vertices = exact.construct(&answer.constructions).map_err(|why| vertex(why.index().unwrap_or(0)))?;
-    for v in vertices {
-        let point = exact.point(v).map(std::borrow::Cow::into_owned).ok_or(v)?;
-        all.push(<Point>::try_from(point).map_err(|_| v)?);
-    }
-    Ok(all)
+    truth::points(scene, &answer.constructions).map_err(vertex)
 }
 
-struct Laws<'a> {
-    scene: &'a Scene,
-    content: &'a TwoMeshes,
+/// An answer, held against laws.
+struct Judging<'a> {
+    laws: Laws<'a>,
     answer: &'a Overlaid,
-    points: Vec<Point>,
     place: Where,
 }
 
 /// What holds laws and notes what violates them.
-type Holds<'l> = dyn Fn(&Laws<'_>, &mut Outcome) -> Result<(), Stop> + 'l;
+type Holds<'l> = dyn Fn(&Judging<'_>, &mut Violations) -> Result<(), Stop> + 'l;
 
-impl<'a> Laws<'a> {
+impl<'a> Judging<'a> {
+    fn new(
+        scene: &'a Scene,
+        content: &'a TwoMeshes,
+        answer: &'a Overlaid,
+        points: Vec<Point>,
+        place: Where,
+    ) -> Judging<'a> {
+        let laws = Laws {
+            scene,
+            meshes: &content.meshes,
+            regions: &answer.regions,
+            solids: &answer.solids,
+            sources: &answer.sources,
+            constructions: &answer.constructions,
+            before: answer.before,
+            points,
+        };
+        Judging { laws, answer, place }
+    }
+
     /// Holds laws of which some are metric: what rounding alone explains is of the class that says so. `exact` is filled with the
     /// same answer with vertices where they are exactly, once it is needed.
     fn measured(
         &self,
-        exact: &OnceCell<(Rounding<3>, Laws<'a>)>,
+        exact: &OnceCell<(Rounding<3>, Judging<'a>)>,
         laws: &Holds<'_>,
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
-        let mut found = Outcome::default();
+        let mut found = Violations::new();
         laws(self, &mut found)?;
-        let is_metric = |finding: &Finding| METRIC.contains(&finding.check.as_str());
-        let rounded = self.answer.rounded.as_ref().filter(|_| found.findings.iter().any(is_metric));
+        let is_metric = |violation: &Violation| METRIC.contains(&violation.check);
+        let rounded = self.answer.rounded.as_ref().filter(|_| found.iter().any(is_metric));
         let exact = rounded.map(|rounded| exact.get_or_init(|| self.exactly(rounded)));
-        let mut violated = Outcome::default();
+        let mut violated = Violations::new();
         if let Some((_, exactly)) = exact {
             laws(exactly, &mut violated)?;
         }
-        for mut finding in found.findings {
-            if let Some((rounding, _)) = exact.filter(|_| is_metric(&finding)) {
-                let (class, why) = rounding.class(violated.findings.iter().all(|other| other.check != finding.check));
-                finding.class = class;
-                finding.got += &format!("; {why}");
+        for violation in found {
+            let (mut class, mut got) = (Class::Topology, violation.got.clone());
+            if let Some((rounding, _)) = exact.filter(|_| is_metric(&violation)) {
+                let (of_rounding, why) = rounding.class(violated.iter().all(|other| other.check != violation.check));
+                class = of_rounding;
+                got += &format!("; {why}");
             }
-            outcome.counts.add(finding.class, 1);
-            outcome.findings.push(finding);
+            outcome.counts.add(class, 1);
+            outcome.findings.push(Finding::plain(class, violation.check, Vec::new(), got, violation.law.to_owned()));
         }
         Ok(())
     }
 
     /// The same answer with vertices where they are exactly.
-    fn exactly(&self, rounded: &[[f64; 3]]) -> (Rounding<3>, Laws<'a>) {
-        let rounding = Rounding::of_definitions(self.scene, &self.answer.constructions, rounded);
-        let inputs = self.points[..self.scene.len()].iter();
+    fn exactly(&self, rounded: &[[f64; 3]]) -> (Rounding<3>, Judging<'a>) {
+        let rounding = Rounding::of_definitions(self.laws.scene, &self.answer.constructions, rounded);
+        let inputs = self.laws.points[..self.laws.scene.len()].iter();
         let points = inputs.chain(&rounding.exact).cloned().collect();
-        (rounding, Laws { points, place: Where::Exactly, ..*self })
+        (rounding, Judging { laws: Laws { points, ..self.laws }, answer: self.answer, place: Where::Exactly })
     }
-}
 
-impl Laws<'_> {
     /// The results without a perturbation, if they were asked for and the session can say what they are.
-    fn settlement(&self, outcome: &mut Outcome) -> Option<Settlement<'_>> {
+    fn settlement(&self, found: &mut Violations) -> Option<Settlement<'_>> {
         match self.answer.settled.as_ref()? {
             Ok(settled) => {
-                let settlement = Settlement::new(self, settled);
+                let results = settled.results.each_ref().map(|result| Settled {
+                    limit: &result.solid.triangles,
+                    points: &result.rounded.closed.points,
+                    triangles: &result.rounded.closed.triangles,
+                    vertices: &result.rounded.vertices,
+                    is_whole: result.rounded.counts.left == 0,
+                });
+                let settlement = Settlement::new(&self.laws, &settled.constructions, results);
                 if settlement.is_none() {
-                    note(outcome, "vertex of a limit", "one is no point".to_owned(), "every vertex is a point");
+                    note(found, "vertex of a limit", "one is no point".to_owned(), "every vertex is a point");
                 }
                 settlement
             }
             Err(why) => {
-                note(outcome, "limit", why.clone(), "where each constructed vertex is a point, a result has a limit");
+                note(found, "limit", why.clone(), "where each constructed vertex is a point, a result has a limit");
                 None
             }
         }
     }
-
-    fn regions(&self) -> &Regions {
-        &self.answer.regions
-    }
-
-    fn place(&self, v: Vertex) -> usize {
-        v.construction().map_or(v.index(), |index| self.scene.len() + index - self.answer.before)
-    }
-
-    fn corners(&self, triangle: [Vertex; 3]) -> [&Point; 3] {
-        triangle.map(|v| &self.points[self.place(v)])
-    }
 }
 
-fn name(source: Source) -> String {
-    format!("triangle {} of the {} mesh", source.triangle, ["first", "second"][usize::from(source.mesh)])
+/// Points in no special place: every second one in the box of both meshes, the others where the boxes of the meshes overlap.
+fn probes(scene: &Scene, content: &TwoMeshes, count: usize) -> Vec<[f64; 3]> {
+    let mut random = Random::new("points", "mesh-intersect", 1);
+    let boxes = content.meshes.each_ref().map(|mesh| {
+        let corners = || mesh.triangles().as_flattened().iter().map(|&v| scene.point3(v));
+        [0, 1, 2].map(|axis: usize| {
+            let along = || corners().map(|p| p[axis]);
+            [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
+        })
+    });
+    let both = |axis: usize| boxes.each_ref().map(|along| along[axis]);
+    let within = |random: &mut Random, shared: bool| {
+        [0, 1, 2].map(|axis: usize| {
+            let [[a, b], [c, d]] = both(axis);
+            let [low, high] = if shared { [a.max(c), b.min(d)] } else { [a.min(c), b.max(d)] };
+            let part = random.unit();
+            low * (1.0 - part) + high * part
+        })
+    };
+    (0..count).map(|at| within(&mut random, at % 2 == 1)).collect()
 }

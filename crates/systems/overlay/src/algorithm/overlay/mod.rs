@@ -42,8 +42,9 @@ use predicament_grid::Raster;
 use predicament_mesh::Subdivision;
 use predicament_predicates::{Predicates, Refused, Vertex};
 
+pub use crate::answer::Operation;
 pub use chains::Piece;
-pub use polygon::{Edge, Operation, Polygon, Region, Rule};
+pub use polygon::{Edge, Polygon, Region, Rule};
 pub use result::Regions;
 
 use chains::Chains;

@@ -5,9 +5,10 @@ use predicament_predicates::{Predicates, Sign};
 
 use super::chains::Piece;
 use super::far::{Run, Touched};
-use super::polygon::{Edge, Operation, Region, Rule};
+use super::polygon::{Edge, Region, Rule};
 use super::view::View;
 use super::{Arrangement, NONE, reach};
+use crate::answer::Operation;
 
 /// The winding numbers of both operands in each face, from the unbounded one on; of one whose rule is even and odd they are
 /// 0 and 1, as edges that it passes an even number of times are not there. Says whether they agree around every piece.

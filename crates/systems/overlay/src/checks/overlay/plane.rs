@@ -2,9 +2,9 @@
 
 use std::cmp::Ordering;
 
-use predicament_grid::{Bounds, BoxIndex};
 use rug::Rational;
 
+use predicament_judge::boxes::{Boxes, extent};
 use predicament_judge::sum::sum;
 
 /// A point of the plane, with rational coordinates.
@@ -73,7 +73,7 @@ pub(super) fn common([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Common {
 pub(super) struct Neighbours {
     /// The segments by their ends, each coordinate off by less than a part in 2^52 of the largest one.
     segments: Vec<[[f64; 2]; 2]>,
-    index: BoxIndex<2>,
+    index: Boxes<2>,
     /// How far boxes may be off.
     reach: f64,
     /// A turn of rounded points beyond this has the sign of that of the points.
@@ -89,7 +89,7 @@ impl Neighbours {
         if segments.is_empty() || !largest.is_finite() {
             return None;
         }
-        let index = BoxIndex::new(segments.iter().map(|&ends| Bounds::of(ends)).collect());
+        let index = Boxes::new(segments.iter().map(|&ends| extent(ends)).collect());
         // With M the largest and u = 2^-52 a difference is below 2M, and off by 2uM for its ends and uM for itself; a
         // product is off by at most 2 · 2M · 3uM + 9u²M² + 4uM², and the turn by twice that and 8uM² for itself: below 41uM².
         // Where M² u is as small as this nothing is certain, as products may underflow.
@@ -100,7 +100,7 @@ impl Neighbours {
 
     /// The segments that may have a point in common with this one: all that have, and itself.
     pub(super) fn of(&self, at: usize, near: &mut Vec<u32>) {
-        self.index.near(&self.index.boxes()[at], self.reach, near);
+        self.index.near(&self.index.all()[at], self.reach, near);
         near.retain(|&other| !self.are_apart(at, other as usize));
     }
 

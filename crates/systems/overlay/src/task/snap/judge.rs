@@ -2,40 +2,11 @@
 
 use crate::algorithm::snap::{Drawing, Method};
 use crate::checks::snap::{Flaw, Promise, Rounded, flaws, new_crossings};
-use predicament_predicates::{Query, Scene, Vertex};
+use crate::truth::SEGMENTS;
+use predicament_predicates::{Query, Vertex};
 
 use super::{Chains, Drawn, Snap2d, SnapRow, points};
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, Watch};
-
-/// Segments that are held against their definition; an even sample of more.
-const SEGMENTS: usize = 300;
-
-/// The pairs of segments that cross, exactly.
-pub struct Truth {
-    /// By their places, ascending.
-    pub crossings: Vec<[u32; 2]>,
-    segments: usize,
-}
-
-impl Truth {
-    /// All pairs.
-    pub fn new(scene: &Scene, content: &Drawn, watch: &Watch) -> Result<Truth, Stop> {
-        let number = |at: usize| u32::try_from(at).expect("fewer than 2^32 segments");
-        let along = predicament_crossings::task::exactly(scene, &content.segments, watch)?;
-        let of = |(at, along): (usize, &Vec<Vec<u32>>)| -> Vec<[u32; 2]> {
-            along.iter().flatten().filter(|&&other| number(at) < other).map(|&other| [number(at), other]).collect()
-        };
-        let mut crossings: Vec<[u32; 2]> = along.iter().enumerate().flat_map(of).collect();
-        crossings.sort_unstable();
-        Ok(Truth { crossings, segments: content.segments.len() })
-    }
-
-    /// What is sampled.
-    pub fn sampled(&self) -> Option<String> {
-        (self.segments > SEGMENTS)
-            .then(|| format!("about {SEGMENTS} segments against all hot pixels; all crossings of chains"))
-    }
-}
+use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
 pub fn judge(case: &Case<'_, Snap2d>, asked: &Asked<'_>, answer: &Chains, outcome: &mut Outcome) -> Result<(), Stop> {
     let content = case.content;

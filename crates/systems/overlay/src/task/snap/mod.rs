@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 
 use crate::algorithm::overlay::{self, Arrangement, Edge, arrange};
 use crate::algorithm::snap::{Drawing, Pixel, Snapped, snap};
+use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
@@ -165,7 +166,7 @@ impl SceneFormat for Snap2d {
 
 impl Task for Snap2d {
     type Content = Drawn;
-    type Truth = judge::Truth;
+    type Truth = Truth;
     type Answer = Chains;
 
     fn compared(&self) -> &'static [Compared] {
@@ -198,11 +199,11 @@ impl Task for Snap2d {
         true
     }
 
-    fn truth(&self, scene: &Scene, content: &Drawn, watch: &Watch) -> Result<judge::Truth, Stop> {
-        judge::Truth::new(scene, content, watch)
+    fn truth(&self, scene: &Scene, content: &Drawn, watch: &Watch) -> Result<Truth, Stop> {
+        Truth::new(scene, &content.segments, watch)
     }
 
-    fn sampled(&self, truth: &judge::Truth) -> Option<String> {
+    fn sampled(&self, truth: &Truth) -> Option<String> {
         truth.sampled()
     }
 
@@ -238,7 +239,7 @@ impl Task for Snap2d {
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Drawn, watch: &Watch) -> Result<String, Stop> {
-        let truth = judge::Truth::new(&loaded.scene, content, watch)?;
+        let truth = Truth::new(&loaded.scene, &content.segments, watch)?;
         let (segments, crossings) = (content.segments.len(), truth.crossings.len());
         let (method, pixel) = (method_name(content.method), content.pixel);
         Ok(format!("{segments} segments with {crossings} pairs that cross, by method {method}; pixels of 2^{pixel}\n"))

@@ -1,8 +1,9 @@
 //! Single answers against known surroundings: each fault by the smallest answer that has it.
 
 use predicament_exact::Exact;
-use predicament_polygon_locate::algorithm::{LocateIndex, Locations};
-use predicament_polygon_locate::checks::{Counts, Fault, Flaws, Ground, map_flaws, surroundings, tiling_report};
+use predicament_polygon_locate::algorithm::Locations;
+use predicament_polygon_locate::checks::{Counts, Fault, tiling_report};
+use predicament_polygon_locate::truth::{Flaws, Ground, map_flaws, surroundings};
 use predicament_predicates::{Backend, Off, Vertex, ZeroMeaning};
 
 use super::Case;
@@ -27,7 +28,7 @@ fn faults(case: &Case, point: [f64; 2], own: bool, answer: (&[u32], &[u32])) -> 
     let probes = &case.problem.probes;
     let probe = if own { probes.iter().rfind(is_there) } else { probes.iter().find(is_there) };
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
-    let around = surroundings(&case.index, &exact, &[*probe.unwrap()]);
+    let around = surroundings(&case.edges, &exact, &[*probe.unwrap()]);
     assert_eq!((around.len(), around.is_empty(), around.is_map_vertex(0)), (1, false, own));
     let answers = Locations::of([(answer.0.to_vec(), answer.1.to_vec())].into_iter());
     MEANINGS.map(|zero| {
@@ -141,7 +142,7 @@ fn answers_are_counted_by_the_ground_and_by_what_they_name() {
     let at = |point: [f64; 2]| *case.problem.probes.iter().find(|v| case.problem.scene.point(**v) == point).unwrap();
     // Ten times on land, once in the sea.
     let probes: Vec<Vertex> = (0..10).map(|_| at([0.25, 0.125])).chain([at([2.25, 2.125])]).collect();
-    let around = surroundings(&case.index, &exact, &probes);
+    let around = surroundings(&case.edges, &exact, &probes);
     let answers = [(&[0][..], &[0][..]), (&[], &[]), (&[], &[]), (&[0], &[]), (&[0], &[]), (&[0], &[]), (&[0, 1], &[])];
     let repeated = answers.into_iter().chain([(&[0, 1][..], &[][..]); 2]).chain([(&[0, 1, 2][..], &[][..])]);
     let answers = Locations::of(repeated.map(|(inside, boundary)| (inside.to_vec(), boundary.to_vec())));
@@ -193,7 +194,7 @@ fn all_vertices_in_one_place_are_duplicates_of_the_first() {
     let case = Case::new(Problem::new(&corners, &[vec![vec![0, 1, 2]], vec![vec![3, 4, 5]], vec![vec![6, 7, 8]]]));
     let v = Vertex::input;
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
-    let flaws = map_flaws(&LocateIndex::new(&case.problem.map, &case.problem.scene), &exact);
+    let flaws = map_flaws(&case.edges, &exact);
     assert_eq!(flaws, Flaws { duplicates: vec![[v(0), v(3)], [v(0), v(6)]], ..Flaws::default() });
     assert_eq!((flaws.len(), flaws.is_empty(), Flaws::default().is_empty()), (2, false, true));
 }

@@ -1,6 +1,6 @@
 //! Where merged points sit, by hand.
 
-use crate::algorithm::pairs::{Contact, Contacts};
+use crate::answer::{Contact, Contacts};
 use predicament_mesh::Simplices;
 
 use super::*;

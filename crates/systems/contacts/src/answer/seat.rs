@@ -1,0 +1,64 @@
+//! Where a merged point sits.
+
+use predicament_mesh::Simplex;
+use predicament_predicates::Vertex;
+
+use super::{MergedPoint, Side, Weights};
+
+/// Whose location a merged point takes.
+///
+/// The registrations don't say. Cutting a mesh usually keeps the mesh and
+/// bends the cutting surface, or the other way round. For each complex a point
+/// has at most one [`Stand`]; a point with a stand in one complex only sits
+/// there under every rule.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub enum Seat {
+    /// The first complex stays, the second moves to it.
+    A,
+    /// The second complex stays, the first moves to it.
+    B,
+    /// Half way between the two.
+    Middle,
+}
+
+impl Seat {
+    /// All three.
+    pub const ALL: [Seat; 3] = [Seat::A, Seat::B, Seat::Middle];
+
+    /// The name used in files and reports.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Seat::A => "a",
+            Seat::B => "b",
+            Seat::Middle => "middle",
+        }
+    }
+}
+
+impl std::fmt::Display for Seat {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// Where a merged point is on one complex.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum Stand {
+    /// At this vertex.
+    Vertex(Vertex),
+    /// Between the vertices of this simplex, which sit where their own points
+    /// stand on the same complex.
+    Inside(Simplex, Weights),
+}
+
+impl MergedPoint {
+    /// Where the point is on a complex, if it is there: at its lowest vertex,
+    /// else on the first simplex that it was registered inside of.
+    #[must_use]
+    pub fn stand(&self, side: Side) -> Option<Stand> {
+        let vertex = self.vertices[side as usize].first().map(|&vertex| Stand::Vertex(vertex));
+        let inside = || self.inside[side as usize].first().map(|&(simplex, weights)| Stand::Inside(simplex, weights));
+        vertex.or_else(inside)
+    }
+}

@@ -1,0 +1,135 @@
+//! The crossings by linear equations in rationals, segment by segment.
+//!
+//! Every pair of segments is solved for the two fractions at which they meet,
+//! and the crossings of a segment are sorted by these fractions: no predicate,
+//! no constructed vertex, no broad phase.
+//!
+//! Of a perturbed scene there are signs only. There, too, every pair is looked
+//! at, and a crossing's place along its segment is the number of crossings before it.
+
+use predicament_judge::{Judged, TieJudge, rational, sign};
+use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Scene, Sign, Vertex};
+use rayon::prelude::*;
+use rug::Rational;
+
+use predicament_tasks::{Stop, Watch};
+
+/// The crossings along a segment: groups of segments that cross it in one point, ascending.
+pub type Along = Vec<Vec<u32>>;
+
+/// The crossings of each segment.
+///
+/// # Errors
+/// [`Stop`] where the watch says so.
+///
+/// # Panics
+/// If there are 2^32 segments.
+pub fn crossings(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Vec<Along>, Stop> {
+    let ends: Vec<[[Rational; 2]; 2]> =
+        segments.iter().map(|ends| ends.map(|v| scene.point2(Plane::Xy, v).map(rational))).collect();
+    let boxes: Vec<[[f64; 2]; 2]> = segments.iter().map(|&ends| extent(scene, ends)).collect();
+    let of = |at: usize| -> Result<Along, Stop> {
+        let others = (0..ends.len()).filter(|&other| other != at && overlap(boxes[at], boxes[other]));
+        let mut found: Vec<(Rational, u32)> = others
+            .filter_map(|other| {
+                let number = u32::try_from(other).expect("fewer than 2^32 segments");
+                Some((crossing(&ends[at], &ends[other])?, number))
+            })
+            .collect();
+        found.sort();
+        let mut along: Along = Vec::new();
+        for (place, (fraction, other)) in found.iter().enumerate() {
+            match along.last_mut() {
+                Some(group) if found[place - 1].0 == *fraction => group.push(*other),
+                _ => along.push(vec![*other]),
+            }
+        }
+        watch.done(1).map(|()| along)
+    };
+    (0..ends.len()).into_par_iter().map(of).collect()
+}
+
+fn extent(scene: &Scene, [a, b]: [Vertex; 2]) -> [[f64; 2]; 2] {
+    let (a, b) = (scene.point2(Plane::Xy, a), scene.point2(Plane::Xy, b));
+    [0, 1].map(|axis: usize| [a[axis].min(b[axis]), a[axis].max(b[axis])])
+}
+
+/// Whether two boxes have a common point: comparing doubles is exact.
+fn overlap(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> bool {
+    a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
+}
+
+/// The fraction along the first segment at which the inner points of both meet in one point.
+fn crossing([a, b]: &[[Rational; 2]; 2], [p, q]: &[[Rational; 2]; 2]) -> Option<Rational> {
+    let minus = |u: &[Rational; 2], v: &[Rational; 2]| [0, 1].map(|i: usize| Rational::from(&u[i] - &v[i]));
+    let cross = |[ux, uy]: &[Rational; 2], [vx, vy]: &[Rational; 2]| Rational::from(ux * vy) - Rational::from(uy * vx);
+    let (along, other, between) = (minus(b, a), minus(q, p), minus(p, a));
+    let determinant = cross(&along, &other);
+    if determinant.cmp0().is_eq() {
+        return None;
+    }
+    // a + t·along = p + s·other.
+    let t = cross(&between, &other) / &determinant;
+    let s = cross(&between, &along) / &determinant;
+    let inside = |x: &Rational| x.cmp0().is_gt() && *x < 1;
+    (inside(&t) && inside(&s)).then_some(t)
+}
+
+/// The same of a scene whose ties are broken; `None` where the judge constructs no crossing.
+///
+/// # Errors
+/// [`Stop`] where the watch says so.
+///
+/// # Panics
+/// If there are 2^32 segments.
+pub fn perturbed(
+    scene: &Scene,
+    ties: &TieJudge,
+    segments: &[[Vertex; 2]],
+    watch: &Watch,
+) -> Result<Option<Vec<Along>>, Stop> {
+    let mut judged = Judged::perturbed(scene, ties);
+    let crossings = |at: usize| -> Result<Vec<usize>, Stop> {
+        watch.done(0)?;
+        Ok((0..segments.len()).filter(|&other| other != at && cross(&judged, segments[at], segments[other])).collect())
+    };
+    let of: Vec<Vec<usize>> = (0..segments.len()).into_par_iter().map(crossings).collect::<Result<_, _>>()?;
+    let definition = |at: usize, other: usize| Construction::Ssi([segments[at], segments[other]]);
+    let all = of.iter().enumerate().flat_map(|(at, others)| others.iter().map(move |&other| definition(at, other)));
+    let Ok(points) = judged.construct(&all.collect::<Vec<_>>()) else { return Ok(None) };
+    let mut points = points.into_iter();
+    let points: Vec<Vec<Vertex>> = of.iter().map(|others| points.by_ref().take(others.len()).collect()).collect();
+    let along = |at: usize| -> Result<Along, Stop> {
+        watch.done(0)?;
+        let [a, b] = segments[at];
+        // Along an axis on which the ends differ, and they do on one at least: they are two vertices.
+        let axes = [Axis::X, Axis::Y].map(|axis| (axis, judged.compare(axis, a, b)));
+        let (axis, ahead) = axes.into_iter().find(|(_, sign)| *sign != Sign::Zero).unwrap_or((Axis::X, Sign::Zero));
+        let before = |p: &&Vertex, q: Vertex| ahead != Sign::Zero && judged.compare(axis, **p, q) == ahead;
+        let rank = |q: Vertex| points[at].iter().filter(|p| before(p, q)).count();
+        let mut ranked: Vec<(usize, u32)> = of[at]
+            .iter()
+            .zip(&points[at])
+            .map(|(&other, &q)| (rank(q), u32::try_from(other).expect("fewer than 2^32 segments")))
+            .collect();
+        ranked.sort_unstable();
+        Ok(ranked.chunk_by(|p, q| p.0 == q.0).map(|group| group.iter().map(|&(_, other)| other).collect()).collect())
+    };
+    (0..segments.len()).into_par_iter().map(along).collect::<Result<_, _>>().map(Some)
+}
+
+/// Whether the ends of each segment are on different sides of the other one.
+fn cross(judged: &Judged<'_>, one: [Vertex; 2], other: [Vertex; 2]) -> bool {
+    let parts = |[a, b]: [Vertex; 2], ends: [Vertex; 2]| {
+        let [p, q] = ends.map(|end| judged.orient2d(Plane::Xy, a, b, end));
+        p * q == Sign::Negative
+    };
+    parts(one, other) && parts(other, one)
+}
+
+/// Whether an end of one segment is on the line of the other.
+#[must_use]
+pub fn touches(scene: &Scene, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
+    let on = |u, v, w| sign(scene, Question::Orient2d(Plane::Xy), &[u, v, w]).is_zero();
+    on(a, b, p) || on(a, b, q) || on(p, q, a) || on(p, q, b)
+}

@@ -1,0 +1,111 @@
+//! What is true about a union: measured in sections, which know no vertices, and by the judge's cells.
+
+use crate::checks::{Measures, measured};
+use predicament_judge::cubes::{self as exact, Cubes as Judged};
+use predicament_judge::rational;
+use predicament_predicates::{Dimension, Scene, Vertex};
+use predicament_tasks::{Stop, Watch};
+use rug::{Integer, Rational};
+
+/// What is true about a union.
+pub struct Truth {
+    /// The whole union, in units of a power of two.
+    pub measures: Measures,
+    /// The vertices of the perturbed union, where the judge has measured all of it.
+    pub vertices: Option<exact::Vertices>,
+    /// Lengths are multiples of 2 to this.
+    pub exponent: i32,
+    /// A part of the cubes that the judge has measured, where all are too many.
+    pub(crate) part: Option<Part>,
+}
+
+/// Some of the cubes as a union of their own.
+pub(crate) struct Part {
+    pub(crate) scene: Scene,
+    pub(crate) cubes: usize,
+    pub(crate) of: usize,
+    pub(crate) measures: exact::Measures,
+}
+
+impl Truth {
+    /// Measures the union.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    ///
+    /// # Panics
+    /// If the scene is not of congruent cubes that exact sums can hold (readers
+    /// of scenes see to that), or the two measurements differ.
+    pub fn new(scene: &Scene, watch: &Watch) -> Result<Truth, Stop> {
+        let judged = Judged::of_scene(scene).unwrap_or_else(|error| panic!("no scene of cubes: {error}"));
+        let (lowers, edge, exponent) = integers(scene);
+        let measures = measured(&lowers, edge);
+        watch.done(0)?;
+        let sample = judged.sample();
+        let found = judged.only(&sample).measures();
+        watch.done(judged.len() as u64)?;
+        let mut truth = Truth { measures, vertices: None, exponent, part: None };
+        if sample.len() < judged.len() {
+            let corners = sample.iter().flat_map(|&cube| [2 * cube, 2 * cube + 1]);
+            let corners = corners.flat_map(|corner| scene.point(Vertex::input(corner)).to_vec()).collect();
+            let part = Scene::new(Dimension::Three, corners).expect("corners of the scene");
+            truth.part = Some(Part { scene: part, cubes: sample.len(), of: judged.len(), measures: found });
+        } else {
+            let of = [&found.volume, &found.area, &found.edge_length];
+            let by_sections = in_units(&measures, exponent);
+            assert_eq!(by_sections.each_ref(), of, "the judge contradicts the sections of a union");
+            truth.vertices = Some(found.vertices);
+        }
+        Ok(truth)
+    }
+
+    /// How many of the cubes the judge has measured, if not all.
+    #[must_use]
+    pub fn sampled(&self) -> Option<String> {
+        let part = self.part.as_ref()?;
+        Some(format!("{} of {} cubes measured from the definition, all in sections", part.cubes, part.of))
+    }
+
+    /// A sum of products of so many lengths, in the scene's units: rounded once.
+    #[allow(clippy::cast_precision_loss)]
+    fn in_scene_units(&self, sum: i128, lengths: i32) -> f64 {
+        let exponent = lengths * self.exponent;
+        // Two steps, as a power of two may be no double where the product is one.
+        sum as f64 * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2)
+    }
+
+    /// Volume, area and edge length in the scene's units, each rounded once.
+    pub(crate) fn in_units(&self, of: &Measures) -> [f64; 3] {
+        [self.in_scene_units(of.volume, 3), self.in_scene_units(of.area, 2), self.in_scene_units(of.edge_length, 1)]
+    }
+}
+
+/// Measures in units of 2^`exponent`, exactly.
+pub(crate) fn in_units(of: &Measures, exponent: i32) -> [Rational; 3] {
+    let scaled = |sum: i128, lengths: i32| {
+        let shift = lengths * exponent;
+        let sum = Rational::from(Integer::from(sum));
+        if shift < 0 { sum >> shift.unsigned_abs() } else { sum << shift.unsigned_abs() }
+    };
+    [scaled(of.volume, 3), scaled(of.area, 2), scaled(of.edge_length, 1)]
+}
+
+/// The lower corners and the edge in the coarsest power of two that all coordinates are multiples of, and its exponent.
+/// No cubes have the edge 1; if all coordinates are zero the exponent is 0.
+fn integers(scene: &Scene) -> (Vec<[i64; 3]>, i64, i32) {
+    let points: Vec<[Rational; 3]> = scene.vertices().map(|v| scene.point3(v).map(rational)).collect();
+    // A double is an odd integer times a power of two, or zero.
+    let zeros = |of: &Integer| i64::from(of.find_one(0).unwrap_or(0));
+    let finest = |x: &Rational| (!x.is_zero()).then(|| zeros(x.numer()) - zeros(x.denom()));
+    let exponent = points.as_flattened().iter().filter_map(finest).min().unwrap_or(0);
+    let exponent = i32::try_from(exponent).expect("an exponent of a double");
+    let unit = if exponent < 0 {
+        Rational::from(1) >> exponent.unsigned_abs()
+    } else {
+        Rational::from(1) << exponent.unsigned_abs()
+    };
+    let units = |x: &Rational| Rational::from(x / &unit).numer().to_i64().expect("coordinates of at most 62 bits");
+    let lowers: Vec<[i64; 3]> = points.iter().step_by(2).map(|lower| lower.each_ref().map(units)).collect();
+    let edge = points.get(1).map_or(1, |upper| units(&upper[0]) - lowers[0][0]);
+    (lowers, edge, exponent)
+}

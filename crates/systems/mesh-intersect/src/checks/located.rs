@@ -1,0 +1,91 @@
+//! Where pieces are, and points of space: a sample of both against the judge of points in meshes.
+
+use predicament_judge::solids::{Boundary, Materials, Place};
+use predicament_mesh::OUTSIDE;
+use predicament_overlay::answer::Operation;
+use predicament_predicates::{Scene, Vertex};
+use rug::Rational;
+
+use super::settled::Settlement;
+use super::{Laws, Violations, name, note};
+
+/// Directions of rays, one of which misses all edges.
+const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
+
+impl Laws<'_> {
+    /// The middle of each piece of a sample is in the region that the piece is said to be in; where it is on the other mesh, either
+    /// side is right.
+    pub fn located(&self, budget: usize, found: &mut Violations) {
+        let regions = self.regions;
+        let mut wrong = 0;
+        for mesh in 0..2 {
+            let other = &self.meshes[1 - mesh];
+            let materials = Materials::new(self.scene, other.triangles(), other.sides());
+            let judge = materials.in_integers();
+            let own: Vec<usize> =
+                (0..regions.triangles.len()).filter(|&at| usize::from(regions.sources[at].mesh) == mesh).collect();
+            let many = (budget / other.triangles().len()).clamp(4, own.len().max(4));
+            for &at in own.iter().step_by(own.len().div_ceil(many).max(1)) {
+                let corners = self.corners(regions.triangles[at]);
+                let middle = [0, 1, 2].map(|axis: usize| {
+                    let sum: Rational = corners.iter().map(|corner| &corner[axis]).sum();
+                    sum / 3
+                });
+                let said = regions.pairs[regions.sides[at][0] as usize][1 - mesh];
+                let place = DIRECTIONS.iter().find_map(|&direction| judge.winding(&middle, direction));
+                let is_right = match &place {
+                    // No ray of these misses all edges: nothing is known.
+                    None | Some(Place::On(_)) => true,
+                    Some(Place::In(region)) => *region == said,
+                    Some(Place::Windings(_)) => true,
+                };
+                if !is_right {
+                    wrong += 1;
+                    if wrong == 1 {
+                        let of = name(regions.sources[at]);
+                        let got = format!(
+                            "a piece of {of} is said to be in region {said} of the other mesh, and is in {place:?}"
+                        );
+                        note(found, "region of a piece", got, "a piece is in the region that its middle is in");
+                    }
+                }
+            }
+        }
+    }
+
+    /// Points of space are in a result if, and only if, the operation says so of what they are in: each is located in both meshes, and in the
+    /// surface of each result, with a perturbation and without, and in doubles. Points on any of these are left out.
+    pub fn probed(&self, probes: &[[f64; 3]], settlement: Option<&Settlement<'_>>, found: &mut Violations) {
+        let count = self.scene.len();
+        let given = self.scene.vertices().map(|v| self.scene.point3(v));
+        let points: Vec<[f64; 3]> = given.chain(probes.iter().copied()).collect();
+        let Ok(scene) = Scene::from_points3(&points) else { return };
+        let meshes = self.meshes.each_ref().map(|mesh| Materials::new(&scene, mesh.triangles(), mesh.sides()));
+        let perturbed = Operation::ALL.into_iter().zip(self.solids).map(|(operation, solid)| {
+            let corners = solid.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect();
+            (operation, Boundary::new(corners))
+        });
+        let results: Vec<_> = perturbed.collect();
+        for (at, &probe) in probes.iter().enumerate() {
+            let places = meshes.each_ref().map(|mesh| mesh.locate(Vertex::input(count + at)));
+            let [Place::In(first), Place::In(second)] = places else { continue };
+            let inside = [first, second].map(|region| region != OUTSIDE);
+            let of_perturbed = results.iter().find_map(|(operation, result)| {
+                let winding = result.winding(probe)?;
+                let is_wrong = winding != i64::from(operation.holds(inside));
+                is_wrong.then_some(("the surface", *operation, winding))
+            });
+            let wrong = of_perturbed.or_else(|| settlement?.probed(probe, inside));
+            if let Some((what, operation, winding)) = wrong {
+                let [x, y, z] = probe;
+                let got = format!(
+                    "{what} of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
+                    operation.name()
+                );
+                let law = "a result goes once around what the operation says is in it, and not around anything else";
+                note(found, "point in a result", got, law);
+                return;
+            }
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Volumes and areas, summed in rationals triangle by triangle.
+
+use std::collections::BTreeMap;
+
+use crate::answer::Source;
+use predicament_mesh::OUTSIDE;
+use predicament_overlay::answer::Operation;
+use predicament_predicates::Vertex;
+use rug::Rational;
+
+use super::{Laws, Point, Violations, name, note};
+
+/// Three components of twice an area's normal, and six times the volume that it spans with the origin.
+pub type Measure = [Rational; 4];
+
+/// What is summed for each triangle that was given.
+pub type Sums = BTreeMap<Source, Measure>;
+
+/// The names of both meshes.
+const MESHES: [&str; 2] = ["first", "second"];
+
+impl Laws<'_> {
+    fn six(&self, triangle: [Vertex; 3]) -> Rational {
+        let [a, b, c] = self.corners(triangle);
+        let minor = |i: usize, j: usize| Rational::from(&b[i] * &c[j]) - Rational::from(&b[j] * &c[i]);
+        Rational::from(&a[0] * &minor(1, 2))
+            + Rational::from(&a[1] * &minor(2, 0))
+            + Rational::from(&a[2] * &minor(0, 1))
+    }
+
+    fn measure(&self, triangle: [Vertex; 3]) -> Measure {
+        let [a, b, c] = self.corners(triangle);
+        let side = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &a[i]));
+        let [u, v] = [side(b), side(c)];
+        let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
+        let [x, y, z] = [minor(1, 2), minor(2, 0), minor(0, 1)];
+        let six = Rational::from(&x * &a[0]) + Rational::from(&y * &a[1]) + Rational::from(&z * &a[2]);
+        [x, y, z, six]
+    }
+
+    /// What each triangle of either mesh has in a result, turned as the result has it.
+    pub fn of_result(&self, at: usize) -> Sums {
+        let mut sums = Sums::new();
+        for (&triangle, &source) in self.solids[at].iter().zip(&self.sources[at]) {
+            add(&mut sums, source, &self.measure(triangle), 1);
+        }
+        sums
+    }
+
+    /// What each triangle has in the surface of the inside of its mesh, turned so that the inside is behind it.
+    pub fn of_mesh(&self, mesh: usize) -> Sums {
+        let of = &self.meshes[mesh];
+        let mut sums = Sums::new();
+        for ((&triangle, sides), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
+            let times = match sides.map(|region| region != OUTSIDE) {
+                [false, true] => 1,
+                [true, false] => -1,
+                _ => continue,
+            };
+            add(&mut sums, Source { mesh: u8::from(mesh == 1), triangle: at }, &self.measure(triangle), times);
+        }
+        sums
+    }
+
+    /// The volumes of the results, from their surfaces: that of the union and that of the intersection add up to those of the meshes, and so on. The same holds for
+    /// areas, triangle by triangle: a part of a triangle is in the surface of the union, or in that of the intersection.
+    pub fn results(&self, found: &mut Violations) {
+        let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| self.of_result(at));
+        let [first, second] = [0, 1].map(|mesh| self.of_mesh(mesh));
+        let laws: [(&str, Vec<(&Sums, i32)>); 3] = [
+            (
+                "union and intersection together are both meshes together",
+                vec![(&union, 1), (&intersection, 1), (&first, -1), (&second, -1)],
+            ),
+            (
+                "difference and intersection together are the first mesh",
+                vec![(&difference, 1), (&intersection, 1), (&first, -1)],
+            ),
+            (
+                "the symmetric difference is the union less the intersection",
+                vec![(&exclusive, 1), (&union, -1), (&intersection, 1)],
+            ),
+        ];
+        for (law, terms) in laws {
+            let mut left = Sums::new();
+            for (sums, times) in terms {
+                sums.iter().for_each(|(source, measure)| add(&mut left, *source, measure, times));
+            }
+            left.retain(|_, measure| measure.iter().any(|x| !x.is_zero()));
+            let areas: Vec<&Source> = left
+                .iter()
+                .filter(|(_, left)| left[..3].iter().any(|x| !x.is_zero()))
+                .map(|(source, _)| source)
+                .collect();
+            if let Some(source) = areas.first() {
+                let got = format!("{} triangles, first {}: its parts are not", areas.len(), name(**source));
+                note(found, "areas of results", got, law);
+            }
+            let volume: Rational = left.values().map(|measure| &measure[3]).sum();
+            if !volume.is_zero() {
+                let got = format!("volumes are {:e} off", volume.to_f64() / 6.0);
+                note(found, "volumes of results", got, law);
+            }
+        }
+        if self.is_twice() {
+            self.of_itself([&union, &intersection, &difference, &exclusive], &first, found);
+        }
+    }
+
+    /// Whether the second mesh is the first again.
+    pub fn is_twice(&self) -> bool {
+        let [first, second] = &self.meshes;
+        let at = |v: Vertex| self.scene.point3(v);
+        first.sides() == second.sides()
+            && first.triangles().iter().zip(second.triangles()).all(|(a, b)| a.map(at) == b.map(at))
+    }
+
+    /// A mesh with itself: both have all of it, and what one has alone has no volume.
+    fn of_itself(&self, results: [&Sums; 4], mesh: &Sums, found: &mut Violations) {
+        for ((operation, sums), times) in Operation::ALL.into_iter().zip(results).zip([1, 1, 0, 0]) {
+            // Both copies of a triangle together, so that what is left is small.
+            let mut left = Sums::new();
+            let as_first = |source: &Source| Source { mesh: 0, ..*source };
+            sums.iter().for_each(|(source, measure)| add(&mut left, as_first(source), measure, 1));
+            mesh.iter().for_each(|(source, measure)| add(&mut left, as_first(source), measure, -times));
+            let volume: Rational = left.values().map(|measure| &measure[3]).sum();
+            if !volume.is_zero() {
+                let got = format!("the volume of the {} is {:e} off", operation.name(), volume.to_f64() / 6.0);
+                note(
+                    found,
+                    "a mesh with itself",
+                    got,
+                    "union and intersection are the mesh, differences have no volume",
+                );
+            }
+        }
+    }
+
+    /// The volume of a region of a mesh is that of all its parts.
+    pub fn volumes(&self, found: &mut Violations) {
+        let six = |triangle: [Vertex; 3]| self.six(triangle);
+        for (mesh, name) in MESHES.into_iter().enumerate() {
+            // Of a region: of its boundary as the overlay has it, less as the mesh has it, triangle by triangle.
+            let mut missing: BTreeMap<(u32, Source), Rational> = BTreeMap::new();
+            let regions = self.regions;
+            for ((&triangle, sides), &source) in regions.triangles.iter().zip(&regions.sides).zip(&regions.sources) {
+                let [front, behind] = sides.map(|side| regions.pairs[side as usize][mesh]);
+                if front != behind {
+                    let volume = six(triangle);
+                    *missing.entry((behind, source)).or_default() += &volume;
+                    *missing.entry((front, source)).or_default() -= &volume;
+                }
+            }
+            let of = &self.meshes[mesh];
+            for ((&triangle, &[front, behind]), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
+                if front != behind {
+                    let source = Source { mesh: u8::from(mesh == 1), triangle: at };
+                    let volume = six(triangle);
+                    *missing.entry((behind, source)).or_default() -= &volume;
+                    *missing.entry((front, source)).or_default() += &volume;
+                }
+            }
+            let mut by_region: BTreeMap<u32, Rational> = BTreeMap::new();
+            for ((region, _), volume) in missing.into_iter().filter(|(_, volume)| !volume.is_zero()) {
+                *by_region.entry(region).or_default() += volume;
+            }
+            if let Some((region, volume)) = by_region.iter().find(|(_, volume)| !volume.is_zero()) {
+                let got = format!(
+                    "parts of region {region} of the {name} mesh have {:e} more than it",
+                    volume.to_f64() / 6.0
+                );
+                note(found, "volume", got, "the volumes of a region's parts add up to its volume");
+            }
+        }
+    }
+}
+
+/// Adds a measure so many times.
+pub fn add(sums: &mut Sums, source: Source, measure: &Measure, times: i32) {
+    if times == 0 {
+        return;
+    }
+    let sum = sums.entry(source).or_default();
+    sum.iter_mut().zip(measure).for_each(|(sum, x)| if times > 0 { *sum += x } else { *sum -= x });
+}

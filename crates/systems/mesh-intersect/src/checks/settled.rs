@@ -1,0 +1,254 @@
+//! The results where the meshes are, before rounding and after: decided in rationals.
+//!
+//! A limit has no sheets, no triangles without area and no two vertices at one place, so that more can be asked of it than of what was perturbed.
+//! What is in each plane is the same before and after: as chains of oriented triangles both are one surface. So their volumes are the
+//! same, too.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use predicament_judge::rational;
+use predicament_judge::solids::Boundary;
+use predicament_overlay::answer::Operation;
+use predicament_predicates::{Construction, Vertex};
+use predicament_slice::checks::Check;
+use rug::Rational;
+
+use super::surface::flaws;
+use super::{Laws, Point, Violations, note};
+use crate::truth;
+
+/// A plane: the axis along which its normal's component is one, the other two, and the distance along that axis.
+type Plane = (usize, Point);
+
+/// A result of an operation without a perturbation.
+#[derive(Clone, Copy, Debug)]
+pub struct Settled<'a> {
+    /// The limit.
+    pub limit: &'a [[Vertex; 3]],
+    /// The vertices of the limit in doubles, and the triangles over them.
+    pub points: &'a [[f64; 3]],
+    /// By the places of points.
+    pub triangles: &'a [[u32; 3]],
+    /// For each point the vertex of the limit that it was.
+    pub vertices: &'a [Vertex],
+    /// Whether rounding has left nothing that crosses.
+    pub is_whole: bool,
+}
+
+/// Results without a perturbation, and where all vertices are.
+pub struct Settlement<'a> {
+    laws: &'a Laws<'a>,
+    /// In the order of [`Operation::ALL`].
+    settled: [Settled<'a>; 4],
+    /// By the number of the construction, from the first of the answer on.
+    constructed: Vec<Point>,
+    /// By operation: of the limit and in doubles.
+    surfaces: Vec<[Surface; 2]>,
+    boundaries: Vec<[Boundary; 2]>,
+}
+
+/// A result as a list of triangles over points.
+struct Surface {
+    points: Vec<Point>,
+    triangles: Vec<[u32; 3]>,
+}
+
+impl Surface {
+    fn corners(&self, triangle: [u32; 3]) -> [&Point; 3] {
+        triangle.map(|v| &self.points[v as usize])
+    }
+
+    /// The largest coordinate, rounded; at least the smallest normal double.
+    fn reach(&self) -> f64 {
+        let all = self.points.iter().flatten().map(|x| x.to_f64().abs());
+        all.fold(f64::MIN_POSITIVE, f64::max)
+    }
+
+    /// The surface, to ask how often it goes around a point.
+    fn boundary(&self) -> Boundary {
+        Boundary::new(self.triangles.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect())
+    }
+}
+
+impl<'a> Settlement<'a> {
+    /// The results, if all of their vertices are points.
+    #[must_use]
+    pub fn new(
+        laws: &'a Laws<'a>,
+        constructions: &[Construction],
+        settled: [Settled<'a>; 4],
+    ) -> Option<Settlement<'a>> {
+        let constructed = truth::constructed(laws.scene, constructions).ok()?;
+        let mut settlement = Settlement { laws, settled, constructed, surfaces: Vec::new(), boundaries: Vec::new() };
+        settlement.surfaces = settled.iter().map(|result| [settlement.limit(result), in_doubles(result)]).collect();
+        settlement.boundaries = settlement.surfaces.iter().map(|both| both.each_ref().map(Surface::boundary)).collect();
+        Some(settlement)
+    }
+
+    /// The results by operation.
+    fn by_operation(&self) -> impl Iterator<Item = (Operation, &Settled<'a>)> {
+        Operation::ALL.into_iter().zip(&self.settled)
+    }
+
+    fn point(&self, v: Vertex) -> &Point {
+        let before = self.laws.before;
+        v.construction().map_or_else(|| &self.laws.points[v.index()], |index| &self.constructed[index - before])
+    }
+
+    fn limit(&self, result: &Settled<'_>) -> Surface {
+        let vertices: BTreeSet<Vertex> = result.limit.iter().flatten().copied().collect();
+        let places: BTreeMap<Vertex, u32> = vertices.iter().copied().zip(0..).collect();
+        Surface {
+            points: vertices.iter().map(|&v| self.point(v).clone()).collect(),
+            triangles: result.limit.iter().map(|triangle| triangle.map(|v| places[&v])).collect(),
+        }
+    }
+
+    /// Everything about the surfaces themselves: `crossed` triangles are held against their neighbours.
+    pub fn surfaces(&self, crossed: usize, found: &mut Violations) {
+        for ((operation, result), [limit, doubles]) in self.by_operation().zip(&self.surfaces) {
+            let name = operation.name();
+            whole(limit, &format!("{name}, limit"), crossed, found);
+            self.apart(operation, result, found);
+            let crossed = if result.is_whole { crossed } else { 0 };
+            whole(doubles, &format!("{name}, in doubles"), crossed, found);
+            self.beside(operation, result, found);
+        }
+        if self.laws.is_twice() && !self.settled[2].limit.is_empty() {
+            let got = format!("{} triangles of the difference", self.settled[2].limit.len());
+            note(found, "limit of a mesh with itself", got, "a mesh less itself is nothing");
+        }
+    }
+
+    /// No two vertices of a limit are at one place, but for those that a mesh was given with.
+    fn apart(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
+        let vertices: BTreeSet<Vertex> = result.limit.iter().flatten().copied().collect();
+        let mut by_place: BTreeMap<&Point, Vertex> = BTreeMap::new();
+        let second = self.laws.scene.second_mesh();
+        let mesh = |v: Vertex| second.map(|second| second[v.index()]);
+        for v in vertices {
+            let Some(other) = by_place.insert(self.point(v), v) else { continue };
+            if v.is_constructed() || other.is_constructed() || mesh(v) != mesh(other) {
+                let got = format!("{}: {other} and {v} are at one place", operation.name());
+                note(found, "vertices of a limit", got, "at one place there is one vertex");
+                return;
+            }
+        }
+    }
+
+    /// What is in each plane of a limit is what the perturbed result has there.
+    pub fn planes(&self, found: &mut Violations) {
+        for ((operation, _), [limit, _]) in self.by_operation().zip(&self.surfaces) {
+            let mut left: BTreeMap<Plane, Rational> = BTreeMap::new();
+            for &triangle in &limit.triangles {
+                add(&mut left, limit.corners(triangle), 1);
+            }
+            let at = Operation::ALL.iter().position(|of| *of == operation).unwrap_or_default();
+            for &triangle in &self.laws.solids[at] {
+                add(&mut left, self.laws.corners(triangle), -1);
+            }
+            left.retain(|_, area| !area.is_zero());
+            if let Some(((axis, plane), area)) = left.first_key_value() {
+                let at = plane.each_ref().map(Rational::to_f64);
+                let got = format!(
+                    "{}: in {} planes, first that of normal and height {at:?} along axis {axis}, by {:e}",
+                    operation.name(),
+                    left.len(),
+                    area.to_f64() / 2.0
+                );
+                note(
+                    found,
+                    "areas of a limit",
+                    got,
+                    "a limit has the areas that the perturbed result has in each plane",
+                );
+            }
+        }
+    }
+
+    /// Each vertex in doubles is within one ulp of its place.
+    fn beside(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
+        let Settled { points, vertices, .. } = *result;
+        let is_near = |(point, &v): (&[f64; 3], &Vertex)| {
+            point.iter().zip(self.point(v)).all(|(&x, place)| {
+                let around = [x.next_down(), x.next_up()];
+                // (One beyond all doubles is as far as it gets.)
+                let [low, high] = around.map(|x| if x.is_finite() { x } else { x.signum() * f64::MAX });
+                &rational(low) <= place && place <= &rational(high)
+            })
+        };
+        let far = points.iter().zip(vertices).find(|&pair| !is_near(pair));
+        if let Some((point, v)) = far {
+            let got = format!("{}: {v} is at {point:?}", operation.name());
+            note(found, "place of a rounded vertex", got, "each coordinate is within one ulp of its place");
+        }
+        if points.len() != vertices.len() {
+            let got = format!("{}: {} of {}", operation.name(), vertices.len(), points.len());
+            note(found, "place of a rounded vertex", got, "it is known what each vertex was");
+        }
+    }
+
+    /// Holds a point of space against the limits and the results in doubles; the first surface that does not go around it as the operation says.
+    pub fn probed(&self, probe: [f64; 3], inside: [bool; 2]) -> Option<(&'static str, Operation, i64)> {
+        for (((operation, result), [limit, doubles]), [of_limit, of_doubles]) in
+            self.by_operation().zip(&self.surfaces).zip(&self.boundaries)
+        {
+            let wanted = i64::from(operation.holds(inside));
+            if let Some(winding) = of_limit.winding(probe).filter(|winding| *winding != wanted) {
+                return Some(("the limit", operation, winding));
+            }
+            // What crosses itself goes around some points as it likes, and rounding moves each vertex by an ulp in each coordinate: a point that is
+            // nearer than that may change sides.
+            let reach = limit.reach().max(doubles.reach()) * 2.0_f64.powi(-50);
+            let is_known = result.is_whole && !of_limit.is_near(probe, reach);
+            if is_known && let Some(winding) = of_doubles.winding(probe).filter(|winding| *winding != wanted) {
+                return Some(("the result in doubles", operation, winding));
+            }
+        }
+        None
+    }
+}
+
+fn in_doubles(result: &Settled<'_>) -> Surface {
+    Surface {
+        points: result.points.iter().map(|point| point.map(rational)).collect(),
+        triangles: result.triangles.to_vec(),
+    }
+}
+
+/// A surface is closed, each triangle has an area, none is there twice, and none passes through another one.
+fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
+    let mut seen = BTreeSet::new();
+    for &triangle in &surface.triangles {
+        let mut sorted = triangle;
+        sorted.sort_unstable();
+        if crossed > 0 && !seen.insert(sorted) {
+            note(found, "sheet", format!("{of}: {sorted:?} is there twice"), "no triangle is there twice");
+            break;
+        }
+    }
+    for flaw in flaws(surface.points.clone(), &surface.triangles, crossed) {
+        let check = match flaw.check {
+            Check::Closed => "settled result not closed",
+            Check::SelfIntersection => "settled result crosses itself",
+            check => check.name(),
+        };
+        note(found, check, format!("{of}: {} times, first: {}", flaw.count, flaw.what), flaw.check.law());
+    }
+}
+
+/// Adds the area of a triangle to that of its plane.
+fn add(areas: &mut BTreeMap<Plane, Rational>, [a, b, c]: [&Point; 3], times: i32) {
+    let minus = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &a[i]));
+    let [u, v] = [minus(b), minus(c)];
+    let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
+    let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
+    let Some(axis) = normal.iter().position(|x| !x.is_zero()) else { return };
+    let area = normal[axis].clone();
+    let mut plane = normal.map(|x| x / &area);
+    let height = plane.iter().zip(a).map(|(x, y)| Rational::from(x * y)).sum();
+    // Its component along the axis is one.
+    plane[axis] = height;
+    let sum = areas.entry((axis, plane)).or_default();
+    if times > 0 { *sum += area } else { *sum -= area }
+}

@@ -1,0 +1,43 @@
+//! What is true about drawings that are rounded to pixels: which of their segments cross, in rationals.
+//!
+//! Overlays have no truth but their laws, which are in the [checks](crate::checks::overlay).
+
+use predicament_predicates::{Scene, Vertex};
+use predicament_tasks::{Stop, Watch};
+
+/// Segments that are held against their definition; an even sample of more.
+pub(crate) const SEGMENTS: usize = 300;
+
+/// The pairs of segments that cross, exactly.
+pub struct Truth {
+    /// By their places, ascending.
+    pub crossings: Vec<[u32; 2]>,
+    segments: usize,
+}
+
+impl Truth {
+    /// All pairs.
+    ///
+    /// # Errors
+    /// [`Stop`] where the watch says so.
+    ///
+    /// # Panics
+    /// If there are 2^32 segments.
+    pub fn new(scene: &Scene, segments: &[[Vertex; 2]], watch: &Watch) -> Result<Truth, Stop> {
+        let number = |at: usize| u32::try_from(at).expect("fewer than 2^32 segments");
+        let along = predicament_crossings::truth::crossings(scene, segments, watch)?;
+        let of = |(at, along): (usize, &Vec<Vec<u32>>)| -> Vec<[u32; 2]> {
+            along.iter().flatten().filter(|&&other| number(at) < other).map(|&other| [number(at), other]).collect()
+        };
+        let mut crossings: Vec<[u32; 2]> = along.iter().enumerate().flat_map(of).collect();
+        crossings.sort_unstable();
+        Ok(Truth { crossings, segments: segments.len() })
+    }
+
+    /// What is sampled.
+    #[must_use]
+    pub fn sampled(&self) -> Option<String> {
+        (self.segments > SEGMENTS)
+            .then(|| format!("about {SEGMENTS} segments against all hot pixels; all crossings of chains"))
+    }
+}
