@@ -3,6 +3,7 @@
 //! Both ways are failures: a finding that nobody expected, and an expectation
 //! that no longer comes true. So the file stays a description of the world.
 
+use predicament_predicates::UnknownName;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -93,7 +94,7 @@ fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
 
 /// The class of a name; a legal one is never expected.
 fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
-    let class: Class = name.str()?.parse().map_err(|why: String| name.error(why, "correct it"))?;
+    let class: Class = name.str()?.parse().map_err(|why: UnknownName| name.error(why.to_string(), "correct it"))?;
     if class.is_legal() {
         return Err(name.error(format!("`{class}` is legal and needs no expectation"), "drop it"));
     }

@@ -107,7 +107,7 @@ impl Predicates for Session<'_> {
             let (prefix, rest) = definitions.split_at(*index);
             match self.fault {
                 Fault::KeepsThePrefix => drop(self.both(prefix)),
-                Fault::TakesParallels if reason.contains("parallel") => {
+                Fault::TakesParallels if reason.to_string().contains("parallel") => {
                     constructed = self.both(&[prefix, &rest[1..]].concat())
                 }
                 _ => {}

@@ -9,7 +9,7 @@ use std::sync::Arc;
 
 use predicament_mesh::{Complex, MaterialMesh, Simplices};
 use predicament_predicates::{
-    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
+    Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
 };
 
 use super::meet::Hit;
@@ -151,7 +151,7 @@ impl Predicates for Registered {
         let (places, points) = (&self.places, &mut self.points);
         self.scene.construct_all(definitions, |scene, vertex| {
             let definition = scene.construction(vertex).expect("just constructed");
-            points.push(*places.get(definition).ok_or("it is not registered")?);
+            points.push(*places.get(definition).ok_or(DefinitionError::Other("it is not registered".into()))?);
             Ok(())
         })
     }
