@@ -15,6 +15,7 @@
 //! * [`Class`]: how an answer compares with the truth, and [`Severity`]: how bad that is; [`Status`]: how the gate sees a scene.
 //! * [`Tally`]: which stage settled a query; free of cost where it is off.
 //! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
+//! * [`contradiction!`]: the error of an algorithm that stops where signs contradict each other.
 
 mod backend;
 mod boxed;
@@ -24,6 +25,7 @@ mod construction;
 mod constructs;
 mod contact;
 mod contract;
+mod contradiction;
 mod interned;
 mod query;
 mod question;

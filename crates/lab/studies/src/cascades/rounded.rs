@@ -47,7 +47,7 @@ pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], the
                 regions,
                 elapsed,
                 constructed: session.scene().constructions().len(),
-                broken: result.broken,
+                broken: result.broken.map(|broken| broken.rule()),
                 turned,
             })
         })

@@ -59,7 +59,7 @@ fn combined(float: &dyn Contestant, scene: &Scene, passes: &Passes, step: &Opera
         let session: &dyn Predicates = &*session;
         let vertices = result.regions.iter().flat_map(|region| region.loops()).flatten().map(|edge| edge.from);
         let at = vertices.map(|v| (v, place(session, v))).collect();
-        let broken = made.arrangement.broken.or(result.broken);
+        let broken = made.arrangement.broken.or(result.broken).map(|broken| broken.rule());
         Ok(Combined { at, constructed: session.scene().constructions().len(), broken, result })
     })
 }

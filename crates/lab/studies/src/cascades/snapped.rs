@@ -71,7 +71,7 @@ pub(super) fn run(
                 elapsed: clock.elapsed(),
                 // Chains meet in vertices: whatever is constructed now should not be there.
                 constructed: constructed + session.scene().constructions().len(),
-                broken: result.broken,
+                broken: result.broken.map(|broken| broken.rule()),
                 turned: None,
             })
         })

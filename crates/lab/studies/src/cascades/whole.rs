@@ -52,7 +52,7 @@ fn follow(
             collapsed: 0,
             held: session.scene().len() + session.scene().constructions().len(),
             thickness: 0.0,
-            broken: result.broken,
+            broken: result.broken.map(|broken| broken.rule()),
             is_gone: current.is_empty(),
             shape: &|| Ok(places.shape(&regions())),
             turned: &|| places.rounds().then(|| places.turned(&regions())),

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Hull2, PlaneMethod, hull2d};
+use crate::algorithm::{Contradiction, Hull2, PlaneMethod, hull2d};
 use crate::checks::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -28,7 +28,7 @@ pub struct Polygon(pub Hull2);
 
 impl Answer for Polygon {
     fn digest(&self) -> u64 {
-        let broken = self.0.broken.unwrap_or_default();
+        let broken = self.0.broken.map_or("", Contradiction::rule);
         digest(self.0.vertices.iter().flat_map(|v| v.index().to_le_bytes()).chain(broken.bytes()))
     }
 }

@@ -21,7 +21,9 @@ mod surface;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::overlay::{Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered};
+use crate::algorithm::overlay::{
+    Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
+};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_overlay::algorithm::overlay::Operation;
@@ -68,7 +70,7 @@ pub struct Overlaid {
     /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
     pub settled: Option<std::result::Result<Settled, String>>,
     /// The first invariant that did not hold: then there is nothing else.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 impl Overlaid {
@@ -118,7 +120,7 @@ impl Answer for Overlaid {
             let regions = pairs.into_iter().flatten().map(|region| region as usize);
             triangle.map(Vertex::index).into_iter().chain(regions).collect::<Vec<_>>()
         });
-        digest(pieces.flat_map(number).chain(self.broken.unwrap_or_default().bytes()))
+        digest(pieces.flat_map(number).chain(self.broken.map_or("", Contradiction::rule).bytes()))
     }
 }
 
@@ -301,7 +303,10 @@ impl Task for MeshIntersect {
         };
         let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
         let path = folder.join("pieces.json");
-        std::fs::write(&path, format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken })))?;
+        std::fs::write(
+            &path,
+            format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })),
+        )?;
         files.push(path);
         if answer.rounded.is_none() {
             files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
@@ -343,8 +348,8 @@ impl Task for MeshIntersect {
 }
 
 fn told(answer: &Overlaid) -> String {
-    if let Some(rule) = answer.broken {
-        return format!("violated: {rule}");
+    if let Some(broken) = answer.broken {
+        return format!("broken: {broken}");
     }
     let solids = Operation::ALL.iter().zip(&answer.solids);
     let solids: Vec<String> = solids.map(|(of, solid)| format!("{} of {}", of.name(), solid.len())).collect();

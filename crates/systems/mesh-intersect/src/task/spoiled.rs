@@ -1,5 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
+use crate::algorithm::overlay::Contradiction;
 use predicament_mesh::OUTSIDE;
 
 use super::{MeshIntersect, OfMesh, Overlaid};
@@ -147,7 +148,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             "two triangles are said to meet in more than one segment",
             "exact",
             &[(Class::Topology, "two triangles meet in one segment")],
-            |_, _, answer: &mut Overlaid| answer.broken = Some("two triangles meet in one segment"),
+            |_, _, answer: &mut Overlaid| answer.broken = Some(Contradiction::Segment),
         ),
     ]
 }

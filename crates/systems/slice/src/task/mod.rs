@@ -59,7 +59,7 @@ impl Answer for Cut {
             let open = part.open.iter().flatten();
             part.triangles.as_flattened().iter().chain(open).map(move |&v| vertex(v)).chain([ends])
         });
-        let broken = self.sliced.broken.map_or("", |(what, _)| what);
+        let broken = self.sliced.broken.map_or("", |(broken, _)| broken.rule());
         digest(parts.flatten().chain(broken.bytes()))
     }
 }
@@ -210,7 +210,7 @@ impl Task for Slice {
         };
         let json = serde_json::json!({
             "parts": parts.iter().map(part).collect::<Vec<_>>(),
-            "broken": answer.sliced.broken.map(|(what, _)| what),
+            "broken": answer.sliced.broken.map(|(broken, _)| broken.rule()),
         });
         std::fs::write(&path, format!("{json}\n"))?;
         files.push(path);
@@ -258,6 +258,6 @@ fn told(sliced: &Sliced) -> String {
     let parts = format!("{} parts of {triangles} triangles", sliced.parts.len());
     match sliced.broken {
         None => parts,
-        Some((what, _)) => format!("{parts}; violated: {what}"),
+        Some((broken, _)) => format!("{parts}; broken: {broken}"),
     }
 }

@@ -12,7 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Triangulation, oriented, projection, triangulate};
+use crate::algorithm::{Contradiction, Triangulation, oriented, projection, triangulate};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -233,7 +233,7 @@ fn solve(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) 
         Dimension::Two => (Plane::Xy, false),
         Dimension::Three => match projection(session, polygon) {
             Some(seen) => seen,
-            None => return Triangulation { triangles: Vec::new(), broken: Some("a face has area in a plane") },
+            None => return Triangulation { triangles: Vec::new(), broken: Some(Contradiction::NoArea) },
         },
     };
     let loops = oriented(session, plane, reversed, polygon);
@@ -252,6 +252,6 @@ fn describe(found: &Triangulation, vertices: &[Vertex]) -> String {
         common >= vertices.len().min(2)
     };
     let about: Vec<String> = found.triangles.iter().filter(is_about).take(6).map(|triangle| words(triangle)).collect();
-    let broken = found.broken.map_or(String::new(), |rule| format!("; broken: {rule}"));
+    let broken = found.broken.map_or(String::new(), |broken| format!("; broken: {broken}"));
     format!("{} triangles; {}{broken}", found.triangles.len(), about.join(", "))
 }

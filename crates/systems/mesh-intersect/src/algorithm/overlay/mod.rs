@@ -49,6 +49,7 @@
 //! ```
 
 mod arcs;
+mod contradiction;
 mod cut;
 mod known;
 mod meet;
@@ -67,6 +68,7 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
+pub use contradiction::{Contradiction, SurfaceContradiction};
 pub use registered::{Registered, mesh_overlay_registered};
 pub use result::{Regions, Solid, Source};
 
@@ -106,8 +108,8 @@ pub enum Undone {
     Contact([Vec<Vertex>; 2]),
     /// The session does not construct a point.
     Refused(Refused),
-    /// The first invariant that does not hold, as the statement that should.
-    Broken(&'static str),
+    /// Signs contradict each other: the first rule that does not hold.
+    Broken(Contradiction),
 }
 
 impl From<Refused> for Undone {
@@ -133,7 +135,7 @@ impl std::fmt::Display for Undone {
                 write!(f, "{first} of the first mesh is within the tolerance of {second} of the second")
             }
             Undone::Refused(why) => why.fmt(f),
-            Undone::Broken(rule) => write!(f, "{rule}: that does not hold"),
+            Undone::Broken(broken) => broken.fmt(f),
         }
     }
 }

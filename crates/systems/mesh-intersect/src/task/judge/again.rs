@@ -82,8 +82,8 @@ impl Laws<'_> {
                 return None;
             }
         };
-        if let Some(rule) = answer.broken {
-            note(outcome, check, rule.to_owned(), law);
+        if let Some(broken) = answer.broken {
+            note(outcome, check, broken.to_string(), law);
             return None;
         }
         let Ok(points) = points(&other.scene, &answer, self.place) else {

@@ -15,7 +15,7 @@ mod topology;
 
 use std::cell::OnceCell;
 
-use crate::algorithm::overlay::{Regions, Source};
+use crate::algorithm::overlay::{Contradiction, Regions, Source};
 use predicament_judge::{Points, rational};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 use predicament_slice::checks::{Check as Law, Expected};
@@ -65,7 +65,7 @@ pub(super) fn judge(
     answer: &Overlaid,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
-    if let Some(rule) = answer.broken {
+    if let Some(rule) = answer.broken.map(Contradiction::rule) {
         note(outcome, rule, "violated".to_owned(), rule);
         return Ok(());
     }

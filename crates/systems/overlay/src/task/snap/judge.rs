@@ -4,7 +4,7 @@ use crate::algorithm::snap::{Drawing, Method};
 use crate::checks::snap::{Flaw, Promise, Rounded, flaws, new_crossings};
 use predicament_predicates::{Query, Scene, Vertex};
 
-use super::{Chains, Drawn, Snap2d, SnapRow, points};
+use super::{Chains, Contradiction, Drawn, Snap2d, SnapRow, points};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop, Watch};
 
 /// Segments that are held against their definition; an even sample of more.
@@ -39,7 +39,7 @@ impl Truth {
 
 pub fn judge(case: &Case<'_, Snap2d>, asked: &Asked<'_>, answer: &Chains, outcome: &mut Outcome) -> Result<(), Stop> {
     let content = case.content;
-    if let Some(rule) = answer.broken {
+    if let Some(rule) = answer.broken.map(Contradiction::rule) {
         note(outcome, content, rule, "violated".to_owned(), &[], asked.budget.findings_per_class);
         if answer.snapped.chains.len() != content.segments.len() {
             return Ok(());

@@ -5,6 +5,7 @@
 
 mod checks;
 mod content;
+mod contradiction;
 mod judge;
 mod section;
 mod spoiled;
@@ -22,6 +23,7 @@ use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
 
 pub use content::{Drawn, method_name};
+pub use contradiction::Contradiction;
 pub use section::SnapRow;
 
 use predicament_tasks::output::Canvas;
@@ -40,8 +42,8 @@ pub struct Snap2d;
 pub struct Chains {
     /// Pixels and chains.
     pub snapped: Snapped,
-    /// The first rule that signs have broken, as the statement that should hold.
-    pub broken: Option<&'static str>,
+    /// The first rule that signs have broken.
+    pub broken: Option<Contradiction>,
 }
 
 impl Answer for Chains {
@@ -49,7 +51,7 @@ impl Answer for Chains {
         let pixels = self.snapped.pixels.iter().flatten().map(|i| i.cast_unsigned());
         let of_chain = |chain: &Vec<u32>| chain.iter().map(|&at| u64::from(at)).chain([u64::MAX]).collect::<Vec<_>>();
         let chains = self.snapped.chains.iter().flat_map(of_chain);
-        let broken = self.broken.unwrap_or_default();
+        let broken = self.broken.map_or("", Contradiction::rule);
         digest(pixels.chain([u64::MAX]).chain(chains).flat_map(u64::to_le_bytes).chain(broken.bytes()))
     }
 }
@@ -106,7 +108,7 @@ fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> 
     let edges: Vec<Edge> = content.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
     let arrangement = arrange(session, &edges, overlay::Method::Grid)?;
     if arrangement.segments != content.segments {
-        return Ok(Chains { broken: Some("an arrangement has the segments that were given"), ..Chains::default() });
+        return Ok(Chains { broken: Some(Contradiction::Segments), ..Chains::default() });
     }
     let turn = |[a, b]: [Vertex; 2], c| session.orient2d(Plane::Xy, a, b, c);
     let in_line = |line, [c, d]: [Vertex; 2]| [turn(line, c), turn(line, d)] == [Sign::Zero; 2];
@@ -116,8 +118,8 @@ fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> 
         content.segments.iter().map(|ends| ends.map(|v| u32::try_from(v.index()).expect("fewer than 2^32"))).collect();
     let drawing = Drawing { points: &points, segments: &segments, crossings: &crossings, touching: &touching };
     Ok(match snap(drawing, content.pixel, content.method) {
-        Ok(snapped) => Chains { snapped, broken: arrangement.broken },
-        Err(_) => Chains { broken: Some("segments that cross have a point in common"), ..Chains::default() },
+        Ok(snapped) => Chains { snapped, broken: arrangement.broken.map(Contradiction::from) },
+        Err(_) => Chains { broken: Some(Contradiction::NoPoint), ..Chains::default() },
     })
 }
 
@@ -255,7 +257,7 @@ impl Task for Snap2d {
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|chains| match chains.pixels().get(at) {
                 Some(chain) => chain.iter().map(|[x, y]| format!("({x}, {y})")).collect::<Vec<_>>().join(" "),
-                None => chains.broken.unwrap_or("no chain").to_owned(),
+                None => chains.broken.map_or("no chain".to_owned(), |broken| broken.to_string()),
             })
         };
         Ok(about.with_answers(backends, ask))
