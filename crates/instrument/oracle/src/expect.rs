@@ -105,10 +105,9 @@ impl Expectations {
     /// Parses the text of `file`.
     ///
     /// # Errors
-    /// One line that names the file, the line and the cure.
-    pub fn parse(file: &Path, text: &str) -> Result<Expectations, String> {
-        let name = file.display().to_string();
-        Expectations::read(&name, text).map_err(|error| error.to_string())
+    /// [`CorpusError`] with the file, the line and the cure.
+    pub fn parse(file: &Path, text: &str) -> Result<Expectations, CorpusError> {
+        Expectations::read(&file.display().to_string(), text)
     }
 
     fn read(file: &str, text: &str) -> Result<Expectations, CorpusError> {
@@ -131,7 +130,7 @@ impl Expectations {
         let (scenes, backends) = (strings(names(&fields, "scene")?)?, strings(names(&fields, "backend")?)?);
         let classes = names(&fields, "class")?.iter().map(class).collect::<Result<Vec<_>, _>>()?;
         let scenes = scenes.iter().map(|pattern| Pattern::new(pattern)).collect::<Result<Arc<[_]>, _>>();
-        let scenes = scenes.map_err(|message| fields.error(message, "write e.g. `near-*`"))?;
+        let scenes = scenes.map_err(|error| fields.error(error.to_string(), "write e.g. `near-*`"))?;
         let why = fields.required("reason")?;
         let reason = why.string()?;
         if reason.trim().is_empty() {

@@ -143,7 +143,7 @@ impl Part {
         let union = match asked.backend.answer(&CubeUnion, &self.scene, &self.content) {
             Ok(union) => union,
             // It took the whole.
-            Err(why) => return Some(finding(why, format!("the union of {} cubes", self.content.cubes))),
+            Err(why) => return Some(finding(why.to_string(), format!("the union of {} cubes", self.content.cubes))),
         };
         let found = in_units(&measures(&union.mass), union.exponent);
         let truth = [&self.measures.volume, &self.measures.area, &self.measures.edge_length];

@@ -23,8 +23,8 @@ pub use judge::Truth;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -169,7 +169,7 @@ impl Task for Delaunay2d {
         content: &Sites,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let vertices: Vec<Vertex> = query.vertices().collect();
         let ask =
             |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0, &vertices));

@@ -14,8 +14,8 @@ use super::judge::{Found, Truth, judge};
 use super::{generate, template};
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -159,7 +159,7 @@ impl Task for Hull3d {
         content: &Cloud<SpaceMethod>,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
         let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
         Ok(explanation.with_answers(backends, ask))

@@ -42,8 +42,8 @@ pub use surface::flaw_of;
 
 use predicament_tasks::output::{Canvas, Placed};
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Refusal,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
+    Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -265,7 +265,7 @@ impl Task for MeshIntersect {
         content: &TwoMeshes,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|answer| told(&answer));
         Ok(Explanation::default().with_answers(backends, ask))

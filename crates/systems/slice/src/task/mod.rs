@@ -25,8 +25,8 @@ pub use checks::{law, rounded};
 use predicament_tasks::output::{Canvas, Placed};
 
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -185,7 +185,7 @@ impl Task for Slice {
         content: &Solid,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|cut| told(&cut.sliced));
         Ok(Explanation::default().with_answers(backends, ask))

@@ -24,8 +24,8 @@ pub use judge::Truth;
 pub use checks::RULES;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -177,11 +177,11 @@ impl Task for Triangulate {
         content: &Polygons,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let vertices: Vec<_> = query.vertices().collect();
         let has = |polygon: &Vec<Vec<Vertex>>| vertices.iter().all(|v| polygon.iter().any(|one| one.contains(v)));
         let at = content.polygons.iter().position(has);
-        let at = at.ok_or_else(|| format!("`{query}`: no polygon of the scene has these vertices"))?;
+        let at = at.ok_or_else(|| ExplainError::not_in_scene(query, "no polygon of the scene has these vertices"))?;
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|found| describe(&found.0[at], &vertices))
         };

@@ -77,7 +77,7 @@ impl Laws<'_> {
             Err(why) => {
                 // A box is longer than the meshes, and tolerances grow with lengths.
                 if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
-                    note(outcome, check, why, law);
+                    note(outcome, check, why.to_string(), law);
                 }
                 return None;
             }

@@ -23,8 +23,8 @@ pub use content::{Layered, Layers};
 pub use checks::RULES;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -223,7 +223,7 @@ impl Task for Overlay2d {
         content: &Layered,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| told(&found));
         Ok(Explanation::default().with_answers(backends, ask))

@@ -29,8 +29,8 @@ pub use section::SnapRow;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -252,7 +252,7 @@ impl Task for Snap2d {
         content: &Drawn,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let (at, about) = named(&content.segments, query)?;
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|chains| match chains.pixels().get(at) {
