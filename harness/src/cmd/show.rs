@@ -145,7 +145,7 @@ fn draw(
         .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), Purpose::Files, &mut |answer| {
             drawn = task.draw_scene(loaded, Some(answer), canvas);
         })
-        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why.to_string()))))?;
+        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;
     drawn.map_err(Failure::usage)
 }
 

@@ -57,7 +57,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         .answer_any(task.name(), &loaded.scene, loaded.content.as_ref(), Purpose::Files, &mut |answer| {
             written = task.write_answer(&loaded, answer, &args.out);
         })
-        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why.to_string()))))?;
+        .map_err(|why| Failure::usage(format!("{}: {why}{}", backend.name(), cure(&why))))?;
     for path in written.map_err(Failure::io(&args.out))? {
         say!("{}", path.display());
     }

@@ -92,7 +92,7 @@ fn a_table_has_the_worst_of_all_samples() {
         "naive: edges of the result cross, first seen after step 2",
         "naive: a loop is turned over, first seen after step 1",
         "naive: points are on the wrong side, first seen after step 2",
-        "naive: step 2 breaks the rule: a rule",
+        "naive: step 2 breaks the rule: thick primitives settle",
         "naive: step 4 cannot be done: no more",
     ] {
         assert!(page.contains(line), "{line}");

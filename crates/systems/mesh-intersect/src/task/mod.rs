@@ -37,7 +37,7 @@ use manner::{Manner, manner};
 
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
-pub use settled::Settled;
+pub use settled::{Settled, Unsettled};
 pub use surface::flaw_of;
 
 use predicament_tasks::output::{Canvas, Placed};
@@ -67,8 +67,8 @@ pub struct Overlaid {
     pub rounded: Option<Vec<[f64; 3]>>,
     /// Where contacts with these vertices were registered; none where none were. What is judged is the points that are defined.
     pub registered: Option<Vec<[f64; 3]>>,
-    /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
-    pub settled: Option<std::result::Result<Settled, String>>,
+    /// The results without a perturbation, and in doubles, or why there is none; none where they were not asked for, or the session rounds.
+    pub settled: Option<std::result::Result<Settled, Unsettled>>,
     /// The first invariant that did not hold: then there is nothing else.
     pub broken: Option<Contradiction>,
 }

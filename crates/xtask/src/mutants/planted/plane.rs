@@ -57,12 +57,12 @@ pub(super) const FAULTS: &[Planted] = &[
             "algorithm/sweep.rs",
             "            if !(sign == Sign::Positive || sign == Sign::Zero && !is_past) {
                 if !is_past {
-                    self.out.broken(\"a vertex sees the opposite chain\");
+                    self.out.broken(Contradiction::Chain);
                 }
                 return low;",
             "            if !(sign == Sign::Positive || sign == Sign::Zero) {
                 if !is_past {
-                    self.out.broken(\"a vertex sees the opposite chain\");
+                    self.out.broken(Contradiction::Chain);
                 }
                 return low;",
         )],

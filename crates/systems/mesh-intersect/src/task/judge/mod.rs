@@ -232,7 +232,12 @@ impl Laws<'_> {
                 settlement
             }
             Err(why) => {
-                note(outcome, "limit", why.clone(), "where each constructed vertex is a point, a result has a limit");
+                note(
+                    outcome,
+                    "limit",
+                    why.to_string(),
+                    "where each constructed vertex is a point, a result has a limit",
+                );
                 None
             }
         }
