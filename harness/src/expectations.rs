@@ -56,7 +56,7 @@ pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure
 /// The expectations that ship with the corpora.
 pub fn shipped(tool: &Tool) -> Result<Expectations, Failure> {
     let (name, text) = tool.library()?.companion(SHIPPED)?.unwrap_or_default();
-    Expectations::parse(Path::new(&name), &text).map_err(|message| Failure { message, code: CORPUS })
+    Expectations::parse(Path::new(&name), &text).map_err(|error| Failure { message: error.to_string(), code: CORPUS })
 }
 
 /// What a plan says of a file of expectations.
@@ -76,7 +76,7 @@ pub fn text(file: &Path) -> Result<String, Failure> {
 }
 
 fn read(file: &Path) -> Result<Expectations, Failure> {
-    Expectations::parse(file, &text(file)?).map_err(|message| Failure { message, code: CORPUS })
+    Expectations::parse(file, &text(file)?).map_err(|error| Failure { message: error.to_string(), code: CORPUS })
 }
 
 /// Gives each row of a run the status that these expectations give it: the file may have changed since.

@@ -99,7 +99,7 @@ impl Saved {
             tool.backend(name).map_err(|why| refuse(&why.to_string()))?;
         }
         Duration::try_from_secs_f64(*limit).map_err(|why| refuse(&format!("`limit` is no time limit: {why}")))?;
-        saved.state.check(tool.vocabulary(), task).map_err(|why| refuse(&why))?;
+        saved.state.check(tool.vocabulary(), task).map_err(|why| refuse(&why.to_string()))?;
         Ok(saved)
     }
 

@@ -3,7 +3,7 @@
 use predicament_corpus::LoadedScene;
 use predicament_formats::hexfloat;
 use predicament_predicates::{Sign, Vertex};
-use predicament_tasks::Explanation;
+use predicament_tasks::{AnswerError, Explanation, Refusal};
 
 /// The truth and the answers, in columns.
 pub fn lines(told: &Explanation) -> Vec<String> {
@@ -59,10 +59,11 @@ fn group(orders: usize) -> usize {
 }
 
 /// What helps where a backend has said that another kind is needed.
-pub fn cure(why: &str) -> &'static str {
-    if why.contains("backends that break ties") {
-        "; add -b sos:per-mesh, which moves the second mesh by an infinitesimal, or -b sos, which moves every vertex"
-    } else {
-        ""
+pub fn cure(why: &AnswerError) -> &'static str {
+    match why {
+        AnswerError::Refused(Refusal { check: "touch", .. }) => {
+            "; add -b sos:per-mesh, which moves the second mesh by an infinitesimal, or -b sos, which moves every vertex"
+        }
+        _ => "",
     }
 }

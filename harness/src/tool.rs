@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use predicament_corpus::{Library, Suite, Vocabulary};
 use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
-use predicament_oracle::roster;
+use predicament_oracle::roster::{self, BackendError};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_studies::Entry as Study;
@@ -16,7 +16,7 @@ use predicament_tasks::{AnyTask, Contestant, TaskList, vocabulary, with_signs};
 use crate::BackendList;
 use crate::exit::Failure;
 
-type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, String> + Send + Sync>;
+type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, BackendError> + Send + Sync>;
 
 /// The names that `-b` was given: several with commas, or by repeating.
 pub fn each(names: &[String]) -> impl Iterator<Item = &str> {
@@ -139,7 +139,7 @@ impl Tool {
     /// The backend with this name.
     pub fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, String> {
         (self.find)(name).map_err(|why| match self.own_backends.as_slice() {
-            [] => why,
+            [] => why.to_string(),
             own => format!("{why}, and of this tool's own {}", own.join(", ")),
         })
     }

@@ -8,8 +8,8 @@ use predicament::judge;
 use predicament::predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex};
 use predicament::tasks::signs::classify;
 use predicament::tasks::{
-    Answer, Asked, Case, Check, Class, Contestant, Explanation, Finding, Halt, How, Outcome, Spoiled, Stop, Task,
-    Watch, digest,
+    Answer, Asked, Case, Check, Class, Contestant, ExplainError, Explanation, Finding, Halt, How, Outcome, Spoiled,
+    Stop, Task, Watch, digest,
 };
 
 /// The task.
@@ -155,9 +155,9 @@ impl Task for Convexity {
         content: &Polygon,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let vertex = query.vertices().next().filter(|vertex| vertex.index() < content.corners);
-        let vertex = vertex.ok_or_else(|| format!("`{query}` names no corner"))?;
+        let vertex = vertex.ok_or_else(|| ExplainError::not_of_task(query, "names no corner"))?;
         let corner = content.corner(vertex.index());
         let about = Explanation {
             vertices: corner.to_vec(),

@@ -1,7 +1,7 @@
 //! `leftmost.csv`, a row for each scene and backend, and the section of a report that shows it.
 
 use predicament::predicates::Vertex;
-use predicament::records::{Error, RunDir, serde};
+use predicament::records::{Error, RowError, RunDir, serde};
 use predicament::report::layout::{backends, rank, run_head, run_label};
 use predicament::report::{Block, Cell, Section, Table, Tone};
 use predicament::tasks::{Asked, Case, ids};
@@ -25,8 +25,8 @@ predicament::records::table! {
         pub truth: String,
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.truth.is_empty() { Err("no vertex is leftmost".to_owned()) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        if self.truth.is_empty() { Err(RowError::Contradiction("no vertex is leftmost")) } else { Ok(()) }
     }
 }
 

@@ -7,7 +7,8 @@ use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sig
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
 use predicament::tasks::{
-    Answer, Asked, Case, Check, Class, Contestant, Explanation, Halt, How, Outcome, Spoiled, Stop, Task, Watch, digest,
+    Answer, Asked, Case, Check, Class, Contestant, ExplainError, Explanation, Halt, How, Outcome, Spoiled, Stop, Task,
+    Watch, digest,
 };
 
 use crate::{Among, LeftmostRow, judge, section};
@@ -92,8 +93,8 @@ impl Task for Leftmost {
         content: &Among,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
-        let vertex = query.vertices().next().ok_or_else(|| format!("`{query}` names no vertex"))?;
+    ) -> Result<Explanation, ExplainError> {
+        let vertex = query.vertices().next().ok_or_else(|| ExplainError::not_of_task(query, "names no vertex"))?;
         let says = |leftmost: &[Vertex]| judge::says(leftmost.contains(&vertex)).to_owned();
         let truth = judge::exactly(scene, content);
         let about = Explanation {

@@ -14,7 +14,7 @@ use predicament_hull::task::{Hull2d, Hull3d};
 use predicament_interval::task::Interval;
 use predicament_mesh_intersect::task::MeshIntersect;
 use predicament_mesh_locate::task::MeshLocate;
-use predicament_oracle::roster;
+use predicament_oracle::roster::{self, BackendError};
 use predicament_overlay::task::overlay::Overlay2d;
 use predicament_overlay::task::snap::Snap2d;
 use predicament_polygon_locate::task::PolygonLocate;
@@ -124,6 +124,6 @@ pub fn entry<B: Backend + 'static>(backend: B) -> Entry<B, Systems> {
 ///
 /// # Errors
 /// One line with the names that there are.
-pub fn backend(name: &str) -> Result<Box<dyn Contestant>, String> {
+pub fn backend(name: &str) -> Result<Box<dyn Contestant>, BackendError> {
     roster::backend(name, &Systems)
 }

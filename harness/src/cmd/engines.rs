@@ -1,6 +1,6 @@
 //! `engines`: programs of other languages: list, install, build, greet, clean.
 
-use predicament_engines::{Config, Engine, PREFIX, Step, all, chore, find};
+use predicament_engines::{Config, Engine, EngineError, PREFIX, Step, all, chore, find};
 use predicament_predicates::{Backend, PredicateKind, ZeroMeaning};
 
 use crate::exit::{self, Failure};
@@ -55,7 +55,7 @@ pub fn run(args: &Args) -> exit::Outcome {
         Command::List => list(),
         Command::Install { names } => each(names, |config| step(config, Step::Install)),
         Command::Build { names } => each(names, |config| step(config, Step::Build)),
-        Command::Check { names } => each(names, |config| Engine::start(config.clone()).map(|engine| offers(&engine))),
+        Command::Check { names } => each(names, |config| Ok(offers(&Engine::start(config.clone())?))),
         Command::Clean { names } => each(names, |config| step(config, Step::Clean)),
     }
 }
@@ -72,7 +72,7 @@ fn list() -> exit::Outcome {
             Ok(config) => {
                 let state = match Engine::start(config.clone()) {
                     Ok(engine) => offers(&engine),
-                    Err(error) => error,
+                    Err(error) => error.to_string(),
                 };
                 say!("{:<20} {}", config.name, config.about);
                 say!("{:<20} {}", "", config.licence);
@@ -84,14 +84,14 @@ fn list() -> exit::Outcome {
 }
 
 /// Does something with each of these engines, with all if none is named, and says how it went.
-fn each(names: &[String], work: impl Fn(&Config) -> Result<String, String>) -> exit::Outcome {
+fn each(names: &[String], work: impl Fn(&Config) -> Result<String, EngineError>) -> exit::Outcome {
     let engines = if names.is_empty() { all() } else { names.iter().map(|name| find(name)).collect() };
     if engines.is_empty() {
         return Err(Failure::nothing("no engine is here; an engine is a folder with an engine.toml below ./engines"));
     }
     let (total, mut failed) = (engines.len(), 0);
     for config in engines {
-        let done = config.and_then(|config| {
+        let done = config.map_err(|error| error.to_string()).and_then(|config| {
             work(&config).map(|said| format!("{:<20} {said}", config.name)).map_err(|error| {
                 let needs = if config.needs.is_empty() { String::new() } else { format!("\n  needs {}", config.needs) };
                 format!("{:<20} FAILED: {error}{needs}", config.name)
@@ -109,7 +109,7 @@ fn each(names: &[String], work: impl Fn(&Config) -> Result<String, String>) -> e
     if failed == 0 { Ok(exit::OK) } else { Ok(exit::USAGE) }
 }
 
-fn step(config: &Config, step: Step) -> Result<String, String> {
+fn step(config: &Config, step: Step) -> Result<String, EngineError> {
     chore(config, step, |line| note!("{}: {line}", config.name))?;
     Ok(match step {
         Step::Install => "installed",

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
-use predicament_predicates::Severity;
+use predicament_predicates::{Severity, UnknownName};
 use predicament_records::{self as records, RunDir, Status, SummaryRow, junit};
 use predicament_tasks::{Class, is_declared};
 use serde_json::json;
@@ -83,7 +83,7 @@ fn percent(text: &str) -> Result<f64, String> {
 
 /// A severity that findings have.
 fn severity(text: &str) -> Result<Severity, String> {
-    match text.parse()? {
+    match text.parse().map_err(|why: UnknownName| why.to_string())? {
         legal @ (Severity::Right | Severity::Undecided) => {
             Err(format!("what is `{legal}` is no finding; leave it out"))
         }

@@ -99,7 +99,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         let named = |why: String| Failure::usage(format!("{}: {why}", page.display()));
         let hold = hold(page)?;
         let text = std::fs::read_to_string(page).map_err(|why| named(why.to_string()))?;
-        let part = |name: &str| compare::part(with_studies, name);
+        let part = |name: &str| compare::part(with_studies, name).map(|made| made.map_err(|why| why.to_string()));
         let (text, _) = splice(&text, &runs, &compared, &part).map_err(|why| named(why.message))?;
         spliced.push((page, text, hold));
     }

@@ -56,8 +56,9 @@ pub fn prune(
         let mut left: Vec<(String, String, Vec<String>)> = Vec::new();
         let before = pruned.gone;
         for (pattern, at) in &table.scenes.items {
-            let glob = Pattern::new(pattern)
-                .map_err(|error| CorpusError::file(file, error, "write e.g. `near-*`").at_line(table.line))?;
+            let glob = Pattern::new(pattern).map_err(|error| {
+                CorpusError::file(file, error.to_string(), "write e.g. `near-*`").at_line(table.line)
+            })?;
             let place = format!("{file}:{}: `{pattern}`", text[..at.start].matches('\n').count() + 1);
             for backend in table.backends.values() {
                 let stays = |class: &String| pruned.stays(told(&glob, &backend, class), &place, &backend, class);

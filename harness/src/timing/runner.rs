@@ -39,7 +39,8 @@ pub fn start<'a>(
     for &threads in threads {
         for interface in solver.interfaces(content) {
             let prepared = caught(|| solver.stopwatch(&loaded.scene, content, threads, interface));
-            let Some(watch) = prepared.map_err(|broken| broken.to_string()).flatten()? else { continue };
+            let watch = prepared.map_err(|broken| broken.to_string())?.map_err(|why| why.to_string())?;
+            let Some(watch) = watch else { continue };
             runners.push(Runner {
                 name: backend.name(),
                 family: on_threads(&scene.family, threads),

@@ -8,7 +8,7 @@
 //! computation of its own beside everything that does.
 
 use predicament_arithmetic::Parts;
-use predicament_predicates::{Construction, Scene, Vertex};
+use predicament_predicates::{Construction, NoPoint, Scene, Vertex};
 use rug::Integer;
 
 use predicament_formats::bits::lowest_bit;
@@ -29,27 +29,26 @@ pub fn homogeneous(scene: &Scene, v: Vertex) -> Option<Vec<Integer>> {
 /// [`homogeneous`] for a construction from vertices of the scene.
 ///
 /// # Errors
-/// Why it is no point, in words.
-pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, &'static str> {
+/// Why it is no point.
+pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, NoPoint> {
     let span = |flat: &[Vertex]| -> Vec<Vec<Integer>> { flat.iter().map(|&v| input(scene, v)).collect() };
-    let line = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the ends of a line coincide");
-    let plane = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or("the points of a plane are collinear");
+    let line = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or(NoPoint::SegmentEnds);
+    let plane = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or(NoPoint::CollinearPlane);
     let (point, parallel) = match construction {
-        Construction::Ssi([first, second]) => (cross(&[line(first)?, line(second)?]), "the lines are parallel"),
+        Construction::Ssi([first, second]) => (cross(&[line(first)?, line(second)?]), NoPoint::ParallelLines),
         Construction::Lpi { line: ends, plane: flat } => {
             let (plane, ends) = (plane(flat)?, span(ends));
             let [p, q] = [&ends[0], &ends[1]];
             let [at_p, at_q] = [dot(&plane, p), dot(&plane, q)];
             let point = p.iter().zip(q).map(|(p, q)| Integer::from(&at_q * p) - Integer::from(&at_p * q)).collect();
             if ends_coincide(p, q) {
-                return Err("the ends of a line coincide");
+                return Err(NoPoint::LineEnds);
             }
-            (point, "the line is parallel to the plane")
+            (point, NoPoint::ParallelToPlane)
         }
-        Construction::Tpi([first, second, third]) => (
-            cross(&[plane(first)?, plane(second)?, plane(third)?]),
-            "the planes have no point, or more than one, in common",
-        ),
+        Construction::Tpi([first, second, third]) => {
+            (cross(&[plane(first)?, plane(second)?, plane(third)?]), NoPoint::Planes)
+        }
     };
     positive(point).ok_or(parallel)
 }
@@ -140,7 +139,7 @@ mod tests {
         indices.map(Vertex::input)
     }
 
-    fn point(scene: &Scene, construction: Construction) -> Result<Vec<Rational>, &'static str> {
+    fn point(scene: &Scene, construction: Construction) -> Result<Vec<Rational>, NoPoint> {
         meet(scene, &construction).map(|row| {
             let (weight, entries) = row.split_last().unwrap();
             assert!(weight.cmp0().is_gt());
@@ -156,7 +155,7 @@ mod tests {
         let ssi = |first, second| point(&plane, Construction::Ssi([v(first), v(second)]));
         assert_eq!(ssi([0, 1], [2, 3]), Ok(vec![half.clone(), half.clone()]));
         assert_eq!(ssi([4, 2], [3, 2]), Ok(vec![Rational::new(), half]));
-        assert_eq!(ssi([0, 2], [2, 4]), Err("the lines are parallel"));
+        assert_eq!(ssi([0, 2], [2, 4]), Err(NoPoint::ParallelLines));
         let tiny = f64::from_bits(1);
         let space = Scene::from_points3(&[
             [0.0, 0.0, 3.0],
@@ -170,12 +169,12 @@ mod tests {
         .unwrap();
         let lpi = |line, plane| point(&space, Construction::Lpi { line: v(line), plane: v(plane) });
         assert_eq!(lpi([3, 4], [0, 1, 2]), Ok([(3, 4), (3, 2), (3, 1)].map(Rational::from).to_vec()));
-        assert_eq!(lpi([0, 1], [0, 1, 2]), Err("the line is parallel to the plane"));
-        assert_eq!(lpi([4, 5], [0, 1, 2]), Err("the ends of a line coincide"));
-        assert_eq!(lpi([3, 4], [0, 1, 6]), Err("the points of a plane are collinear"));
+        assert_eq!(lpi([0, 1], [0, 1, 2]), Err(NoPoint::ParallelToPlane));
+        assert_eq!(lpi([4, 5], [0, 1, 2]), Err(NoPoint::LineEnds));
+        assert_eq!(lpi([3, 4], [0, 1, 6]), Err(NoPoint::CollinearPlane));
         let tpi = |first, second, third| point(&space, Construction::Tpi([v(first), v(second), v(third)]));
         assert_eq!(tpi([0, 1, 2], [0, 1, 3], [0, 2, 3]), Ok([0, 0, 3].map(Rational::from).to_vec()));
         let pencil = tpi([0, 1, 2], [0, 1, 3], [0, 1, 4]);
-        assert_eq!(pencil, Err("the planes have no point, or more than one, in common"));
+        assert_eq!(pencil, Err(NoPoint::Planes));
     }
 }

@@ -1,5 +1,7 @@
 //! How much of a suite is run.
 
+use predicament_predicates::UnknownName;
+
 /// How much work a run does.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub enum Level {
@@ -28,13 +30,13 @@ impl std::fmt::Display for Level {
 }
 
 impl std::str::FromStr for Level {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Level, String> {
+    fn from_str(name: &str) -> Result<Level, UnknownName> {
         match name {
             "quick" => Ok(Level::Quick),
             "full" => Ok(Level::Full),
-            _ => Err(format!("no level is called `{name}`: it is quick or full")),
+            _ => Err(UnknownName::new("level", name).listing("levels", ["quick", "full"])),
         }
     }
 }

@@ -29,7 +29,7 @@ pub use homogeneous::{homogeneous, integer, lowest_exponent, meet};
 pub use id::{Canon, SeenIds, content_id};
 pub use level::Level;
 pub use library::Library;
-pub use loaded::LoadedScene;
+pub use loaded::{LoadedScene, MoveError};
 pub use numbering::{Unnumbered, numbered, unnumbered};
 pub use random::Random;
 pub use spelled::{Heading, Items, List, Spelled, coordinate, spelled_points};

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use predicament_formats::ImportNotes;
-use predicament_predicates::{Scene, Vertex};
+use predicament_predicates::{Scene, SceneError, Vertex};
 
 use crate::{Content, content_id};
 
@@ -47,7 +47,7 @@ impl LoadedScene {
     ///
     /// # Errors
     /// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
-    pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, String> {
+    pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, MoveError> {
         let (scene, content) = moved(&self.scene, &self.content, coordinates)?;
         Ok(LoadedScene { id: content_id(&scene, content.as_ref()), scene, content, ..self })
     }
@@ -67,15 +67,15 @@ pub(crate) fn moved(
     scene: &Scene,
     content: &Arc<dyn Content>,
     coordinates: Vec<f64>,
-) -> Result<(Scene, Arc<dyn Content>), String> {
+) -> Result<(Scene, Arc<dyn Content>), MoveError> {
     if !scene.constructions().is_empty() {
-        return Err("the scene has constructed vertices, which do not move".to_owned());
+        return Err(MoveError::Constructed);
     }
     let (had, has) = (scene.coordinates().len(), coordinates.len());
     if had != has {
-        return Err(format!("the scene has {had} coordinates, and {has} are given"));
+        return Err(MoveError::Count { had, given: has });
     }
-    let mut elsewhere = Scene::new(scene.dimension(), coordinates).map_err(|error| error.to_string())?;
+    let mut elsewhere = Scene::new(scene.dimension(), coordinates).map_err(MoveError::Scene)?;
     if let Some(second) = scene.second_mesh() {
         let vertices = second.iter().enumerate().filter(|(_, is)| **is).map(|(at, _)| Vertex::input(at));
         elsewhere = elsewhere.with_second_mesh(vertices.collect::<Vec<_>>());
@@ -83,3 +83,32 @@ pub(crate) fn moved(
     let (elsewhere, other) = content.moved(elsewhere);
     Ok((elsewhere, other.unwrap_or_else(|| Arc::clone(content))))
 }
+
+/// Why the points of a scene are not moved.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum MoveError {
+    /// The scene has constructed vertices.
+    Constructed,
+    /// Another number of coordinates is given.
+    Count {
+        /// How many coordinates the scene has.
+        had: usize,
+        /// How many are given.
+        given: usize,
+    },
+    /// The coordinates are not those of a scene.
+    Scene(SceneError),
+}
+
+impl std::fmt::Display for MoveError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            MoveError::Constructed => f.write_str("the scene has constructed vertices, which do not move"),
+            MoveError::Count { had, given } => write!(f, "the scene has {had} coordinates, and {given} are given"),
+            MoveError::Scene(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for MoveError {}

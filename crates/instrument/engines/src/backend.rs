@@ -11,7 +11,7 @@ use crate::config::LONGEST_TEXT;
 use crate::pool::Pool;
 use crate::process::Process;
 use crate::session::Session;
-use crate::{Config, Message, command, find};
+use crate::{Config, EngineError, EngineFailure, Message, ProtocolError, command, find};
 
 /// What engines' names begin with.
 pub const PREFIX: &str = "engine:";
@@ -45,19 +45,19 @@ impl Engine {
     /// The engine with this name in the folder of engines, or with this file.
     ///
     /// # Errors
-    /// One line: there is no such engine, it does not start, or it does not speak the protocol.
-    pub fn find(name: &str) -> Result<Engine, String> {
+    /// [`EngineError`]: there is no such engine, it does not start, or it does not speak the protocol.
+    pub fn find(name: &str) -> Result<Engine, EngineError> {
         Engine::start(find(name)?)
     }
 
     /// Starts an engine and greets it.
     ///
     /// # Errors
-    /// One line with the engine and its file: it does not start, or it does not speak the protocol.
-    pub fn start(config: Config) -> Result<Engine, String> {
-        let named = |broken: Broken| config.error(&broken.to_string());
+    /// [`EngineError`] names the engine and its file: it does not start, or it does not speak the protocol.
+    pub fn start(config: Config) -> Result<Engine, EngineError> {
+        let named = |broken| config.error(EngineFailure::Process(broken));
         let mut process = Process::start(&config).map_err(named)?;
-        let version = command::version(&config).map_err(|message| config.error(&message))?;
+        let version = command::version(&config).map_err(|why| config.error(why))?;
         let hello = greet(&mut process, version).map_err(named)?;
         let shared = Shared { hello, processes: Pool::with(process), nanoseconds: AtomicU64::new(0), config };
         Ok(Engine { shared: Arc::new(shared), empty: false })
@@ -80,37 +80,37 @@ impl Engine {
 fn greet(process: &mut Process, version: Option<String>) -> Result<Hello, Broken> {
     let tool = concat!("predicament ", env!("CARGO_PKG_VERSION"));
     let hello = process.greet(Message::new("hello").with("protocol", PROTOCOL).with("tool", tool))?;
-    read_hello(&hello, version).map_err(|message| process.broken(Class::Panic, "protocol", message))
+    read_hello(&hello, version).map_err(|error| process.broken(Class::Panic, "protocol", error.to_string()))
 }
 
-fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, String> {
+fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, ProtocolError> {
     match hello.kind().as_str() {
         "hello" => {}
-        "declined" => return Err(hello.required("reason")?),
-        other => return Err(format!("`hello` was answered by `{other}`")),
+        "declined" => return Err(ProtocolError::GreetingDeclined(hello.required("reason")?)),
+        other => return Err(ProtocolError::GreetedBy(other.to_owned())),
     }
     let protocol = hello.required("protocol")?;
     if protocol != PROTOCOL {
-        return Err(format!("it speaks protocol {protocol}, and the tool {PROTOCOL}; rebuild the engine"));
+        return Err(ProtocolError::Version { engine: protocol, tool: PROTOCOL });
     }
     let kind = |name: &str| {
         let found = PredicateKind::ALL.into_iter().find(|kind| kind.name() == name);
-        found.ok_or_else(|| format!("it offers `{name}`, which is no predicate of the protocol"))
+        found.ok_or_else(|| ProtocolError::UnknownPredicate(name.to_owned()))
     };
     line(hello, "name")?;
     let predicates = hello.required("predicates")?.split_whitespace().map(kind).collect::<Result<Vec<_>, _>>()?;
     if predicates.is_empty() {
-        return Err("it offers no predicate".to_owned());
+        return Err(ProtocolError::NoPredicate);
     }
     let zero = match hello.required("zero")?.as_str() {
         "exact" => ZeroMeaning::Exact,
         "never" => ZeroMeaning::Never,
-        other => return Err(format!("its zero is `{other}`; it has to be exact or never")),
+        other => return Err(ProtocolError::UnknownZero(other.to_owned())),
     };
     let single = match hello.required("precision")?.as_str() {
         "f64" => false,
         "f32" => true,
-        other => return Err(format!("its precision is `{other}`; it has to be f64 or f32")),
+        other => return Err(ProtocolError::UnknownPrecision(other.to_owned())),
     };
     let version = match version {
         Some(version) => version,
@@ -120,10 +120,10 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, String>
 }
 
 /// A value that stands in tables: one short line.
-fn line(hello: &Message, key: &str) -> Result<String, String> {
+fn line(hello: &Message, key: &str) -> Result<String, ProtocolError> {
     let text = hello.required(key)?;
     if text.trim().is_empty() || text.chars().any(char::is_control) || text.chars().nth(LONGEST_TEXT).is_some() {
-        return Err(format!("its {key} is empty, longer than {LONGEST_TEXT} characters, or not one line"));
+        return Err(ProtocolError::NotALine(key.to_owned()));
     }
     Ok(text)
 }

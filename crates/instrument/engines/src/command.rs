@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::sync::mpsc::channel;
 
-use crate::Config;
 use crate::group::Group;
+use crate::{Config, EngineError, EngineFailure};
 
 /// The bytes of a version command's output that are read.
 const MOST_BYTES: u64 = 4096;
@@ -25,8 +25,8 @@ pub enum Step {
 /// Runs the commands of a chore in turn, in the engine's folder; `tell` hears each before it starts.
 ///
 /// # Errors
-/// The engine, its file and the first command that fails, with the last lines that it printed.
-pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<(), String> {
+/// [`EngineError`] names the engine, its file and the first command that fails, with the last lines that it printed.
+pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<(), EngineError> {
     let commands = match step {
         Step::Install => &config.install,
         Step::Build => &config.build,
@@ -35,15 +35,16 @@ pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<
     for words in commands {
         let shown = words.join(" ");
         tell(&shown);
-        let failed = |message: String| config.error(&format!("`{shown}` {message}"));
-        let mut command = command(config, words).map_err(|message| config.error(&message))?;
-        let output = command.output().map_err(|error| failed(format!("did not start: {error}")))?;
+        let mut command = command(config, words).map_err(|why| config.error(why))?;
+        let output = command.output();
+        let output =
+            output.map_err(|error| config.error(EngineFailure::NotStarted { command: shown.clone(), error }))?;
         if !output.status.success() {
             let said = [output.stdout, output.stderr].concat();
             let said = String::from_utf8_lossy(&said);
             let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
             let last = lines[lines.len().saturating_sub(8)..].join("\n  ");
-            return Err(failed(format!("failed: {}\n  {last}", output.status)));
+            return Err(config.error(EngineFailure::Command { command: shown, status: output.status, said: last }));
         }
     }
     Ok(())
@@ -51,7 +52,7 @@ pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<
 
 /// The first line that the engine's version command prints; none where it has no such command. It has as long as the
 /// engine may be silent, and no more of its output is read than a line may have.
-pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
+pub(crate) fn version(config: &Config) -> Result<Option<String>, EngineFailure> {
     if config.version.is_empty() {
         return Ok(None);
     }
@@ -59,7 +60,7 @@ pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
     let mut command = command(config, &config.version)?;
     command.stdout(Stdio::piped()).stderr(Stdio::null());
     let group = Group::start(&mut command, config.memory());
-    let mut group = group.map_err(|error| format!("`{shown}` did not start: {error}"))?;
+    let mut group = group.map_err(|error| EngineFailure::NotStarted { command: shown.clone(), error })?;
     let (tell, told) = channel();
     if let Some(stdout) = group.child.stdout.take() {
         std::thread::spawn(move || {
@@ -72,8 +73,8 @@ pub(crate) fn version(config: &Config) -> Result<Option<String>, String> {
     drop(group);
     match line {
         Ok(Some(line)) => Ok(Some(line)),
-        Ok(None) => Err(format!("`{shown}` printed no version")),
-        Err(_) => Err(format!("`{shown}` printed no version within {:?}", config.silence())),
+        Ok(None) => Err(EngineFailure::NoVersion { command: shown }),
+        Err(_) => Err(EngineFailure::SilentVersion { command: shown, silence: config.silence() }),
     }
 }
 
@@ -92,9 +93,9 @@ pub(crate) fn printable(text: &str) -> String {
 }
 
 /// A command in the engine's folder with its environment. A program that is a path is one of that folder.
-pub(crate) fn command(config: &Config, words: &[String]) -> Result<Command, String> {
+pub(crate) fn command(config: &Config, words: &[String]) -> Result<Command, EngineFailure> {
     let [program, args @ ..] = words else {
-        return Err("an empty command".to_owned());
+        return Err(EngineFailure::NoProgram);
     };
     let path = Path::new(program);
     let program: PathBuf = if program.contains(['/', '\\']) { config.folder.join(path) } else { path.to_owned() };

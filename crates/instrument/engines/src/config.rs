@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use crate::PREFIX;
+use crate::{EngineError, EngineFailure};
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
 /// The file that makes a folder an engine.
@@ -12,7 +12,7 @@ pub const FILE: &str = "engine.toml";
 /// The variable that names the folder of engines.
 pub const FOLDER: &str = "PREDICAMENT_ENGINES";
 /// A configuration is a few lines.
-const MOST_BYTES: u64 = 1 << 20;
+pub(crate) const MOST_BYTES: u64 = 1 << 20;
 /// Seconds of silence after which a process is ended, where the file does not say.
 const SILENCE: u64 = 60;
 /// The most seconds of silence that a file may ask for: eleven days.
@@ -81,25 +81,25 @@ impl Config {
     /// The configuration in a file such as `engine.toml`.
     ///
     /// # Errors
-    /// One line that names the file, the line and the cure.
-    pub fn read(file: &Path) -> Result<Config, String> {
+    /// [`EngineError`] names the file, the line and the cure.
+    pub fn read(file: &Path) -> Result<Config, EngineError> {
         let shown = file.display().to_string();
-        let unread = |why: String| format!("{shown}: {why}; name the engine.toml of an engine");
-        let found = std::fs::metadata(file).map_err(|error| unread(error.to_string()))?;
+        let unread = |error| EngineError::Unread { file: file.to_owned(), error };
+        let found = std::fs::metadata(file).map_err(unread)?;
         if !found.is_file() || found.len() > MOST_BYTES {
-            return Err(unread(format!("it is no regular file of at most {MOST_BYTES} bytes")));
+            return Err(EngineError::NotAFile { file: file.to_owned() });
         }
-        let text = std::fs::read_to_string(file).map_err(|error| unread(error.to_string()))?;
-        let mut config = parse(&shown, &text).map_err(|error| error.to_string())?;
-        config.file = std::path::absolute(file).map_err(|error| unread(error.to_string()))?;
+        let text = std::fs::read_to_string(file).map_err(unread)?;
+        let mut config = parse(&shown, &text).map_err(EngineError::Config)?;
+        config.file = std::path::absolute(file).map_err(unread)?;
         config.folder = config.file.parent().unwrap_or(Path::new(".")).to_owned();
         Ok(config)
     }
 
     /// An error about this engine, which names it and its file.
     #[must_use]
-    pub(crate) fn error(&self, message: &str) -> String {
-        format!("{PREFIX}{} ({}): {message}", self.name, self.file.display())
+    pub(crate) fn error(&self, why: EngineFailure) -> EngineError {
+        EngineError::Failed { name: self.name.clone(), file: self.file.clone(), why }
     }
 
     /// The silence after which the process is ended.
@@ -211,8 +211,8 @@ pub fn folder() -> PathBuf {
 /// The engine with this name in the folder of engines, or with this file.
 ///
 /// # Errors
-/// One line with the engines that there are, or what is wrong with the file.
-pub fn find(name: &str) -> Result<Config, String> {
+/// [`EngineError`] with the engines that there are, or with what is wrong with the file.
+pub fn find(name: &str) -> Result<Config, EngineError> {
     let path = Path::new(name);
     if name.ends_with(".toml") {
         return Config::read(path);
@@ -226,22 +226,17 @@ pub fn find(name: &str) -> Result<Config, String> {
         let config = Config::read(&file)?;
         if config.name != name {
             // Reports would call it by a name that finds nothing, or another engine.
-            let called = &config.name;
-            return Err(format!("{}: the engine is called `{called}`; call it as its folder", file.display()));
+            return Err(EngineError::OtherName { file, called: config.name });
         }
         return Ok(config);
     }
-    let names: Vec<String> = all().into_iter().flatten().map(|config| config.name).collect();
-    let there = if names.is_empty() { "there is none".to_owned() } else { format!("there are {}", names.join(", ")) };
-    Err(format!(
-        "no engine is called `{name}` in {}: {there}; name one, its {FILE}, or set ${FOLDER}",
-        folder.display()
-    ))
+    let known = all().into_iter().flatten().map(|config| config.name).collect();
+    Err(EngineError::Unknown { name: name.to_owned(), folder, known })
 }
 
 /// The engines of the folder of engines, by the names of their folders; for each an error where its file is wrong.
 #[must_use]
-pub fn all() -> Vec<Result<Config, String>> {
+pub fn all() -> Vec<Result<Config, EngineError>> {
     let Ok(entries) = std::fs::read_dir(folder()) else { return Vec::new() };
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path().join(FILE)).collect();
     files.retain(|file| file.is_file());
@@ -257,7 +252,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join(FILE);
         std::fs::write(&file, text).unwrap();
-        Config::read(&file).map_err(|error| error.replace(&file.display().to_string(), "F"))
+        Config::read(&file).map_err(|error| error.to_string().replace(&file.display().to_string(), "F"))
     }
 
     #[test]
@@ -277,7 +272,7 @@ mod tests {
         let file = folder.path().join(FILE);
         std::fs::write(&file, " ".repeat(1 + usize::try_from(MOST_BYTES).unwrap())).unwrap();
         for place in [file.as_path(), folder.path()] {
-            let error = Config::read(place).unwrap_err();
+            let error = Config::read(place).unwrap_err().to_string();
             assert!(
                 error.ends_with("it is no regular file of at most 1048576 bytes; name the engine.toml of an engine"),
                 "{error}"

@@ -9,6 +9,7 @@
 //!
 //! * [`Config`]: `engine.toml`; [`find`]: from what follows `engine:` to one.
 //! * [`Message`]: one message of the protocol, as bytes and back.
+//! * [`EngineError`]: why there is no such engine; [`ProtocolError`]: how a message is not of the protocol.
 //! * [`Engine`]: the backend; [`end_all`]: before an exit that drops nothing.
 
 mod backend;
@@ -16,6 +17,7 @@ mod command;
 mod config;
 #[cfg(target_os = "linux")]
 mod descendants;
+mod error;
 mod group;
 mod message;
 mod pipes;
@@ -26,5 +28,6 @@ mod session;
 pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
 pub use config::{Config, FILE, FOLDER, all, find, folder};
+pub use error::{EngineError, EngineFailure, ProtocolError};
 pub use group::end_all;
 pub use message::{Bound, MOST_BYTES, MOST_ENTRIES, MOST_TEXT, Message};

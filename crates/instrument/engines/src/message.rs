@@ -2,6 +2,8 @@
 
 use std::io::{Error, ErrorKind, Read};
 
+use crate::ProtocolError;
+
 /// The longest body of a message, in bytes.
 pub const MOST_BYTES: u32 = 1 << 30;
 /// The most entries of a message; the protocol has messages of up to eight.
@@ -59,18 +61,19 @@ impl Message {
     /// The value of a key as text.
     ///
     /// # Errors
-    /// A sentence that names the message and the key.
-    pub fn required(&self, key: &str) -> Result<String, String> {
-        self.text(key).ok_or_else(|| format!("a message `{}` without `{key}`", self.kind()))
+    /// [`ProtocolError`] names the message and the key.
+    pub fn required(&self, key: &str) -> Result<String, ProtocolError> {
+        self.text(key).ok_or_else(|| ProtocolError::Missing { message: self.kind(), key: key.to_owned() })
     }
 
     /// The value of a key that is a decimal integer.
     ///
     /// # Errors
-    /// A sentence that names the message and the key.
-    pub fn number(&self, key: &str) -> Result<u64, String> {
+    /// [`ProtocolError`] names the message and the key.
+    pub fn number(&self, key: &str) -> Result<u64, ProtocolError> {
         let text = self.required(key)?;
-        text.trim().parse().map_err(|_| format!("`{key}` of `{}` is `{text}`, which is no number", self.kind()))
+        let number = text.trim().parse();
+        number.map_err(|_| ProtocolError::NotANumber { message: self.kind(), key: key.to_owned(), text })
     }
 
     /// The type of the message, the value of its first key.
@@ -83,7 +86,7 @@ impl Message {
     ///
     /// # Errors
     /// Where a key has more than 255 bytes or the body more than [`MOST_BYTES`].
-    pub fn encode(&self) -> Result<Vec<u8>, String> {
+    pub fn encode(&self) -> Result<Vec<u8>, ProtocolError> {
         encode_within(MOST_BYTES, self.entries())
     }
 
@@ -91,7 +94,7 @@ impl Message {
     ///
     /// # Errors
     /// If a key has more than 255 bytes, or the body has more than [`MOST_BYTES`].
-    pub fn encode_as(&self, id: u64) -> Result<Vec<u8>, String> {
+    pub fn encode_as(&self, id: u64) -> Result<Vec<u8>, ProtocolError> {
         let id = id.to_string();
         encode_within(MOST_BYTES, self.entries().chain([("id", id.as_bytes())]))
     }
@@ -120,28 +123,28 @@ impl Message {
         let mut body = Vec::new();
         from.take(u64::from(size)).read_to_end(&mut body)?;
         if body.len() < size as usize {
-            return Err(invalid(format!("a message that ends after {} of its {size} bytes", body.len())));
+            return Err(invalid(ProtocolError::EndsInBody { have: body.len(), size }));
         }
         Message::decode(&body).map(Some).map_err(invalid)
     }
 
-    fn decode(body: &[u8]) -> Result<Message, String> {
+    fn decode(body: &[u8]) -> Result<Message, ProtocolError> {
         let entries = split(body)?.into_iter().map(|(key, value)| (key.to_owned(), value.to_vec())).collect();
         Ok(Message { entries })
     }
 }
 
 /// The keys and values of a body, at most [`MOST_ENTRIES`], of which the first is the type.
-fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, String> {
-    let cut = || "a message whose last entry is cut off".to_owned();
+fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, ProtocolError> {
+    let cut = || ProtocolError::CutOff;
     let mut entries: Vec<(&str, &[u8])> = Vec::new();
     while let Some((&length, rest)) = body.split_first() {
         if entries.len() == MOST_ENTRIES {
-            return Err(format!("a message of more than {MOST_ENTRIES} entries"));
+            return Err(ProtocolError::TooManyEntries);
         }
         let (key, rest) = rest.split_at_checked(usize::from(length)).ok_or_else(cut)?;
         let key = std::str::from_utf8(key).ok().filter(|key| key.is_ascii() && !key.is_empty());
-        let key = key.ok_or("a message with a key that is no ASCII word")?;
+        let key = key.ok_or(ProtocolError::BadKey)?;
         let (length, rest) = rest.split_first_chunk::<4>().ok_or_else(cut)?;
         let (value, rest) = rest.split_at_checked(u32::from_le_bytes(*length) as usize).ok_or_else(cut)?;
         entries.push((key, value));
@@ -149,30 +152,32 @@ fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, String> {
     }
     match entries.first() {
         Some(("type", _)) => Ok(entries),
-        _ => Err("a message that does not begin with its `type`".to_owned()),
+        _ => Err(ProtocolError::NoType),
     }
 }
 
 /// What is wrong with a length past its bound: most often it is text that was printed to stdout.
-fn too_long(length: [u8; 4], most: u32) -> String {
+fn too_long(length: [u8; 4], most: u32) -> ProtocolError {
     let size = u32::from_le_bytes(length);
     if size > MOST_BYTES || length.iter().all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace()) {
-        return format!("no message: it begins with the bytes `{}`", String::from_utf8_lossy(&length).escape_default());
+        return ProtocolError::NotALength(length);
     }
-    format!("an answer of {size} bytes, where at most {most} were asked for")
+    ProtocolError::TooLong { size, most }
 }
 
-fn encode_within<'m>(most: u32, entries: impl Iterator<Item = (&'m str, &'m [u8])> + Clone) -> Result<Vec<u8>, String> {
+fn encode_within<'m>(
+    most: u32,
+    entries: impl Iterator<Item = (&'m str, &'m [u8])> + Clone,
+) -> Result<Vec<u8>, ProtocolError> {
     let size: usize = entries.clone().map(|(key, value)| 1 + key.len() + 4 + value.len()).sum();
     let length = u32::try_from(size).ok().filter(|&length| length <= most);
-    let length = length.ok_or_else(|| format!("a message of {size} bytes; the protocol has up to {most}"))?;
+    let length = length.ok_or(ProtocolError::TooLongToSend { size, most })?;
     let mut bytes = Vec::with_capacity(4 + size);
     bytes.extend(length.to_le_bytes());
     for (key, value) in entries {
-        bytes.push(u8::try_from(key.len()).map_err(|_| format!("the key `{key}` is too long"))?);
+        bytes.push(u8::try_from(key.len()).map_err(|_| ProtocolError::LongKey(key.to_owned()))?);
         bytes.extend(key.as_bytes());
-        // Shorter than the body, which fits.
-        let length = u32::try_from(value.len()).map_err(|error| error.to_string())?;
+        let length = u32::try_from(value.len()).expect("shorter than the body, which fits");
         bytes.extend(length.to_le_bytes());
         bytes.extend(value);
     }
@@ -185,7 +190,7 @@ fn read_or_end(from: &mut impl Read, buffer: &mut [u8]) -> Result<bool, Error> {
     while have < buffer.len() {
         match from.read(&mut buffer[have..]) {
             Ok(0) if have == 0 => return Ok(false),
-            Ok(0) => return Err(invalid(format!("a message that ends after {have} bytes"))),
+            Ok(0) => return Err(invalid(ProtocolError::EndsInLength(have))),
             Ok(more) => have += more,
             Err(error) if error.kind() == ErrorKind::Interrupted => {}
             Err(error) => return Err(error),
@@ -194,8 +199,8 @@ fn read_or_end(from: &mut impl Read, buffer: &mut [u8]) -> Result<bool, Error> {
     Ok(true)
 }
 
-fn invalid(message: impl Into<String>) -> Error {
-    Error::new(ErrorKind::InvalidData, message.into())
+fn invalid(error: ProtocolError) -> Error {
+    Error::new(ErrorKind::InvalidData, error)
 }
 
 #[cfg(test)]
@@ -213,7 +218,9 @@ mod tests {
         assert_eq!(bytes.len(), 4 + (1 + 4 + 4 + 5) + (1 + 3 + 4 + 4) + (1 + 2 + 4 + 2) + (1 + 5 + 4));
         assert_eq!(read(&bytes), Ok(Some(message.clone())));
         assert_eq!(message.number("ns"), Ok(17));
-        assert_eq!(message.number("nss"), Err("a message `batch` without `nss`".to_owned()));
+        let missing = ProtocolError::Missing { message: "batch".to_owned(), key: "nss".to_owned() };
+        assert_eq!(missing.to_string(), "a message `batch` without `nss`");
+        assert_eq!(message.number("nss"), Err(missing));
         assert_eq!(read(&[]), Ok(None));
         for cut in 1..bytes.len() {
             assert!(read(&bytes[..cut]).is_err(), "{cut}");
@@ -225,10 +232,10 @@ mod tests {
         let message = Message::new("batch").with("ids", [1, 0, 0, 0]);
         let body = u32::try_from(message.encode().unwrap().len()).unwrap() - 4;
         assert_eq!(encode_within(body, message.entries()), message.encode());
-        let said = format!("a message of {body} bytes; the protocol has up to {}", body - 1);
-        assert_eq!(encode_within(body - 1, message.entries()), Err(said));
+        let (size, most) = (body as usize, body - 1);
+        assert_eq!(encode_within(most, message.entries()), Err(ProtocolError::TooLongToSend { size, most }));
         let long = Message::new("batch").with(&"k".repeat(256), "");
-        assert!(long.encode().unwrap_err().ends_with("is too long"));
+        assert!(long.encode().unwrap_err().to_string().ends_with("is too long"));
     }
 
     #[test]

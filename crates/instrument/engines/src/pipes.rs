@@ -9,7 +9,7 @@ use std::sync::mpsc::{Receiver, SyncSender};
 use std::sync::{Mutex, PoisonError};
 
 use crate::command::printable;
-use crate::{Bound, Message};
+use crate::{Bound, Message, ProtocolError};
 
 /// Lines of stderr that are kept.
 const LAST_LINES: usize = 6;
@@ -23,7 +23,7 @@ pub fn write(mut stdin: ChildStdin, questions: &Receiver<Vec<u8>>) {
 
 /// Reads answers, each within the bound of its question, until one is wrong. Bytes that come before a question was
 /// asked are no answer.
-pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<Result<Message, String>>) {
+pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<Result<Message, ProtocolError>>) {
     let mut stdout = BufReader::new(stdout);
     loop {
         match stdout.fill_buf() {
@@ -33,7 +33,7 @@ pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<
         }
         let bound = bounds.try_recv();
         let read = Message::read(&mut stdout, bound.unwrap_or(Bound::answer(0)));
-        let Some(read) = read.map_err(|error| error.to_string()).transpose() else { return };
+        let Some(read) = read.map_err(wrong).transpose() else { return };
         let answer = read.and_then(|message| if bound.is_ok() { Ok(message) } else { Err(unasked(&message)) });
         let was_last = answer.is_err();
         if answers.send(answer).is_err() || was_last {
@@ -43,8 +43,14 @@ pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<
 }
 
 /// What is wrong with an engine that has written this message, for which nothing asked.
-pub fn unasked(message: &Message) -> String {
-    format!("it wrote more than the answer to the message before: a message `{}`", printable(&message.kind()))
+pub fn unasked(message: &Message) -> ProtocolError {
+    ProtocolError::Unasked(message.kind())
+}
+
+/// What is wrong with a message that cannot be read.
+fn wrong(error: std::io::Error) -> ProtocolError {
+    let said = error.to_string();
+    error.downcast().unwrap_or(ProtocolError::Unread(said))
 }
 
 /// Keeps the last lines of stderr.

@@ -6,7 +6,7 @@
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
-use predicament_predicates::{Broken, Class};
+use predicament_predicates::{Broken, Class, Declined};
 
 use crate::Message;
 use crate::process::Process;
@@ -77,16 +77,16 @@ impl Pool {
         (message, scene): (&Message, u64),
         start: impl FnOnce() -> Result<Process, Broken>,
         ask: impl FnOnce(&mut Process) -> Result<R, Broken>,
-    ) -> Result<Result<R, String>, Broken> {
+    ) -> Result<Result<R, Declined>, Broken> {
         let taken = self.take(scene)?;
-        let asked = || -> Result<(Live, Result<R, String>), Broken> {
+        let asked = || -> Result<(Live, Result<R, Declined>), Broken> {
             let mut live = match taken {
                 Some(live) => live,
                 None => Live::new(start()?),
             };
             live.turn_to(message, scene)?;
             let answer = match &live.declined {
-                Some(reason) => Err(reason.clone()),
+                Some(reason) => Err(Declined::scene(reason.clone())),
                 None => Ok(ask(&mut live.process)?),
             };
             Ok((live, answer))

@@ -20,7 +20,7 @@ use predicament_predicates::{Broken, Class};
 
 use crate::command::{command, printable};
 use crate::group::Group;
-use crate::{Bound, Config, Message, pipes};
+use crate::{Bound, Config, Message, ProtocolError, pipes};
 
 /// How often a silent process is looked at.
 const LOOK: Duration = Duration::from_millis(200);
@@ -32,7 +32,7 @@ pub struct Process {
     group: Group,
     questions: Sender<Vec<u8>>,
     bounds: Sender<Bound>,
-    answers: Receiver<Result<Message, String>>,
+    answers: Receiver<Result<Message, ProtocolError>>,
     said: Arc<Mutex<VecDeque<String>>>,
     listener: Option<JoinHandle<()>>,
     silence: Duration,
@@ -47,7 +47,7 @@ impl Process {
     pub fn start(config: &Config) -> Result<Process, Broken> {
         let shown = config.run.join(" ");
         let broken = |message: String| Broken { class: Class::Panic, check: "start", message };
-        let mut command = command(config, &config.run).map_err(broken)?;
+        let mut command = command(config, &config.run).map_err(|why| broken(why.to_string()))?;
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut group = Group::start(&mut command, config.memory()).map_err(|error| {
             let build = if config.build.is_empty() { "" } else { "; is it built? `engines build` builds it" };
@@ -101,14 +101,15 @@ impl Process {
         if ["hello", "declined", "error"].contains(&behind.kind().as_str()) {
             return Ok(answer);
         }
-        Err(self.broken(Class::Panic, "protocol", pipes::unasked(&behind)))
+        Err(self.broken(Class::Panic, "protocol", pipes::unasked(&behind).to_string()))
     }
 
     /// Sends a message, whose number it returns; the answer has to keep to the bound.
     fn send(&mut self, question: &Message, bound: Bound) -> Result<u64, Broken> {
         self.asked += 1;
         let bytes = question.encode_as(self.asked);
-        let bytes = bytes.map_err(|message| Broken { class: Class::Panic, check: "protocol", message })?;
+        let bytes =
+            bytes.map_err(|error| Broken { class: Class::Panic, check: "protocol", message: error.to_string() })?;
         // First the bound: the answer may be there before this thread goes on. A reader or writer that has stopped
         // shows as an end of the answers.
         let _ = self.bounds.send(bound);
@@ -121,9 +122,9 @@ impl Process {
         let error = match self.hear() {
             Ok(Ok(answer)) => match self.is_to(&answer, id) {
                 Ok(()) => return Ok(answer),
-                Err(other) => (Class::Panic, "protocol", other),
+                Err(other) => (Class::Panic, "protocol", other.to_string()),
             },
-            Ok(Err(garbage)) => (Class::Panic, "protocol", garbage),
+            Ok(Err(garbage)) => (Class::Panic, "protocol", garbage.to_string()),
             Err(RecvTimeoutError::Timeout) => {
                 (Class::Timeout, "silence", format!("no answer to `{}` within {:?}", question.kind(), self.silence))
             }
@@ -145,20 +146,16 @@ impl Process {
     }
 
     /// Whether an answer is to the question with this number, as far as the answer says so.
-    fn is_to(&self, answer: &Message, id: u64) -> Result<(), String> {
+    fn is_to(&self, answer: &Message, id: u64) -> Result<(), ProtocolError> {
         match answer.text("id") {
-            Some(of) if of.trim() != id.to_string() => {
-                Err(format!("an answer to question `{}`, where question {id} was asked", printable(&of)))
-            }
-            None if self.asked > 1 && self.fence.is_none() => {
-                Err(format!("an answer `{}` without the `id` of its question", printable(&answer.kind())))
-            }
+            Some(of) if of.trim() != id.to_string() => Err(ProtocolError::OtherQuestion { of, id }),
+            None if self.asked > 1 && self.fence.is_none() => Err(ProtocolError::NoId(answer.kind())),
             _ => Ok(()),
         }
     }
 
     /// The next answer; an end where the process has ended, also if a process that it started keeps its stdout open.
-    fn hear(&mut self) -> Result<Result<Message, String>, RecvTimeoutError> {
+    fn hear(&mut self) -> Result<Result<Message, ProtocolError>, RecvTimeoutError> {
         let start = Instant::now();
         let mut ended = None;
         loop {

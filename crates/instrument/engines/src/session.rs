@@ -13,7 +13,7 @@ use predicament_predicates::{
 use crate::backend::Shared;
 use crate::command::printable;
 use crate::process::Process;
-use crate::{Engine, Message};
+use crate::{Engine, Message, ProtocolError};
 
 /// The byte of −1.
 const NEGATIVE: u8 = 255;
@@ -84,13 +84,13 @@ impl<'s> Session<'s> {
         };
         match session.ask(|_| Ok(())) {
             Ok(Ok(())) => Ok(session),
-            Ok(Err(declined)) => Err(Declined::scene(printable(&declined))),
+            Ok(Err(declined)) => Err(Declined::scene(printable(&declined.reason))),
             Err(broken) => broken.throw(),
         }
     }
 
     /// Asks a process that has the scene.
-    fn ask<R>(&self, ask: impl FnOnce(&mut Process) -> Result<R, Broken>) -> Result<Result<R, String>, Broken> {
+    fn ask<R>(&self, ask: impl FnOnce(&mut Process) -> Result<R, Broken>) -> Result<Result<R, Declined>, Broken> {
         self.shared.processes.ask((&self.message, self.number), || self.shared.start(), ask)
     }
 
@@ -111,12 +111,12 @@ impl<'s> Session<'s> {
             let start = Instant::now();
             let answer = process.ask_batch(&batch, queries)?;
             let read = read_signs(&answer, queries, start.elapsed(), shown);
-            read.map_err(|message| process.broken(Class::Panic, "protocol", message))
+            read.map_err(|error| process.broken(Class::Panic, "protocol", error.to_string()))
         });
         let answered = match asked {
             Ok(Ok(answered)) => answered,
             Ok(Err(scene_declined)) => {
-                Broken { class: Class::Declined, check: "prepare", message: scene_declined }.throw()
+                Broken { class: Class::Declined, check: "prepare", message: scene_declined.reason }.throw()
             }
             Err(broken) => broken.throw(),
         };
@@ -127,7 +127,9 @@ impl<'s> Session<'s> {
                 self.tally.settled(kind, queries as u64);
                 signs
             }
-            Err(reason) => Broken { class: Class::Declined, check: "batch", message: printable(&reason) }.throw(),
+            Err(reason) => {
+                Broken { class: Class::Declined, check: "batch", message: printable(&reason.reason) }.throw()
+            }
         }
     }
 
@@ -172,23 +174,24 @@ fn read_signs(
     queries: usize,
     waited: Duration,
     shown: &dyn Fn(usize) -> String,
-) -> Result<Result<(Vec<u8>, u64), String>, String> {
+) -> Result<Result<(Vec<u8>, u64), Declined>, ProtocolError> {
     match answer.kind().as_str() {
-        "declined" => return Ok(Err(answer.required("reason")?)),
+        "declined" => return Ok(Err(Declined::scene(answer.required("reason")?))),
         "signs" => {}
-        other => return Err(format!("a batch was answered by `{}`", printable(other))),
+        other => return Err(ProtocolError::BatchAnsweredBy(other.to_owned())),
     }
-    let signs = answer.bytes("signs").ok_or("a message `signs` without `signs`")?;
+    let missing = || ProtocolError::Missing { message: "signs".to_owned(), key: "signs".to_owned() };
+    let signs = answer.bytes("signs").ok_or_else(missing)?;
     if signs.len() != queries {
-        return Err(format!("{} signs came back for {queries} queries", signs.len()));
+        return Err(ProtocolError::Signs { came: signs.len(), queries });
     }
     let known = [NEGATIVE, ZERO, POSITIVE, DECLINED, NAN];
     if let Some(at) = signs.iter().position(|byte| !known.contains(byte)) {
-        return Err(format!("{} was answered by the byte {}", shown(at), signs[at]));
+        return Err(ProtocolError::NotASign { query: shown(at), byte: signs[at] });
     }
     let nanoseconds = answer.number("ns")?;
     if Duration::from_nanos(nanoseconds) > 2 * waited + CLOCKS {
-        return Err(format!("`ns` is {nanoseconds}, and the answer took {} ns", waited.as_nanos()));
+        return Err(ProtocolError::Time { said: nanoseconds, took: waited });
     }
     Ok(Ok((signs.to_vec(), nanoseconds)))
 }

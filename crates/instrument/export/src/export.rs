@@ -1,5 +1,6 @@
 //! One file of each table of many runs.
 
+use crate::error::{LineError, WrongCell};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -132,7 +133,7 @@ impl Tables<'_> {
                     let names: Vec<&str> = record.iter().collect();
                     places = copies.places(run, &file, &names);
                     let checked = self.table(&file, &names)?.check_header(&names);
-                    return checked.map_err(|message| Error::at(&path, line, message));
+                    return checked.map_err(|error| Error::at(&path, line, error.to_string()));
                 }
                 let table = self.table(&file, &[])?;
                 if line.is_multiple_of(PATIENCE) && watch.is_stopped() {
@@ -142,7 +143,8 @@ impl Tables<'_> {
                     copied += 1;
                     return Ok(());
                 }
-                table.push(front.into_iter().chain(record)).map_err(|message| Error::at(&path, line, message))
+                let pushed = table.push(front.into_iter().chain(record));
+                pushed.map_err(|error| Error::at(&path, line, error.to_string()))
             })?;
             if left_out > 0 {
                 let note =
@@ -173,7 +175,7 @@ impl Tables<'_> {
             }
             let name = format!("{}.{}", file.strip_suffix(".csv").unwrap_or(file), self.format.ending());
             let (made, place) = (self.places.start(&name)?, self.places.place(&name));
-            let sink = self.format.start(made, &typed).map_err(|message| Error::new(&place, message))?;
+            let sink = self.format.start(made, &typed).map_err(|error| Error::new(&place, error.to_string()))?;
             self.open.insert(file.to_owned(), Table { columns: typed, place, sink, rows: 0 });
         }
         self.open.get_mut(file).ok_or_else(|| Error::new(file.as_ref(), "the table was not started"))
@@ -184,7 +186,7 @@ impl Tables<'_> {
         let mut rows = BTreeMap::new();
         for (file, table) in self.open {
             let name = file.strip_suffix(".csv").unwrap_or(&file).to_owned();
-            table.sink.finish().map_err(|message| Error::new(&table.place, message))?;
+            table.sink.finish().map_err(|error| Error::new(&table.place, error.to_string()))?;
             rows.insert(format!("{name}.{}", self.format.ending()), table.rows);
         }
         self.places.check_others(self.format.ending())?;
@@ -213,24 +215,24 @@ impl Tables<'_> {
 
 impl Table {
     /// Refuses a file with other columns than the table has.
-    fn check_header(&self, names: &[&str]) -> Result<(), String> {
+    fn check_header(&self, names: &[&str]) -> Result<(), LineError> {
         let columns = self.columns.iter().skip(FRONT.len()).map(|column| &*column.name);
         if columns.clone().eq(names.iter().copied()) {
             Ok(())
         } else {
-            Err(format!("the columns must be {}", columns.collect::<Vec<_>>().join(",")))
+            Err(LineError::Head(columns.map(str::to_owned).collect()))
         }
     }
 
-    fn push<'c>(&mut self, cells: impl Iterator<Item = &'c str>) -> Result<(), String> {
+    fn push<'c>(&mut self, cells: impl Iterator<Item = &'c str>) -> Result<(), LineError> {
         let cells: Vec<&str> = cells.collect();
         if cells.len() != self.columns.len() {
-            return Err(format!("there are {} cells for {} columns", cells.len(), self.columns.len()));
+            return Err(LineError::Cells { found: cells.len(), columns: self.columns.len() });
         }
         let values = self.columns.iter().zip(&cells).map(|(column, cell)| column.value(cell));
-        let values: Vec<Value<'_>> = values.collect::<Result<_, _>>()?;
+        let values: Vec<Value<'_>> = values.collect::<Result<_, WrongCell>>()?;
         let written = self.sink.push(&cells, &values);
-        written.map_err(|message| format!("{} can't be written: {message}", self.place.display()))?;
+        written.map_err(|error| LineError::Write { place: self.place.clone(), error })?;
         self.rows += 1;
         Ok(())
     }

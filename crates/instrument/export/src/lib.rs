@@ -9,6 +9,7 @@
 
 mod comma;
 mod copies;
+mod error;
 mod export;
 mod find;
 mod front;

@@ -4,6 +4,7 @@
 //! repeats, as names of suites and backends do, costs a few bits a row. The codec is gzip, which every reader of Parquet has and which is
 //! built for other files anyway; Snappy makes files half as large again.
 
+use crate::error::WriteError;
 use std::fs::File;
 use std::sync::Arc;
 
@@ -15,7 +16,7 @@ use parquet::errors::ParquetError;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::Type;
-use predicament_records::{Kind, with_cure};
+use predicament_records::Kind;
 
 use crate::sink::Sink;
 use crate::value::{Typed, Value};
@@ -49,16 +50,16 @@ enum Values {
 }
 
 impl RowGroups {
-    pub fn new(file: File, columns: &[Typed]) -> Result<RowGroups, String> {
-        let fields = columns.iter().map(field).collect::<Result<Vec<_>, _>>().map_err(told)?;
-        let schema = Type::group_type_builder("schema").with_fields(fields).build().map_err(told)?;
+    pub fn new(file: File, columns: &[Typed]) -> Result<RowGroups, WriteError> {
+        let fields = columns.iter().map(field).collect::<Result<Vec<_>, _>>()?;
+        let schema = Type::group_type_builder("schema").with_fields(fields).build()?;
         // Least and greatest values of each group, none of its pages: most tables have one page.
         let properties = WriterProperties::builder()
             .set_compression(Compression::GZIP(GzipLevel::default()))
             .set_statistics_enabled(EnabledStatistics::Chunk)
             .set_offset_index_disabled(true)
             .build();
-        let writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties)).map_err(told)?;
+        let writer = SerializedFileWriter::new(file, Arc::new(schema), Arc::new(properties))?;
         let columns = columns
             .iter()
             .map(|column| Kept { values: Values::of(column.kind), levels: column.is_optional.then(Vec::new) });
@@ -107,7 +108,7 @@ impl RowGroups {
 }
 
 impl Sink for RowGroups {
-    fn push(&mut self, _: &[&str], values: &[Value<'_>]) -> Result<(), String> {
+    fn push(&mut self, _: &[&str], values: &[Value<'_>]) -> Result<(), WriteError> {
         for (kept, value) in self.columns.iter_mut().zip(values) {
             if let Some(levels) = &mut kept.levels {
                 levels.push(i16::from(*value != Value::Null));
@@ -122,18 +123,19 @@ impl Sink for RowGroups {
                 (Values::Int64(numbers), Value::Int64(number) | Value::Timestamp(number)) => numbers.push(number),
                 (Values::Float64(numbers), Value::Float64(number)) => numbers.push(number),
                 (Values::Bool(flags), Value::Bool(flag)) => flags.push(flag),
-                (_, value) => return Err(format!("{value:?} in a column of another type")),
+                (_, value) => return Err(WriteError::Type(format!("{value:?}"))),
             }
         }
         self.rows += 1;
-        if self.rows == ROWS || self.text >= TEXT { self.write_group().map_err(told) } else { Ok(()) }
+        if self.rows == ROWS || self.text >= TEXT { Ok(self.write_group()?) } else { Ok(()) }
     }
 
-    fn finish(mut self: Box<Self>) -> Result<(), String> {
+    fn finish(mut self: Box<Self>) -> Result<(), WriteError> {
         if self.rows > 0 {
-            self.write_group().map_err(told)?;
+            self.write_group()?;
         }
-        self.writer.close().map(drop).map_err(told)
+        self.writer.close()?;
+        Ok(())
     }
 }
 
@@ -160,11 +162,4 @@ fn field(column: &Typed) -> Result<Arc<Type>, ParquetError> {
     let repetition = if column.is_optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
     let builder = Type::primitive_type_builder(&column.name, physical);
     builder.with_repetition(repetition).with_logical_type(logical).build().map(Arc::new)
-}
-
-fn told(error: ParquetError) -> String {
-    match &error {
-        ParquetError::External(of) => of.downcast_ref().map_or_else(|| error.to_string(), with_cure),
-        _ => error.to_string(),
-    }
 }

@@ -1,5 +1,6 @@
 //! The formats, and what each has to do.
 
+use crate::error::WriteError;
 use std::fs::File;
 
 use crate::comma::Comma;
@@ -26,7 +27,7 @@ impl Format {
     }
 
     /// An empty table in a file.
-    pub(crate) fn start(self, file: File, columns: &[Typed]) -> Result<Box<dyn Sink>, String> {
+    pub(crate) fn start(self, file: File, columns: &[Typed]) -> Result<Box<dyn Sink>, WriteError> {
         Ok(match self {
             Format::Parquet => Box::new(RowGroups::new(file, columns)?),
             Format::Csv => Box::new(Comma::new(file, columns)?),
@@ -37,8 +38,8 @@ impl Format {
 /// A table that rows are added to. The same rows give the same bytes.
 pub(crate) trait Sink {
     /// Adds a row: its cells as text, and what they say.
-    fn push(&mut self, cells: &[&str], values: &[Value<'_>]) -> Result<(), String>;
+    fn push(&mut self, cells: &[&str], values: &[Value<'_>]) -> Result<(), WriteError>;
 
     /// Writes what is left.
-    fn finish(self: Box<Self>) -> Result<(), String>;
+    fn finish(self: Box<Self>) -> Result<(), WriteError>;
 }

@@ -1,5 +1,6 @@
 //! Cells by their types.
 
+use crate::error::WrongCell;
 use predicament_records::{Kind, moment};
 
 /// A column of an export. Its name may come from a file.
@@ -26,12 +27,12 @@ impl Typed {
     /// What a cell of this column says.
     ///
     /// # Errors
-    /// What is wrong with it, in one line.
-    pub fn value<'t>(&self, cell: &'t str) -> Result<Value<'t>, String> {
+    /// [`WrongCell`] where the column cannot have it.
+    pub fn value<'t>(&self, cell: &'t str) -> Result<Value<'t>, WrongCell> {
         if cell.is_empty() && self.is_optional {
             return Ok(Value::Null);
         }
-        let wrong = |what: &str| format!("`{cell}` in column `{}` is not {what}", self.name);
+        let wrong = |wanted| WrongCell { cell: cell.to_owned(), column: self.name.clone(), wanted };
         match self.kind {
             Kind::Text => Ok(Value::Text(cell)),
             Kind::Int64 => {

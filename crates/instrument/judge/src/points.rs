@@ -7,7 +7,7 @@
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-use predicament_predicates::{Construction, Question, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, NoPoint, Question, Refused, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
 use crate::constructed;
@@ -78,7 +78,7 @@ impl Points {
         let vertices =
             self.scene.construct_all(definitions, |scene, vertex| match constructed::row(scene, vertex) {
                 Some(_) => Ok(()),
-                None => Err("its lines and planes meet in no single point".to_owned()),
+                None => Err(NoPoint::Unspecified.into()),
             })?;
         self.constructed.resize_with(self.scene.constructions().len(), OnceLock::new);
         Ok(vertices)

@@ -3,6 +3,7 @@
 //! Both ways are failures: a finding that nobody expected, and an expectation
 //! that no longer comes true. So the file stays a description of the world.
 
+use predicament_predicates::UnknownName;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -93,7 +94,7 @@ fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
 
 /// The class of a name; a legal one is never expected.
 fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
-    let class: Class = name.str()?.parse().map_err(|why: String| name.error(why, "correct it"))?;
+    let class: Class = name.str()?.parse().map_err(|why: UnknownName| name.error(why.to_string(), "correct it"))?;
     if class.is_legal() {
         return Err(name.error(format!("`{class}` is legal and needs no expectation"), "drop it"));
     }
@@ -104,10 +105,9 @@ impl Expectations {
     /// Parses the text of `file`.
     ///
     /// # Errors
-    /// One line that names the file, the line and the cure.
-    pub fn parse(file: &Path, text: &str) -> Result<Expectations, String> {
-        let name = file.display().to_string();
-        Expectations::read(&name, text).map_err(|error| error.to_string())
+    /// [`CorpusError`] with the file, the line and the cure.
+    pub fn parse(file: &Path, text: &str) -> Result<Expectations, CorpusError> {
+        Expectations::read(&file.display().to_string(), text)
     }
 
     fn read(file: &str, text: &str) -> Result<Expectations, CorpusError> {
@@ -130,7 +130,7 @@ impl Expectations {
         let (scenes, backends) = (strings(names(&fields, "scene")?)?, strings(names(&fields, "backend")?)?);
         let classes = names(&fields, "class")?.iter().map(class).collect::<Result<Vec<_>, _>>()?;
         let scenes = scenes.iter().map(|pattern| Pattern::new(pattern)).collect::<Result<Arc<[_]>, _>>();
-        let scenes = scenes.map_err(|message| fields.error(message, "write e.g. `near-*`"))?;
+        let scenes = scenes.map_err(|error| fields.error(error.to_string(), "write e.g. `near-*`"))?;
         let why = fields.required("reason")?;
         let reason = why.string()?;
         if reason.trim().is_empty() {

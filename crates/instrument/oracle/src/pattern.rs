@@ -25,14 +25,25 @@ struct Inner {
     is_name: bool,
 }
 
+/// A text that is not a pattern. It displays the text and what is wrong with it.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct PatternError(globset::Error);
+
+impl std::fmt::Display for PatternError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl std::error::Error for PatternError {}
+
 impl Pattern {
     /// Reads a glob.
     ///
     /// # Errors
     /// What is wrong with it, in one line that repeats it.
-    pub fn new(text: &str) -> Result<Pattern, String> {
-        // globset's own message repeats the pattern.
-        let glob = Glob::new(text).map_err(|error| error.to_string())?;
+    pub fn new(text: &str) -> Result<Pattern, PatternError> {
+        let glob = Glob::new(text).map_err(PatternError)?;
         let is_name = !text.contains(['*', '?', '[', ']', '{', '}', '\\', '!', ',']);
         Ok(Pattern(Arc::new(Inner { glob, matcher: OnceLock::new(), is_name })))
     }

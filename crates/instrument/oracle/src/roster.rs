@@ -5,8 +5,8 @@
 
 use std::sync::Arc;
 
-use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
-use predicament_engines::Engine;
+use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk};
+use predicament_engines::{Engine, EngineError};
 use predicament_exact::{Exact, Partial};
 use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
@@ -59,11 +59,80 @@ pub(crate) fn hand<V: Visit, B: Backend + 'static>(visitor: V, backend: B, ties:
     visitor.visit(backend, ties)
 }
 
+/// Why a name picks no backend.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum BackendError {
+    /// No backend has the name.
+    Unknown {
+        /// The name.
+        name: String,
+    },
+    /// The name has no number of stages that `exact` has.
+    Stages {
+        /// The name.
+        name: String,
+    },
+    /// The tolerance of `epsilon` is not a number.
+    NoNumber {
+        /// The name.
+        name: String,
+        /// The text in the place of the number.
+        eps: String,
+    },
+    /// The tolerance of `epsilon` is a number that it cannot have.
+    Epsilon {
+        /// The name.
+        name: String,
+        /// Why not.
+        why: BadEpsilon,
+    },
+    /// No planted fault has the name.
+    UnknownFault {
+        /// The name behind `fault:`.
+        fault: String,
+    },
+    /// The backend is a crate of the feature `peers`, which the tool is built without.
+    NotBuilt {
+        /// The name.
+        name: String,
+    },
+    /// The engine is not there, does not start, or does not speak the protocol.
+    Engine(EngineError),
+}
+
+impl std::fmt::Display for BackendError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            BackendError::Unknown { name } => {
+                let names = DEFAULT.join(", ");
+                write!(f, "no backend is called `{name}`; there are {names}, engine:NAME and fault:NAME")
+            }
+            BackendError::Stages { name } => {
+                write!(f, "`{name}`: write a number of stages from 1 to {}", Partial::STAGES)
+            }
+            BackendError::NoNumber { name, eps } => {
+                write!(f, "`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10")
+            }
+            BackendError::Epsilon { name, why } => write!(f, "`{name}`: {why}"),
+            BackendError::UnknownFault { fault } => {
+                write!(f, "no fault is called `{fault}`; `predicament selftest --list` names them")
+            }
+            BackendError::NotBuilt { name } => {
+                write!(f, "`{name}` is there where the tool is built with --features peers")
+            }
+            BackendError::Engine(error) => error.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for BackendError {}
+
 /// Finds the backend with this name and hands it over.
 ///
 /// # Errors
 /// One line with the names that there are.
-pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
+pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
     let sos = |visitor: V, scheme: Scheme| {
         let judge: Box<TieJudge> =
             Box::new(move |scene, question, args| infinitesimal::judge(scheme, scene, question, args));
@@ -84,26 +153,25 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, String> {
         "shewchuk" => hand(visitor, Shewchuk, None),
         _ => {
             if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
-                return Ok(visitor.visit(Boxed::new(Engine::find(engine)?), None));
+                return Ok(visitor.visit(Boxed::new(Engine::find(engine).map_err(BackendError::Engine)?), None));
             }
             if let Some(stages) = name.strip_prefix("exact:stages=") {
                 let partial = stages.parse().ok().and_then(Partial::new);
-                let partial = partial
-                    .ok_or_else(|| format!("`{name}`: write a number of stages from 1 to {}", Partial::STAGES))?;
+                let partial = partial.ok_or_else(|| BackendError::Stages { name: name.to_owned() })?;
                 return Ok(visitor.visit(Boxed::new(partial), None));
             }
             if let Some(eps) = name.strip_prefix("epsilon:") {
-                let eps: f64 =
-                    eps.parse().map_err(|_| format!("`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10"))?;
-                let epsilon = Epsilon::new(eps).map_err(|error| format!("`{name}`: {error}"))?;
+                let no_number = |_| BackendError::NoNumber { name: name.to_owned(), eps: eps.to_owned() };
+                let eps: f64 = eps.parse().map_err(no_number)?;
+                let unfit = |why| BackendError::Epsilon { name: name.to_owned(), why };
+                let epsilon = Epsilon::new(eps).map_err(unfit)?;
                 return Ok(hand(visitor, epsilon, None));
             }
             if let Some(fault) = name.strip_prefix("fault:") {
                 return faults::visit(fault, visitor)
-                    .map_err(|_| format!("no fault is called `{fault}`; `predicament selftest --list` names them"));
+                    .map_err(|_| BackendError::UnknownFault { fault: fault.to_owned() });
             }
-            let names = DEFAULT.join(", ");
-            return Err(format!("no backend is called `{name}`; there are {names}, engine:NAME and fault:NAME"));
+            return Err(BackendError::Unknown { name: name.to_owned() });
         }
     })
 }
@@ -127,7 +195,7 @@ pub fn knows(name: &str) -> bool {
 ///
 /// # Errors
 /// One line with the names that there are.
-pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, String> {
+pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, BackendError> {
     struct Enter<'a, L>(&'a L);
     impl<L: TaskList> Visit for Enter<'_, L> {
         type Out = Box<dyn Contestant>;

@@ -1,6 +1,6 @@
 //! `imports.csv`: the scenes that reading has changed, and how.
 
-use crate::PlannedScene;
+use crate::{PlannedScene, RowError};
 
 crate::table! {
     /// `imports.csv`: a scene that is not in every point what its files say: what was rounded, left out or dropped.
@@ -27,8 +27,8 @@ crate::table! {
         pub empty_regions: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.counts() == [0; 6] { Err("nothing was changed".to_owned()) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        if self.counts() == [0; 6] { Err(RowError::Contradiction("nothing was changed")) } else { Ok(()) }
     }
 }
 

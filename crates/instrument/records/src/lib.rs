@@ -27,6 +27,7 @@ pub mod moment;
 mod phases;
 mod plan;
 mod replace;
+mod row_error;
 mod rows;
 mod rows_with_lines;
 mod run_dir;
@@ -43,9 +44,12 @@ pub use hold::Hold;
 pub use imported::ImportRow;
 pub use junit::junit;
 pub use phases::PhaseRow;
-pub use plan::{EngineFile, ExpectedFile, FORMAT, Level, NotSelected, Plan, PlannedScene, Shard, Whole};
+pub use plan::{
+    EngineFile, ExpectedFile, FORMAT, Level, NotSelected, ParseShardError, Plan, PlannedScene, Shard, Whole,
+};
 pub use predicament_predicates::{Class, Severity, Status};
 pub use replace::{Beside, make_folder, replace};
+pub use row_error::RowError;
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};
 pub use rows_with_lines::Rows;
 pub use run_dir::{
@@ -57,4 +61,4 @@ pub use schema::{Column, Kind, Typed, schema_json, schema_markdown};
 /// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean, wilson};
-pub use work::{Build, Share, WorkPlan};
+pub use work::{Build, Share, WorkPlan, WrongParts};

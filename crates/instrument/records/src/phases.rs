@@ -1,4 +1,5 @@
 //! `phases.csv`: what the parts of an algorithm take, one by one.
+use crate::RowError;
 
 crate::table! {
     /// `phases.csv`: one timed sample of one phase of a scene.
@@ -33,14 +34,10 @@ crate::table! {
         pub ns_per_unit: f64 ["ns"],
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         if self.count == 0 || self.threads == 0 {
-            return Err("a phase of no units, or on no threads".to_owned());
+            return Err(RowError::Contradiction("a phase of no units, or on no threads"));
         }
-        if self.ns_per_unit.is_finite() && self.ns_per_unit > 0.0 {
-            Ok(())
-        } else {
-            Err(format!("ns_per_unit is {}, which is not a time", self.ns_per_unit))
-        }
+        RowError::check_time("ns_per_unit", self.ns_per_unit)
     }
 }

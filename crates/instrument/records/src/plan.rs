@@ -3,6 +3,7 @@
 //! An interrupted run can be explained only by someone who knows what it was
 //! after, so this is the first file in a run folder.
 
+use predicament_predicates::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
 
 use serde::{Deserialize, Serialize};
@@ -31,13 +32,13 @@ impl std::fmt::Display for Level {
 }
 
 impl std::str::FromStr for Level {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Level, String> {
+    fn from_str(name: &str) -> Result<Level, UnknownName> {
         match name {
             "quick" => Ok(Level::Quick),
             "full" => Ok(Level::Full),
-            _ => Err(format!("`{name}` is neither `quick` nor `full`")),
+            _ => Err(UnknownName::new("level", name).listing("levels", ["quick", "full"])),
         }
     }
 }
@@ -79,20 +80,32 @@ impl std::fmt::Display for Shard {
     }
 }
 
-impl std::str::FromStr for Shard {
-    type Err = String;
+/// A text that is not a shard.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct ParseShardError(String);
 
-    fn from_str(text: &str) -> Result<Shard, String> {
+impl std::fmt::Display for ParseShardError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "`{}` is not a shard like 2/3: from 1 up to the number of shards", self.0)
+    }
+}
+
+impl std::error::Error for ParseShardError {}
+
+impl std::str::FromStr for Shard {
+    type Err = ParseShardError;
+
+    fn from_str(text: &str) -> Result<Shard, ParseShardError> {
         text.split_once('/')
             .and_then(|(index, count)| Shard::new(index.parse().ok()?, count.parse().ok()?))
-            .ok_or_else(|| format!("`{text}` is not a shard like 2/3: from 1 up to the number of shards"))
+            .ok_or_else(|| ParseShardError(text.to_owned()))
     }
 }
 
 impl TryFrom<String> for Shard {
-    type Error = String;
+    type Error = ParseShardError;
 
-    fn try_from(text: String) -> Result<Shard, String> {
+    fn try_from(text: String) -> Result<Shard, ParseShardError> {
         text.parse()
     }
 }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use predicament_predicates::PredicateKind;
 
-use crate::{Class, Column, PlannedScene, Status};
+use crate::{Class, Column, PlannedScene, RowError, Status};
 
 /// A line of one of the CSV files of a run folder.
 ///
@@ -28,8 +28,8 @@ pub trait Row: Serialize + DeserializeOwned {
     /// Whether the values make sense, beyond having the right types.
     ///
     /// # Errors
-    /// What is wrong, in one line.
-    fn check(&self) -> Result<(), String> {
+    /// What is wrong with them.
+    fn check(&self) -> Result<(), RowError> {
         Ok(())
     }
 }
@@ -87,9 +87,9 @@ crate::table! {
         pub status: Status,
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         let counts = Class::ALL.into_iter().map(|class| self.count(class)).chain([self.queries]);
-        counts.max().filter(|&most| most > MOST).map_or(Ok(()), |most| Err(format!("a count of {most}: {NO_COUNT}")))
+        counts.max().map_or(Ok(()), RowError::check_count)
     }
 }
 
@@ -211,14 +211,13 @@ crate::table! {
         pub stage: String,
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.log2_relative_det.is_some_and(f64::is_nan) {
-            return Err("log2_relative_det is NaN".to_owned());
+    fn check(&self) -> Result<(), RowError> {
+        let wrong = |column, value, wanted| Err(RowError::Number { column, value, wanted });
+        match (self.log2_relative_det, self.distance_over_l) {
+            (Some(log2), _) if log2.is_nan() => wrong("log2_relative_det", log2, "a logarithm"),
+            (_, Some(d)) if d.is_nan() || d < 0.0 => wrong("distance_over_L", d, "a distance"),
+            _ => Ok(()),
         }
-        if self.distance_over_l.is_some_and(|d| d.is_nan() || d < 0.0) {
-            return Err("distance_over_L is not a distance".to_owned());
-        }
-        Ok(())
     }
 }
 
@@ -285,12 +284,8 @@ crate::table! {
         pub ns_per_query: f64 ["ns"],
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.ns_per_query.is_finite() && self.ns_per_query > 0.0 {
-            Ok(())
-        } else {
-            Err(format!("ns_per_query is {}, which is not a time", self.ns_per_query))
-        }
+    fn check(&self) -> Result<(), RowError> {
+        RowError::check_time("ns_per_query", self.ns_per_query)
     }
 }
 
@@ -311,9 +306,8 @@ crate::table! {
         pub settled: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
-        let settled = self.settled;
-        if settled > MOST { Err(format!("a count of {settled}: {NO_COUNT}")) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        RowError::check_count(self.settled)
     }
 }
 
@@ -344,7 +338,8 @@ crate::table! {
         pub insphere: String,
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.bits < 0 { Err(format!("bits is {}, which is not a number of bits", self.bits)) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        let (column, value, wanted) = ("bits", f64::from(self.bits), "a number of bits");
+        if self.bits < 0 { Err(RowError::Number { column, value, wanted }) } else { Ok(()) }
     }
 }

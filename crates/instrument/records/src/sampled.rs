@@ -1,6 +1,6 @@
 //! `sampled.csv`: the answers that were held against the truth of a part of their scene.
 
-use crate::PlannedScene;
+use crate::{PlannedScene, RowError};
 
 crate::table! {
     /// `sampled.csv`: a scene and backend where the truth is about a part of the scene only, as all of it takes too long.
@@ -19,8 +19,8 @@ crate::table! {
         pub truth_of: String,
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.truth_of.is_empty() { Err("truth_of is empty".to_owned()) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        if self.truth_of.is_empty() { Err(RowError::Empty { column: "truth_of" }) } else { Ok(()) }
     }
 }
 

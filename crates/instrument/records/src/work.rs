@@ -71,6 +71,24 @@ pub struct WorkPlan {
     pub plan: Plan,
 }
 
+/// A part was asked for of another number of parts than the plan has.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct WrongParts {
+    /// How many parts the plan has.
+    pub planned: u32,
+    /// Of how many parts one was asked for.
+    pub asked: u32,
+}
+
+impl std::fmt::Display for WrongParts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let WrongParts { planned, asked } = self;
+        write!(f, "the plan has {planned} parts and not {asked}; write --shard k/{planned}")
+    }
+}
+
+impl std::error::Error for WrongParts {}
+
 impl WorkPlan {
     /// A plan with its hash.
     #[must_use]
@@ -128,12 +146,11 @@ impl WorkPlan {
     /// What a part has to do; without one, what a single machine has to do.
     ///
     /// # Errors
-    /// If the plan has another number of parts.
-    pub fn part(&self, shard: Option<Shard>) -> Result<Plan, String> {
+    /// [`WrongParts`] if the plan has another number of parts.
+    pub fn part(&self, shard: Option<Shard>) -> Result<Plan, WrongParts> {
         let Some(shard) = shard else { return Ok(self.plan.clone()) };
         if shard.count() != self.parts {
-            let WorkPlan { parts, .. } = self;
-            return Err(format!("the plan has {parts} parts and not {}; write --shard k/{parts}", shard.count()));
+            return Err(WrongParts { planned: self.parts, asked: shard.count() });
         }
         if shard == Shard::WHOLE {
             return Ok(self.plan.clone());

@@ -7,13 +7,16 @@
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //! * [`snippets`]: such a scene as a test in Rust, C++ and Python.
 //! * [`Witness`], [`Wanted`]: what is asked of a scene.
+//! * [`SearchError`]: why a search does not begin, or cannot go on.
 
 pub mod hunt;
 pub mod shrink;
 pub mod snippets;
 
 mod edit;
+mod error;
 mod witness;
 
 pub use edit::{drop_constructions, drop_points, drop_unnamed, merge};
+pub use error::SearchError;
 pub use witness::{Backends, Wanted, Witness};

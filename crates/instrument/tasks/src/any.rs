@@ -11,8 +11,8 @@ use predicament_report::Section;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Knob, Outcome, Phase, Stop,
-    Task, Turns, Watch,
+    Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob, Outcome,
+    Phase, Stop, Task, Turns, Watch,
 };
 
 /// A [`Task`] whose types are hidden. Every task is one.
@@ -38,13 +38,13 @@ pub trait AnyTask: SceneFormat {
     /// [`Task::explain`].
     ///
     /// # Errors
-    /// One line, where the query is not one of this task or the scene.
+    /// [`ExplainError`] where the query is not one of this task or the scene.
     fn explain_query(
         &self,
         loaded: &LoadedScene,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String>;
+    ) -> Result<Explanation, ExplainError>;
 
     /// [`Task::write`].
     ///
@@ -177,13 +177,13 @@ impl<T: Task> AnyTask for T {
         loaded: &LoadedScene,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let exists = |v| match predicament_predicates::Vertex::construction(v) {
             None => v.index() < loaded.scene.len(),
             Some(index) => index < loaded.scene.constructions().len(),
         };
         match query.vertices().find(|&v| !exists(v)) {
-            Some(missing) => Err(format!("{query}: the scene has no vertex {missing}")),
+            Some(vertex) => Err(ExplainError::NoVertex { query: query.clone(), vertex }),
             None => self.explain(&loaded.scene, content(self, loaded), query, backends),
         }
     }

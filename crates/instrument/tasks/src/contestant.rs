@@ -11,7 +11,7 @@ use predicament_predicates::{
 };
 
 use crate::list::solvers;
-use crate::{Halt, How, Purpose, Solver, Task, TaskList, Watch};
+use crate::{AnswerError, How, Purpose, Solver, Task, TaskList, Watch};
 
 /// A backend that the command line can pick.
 pub trait Contestant: Send + Sync {
@@ -61,19 +61,19 @@ impl dyn Contestant + '_ {
     /// The answer to a scene of a task.
     ///
     /// # Errors
-    /// The reason, where the backend declines or does not know the task.
-    pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, String> {
+    /// [`AnswerError`] where the backend declines or does not know the task.
+    pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, AnswerError> {
         let mut found = None;
         self.answer_any(task.name(), scene, content, Purpose::Use, &mut |answer| {
             found = answer.downcast_ref::<T::Answer>().cloned()
         })?;
-        found.ok_or_else(|| format!("two tasks are called `{}`", task.name()))
+        found.ok_or_else(|| AnswerError::TwoTasks { task: task.name() })
     }
 
     /// The answer to a scene of the task with this name, of the task's type, handed to `then`.
     ///
     /// # Errors
-    /// The reason, where the backend declines or does not know the task.
+    /// [`AnswerError`] where the backend declines or does not know the task.
     pub fn answer_any(
         &self,
         task: &str,
@@ -81,8 +81,10 @@ impl dyn Contestant + '_ {
         content: &dyn Content,
         purpose: Purpose,
         then: &mut dyn FnMut(&dyn Any),
-    ) -> Result<(), String> {
-        let solver = self.solver(task).ok_or_else(|| format!("{} knows no task `{task}`", self.name()))?;
+    ) -> Result<(), AnswerError> {
+        let solver = self
+            .solver(task)
+            .ok_or_else(|| AnswerError::UnknownTask { backend: self.name(), task: task.to_owned() })?;
         let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
         let watch = Watch::new(&never, None, &quiet);
         let how = How { purpose, watch: &watch };
@@ -90,10 +92,7 @@ impl dyn Contestant + '_ {
             then(answer);
             Ok(())
         });
-        solved.map_err(|halt| match halt {
-            Halt::Refused(refusal) => refusal.to_string(),
-            Halt::Stopped(_) => "stopped".to_owned(),
-        })
+        Ok(solved?)
     }
 
     /// Asks one query alone in a scene: the sign, and the stage that settled it.

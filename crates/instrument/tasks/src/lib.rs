@@ -11,6 +11,7 @@
 //!
 //! * [`Task`], [`Case`], [`Asked`]: what a task implements and is handed.
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time, on the tasks of a [`TaskList`].
+//! * [`AnswerError`], [`ExplainError`]: why a backend gives no answer, and why a query cannot be asked again.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
 //! * [`Check`]: what a judge can report. [`Spoiled`]: answers that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
@@ -27,6 +28,7 @@ mod compared;
 mod contestant;
 mod counts;
 mod digest;
+mod error;
 mod knob;
 mod list;
 pub mod map_loops;
@@ -55,6 +57,7 @@ pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
 pub use digest::digest;
+pub use error::{AnswerError, ExplainError};
 pub use knob::{Knob, RoundsScene, SHIFTED_BITS, Turns};
 pub use list::{TaskList, vocabulary, with_signs};
 pub use outcome::{AnswerLine, Finding, Outcome, finding_id, ids, symbol};

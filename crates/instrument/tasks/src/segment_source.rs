@@ -4,7 +4,7 @@ use predicament_corpus::{Context, Origin, PointSource};
 use predicament_formats::{Cache, CorpusError, Decimals, Entry, Fields, ImportNotes, TableKind, geometry};
 use predicament_predicates::{Dimension, Query, Scene, Vertex};
 
-use crate::Explanation;
+use crate::{ExplainError, Explanation};
 
 static SEGMENTS: TableKind = TableKind::new("reference to segments", &["path", "fetch"]);
 
@@ -31,10 +31,10 @@ pub enum SegmentSource {
 }
 
 /// The place of the segment that a query names by its ends, and an explanation about these.
-pub fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), String> {
+pub fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), ExplainError> {
     let ends: Vec<Vertex> = query.vertices().collect();
     let at = segments.iter().position(|segment| *segment == *ends);
-    let at = at.ok_or_else(|| format!("`{query}`: the scene has no such segment"))?;
+    let at = at.ok_or_else(|| ExplainError::not_in_scene(query, "the scene has no such segment"))?;
     Ok((at, Explanation { vertices: ends, ..Explanation::default() }))
 }
 

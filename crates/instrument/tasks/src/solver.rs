@@ -14,7 +14,7 @@ use predicament_predicates::{
 };
 use predicament_records::Interface;
 
-use crate::{Answer, AnyTask, Class, Outcome, Phase, Rounds, Stop, Task, Watch};
+use crate::{Answer, AnswerError, AnyTask, Class, Outcome, Phase, Rounds, Stop, Task, Watch};
 
 /// What an answer is for.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -110,14 +110,14 @@ pub trait Solver: Send + Sync {
     /// of a session with a clock of its own: each would be a message to a program of another language.
     ///
     /// # Errors
-    /// The reason, where the backend declines.
+    /// [`AnswerError`] where the backend declines.
     fn stopwatch<'a>(
         &'a self,
         scene: &'a Scene,
         content: &'a dyn Content,
         threads: usize,
         interface: Interface,
-    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, String>;
+    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, AnswerError>;
 }
 
 /// A prepared session that can be timed again and again, so that backends can take turns.
@@ -213,11 +213,12 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         content: &'a dyn Content,
         threads: usize,
         interface: Interface,
-    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, String> {
-        let session = self.prepare(scene, Off).map_err(|refusal| refusal.to_string())?;
+    ) -> Result<Option<Box<dyn Stopwatch + 'a>>, AnswerError> {
+        let session = self.prepare(scene, Off).map_err(AnswerError::Refused)?;
         let has_own_clock = session.own_nanoseconds().is_some();
         // Algorithms would use all threads that there are.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().map_err(|error| error.to_string())?;
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        let pool = pool.map_err(|error| AnswerError::Threads(error.to_string()))?;
         Ok(match self.task.queries(self.content(content)) {
             Some(_) if has_own_clock && interface == Interface::Single => None,
             Some(queries) => Some(Box::new(Queries {
@@ -229,7 +230,7 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
                 args: Vec::new(),
             })),
             None if has_own_clock => {
-                return Err("it times its predicates by its own clock, which does not see the algorithm".to_owned());
+                return Err(AnswerError::OwnClock);
             }
             None => {
                 let (session, answer) = (Some(session), T::Answer::default());

@@ -11,7 +11,8 @@ use predicament_report::drawing::Role;
 
 use crate::output::Canvas;
 use crate::{
-    Asked, Case, Check, Compared, Contestant, Dispute, Halt, How, Knob, Outcome, Phase, Spoiled, Stop, Turns, Watch,
+    Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Halt, How, Knob, Outcome, Phase, Spoiled, Stop,
+    Turns, Watch,
 };
 
 /// An answer to everything that a scene asks. It is reused from pass to pass
@@ -117,14 +118,14 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// Asks one query of a finding again, alone, for `replay`.
     ///
     /// # Errors
-    /// One line, where the query is not one of this task or the scene.
+    /// [`ExplainError`] where the query is not one of this task or the scene.
     fn explain(
         &self,
         scene: &Scene,
         content: &Self::Content,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String>;
+    ) -> Result<Explanation, ExplainError>;
 
     /// Writes an answer for other programs into a folder that exists; the files written.
     ///
@@ -261,12 +262,13 @@ pub struct Explanation {
 impl Explanation {
     /// One cell for each backend: what it answers, or why it declines.
     #[must_use]
-    pub fn with_answers(
+    pub fn with_answers<E: std::fmt::Display>(
         mut self,
         backends: &[&dyn Contestant],
-        ask: impl Fn(&dyn Contestant) -> Result<String, String>,
+        ask: impl Fn(&dyn Contestant) -> Result<String, E>,
     ) -> Explanation {
-        let row = |&backend: &&dyn Contestant| (backend.name(), vec![ask(backend).unwrap_or_else(|why| why)]);
+        let row =
+            |&backend: &&dyn Contestant| (backend.name(), vec![ask(backend).unwrap_or_else(|why| why.to_string())]);
         self.rows = backends.iter().map(row).collect();
         self
     }

@@ -14,7 +14,7 @@ use std::sync::OnceLock;
 
 use predicament_arithmetic::bound;
 use predicament_predicates::{
-    Axis, Construction, Declined, Dimension, Plane, PredicateKind, Refused, Scene, Sign, Vertex,
+    Axis, Construction, Declined, DefinitionError, Dimension, Plane, PredicateKind, Refused, Scene, Sign, Vertex,
 };
 
 use crate::constructed::Constructed;
@@ -106,7 +106,7 @@ impl<'s> Decider<'s> {
     pub fn construct_where(
         &mut self,
         definitions: &[Construction],
-        accepts: &dyn Fn(&Construction) -> Result<(), String>,
+        accepts: &dyn Fn(&Construction) -> Result<(), DefinitionError>,
     ) -> Result<Vec<Vertex>, Refused> {
         self.constructed.construct_where(definitions, accepts)
     }

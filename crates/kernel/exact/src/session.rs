@@ -3,7 +3,8 @@
 //! Nothing else is generic over the tally, so that whoever has a tally of its own compiles no more than this.
 
 use predicament_predicates::{
-    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
+    Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign,
+    Tally, Vertex,
 };
 
 use crate::Exact;
@@ -30,7 +31,7 @@ impl<'s, T: Tally> Session<'s, T> {
     pub fn construct_where(
         &mut self,
         definitions: &[Construction],
-        accepts: impl Fn(&Construction) -> Result<(), String>,
+        accepts: impl Fn(&Construction) -> Result<(), DefinitionError>,
     ) -> Result<Vec<Vertex>, Refused> {
         self.decider.construct_where(definitions, &accepts)
     }

@@ -5,6 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::UnknownName;
+
 /// How an answer compares with the truth and with the backend's promise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
@@ -121,13 +123,13 @@ impl std::fmt::Display for Class {
 }
 
 impl std::str::FromStr for Class {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Class, String> {
-        Class::ALL.into_iter().find(|class| class.name() == name).ok_or_else(|| {
-            let names: Vec<&str> = Class::ALL.iter().map(|class| class.name()).collect();
-            format!("no class is called `{name}`; the classes are {}", names.join(", "))
-        })
+    fn from_str(name: &str) -> Result<Class, UnknownName> {
+        Class::ALL
+            .into_iter()
+            .find(|class| class.name() == name)
+            .ok_or_else(|| UnknownName::new("class", name).listing("classes", Class::ALL.map(Class::name)))
     }
 }
 
@@ -172,13 +174,13 @@ impl std::fmt::Display for Severity {
 }
 
 impl std::str::FromStr for Severity {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Severity, String> {
-        Severity::ALL.into_iter().find(|severity| severity.name() == name).ok_or_else(|| {
-            let names: Vec<&str> = Severity::ALL.iter().map(|severity| severity.name()).collect();
-            format!("no severity is called `{name}`; the severities are {}", names.join(", "))
-        })
+    fn from_str(name: &str) -> Result<Severity, UnknownName> {
+        Severity::ALL
+            .into_iter()
+            .find(|severity| severity.name() == name)
+            .ok_or_else(|| UnknownName::new("severity", name).listing("severities", Severity::ALL.map(Severity::name)))
     }
 }
 
@@ -237,7 +239,7 @@ mod tests {
         for status in Status::ALL {
             assert_eq!(serde_json::to_string(&status).unwrap(), format!("\"{status}\""));
         }
-        assert!("Agree".parse::<Class>().unwrap_err().contains("sign_flip"));
+        assert!("Agree".parse::<Class>().unwrap_err().to_string().contains("sign_flip"));
     }
 
     #[test]

@@ -6,7 +6,7 @@
 //! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
 //! * [`Construction`]: a vertex that is no input, by what defines it;
 //!   [`Constructs`]: what a backend does with those that come up while it runs,
-//!   [`Refused`]: why it did not construct one.
+//!   [`Refused`]: why it did not construct one, [`NoPoint`]: why there is none.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Sessions`]: what prepares sessions for scenes that an algorithm makes itself.
 //! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: why it refuses.
@@ -15,6 +15,7 @@
 //! * [`Class`]: how an answer compares with the truth, and [`Severity`]: how bad that is; [`Status`]: how the gate sees a scene.
 //! * [`Tally`]: which stage settled a query; free of cost where it is off.
 //! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
+//! * [`contradiction!`]: the error of an algorithm that stops where signs contradict each other.
 
 mod backend;
 mod boxed;
@@ -24,6 +25,7 @@ mod construction;
 mod constructs;
 mod contact;
 mod contract;
+mod contradiction;
 mod interned;
 mod query;
 mod question;
@@ -31,6 +33,7 @@ mod scene;
 mod sessions;
 mod sign;
 mod tally;
+mod unknown_name;
 mod vertex;
 mod wrap;
 
@@ -38,7 +41,7 @@ pub use backend::{Backend, Batches, Predicates};
 pub use broken::Broken;
 pub use class::{Class, Severity, Status};
 pub use construction::{Construction, ConstructionError};
-pub use constructs::{Constructs, Refused};
+pub use constructs::{Constructs, DefinitionError, NoPoint, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
@@ -46,4 +49,5 @@ pub use scene::{Dimension, Scene, SceneError};
 pub use sessions::Sessions;
 pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
+pub use unknown_name::UnknownName;
 pub use vertex::{Axis, ParseVertexError, Plane, Vertex};

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::{Axis, Plane, Question, Vertex};
+use crate::{Axis, Plane, Question, UnknownName, Vertex};
 
 /// A query by name: what is asked, how, and of which vertices.
 ///
@@ -120,11 +120,11 @@ impl Axis {
 }
 
 impl FromStr for Axis {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Axis, String> {
+    fn from_str(name: &str) -> Result<Axis, UnknownName> {
         let axes = [Axis::X, Axis::Y, Axis::Z];
-        axes.into_iter().find(|axis| axis.name() == name).ok_or_else(|| format!("no axis is called `{name}`"))
+        axes.into_iter().find(|axis| axis.name() == name).ok_or_else(|| UnknownName::new("axis", name))
     }
 }
 
@@ -141,11 +141,11 @@ impl Plane {
 }
 
 impl FromStr for Plane {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<Plane, String> {
+    fn from_str(name: &str) -> Result<Plane, UnknownName> {
         let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
-        planes.into_iter().find(|plane| plane.name() == name).ok_or_else(|| format!("no plane is called `{name}`"))
+        planes.into_iter().find(|plane| plane.name() == name).ok_or_else(|| UnknownName::new("plane", name))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{Ordering, compiler_fence};
 
-use crate::{Axis, Plane, Predicates, Sign, Vertex};
+use crate::{Axis, Plane, Predicates, Sign, UnknownName, Vertex};
 
 /// The five sign predicates.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -67,13 +67,13 @@ impl std::fmt::Display for PredicateKind {
 }
 
 impl std::str::FromStr for PredicateKind {
-    type Err = String;
+    type Err = UnknownName;
 
-    fn from_str(name: &str) -> Result<PredicateKind, String> {
+    fn from_str(name: &str) -> Result<PredicateKind, UnknownName> {
         PredicateKind::ALL
             .into_iter()
             .find(|kind| kind.name() == name)
-            .ok_or_else(|| format!("no predicate is called `{name}`"))
+            .ok_or_else(|| UnknownName::new("predicate", name))
     }
 }
 

@@ -12,7 +12,7 @@
 use std::sync::Arc;
 
 use crate::interned::Interned;
-use crate::{Axis, Construction, ConstructionError, Declined, Plane, PredicateKind, Refused, Vertex};
+use crate::{Axis, Construction, ConstructionError, Declined, DefinitionError, Plane, PredicateKind, Refused, Vertex};
 
 /// How many coordinates a point has.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -209,13 +209,13 @@ impl Scene {
     pub fn construct_all(
         &mut self,
         definitions: &[Construction],
-        mut admit: impl FnMut(&Scene, Vertex) -> Result<(), String>,
+        mut admit: impl FnMut(&Scene, Vertex) -> Result<(), DefinitionError>,
     ) -> Result<Vec<Vertex>, Refused> {
         let before = self.constructions.list().len();
         let mut vertices = Vec::with_capacity(definitions.len());
         for (index, &definition) in definitions.iter().enumerate() {
             let known = self.constructions.list().len();
-            let constructed = self.construct(definition).map_err(|why| why.to_string()).and_then(|vertex| {
+            let constructed = self.construct(definition).map_err(DefinitionError::from).and_then(|vertex| {
                 let is_new = self.constructions.list().len() > known;
                 if is_new && known == before && definitions.len() - index > 1 {
                     Arc::make_mut(&mut self.constructions).reserve(definitions.len() - index - 1);
@@ -404,6 +404,7 @@ fn spans<const N: usize>(flat: &[Vertex; N], [inputs, constructed]: [usize; 2]) 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::NoPoint;
 
     #[test]
     fn refuses_what_is_not_finite_and_says_where() {
@@ -483,14 +484,18 @@ mod tests {
         assert_eq!(copy.constructions().len(), 1, "a clone keeps its own");
 
         let mut again = copy.clone();
-        let refused = again.construct_all(
-            &definitions,
-            |_, vertex| {
-                if vertex == z { Err("parallel".to_owned()) } else { Ok(()) }
-            },
-        );
+        let refused =
+            again.construct_all(
+                &definitions,
+                |_, vertex| {
+                    if vertex == z { Err(NoPoint::ParallelLines.into()) } else { Ok(()) }
+                },
+            );
         let refused = refused.unwrap_err();
-        assert_eq!(refused, Refused::Definition { index: 2, definition: definitions[2], reason: "parallel".into() });
+        assert_eq!(
+            refused,
+            Refused::Definition { index: 2, definition: definitions[2], reason: NoPoint::ParallelLines.into() }
+        );
         assert_eq!(again, copy);
         assert_eq!(again.construct_all(&definitions[2..], |_, _| Ok(())).unwrap_err().index(), Some(0), "c1 is gone");
         assert_eq!(again.construct(ssi([x, b], [c, d])), Ok(y), "its id is free");

@@ -7,13 +7,17 @@ use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_contacts::task;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 
 /// All contacts of two complexes of a scene, which has to know the lengths of their primitives.
 ///
 /// # Errors
-/// The reason, where the backend declines.
-pub(crate) fn contacts(backend: &dyn Contestant, scene: &Scene, [a, b]: [&Complex; 2]) -> Result<Contacts, String> {
+/// [`AnswerError`] where the backend declines.
+pub(crate) fn contacts(
+    backend: &dyn Contestant,
+    scene: &Scene,
+    [a, b]: [&Complex; 2],
+) -> Result<Contacts, AnswerError> {
     let task = match scene.dimension() {
         Dimension::Two => task::Contacts::IN_PLANE,
         Dimension::Three => task::Contacts::IN_SPACE,

@@ -1,19 +1,86 @@
 //! What a study has written, read back for a report.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use predicament_report::{Block, Picture};
 use serde::de::DeserializeOwned;
 
+/// Why what a study has written is not read back.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum FolderError {
+    /// A file or a folder cannot be read.
+    Unread {
+        /// The file or folder.
+        path: PathBuf,
+        /// What the operating system, or the reader, says.
+        why: String,
+    },
+    /// A row is not one of the table.
+    Row {
+        /// The file.
+        path: PathBuf,
+        /// The line of the row, from 1.
+        line: usize,
+        /// What is wrong with it.
+        why: String,
+        /// The command that writes the file.
+        command: String,
+    },
+    /// A table is empty.
+    NoRows {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A table lacks rows that a page is made of.
+    Lacks {
+        /// The file, in the folder of a run.
+        file: &'static str,
+        /// What it has no row of.
+        what: String,
+    },
+    /// No part of a page has this name.
+    UnknownPart {
+        /// The name.
+        name: String,
+        /// The names that there are.
+        known: Vec<&'static str>,
+    },
+}
+
+impl std::fmt::Display for FolderError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            FolderError::Unread { path, why } => write!(f, "{}: {why}", path.display()),
+            FolderError::Row { path, line, why, command } => {
+                write!(f, "{}:{line}: {why}; write it anew with `predicament {command}`", path.display())
+            }
+            FolderError::NoRows { path } => write!(f, "{}: there are no rows", path.display()),
+            FolderError::Lacks { file, what } => write!(f, "{file} has no {what}"),
+            FolderError::UnknownPart { name, known } => {
+                write!(f, "no part is called `{name}`; there are {}", known.join(", "))
+            }
+        }
+    }
+}
+
+impl std::error::Error for FolderError {}
+
 /// The rows of a table that `predicament COMMAND` writes.
 ///
 /// # Errors
-/// One line with the file, and the line that is wrong.
-pub fn rows_of<T: DeserializeOwned>(path: &Path, command: &str) -> Result<Vec<T>, String> {
-    let mut rows = csv::Reader::from_path(path).map_err(|why| format!("{}: {why}", path.display()))?;
+/// [`FolderError`] with the file, and the line that is wrong.
+pub fn rows_of<T: DeserializeOwned>(path: &Path, command: &str) -> Result<Vec<T>, FolderError> {
+    let mut rows = csv::Reader::from_path(path)
+        .map_err(|why| FolderError::Unread { path: path.to_owned(), why: why.to_string() })?;
     let row = |(at, row): (usize, Result<T, csv::Error>)| {
         // Under a header, from one on.
-        row.map_err(|why| format!("{}:{}: {why}; write it anew with `predicament {command}`", path.display(), at + 2))
+        row.map_err(|why| FolderError::Row {
+            path: path.to_owned(),
+            line: at + 2,
+            why: why.to_string(),
+            command: command.to_owned(),
+        })
     };
     rows.deserialize().enumerate().map(row).collect()
 }
@@ -21,9 +88,9 @@ pub fn rows_of<T: DeserializeOwned>(path: &Path, command: &str) -> Result<Vec<T>
 /// The plots of a folder whose names are this, or begin with this and a dash, in their order.
 ///
 /// # Errors
-/// One line with the folder or the file, and why it can't be read.
-pub fn plots_in(folder: &Path, name: &str, alt: &str) -> Result<Vec<Block>, String> {
-    let failed = |path: &Path, why: std::io::Error| format!("{}: {why}", path.display());
+/// [`FolderError`] with the folder or the file, and why it can't be read.
+pub fn plots_in(folder: &Path, name: &str, alt: &str) -> Result<Vec<Block>, FolderError> {
+    let failed = |path: &Path, why: std::io::Error| FolderError::Unread { path: path.to_owned(), why: why.to_string() };
     let mut files = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(|why| failed(folder, why))? {
         let path = entry.map_err(|why| failed(folder, why))?.path();

@@ -35,7 +35,7 @@ pub trait Host {
 }
 
 /// How a backend is found by its name.
-type Find = fn(&str) -> Result<Box<dyn Contestant>, String>;
+type Find = fn(&str) -> Result<Box<dyn Contestant>, Error>;
 
 /// A host that shows no progress and never stops a study.
 pub struct Quiet {
@@ -48,7 +48,7 @@ impl Quiet {
     /// A host for tests and for programs that wait, without tasks and backends of its own.
     #[must_use]
     pub fn new() -> Quiet {
-        Quiet::on(&[], |name| Err(format!("no backend is called `{name}`")))
+        Quiet::on(&[], |name| Err(Error::Unfit(format!("no backend is called `{name}`"))))
     }
 
     /// The same with these tasks and backends.
@@ -75,6 +75,6 @@ impl Host for Quiet {
     }
 
     fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error> {
-        (self.find)(name).map_err(Error::unfit)
+        (self.find)(name)
     }
 }

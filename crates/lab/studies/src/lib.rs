@@ -112,6 +112,7 @@ mod study;
 pub use common::Common;
 pub use entry::{Entry, Ready};
 pub use error::Error;
+pub use folder::FolderError;
 pub use host::{Host, Quiet};
 pub use precision::Precision;
 pub use report::{File, Report};

@@ -63,14 +63,14 @@ impl Report {
     /// Writes all files to a folder that exists; other folders are made.
     ///
     /// # Errors
-    /// One line with the path that cannot be written.
-    pub fn write(&self, folder: &Path) -> Result<(), String> {
+    /// The path that cannot be written, and why.
+    pub fn write(&self, folder: &Path) -> Result<(), predicament_records::Error> {
         self.files.iter().try_for_each(|file| {
             let path = folder.join(&file.name);
             if let Some(parent) = path.parent().filter(|parent| *parent != folder) {
-                std::fs::create_dir_all(parent).map_err(|error| format!("{}: {error}", parent.display()))?;
+                std::fs::create_dir_all(parent).map_err(predicament_records::Error::io(parent))?;
             }
-            replace(&path, &file.bytes).map_err(|error| error.to_string())
+            replace(&path, &file.bytes)
         })
     }
 }

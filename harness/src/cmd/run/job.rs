@@ -75,7 +75,7 @@ impl Job {
             ));
         }
         let named = args.expected.as_deref().map(expectations::file).transpose()?;
-        let plan = Plan { expected: named, ..work.part(args.shard).map_err(refuse)? };
+        let plan = Plan { expected: named, ..work.part(args.shard).map_err(|why| refuse(why.to_string()))? };
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;
         let selector = Selector { suites: suites_of(file, &plan), level, ..args.selector.clone() };
         let selection = selector.select(tool)?;

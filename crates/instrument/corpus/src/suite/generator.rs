@@ -46,7 +46,8 @@ impl Places {
             let [made, has] = [made.scene.dimension(), self.dimension].map(Dimension::count);
             return Err(error(format!("the family makes points of {made} coordinates, and these have {has}")));
         }
-        let (scene, content) = moved(&made.scene, &made.content, self.coordinates.clone()).map_err(error)?;
+        let (scene, content) =
+            moved(&made.scene, &made.content, self.coordinates.clone()).map_err(|why| error(why.to_string()))?;
         Ok(Parts { scene, content, ..made })
     }
 }

@@ -6,21 +6,21 @@ mod processes;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use predicament_engines::{Config, Engine, Step, chore};
+use predicament_engines::{Config, Engine, EngineError, Step, chore};
 use predicament_predicates::{
     Axis, Backend, Broken, Class, Construction, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
     Vertex,
 };
 
 /// The engine of tests, going wrong in this way. It runs where the tests run: the folder is there when it starts again.
-fn engine(way: &str) -> Result<Engine, String> {
+fn engine(way: &str) -> Result<Engine, EngineError> {
     let folder = tempfile::tempdir().unwrap();
     let mut config = config(folder.path(), way)?;
     config.folder = Path::new(env!("CARGO_MANIFEST_DIR")).to_owned();
     Engine::start(config)
 }
 
-fn config(folder: &Path, way: &str) -> Result<Config, String> {
+fn config(folder: &Path, way: &str) -> Result<Config, EngineError> {
     let program = env!("CARGO_BIN_EXE_engine-of-tests").replace('\\', "/");
     let text = format!(
         "name = \"tests\"\nversion = [\"{program}\", \"version\"]\nrun = [\"{program}\", \"{way}\"]\ntimeout = 1\n\
@@ -253,7 +253,7 @@ fn a_version_command_has_a_limit() {
     config.version = ["yes", "7.1"].map(str::to_owned).to_vec();
     assert_eq!(Engine::start(config.clone()).unwrap().version().as_deref(), Some("7.1"));
     config.version = ["sleep", "1000"].map(str::to_owned).to_vec();
-    let error = Engine::start(config).map(|_| ()).unwrap_err();
+    let error = Engine::start(config).map(|_| ()).unwrap_err().to_string();
     assert_eq!(unnamed(&error), "`sleep 1000` printed no version within 1s");
 }
 
@@ -264,7 +264,7 @@ fn what_an_engine_says_is_bounded() {
     let refused = |way: &str| {
         let mut config = config(folder.path(), way).unwrap();
         config.version.clear();
-        Engine::start(config).map(|_| ()).unwrap_err()
+        Engine::start(config).map(|_| ()).unwrap_err().to_string()
     };
     for (way, said) in [
         ("long name", "protocol: its name is empty, longer than 200 characters, or not one line"),
@@ -301,7 +301,7 @@ fn an_engine_that_does_not_greet_is_refused_at_once() {
         ("crash on hello", "crashed: the process ended with code 3; stderr: about to end / this is the reason"),
         ("decline hello", "protocol: not today"),
     ] {
-        assert_eq!(unnamed(&engine(way).map(|_| ()).unwrap_err()), said);
+        assert_eq!(unnamed(&engine(way).map(|_| ()).unwrap_err().to_string()), said);
     }
 }
 
@@ -313,11 +313,11 @@ fn chores_run_in_turn_and_say_what_failed() {
     chore(&config, Step::Build, |line| told.push(line.to_owned())).unwrap();
     assert_eq!(told.len(), 2);
     assert!(told[0].ends_with(" version") && told[1].ends_with(" none"));
-    let error = chore(&config, Step::Clean, |_| ()).unwrap_err();
+    let error = chore(&config, Step::Clean, |_| ()).unwrap_err().to_string();
     assert!(unnamed(&error).starts_with("`./no-such-program` did not start: "), "{error}");
     let mut failing = config.clone();
     failing.clean = vec![vec![env!("CARGO_BIN_EXE_engine-of-tests").to_owned(), "fails".to_owned()]];
-    let error = chore(&failing, Step::Clean, |_| ()).unwrap_err();
+    let error = chore(&failing, Step::Clean, |_| ()).unwrap_err().to_string();
     assert!(unnamed(&error).contains(" fails` failed: exit ") && error.ends_with("for a reason"), "{error}");
     chore(&config, Step::Install, |_| panic!("there is nothing to install")).unwrap();
 }

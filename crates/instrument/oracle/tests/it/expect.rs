@@ -6,7 +6,7 @@ use predicament_oracle::expect::Expectations;
 use predicament_tasks::{Class, ClassCounts, Status};
 
 fn parse(text: &str) -> Result<Expectations, String> {
-    Expectations::parse(Path::new("expected.toml"), text)
+    Expectations::parse(Path::new("expected.toml"), text).map_err(|error| error.to_string())
 }
 
 fn counts(classes: &[Class]) -> ClassCounts {

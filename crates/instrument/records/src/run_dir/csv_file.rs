@@ -47,7 +47,7 @@ impl CsvFile {
     }
 
     pub fn append<R: Row>(&mut self, row: &R) -> Result<(), Error> {
-        row.check().map_err(|message| Error::new(&self.path, message))?;
+        row.check().map_err(|error| Error::new(&self.path, error.to_string()))?;
         self.writer.serialize(row).map_err(|e| failed(&self.path, &e))
     }
 
@@ -130,7 +130,7 @@ impl Text {
         }
         let typed = rows.iter().map(|(line, record)| {
             let row: R = record.deserialize(Some(header)).map_err(|e| failed(path, &e))?;
-            row.check().map_err(|message| Error::at(path, *line, message))?;
+            row.check().map_err(|error| Error::at(path, *line, error.to_string()))?;
             Ok((*line, row))
         });
         Ok(Rows::read(typed.collect::<Result<Vec<_>, Error>>()?, *is_part))

@@ -187,7 +187,7 @@ impl Part {
         }
         let lengths = tables.iter().map(|(file, bytes)| (file.clone(), bytes.len() as u64)).collect();
         let pieces = pieces(&rows, &headers, &lengths)
-            .map_err(|message| Error::new(&run.path.join(SegmentRow::FILE), message))?;
+            .map_err(|error| Error::new(&run.path.join(SegmentRow::FILE), error.to_string()))?;
         let costs = CostRow::read(&run.path)?;
         Ok(Part { run, pieces, tables, costs })
     }

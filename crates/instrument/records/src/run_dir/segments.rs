@@ -22,6 +22,29 @@ crate::table! {
 /// What a table holds of one scene on one backend: its name, and the bytes from here up to there.
 pub(super) type Piece = (String, u64, u64);
 
+/// How the segments of a folder do not fit its tables.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(super) enum SegmentError {
+    /// The folder has no such table.
+    NoTable(String),
+    /// The table ends here no later than before.
+    NotGrown(SegmentRow),
+    /// The table has bytes of no scene.
+    NoScene(String),
+}
+
+impl std::fmt::Display for SegmentError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            SegmentError::NoTable(table) => write!(f, "there is no {table}"),
+            SegmentError::NotGrown(SegmentRow { table, place, backend, .. }) => {
+                write!(f, "{table} does not grow at scene {place} on {backend}")
+            }
+            SegmentError::NoScene(table) => write!(f, "{table} has bytes of no scene"),
+        }
+    }
+}
+
 /// The pieces of tables by scene and backend.
 ///
 /// # Errors
@@ -30,13 +53,13 @@ pub(super) fn pieces(
     rows: &[SegmentRow],
     headers: &BTreeMap<String, u64>,
     lengths: &BTreeMap<String, u64>,
-) -> Result<BTreeMap<(u64, String), Vec<Piece>>, String> {
+) -> Result<BTreeMap<(u64, String), Vec<Piece>>, SegmentError> {
     let mut ends = headers.clone();
     let mut pieces: BTreeMap<_, Vec<Piece>> = BTreeMap::new();
     for row in rows {
-        let Some(end) = ends.get_mut(&row.table) else { return Err(format!("there is no {}", row.table)) };
+        let Some(end) = ends.get_mut(&row.table) else { return Err(SegmentError::NoTable(row.table.clone())) };
         if row.bytes <= *end {
-            return Err(format!("{} does not grow at scene {} on {}", row.table, row.place, row.backend));
+            return Err(SegmentError::NotGrown(row.clone()));
         }
         let piece = (row.table.clone(), *end, row.bytes);
         pieces.entry((row.place, row.backend.clone())).or_default().push(piece);
@@ -44,7 +67,7 @@ pub(super) fn pieces(
     }
     for (table, end) in &ends {
         if lengths.get(table) != Some(end) {
-            return Err(format!("{table} has bytes of no scene"));
+            return Err(SegmentError::NoScene(table.clone()));
         }
     }
     Ok(pieces)
@@ -69,9 +92,9 @@ mod tests {
         assert_eq!(found[&(4, "exact".to_owned())], [piece("a.csv", 5, 10), piece("b.csv", 3, 4)]);
         assert_eq!(found[&(9, "exact".to_owned())], [piece("a.csv", 10, 12)]);
         for lengths in [[("a.csv", 13), ("b.csv", 4)], [("a.csv", 12), ("b.csv", 5)]] {
-            assert!(pieces(&rows, &headers, &of(&lengths)).unwrap_err().contains("bytes of no scene"));
+            assert!(pieces(&rows, &headers, &of(&lengths)).unwrap_err().to_string().contains("bytes of no scene"));
         }
         let shrunk = pieces(&[row(1, "a.csv", 5)], &headers, &headers);
-        assert_eq!(shrunk.unwrap_err(), "a.csv does not grow at scene 1 on exact");
+        assert_eq!(shrunk.unwrap_err().to_string(), "a.csv does not grow at scene 1 on exact");
     }
 }

@@ -47,7 +47,7 @@ impl Record {
     /// If the row fails its [`check`](Row::check).
     pub fn of<R: Row>(row: &R) -> Result<Record, Error> {
         let path = Path::new(R::FILE);
-        row.check().map_err(|message| Error::new(path, message))?;
+        row.check().map_err(|error| Error::new(path, error.to_string()))?;
         let fail = |message: String| Error::new(path, message);
         let mut writer = WriterBuilder::new().has_headers(false).from_writer(Vec::new());
         writer.serialize(row).map_err(|error| fail(error.to_string()))?;

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use predicament_records::{
     Class, EngineFile, Env, ExpectedFile, FORMAT, FindingRow, Interface, Level, Outcome, PhaseRow, Plan, PlannedScene,
-    PrecisionRow, Record, Row, RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec, ThroughputRow,
+    PrecisionRow, Record, Row, RowError, RunDir, RunWriter, Shard, StageRow, Status, SummaryRow, TableSpec,
+    ThroughputRow,
 };
 use serde::{Deserialize, Serialize};
 
@@ -23,8 +24,12 @@ impl Row for PairRow {
     const FILE: &'static str = "pairs.csv";
     const COLUMNS: &'static [&'static str] = &["scene", "backend", "ended", "asked"];
 
-    fn check(&self) -> Result<(), String> {
-        if self.asked.is_some_and(|asked| asked < self.ended) { Err("more have ended".to_owned()) } else { Ok(()) }
+    fn check(&self) -> Result<(), RowError> {
+        if self.asked.is_some_and(|asked| asked < self.ended) {
+            Err(RowError::Contradiction("more have ended"))
+        } else {
+            Ok(())
+        }
     }
 }
 

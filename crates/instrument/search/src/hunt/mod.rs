@@ -24,8 +24,8 @@ use predicament_predicates::{Class, PredicateKind};
 use predicament_tasks::{Finding, Stop};
 use rayon::prelude::*;
 
-use crate::Wanted;
 use crate::shrink::{End, Limits, Size, shrink};
+use crate::{SearchError, Wanted};
 use climb::Climb;
 use moves::Draft;
 use population::{Member, Population};
@@ -83,11 +83,11 @@ impl<'a> Hunt<'a> {
     ///
     /// # Errors
     /// One line, where what was written down is of another task, or there is nothing to begin with.
-    pub fn new(quarry: Quarry<'a>, options: Options, seeds: Vec<Seed>, state: State) -> Result<Hunt<'a>, String> {
+    pub fn new(quarry: Quarry<'a>, options: Options, seeds: Vec<Seed>, state: State) -> Result<Hunt<'a>, SearchError> {
         let task = quarry.task.name();
         let population = state.population(quarry.vocabulary, heights(task).len())?;
         if seeds.is_empty() && !(options.shapes && has_shapes(task)) {
-            return Err(format!("no small scene of {task} is in these suites; name others"));
+            return Err(SearchError::NoSeeds { task: task.to_owned() });
         }
         let mut hunt = Hunt { quarry, options, seeds, population, state };
         hunt.leave_out_known();

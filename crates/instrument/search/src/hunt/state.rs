@@ -1,7 +1,8 @@
 //! A hunt written down: all that is needed to go on as if it had never stopped.
 
+use crate::SearchError;
 use predicament_corpus::{Heading, Level, Spelled, Suite, Vocabulary};
-use predicament_formats::{Cache, CorpusError, Manifest};
+use predicament_formats::{Cache, Manifest};
 use serde::{Deserialize, Serialize};
 
 use super::heights::heights;
@@ -87,16 +88,11 @@ pub(super) fn text(spelled: &Spelled) -> String {
 ///
 /// # Errors
 /// One line, where it is none, or of a task that cannot write it out.
-pub fn read(vocabulary: &Vocabulary, text: &str) -> Result<Spelled, String> {
-    // The text is in no file of its own.
-    let placed = |error: CorpusError| {
-        let place = error.line().map_or_else(String::new, |line| format!("line {line} of the scene: "));
-        format!("{place}{}; {}", error.message, error.cure)
-    };
-    let suite = Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(placed)?;
-    let [def] = suite.scenes.as_slice() else { return Err("a suite with one scene was expected".to_owned()) };
-    let loaded = def.load(Level::Quick, &Cache::new("")).map_err(placed)?;
-    loaded.spelled().ok_or_else(|| format!("the task {} cannot write its scenes out", def.task))
+pub fn read(vocabulary: &Vocabulary, text: &str) -> Result<Spelled, SearchError> {
+    let suite = Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(SearchError::Scene)?;
+    let [def] = suite.scenes.as_slice() else { return Err(SearchError::NotOneScene) };
+    let loaded = def.load(Level::Quick, &Cache::new("")).map_err(SearchError::Scene)?;
+    loaded.spelled().ok_or_else(|| SearchError::NotWritten { task: def.task.to_string() })
 }
 
 impl SavedMember {
@@ -105,9 +101,9 @@ impl SavedMember {
         SavedMember { scene: text(&spelled), heights, conduct, number, parents, story }
     }
 
-    fn member(&self, vocabulary: &Vocabulary) -> Result<Member, String> {
+    fn member(&self, vocabulary: &Vocabulary) -> Result<Member, SearchError> {
         let SavedMember { scene, heights, conduct, number, parents, story } = self.clone();
-        let spelled = read(vocabulary, &scene).map_err(|why| format!("scene {number}: {why}"))?;
+        let spelled = read(vocabulary, &scene).map_err(|why| SearchError::Member { number, why: Box::new(why) })?;
         Ok(Member { spelled, heights, conduct, number, parents, story })
     }
 }
@@ -116,10 +112,10 @@ impl State {
     /// Whether everything in it can be read, for a hunt of this task.
     ///
     /// # Errors
-    /// One line, with the first find or scene that is none.
-    pub fn check(&self, vocabulary: &Vocabulary, task: &str) -> Result<(), String> {
+    /// [`SearchError`] with the first find or scene that cannot be read.
+    pub fn check(&self, vocabulary: &Vocabulary, task: &str) -> Result<(), SearchError> {
         for (at, find) in self.finds.iter().enumerate() {
-            read(vocabulary, &find.shrunk).map_err(|why| format!("find {}: {why}", at + 1))?;
+            read(vocabulary, &find.shrunk).map_err(|why| SearchError::Find { number: at + 1, why: Box::new(why) })?;
         }
         self.population(vocabulary, heights(task).len()).map(drop)
     }
@@ -134,18 +130,18 @@ impl State {
     }
 
     /// The population as it was taken down; an empty one with so many islands before the first generation.
-    pub(super) fn population(&self, vocabulary: &Vocabulary, measures: usize) -> Result<Population, String> {
+    pub(super) fn population(&self, vocabulary: &Vocabulary, measures: usize) -> Result<Population, SearchError> {
         if self.islands.is_empty() {
             return Ok(Population::new(measures));
         }
-        let all = |members: &[SavedMember]| -> Result<Vec<Member>, String> {
+        let all = |members: &[SavedMember]| -> Result<Vec<Member>, SearchError> {
             members.iter().map(|member| member.member(vocabulary)).collect()
         };
-        let island = |saved: &SavedIsland| -> Result<Island, String> {
+        let island = |saved: &SavedIsland| -> Result<Island, SearchError> {
             Ok(Island { members: all(&saved.members)?, idle: saved.idle, peak: saved.peak })
         };
         if self.islands.len() != measures {
-            return Err(format!("{} islands where the task has {measures} measures", self.islands.len()));
+            return Err(SearchError::Islands { found: self.islands.len(), measures });
         }
         let islands = self.islands.iter().map(island).collect::<Result<_, _>>()?;
         Ok(Population { islands, curious: all(&self.curious)? })

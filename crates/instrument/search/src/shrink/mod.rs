@@ -17,7 +17,7 @@ use predicament_corpus::{LoadedScene, Spelled, Vocabulary};
 use predicament_predicates::Vertex;
 use predicament_tasks::{Finding, Stop};
 
-use crate::Witness;
+use crate::{SearchError, Witness};
 pub use size::Size;
 
 /// How much is tried.
@@ -74,7 +74,7 @@ pub type Kept<'k> = dyn FnMut(&Spelled, &Finding, u64) + 'k;
 /// interrupted, count.
 ///
 /// # Errors
-/// One line, where the scene cannot be read from its text, or does not show the finding any more.
+/// [`SearchError`] where the scene cannot be read from its text, or does not show the finding any more.
 pub fn shrink(
     vocabulary: &Vocabulary,
     witness: &dyn Witness,
@@ -83,11 +83,10 @@ pub fn shrink(
     limits: Limits,
     evaluations: u64,
     kept: &mut Kept<'_>,
-) -> Result<Shrunk, String> {
-    let loaded = start.loaded(vocabulary, NAME).map_err(|error| error.to_string())?;
-    let interrupted = || "interrupted before the scene was looked at once".to_owned();
-    let finding = witness.look(&loaded).map_err(|_| interrupted())?;
-    let finding = finding.ok_or("the scene, written out, does not show the finding")?;
+) -> Result<Shrunk, SearchError> {
+    let loaded = start.loaded(vocabulary, NAME).map_err(SearchError::Start)?;
+    let finding = witness.look(&loaded).map_err(|_| SearchError::Interrupted)?;
+    let finding = finding.ok_or(SearchError::NotShown)?;
     kept(&start, &finding, evaluations);
     let mut search = Search {
         vocabulary,
@@ -236,7 +235,7 @@ mod tests {
             let limits = Limits { evaluations: 100 };
             let shrunk = shrink(predicament_bundle::vocabulary(), &witness, start.clone(), &[], limits, 7, &mut keep);
             if looks == 0 {
-                assert!(shrunk.unwrap_err().contains("interrupted") && kept.is_empty());
+                assert!(matches!(shrunk, Err(SearchError::Interrupted)) && kept.is_empty());
                 continue;
             }
             let shrunk = shrunk.unwrap();

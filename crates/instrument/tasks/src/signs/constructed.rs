@@ -37,7 +37,7 @@ impl Constructions {
                 return Err(error(format!("the same construction as {vertex}"), "remove one of the two"));
             }
             meet(scene, &construction)
-                .map_err(|why| error(why.to_owned(), "choose lines and planes that meet in one point"))?;
+                .map_err(|why| error(why.to_string(), "choose lines and planes that meet in one point"))?;
         }
         Ok(())
     }

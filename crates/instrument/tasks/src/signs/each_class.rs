@@ -6,7 +6,7 @@ use rayon::prelude::*;
 
 use super::judge::{Given, class};
 use super::{SignQueries, Signs};
-use crate::{Class, Contestant};
+use crate::{AnswerError, Class, Contestant, Refusal};
 
 /// The answers of a backend to all queries, in order, each with its class under the backend's promise.
 ///
@@ -14,13 +14,13 @@ use crate::{Class, Contestant};
 /// held against another one.
 ///
 /// # Errors
-/// The reason, where the backend declines.
+/// [`AnswerError`] where the backend declines.
 pub fn classes(
     backend: &dyn Contestant,
     scene: &Scene,
     content: &SignQueries,
     truth: &[Sign],
-) -> Result<Vec<(Sign, Class)>, String> {
+) -> Result<Vec<(Sign, Class)>, AnswerError> {
     let queries = &content.queries;
     let answers = backend.answer(&Signs::of(queries.kind()), scene, content)?.0;
     let contract = backend.contract(queries.kind());
@@ -31,6 +31,6 @@ pub fn classes(
         let of = |query| (given.answers[query], class(&given, backend.tie_judge(), query));
         classes = (0..queries.len()).into_par_iter().map(of).collect();
     });
-    asked.map_err(|declined| declined.to_string())?;
+    asked.map_err(|why| AnswerError::Refused(Refusal { check: "prepare", why }))?;
     Ok(classes)
 }

@@ -38,8 +38,8 @@ pub use truth::truth;
 
 use crate::output::Canvas;
 use crate::{
-    Answer, Asked, Case, Check, Compared, Contestant, Dispute, Explanation, Halt, How, Knob, Outcome, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
@@ -228,7 +228,7 @@ impl Task for Signs {
         _: &SignQueries,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         explain::explain(scene, query, backends)
     }
 

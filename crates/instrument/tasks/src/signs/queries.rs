@@ -1,7 +1,7 @@
 //! The key `queries`: which vertices are asked about.
 
 use predicament_formats::{CorpusError, Field, Fields};
-use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, UnknownName, Vertex};
 
 /// More combinations than this are a mistake, not a scene.
 const MOST_COMBINATIONS: usize = 1_000_000;
@@ -106,9 +106,10 @@ pub(super) fn question(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Q
         PredicateKind::Compare => Question::Compare(axis(fields)?),
         PredicateKind::Orient2d => Question::Orient2d(match fields.get("plane") {
             None => Plane::Xy,
-            Some(field) => {
-                field.str()?.parse().map_err(|message: String| field.error(message, "write xy, yz or zx"))?
-            }
+            Some(field) => field
+                .str()?
+                .parse()
+                .map_err(|unknown: UnknownName| field.error(unknown.to_string(), "write xy, yz or zx"))?,
         }),
         PredicateKind::Orient3d => Question::Orient3d,
         PredicateKind::Incircle => Question::Incircle,
@@ -119,7 +120,7 @@ pub(super) fn question(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Q
 /// The `axis` of a table; x where it has none.
 pub fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
     fields.get("axis").map_or(Ok(Axis::X), |field| {
-        field.str()?.parse().map_err(|message: String| field.error(message, "write x, y or z"))
+        field.str()?.parse().map_err(|unknown: UnknownName| field.error(unknown.to_string(), "write x, y or z"))
     })
 }
 

@@ -16,8 +16,8 @@ use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query,
 use predicament_records::{Env, Interface, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
 use predicament_tasks::{
-    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, Explanation, Finding, Halt, How, Outcome,
-    Purpose, Stop, Task, TaskList, Watch, digest,
+    Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, ExplainError, Explanation, Finding, Halt, How,
+    Outcome, Purpose, Stop, Task, TaskList, Watch, digest,
 };
 use serde::{Deserialize, Serialize};
 
@@ -181,7 +181,7 @@ impl Task for LeftTurns {
         content: &Stride,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let about = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|count| count.0.to_string());
         Ok(about.with_answers(backends, ask))
@@ -291,7 +291,7 @@ fn the_house_refuses_a_suite_of_a_task_that_it_was_not_told_of() {
     let exact = backend("exact", &()).unwrap();
     let content = zigzag.content::<Stride>().unwrap();
     let answer = exact.answer(&LeftTurns, &zigzag.scene, content);
-    assert_eq!(answer, Err("exact knows no task `left-turns`".to_owned()));
+    assert_eq!(answer.map_err(|why| why.to_string()), Err("exact knows no task `left-turns`".to_owned()));
     let outcome = ran(&zigzag, exact.as_ref());
     assert_eq!(outcome.counts.get(Class::Panic), 1);
     assert!(outcome.findings[0].got.contains("exact was not told of the task left-turns"), "{:?}", outcome.findings);
@@ -355,7 +355,7 @@ fn its_findings_can_be_asked_again() {
     let rows = [("exact", &finding.truth), ("naive", &finding.got)];
     assert_eq!(explained.rows, rows.map(|(name, count)| (name.to_owned(), vec![count.clone()])));
     let missing = Query::of_task("left-turns", &[Vertex::input(generated.scene.len())]);
-    let error = LeftTurns.explain_query(&generated, &missing, &[]).unwrap_err();
+    let error = LeftTurns.explain_query(&generated, &missing, &[]).unwrap_err().to_string();
     assert!(error.contains("the scene has no vertex 768"), "{error}");
 }
 

@@ -13,7 +13,7 @@
 
 use predicament_predicates::{
     Axis::{X, Y, Z},
-    Construction, Vertex,
+    Construction, NoPoint, Vertex,
 };
 use rug::{Integer, integer::Order};
 
@@ -28,7 +28,7 @@ use super::{
 type Row<const N: usize> = [Integer; N];
 
 /// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
-pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, &'static str> {
+pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, NoPoint> {
     Ok(match *construction {
         Construction::Ssi(lines) => {
             let [first, second] = lines.map(|line| line.map(|v| flat(rows, v)));
@@ -43,7 +43,7 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, &'s
             let planes = [span(&l)?, span(&m)?, span(&n)?];
             let point = minors(&planes);
             if point[3].is_zero() {
-                return Err("the planes share no point, or more than one");
+                return Err(NoPoint::Planes);
             }
             store(rows, point)
         }
@@ -59,33 +59,33 @@ fn solid(rows: View, v: Vertex) -> Row<4> {
 }
 
 /// The line through two points of the plane.
-fn join([p, q]: &[Row<3>; 2]) -> Result<Row<3>, &'static str> {
+fn join([p, q]: &[Row<3>; 2]) -> Result<Row<3>, NoPoint> {
     let line = cross(p, q);
     // Two points with weights have a line through them unless they are one point.
-    if line.iter().all(Integer::is_zero) { Err("the ends of a segment coincide") } else { Ok(line) }
+    if line.iter().all(Integer::is_zero) { Err(NoPoint::SegmentEnds) } else { Ok(line) }
 }
 
 /// The point of two lines.
-fn meet(first: Row<3>, second: Row<3>) -> Result<Row<3>, &'static str> {
+fn meet(first: Row<3>, second: Row<3>) -> Result<Row<3>, NoPoint> {
     let point = cross(&first, &second);
-    if point[2].is_zero() { Err("the lines are parallel") } else { Ok(point) }
+    if point[2].is_zero() { Err(NoPoint::ParallelLines) } else { Ok(point) }
 }
 
 /// The plane through three points.
-fn span(points: &[Row<4>; 3]) -> Result<Row<4>, &'static str> {
+fn span(points: &[Row<4>; 3]) -> Result<Row<4>, NoPoint> {
     let plane = minors(points);
-    if plane.iter().all(Integer::is_zero) { Err("the three vertices of a plane are collinear") } else { Ok(plane) }
+    if plane.iter().all(Integer::is_zero) { Err(NoPoint::CollinearPlane) } else { Ok(plane) }
 }
 
 /// The point of a line and a plane.
-fn pierce([p, q]: &[Row<4>; 2], plane: &Row<4>) -> Result<Row<4>, &'static str> {
+fn pierce([p, q]: &[Row<4>; 2], plane: &Row<4>) -> Result<Row<4>, NoPoint> {
     if (0..3).all(|i| minor(p, q, i, 3).is_zero()) {
-        return Err("the two vertices of the line coincide");
+        return Err(NoPoint::LineEnds);
     }
     let at = |point: &Row<4>| plane.iter().zip(point).map(|(f, x)| Integer::from(f * x)).sum::<Integer>();
     let (at_p, at_q) = (at(p), at(q));
     let point: Row<4> = std::array::from_fn(|i| Integer::from(&at_q * &p[i]) - Integer::from(&at_p * &q[i]));
-    if point[3].is_zero() { Err("the line is parallel to the plane") } else { Ok(point) }
+    if point[3].is_zero() { Err(NoPoint::ParallelToPlane) } else { Ok(point) }
 }
 
 fn minor<const N: usize>(p: &Row<N>, q: &Row<N>, i: usize, j: usize) -> Integer {

@@ -36,7 +36,9 @@ mod rows;
 mod whole;
 
 use predicament_arithmetic::dyadic::Space;
-use predicament_predicates::{Axis, Construction, Declined, Dimension, Plane, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Axis, Construction, Declined, DefinitionError, Dimension, NoPoint, Plane, Refused, Scene, Sign, Vertex,
+};
 
 use crate::stage;
 use approximate::Near;
@@ -89,7 +91,7 @@ impl Constructed {
     pub(crate) fn construct_where(
         &mut self,
         definitions: &[Construction],
-        accepts: &dyn Fn(&Construction) -> Result<(), String>,
+        accepts: &dyn Fn(&Construction) -> Result<(), DefinitionError>,
     ) -> Result<Vec<Vertex>, Refused> {
         let Constructed { scene, table, rows } = self;
         let before = scene.constructions().len();
@@ -101,7 +103,7 @@ impl Constructed {
                 table.reserve(scene.dimension(), definitions.len());
                 rows.reserve(definitions.len());
             }
-            push(scene, table, rows, construction).map_err(str::to_owned)
+            push(scene, table, rows, construction).map_err(DefinitionError::from)
         });
         if vertices.is_err() {
             table.truncate(before);
@@ -397,7 +399,7 @@ impl Table {
 
 /// Adds the next vertex of the scene, or says why it is no point.
 #[inline]
-fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Construction) -> Result<(), &'static str> {
+fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Construction) -> Result<(), NoPoint> {
     rows.push();
     match scene.dimension() {
         Dimension::Two => {
@@ -435,7 +437,7 @@ fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Constr
 /// Doubles and slack of the last vertex, of which floating point can't say that there is a point. N is one more than there are axes.
 #[cold]
 #[inline(never)]
-fn admitted<const N: usize>(rows: View) -> Result<[f64; N], &'static str> {
+fn admitted<const N: usize>(rows: View) -> Result<[f64; N], NoPoint> {
     let row: &Row = rows.admit()?;
     let rounded = row.rounded(N - 1);
     let mut entry = [0.0; N];

@@ -29,7 +29,7 @@ use predicament_arithmetic::dyadic::{
 };
 use predicament_predicates::{
     Axis::{X, Y, Z},
-    Construction,
+    Construction, NoPoint,
 };
 
 use super::{
@@ -45,7 +45,7 @@ const NUMBERS: usize = 16 + 6;
 /// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
 #[cold]
 #[inline(never)]
-pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, &'static str> {
+pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, NoPoint> {
     if !construction.is_of_inputs() {
         return deep::row(rows, construction);
     }
@@ -72,33 +72,33 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, &'stat
 }
 
 #[inline(never)] // so that the stack frame is that of this capacity
-fn segments<const CAP: usize>(rows: View, lines: [[Point<2>; 2]; 2]) -> Result<Row, &'static str> {
+fn segments<const CAP: usize>(rows: View, lines: [[Point<2>; 2]; 2]) -> Result<Row, NoPoint> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let [[a, b], [c, d]] = lines;
     let [u, v, s] = [minus(space, b, a), minus(space, d, c), minus(space, c, a)];
     if is_zero(u) || is_zero(v) {
-        return Err("the ends of a segment coincide");
+        return Err(NoPoint::SegmentEnds);
     }
     let weight = minor(space, u, v, 0, 1);
     if weight.is_zero() {
-        return Err("the lines are parallel");
+        return Err(NoPoint::ParallelLines);
     }
     let along = minor(space, s, v, 0, 1);
     Ok(rows.store(&moved(space, a, weight, along, u), weight))
 }
 
 #[inline(never)]
-fn line_plane<const CAP: usize>(rows: View, [p, q]: [Point<3>; 2], plane: [Point<3>; 3]) -> Result<Row, &'static str> {
+fn line_plane<const CAP: usize>(rows: View, [p, q]: [Point<3>; 2], plane: [Point<3>; 3]) -> Result<Row, NoPoint> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let (u, normal) = (minus(space, q, p), normal(space, plane)?);
     if is_zero(u) {
-        return Err("the two vertices of the line coincide");
+        return Err(NoPoint::LineEnds);
     }
     let weight = dot(space, normal, u);
     if weight.is_zero() {
-        return Err("the line is parallel to the plane");
+        return Err(NoPoint::ParallelToPlane);
     }
     let way = minus(space, plane[0], p);
     let along = dot(space, normal, way);
@@ -106,7 +106,7 @@ fn line_plane<const CAP: usize>(rows: View, [p, q]: [Point<3>; 2], plane: [Point
 }
 
 #[inline(never)]
-fn planes_point<const CAP: usize>(rows: View, planes: [[Point<3>; 3]; 3]) -> Result<Row, &'static str> {
+fn planes_point<const CAP: usize>(rows: View, planes: [[Point<3>; 3]; 3]) -> Result<Row, NoPoint> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
     let [[p, ..], [q, ..], [r, ..]] = planes;
@@ -114,7 +114,7 @@ fn planes_point<const CAP: usize>(rows: View, planes: [[Point<3>; 3]; 3]) -> Res
     let [lm, mn, nl] = [cross(space, l, m), cross(space, m, n), cross(space, n, l)];
     let weight = dot(space, l, mn);
     if weight.is_zero() {
-        return Err("the planes share no point, or more than one");
+        return Err(NoPoint::Planes);
     }
     let [to_second, to_third] = [minus(space, q, p), minus(space, r, p)];
     let [second, third] = [dot(space, m, to_second), dot(space, n, to_third)];
@@ -124,10 +124,10 @@ fn planes_point<const CAP: usize>(rows: View, planes: [[Point<3>; 3]; 3]) -> Res
 }
 
 /// The normal of the plane of three points.
-fn normal<'a>(space: &mut Space<'a>, [r, s, t]: [Point<'a, 3>; 3]) -> Result<Point<'a, 3>, &'static str> {
+fn normal<'a>(space: &mut Space<'a>, [r, s, t]: [Point<'a, 3>; 3]) -> Result<Point<'a, 3>, NoPoint> {
     let [u, v] = [minus(space, s, r), minus(space, t, r)];
     let normal = cross(space, u, v);
-    if is_zero(normal) { Err("the three vertices of a plane are collinear") } else { Ok(normal) }
+    if is_zero(normal) { Err(NoPoint::CollinearPlane) } else { Ok(normal) }
 }
 
 fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Point<D>, q: Point<D>) -> Point<'a, D> {

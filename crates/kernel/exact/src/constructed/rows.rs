@@ -22,7 +22,7 @@ use predicament_arithmetic::{
     ExponentRange,
     dyadic::{Number, Space},
 };
-use predicament_predicates::{Axis, Construction, Scene, Vertex};
+use predicament_predicates::{Axis, Construction, NoPoint, Scene, Vertex};
 
 use super::{filter::Approximate, points};
 
@@ -220,7 +220,7 @@ impl<'a> View<'a> {
     }
 
     /// The row of the last constructed vertex, or why it is no point.
-    pub fn admit(self) -> Result<&'a Row, &'static str> {
+    pub fn admit(self) -> Result<&'a Row, NoPoint> {
         let last = self.rows.count - 1;
         self.compute_before(last);
         let row = points::row(self, self.definition(last))?;

@@ -3,8 +3,8 @@
 use crate::common::Random;
 use predicament_exact::{Exact, Session, estimate, form, rational, stage};
 use predicament_predicates::{
-    Axis, Backend, Construction, Counts, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
-    Tally, Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Counts, DefinitionError, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question,
+    Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use robust::{Coord, Coord3D};
 
@@ -252,7 +252,7 @@ fn definitions_that_are_not_accepted_are_refused() {
     let [first, second] = [of([[0, 1], [2, 3]]), of([[4, 5], [0, 1]])];
     let without_4 = |definition: &Construction| {
         let has_4 = definition.flats().flatten().any(|&vertex| vertex == v(4));
-        if has_4 { Err("not about vertex 4".to_owned()) } else { Ok(()) }
+        if has_4 { Err(DefinitionError::Other("not about vertex 4".into())) } else { Ok(()) }
     };
     let refused = session.construct_where(&[first, second], without_4).unwrap_err();
     assert_eq!(refused.index(), Some(1));
@@ -261,5 +261,8 @@ fn definitions_that_are_not_accepted_are_refused() {
     let found = session.construct_where(&[first], without_4).unwrap();
     assert_eq!(session.orient2d(Plane::Xy, v(4), v(5), found[0]), Sign::Zero, "(2, 2) is on the line");
     // What is there already is not asked about again.
-    assert_eq!(session.construct_where(&[first], |_| Err("nothing new".to_owned())).unwrap(), found);
+    assert_eq!(
+        session.construct_where(&[first], |_| Err(DefinitionError::Other("nothing new".into()))).unwrap(),
+        found
+    );
 }

@@ -47,7 +47,7 @@ mod series;
 #[cfg(test)]
 mod testing;
 
-use predicament_predicates::{Axis, Construction, Declined, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Declined, DefinitionError, Question, Scene, Sign, Vertex};
 
 use certain::Matrix;
 use first::Known;
@@ -68,11 +68,12 @@ pub(crate) fn others_only() -> String {
 }
 
 /// Whether only input vertices define it, and why that has to be.
-pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), String> {
+pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), DefinitionError> {
     if construction.is_of_inputs() {
         return Ok(());
     }
-    Err("a perturbation moves vertices that input vertices define, not those that constructed ones do".to_owned())
+    let reason = "a perturbation moves vertices that input vertices define, not those that constructed ones do";
+    Err(DefinitionError::OfConstructed { reason })
 }
 
 /// The same for all constructions of a scene.

@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use predicament_overlay::algorithm::overlay::{Edge, Polygon, Region, Rule};
-use predicament_predicates::{Scene, Vertex};
+use predicament_predicates::{Scene, SceneError, Vertex};
 
 use super::cascade::Loop;
 
@@ -43,8 +43,8 @@ impl Points {
     }
 
     /// The scene of all points.
-    pub fn scene(&self) -> Result<Scene, String> {
-        Scene::from_points2(&self.points).map_err(|why| why.to_string())
+    pub fn scene(&self) -> Result<Scene, SceneError> {
+        Scene::from_points2(&self.points)
     }
 }
 
@@ -53,7 +53,7 @@ impl Pair {
     ///
     /// # Errors
     /// A coordinate that is not finite.
-    pub fn new(regions: &[Vec<Loop>], corners: &Loop) -> Result<Pair, String> {
+    pub fn new(regions: &[Vec<Loop>], corners: &Loop) -> Result<Pair, SceneError> {
         let mut points = Points::default();
         let mut region = |loops: &Vec<Loop>| {
             let mut loops = loops.iter().map(|one| points.edges(one));

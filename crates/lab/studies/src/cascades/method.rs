@@ -65,30 +65,58 @@ impl fmt::Display for Method {
     }
 }
 
-impl FromStr for Method {
-    type Err = String;
+/// Why a text is not a method.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ParseMethodError {
+    /// The text is empty.
+    NoName,
+    /// The radius of `thick:RADIUS` is out of range in this text.
+    Radius(String),
+    /// The bits of `+snap:BITS` are out of range in this text.
+    Bits(String),
+    /// No way to keep results has this name.
+    Keep(String),
+}
 
-    fn from_str(text: &str) -> Result<Method, String> {
+impl std::fmt::Display for ParseMethodError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ParseMethodError::NoName => f.write_str("a method has a name"),
+            ParseMethodError::Radius(text) => {
+                write!(f, "`{text}`: the radius of `thick:RADIUS` is between 0 and 0.5")
+            }
+            ParseMethodError::Bits(text) => write!(f, "`{text}`: the bits of `+snap:BITS` are from 1 to 50"),
+            ParseMethodError::Keep(rest) => write!(f, "`+{rest}` is none of +round, +snap, +snap:BITS, +contacts"),
+        }
+    }
+}
+
+impl std::error::Error for ParseMethodError {}
+
+impl FromStr for Method {
+    type Err = ParseMethodError;
+
+    fn from_str(text: &str) -> Result<Method, ParseMethodError> {
         if let Some(radius) = text.strip_prefix("thick").filter(|rest| rest.is_empty() || rest.starts_with(':')) {
             let radius = radius.strip_prefix(':').map_or(Ok(RADIUS), str::parse);
             let radius = radius.ok().filter(|radius: &f64| radius.is_finite() && (0.0..=0.5).contains(radius));
-            let radius =
-                radius.ok_or_else(|| format!("`{text}`: the radius of `thick:RADIUS` is between 0 and 0.5"))?;
+            let radius = radius.ok_or_else(|| ParseMethodError::Radius(text.to_owned()))?;
             return Ok(Method { backend: FLOAT.to_owned(), keep: Keep::Thick(radius) });
         }
         let of = |backend: &str, keep: Keep| Ok(Method { backend: backend.to_owned(), keep });
         match text.rsplit_once('+') {
-            None if text.is_empty() => Err("a method has a name".to_owned()),
+            None if text.is_empty() => Err(ParseMethodError::NoName),
             None => of(text, Keep::Whole),
             Some((backend, "round")) => of(backend, Keep::Rounded),
             Some((backend, "contacts")) => of(backend, Keep::Contacts),
             Some((backend, "snap")) => of(backend, Keep::Snapped(PIXELS)),
             Some((backend, rest)) => {
                 let Some(pixels) = rest.strip_prefix("snap:") else {
-                    return Err(format!("`+{rest}` is none of +round, +snap, +snap:BITS, +contacts"));
+                    return Err(ParseMethodError::Keep(rest.to_owned()));
                 };
                 let pixels = pixels.parse().ok().filter(|pixels| (1..=50).contains(pixels));
-                let pixels = pixels.ok_or_else(|| format!("`{text}`: the bits of `+snap:BITS` are from 1 to 50"))?;
+                let pixels = pixels.ok_or_else(|| ParseMethodError::Bits(text.to_owned()))?;
                 of(backend, Keep::Snapped(pixels))
             }
         }

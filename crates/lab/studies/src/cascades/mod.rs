@@ -16,6 +16,7 @@
 //! loops pass the same measurements.
 
 mod cascade;
+mod contradiction;
 mod current;
 mod method;
 mod plots;
@@ -29,7 +30,8 @@ mod table;
 mod whole;
 
 pub use cascade::{Cascade, Operand};
-pub use method::{Keep, Method};
+pub use contradiction::Contradiction;
+pub use method::{Keep, Method, ParseMethodError};
 pub use sample::Sample;
 pub use study::{Cascades, Measured};
 pub use survey::{Followed, Plan};

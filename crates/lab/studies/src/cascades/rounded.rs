@@ -4,8 +4,8 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use predicament_judge::{nearest, point, rational};
-use predicament_overlay::algorithm::overlay::{Method as Search, combine};
-use predicament_predicates::{Plane, Predicates, Scene, Vertex};
+use predicament_overlay::algorithm::overlay::{Contradiction, Method as Search, combine};
+use predicament_predicates::{Declined, Plane, Predicates, Scene, Vertex};
 use predicament_tasks::Contestant;
 
 use super::cascade::{Loop, Operand};
@@ -18,7 +18,7 @@ pub(super) struct Made {
     pub regions: Vec<Vec<Loop>>,
     pub elapsed: Duration,
     pub constructed: usize,
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
     pub turned: Option<usize>,
 }
 
@@ -27,8 +27,7 @@ pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], the
     each(start, steps, then, |pair, step, wants_turned| {
         in_session(backend, &pair.scene, &mut |session| {
             let clock = Instant::now();
-            let result = combine(session, &pair.first, &pair.second, step.operation, Search::Grid)
-                .map_err(|why| why.to_string())?;
+            let result = combine(session, &pair.first, &pair.second, step.operation, Search::Grid)?;
             let session = &*session;
             let mut places: HashMap<Vertex, [f64; 2]> = HashMap::new();
             let vertices: Vec<Vec<Vec<Vertex>>> =
@@ -76,9 +75,9 @@ pub(super) fn each(
             collapsed,
             held: current.iter().flatten().map(Vec::len).sum(),
             thickness: 0.0,
-            broken: made.broken,
+            broken: made.broken.map(Into::into),
             is_gone: current.is_empty(),
-            shape: &|| Ok(shape_of(&current)),
+            shape: &|| shape_of(&current),
             turned: &|| made.turned,
         })?;
     }
@@ -89,12 +88,11 @@ pub(super) fn each(
 pub(super) fn in_session<T>(
     backend: &dyn Contestant,
     scene: &Scene,
-    ask: &mut dyn FnMut(&mut dyn Predicates) -> Result<T, String>,
+    ask: &mut dyn FnMut(&mut dyn Predicates) -> Result<T, End>,
 ) -> Result<T, End> {
     let mut answer = None;
-    backend.with_session(scene, &mut |session| answer = Some(ask(session))).map_err(|declined| declined.to_string())?;
-    let answer = answer.ok_or_else(|| "the backend asked for no session".to_owned())?;
-    Ok(answer?)
+    backend.with_session(scene, &mut |session| answer = Some(ask(session)))?;
+    answer.ok_or_else(|| Declined::scene("the backend asked for no session"))?
 }
 
 /// The double that stands for a vertex: as the session has rounded it, or else the nearest.

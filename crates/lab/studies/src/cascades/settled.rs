@@ -10,7 +10,7 @@ use predicament_contacts::algorithm::arrangement::{Arrangement, MergedPoint, Sid
 use predicament_contacts::algorithm::pairs::Weights;
 use predicament_contacts::algorithm::thick::{self, Disc, Drawing, settle};
 use predicament_mesh::{Complex, Simplex, Simplices};
-use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Regions, Rule, overlay};
+use predicament_overlay::algorithm::overlay::{Contradiction, Edge, Method as Search, Polygon, Regions, Rule, overlay};
 use predicament_predicates::{Predicates, Scene, Vertex};
 use predicament_tasks::Contestant;
 
@@ -47,14 +47,14 @@ struct Combined {
     result: Regions,
     at: HashMap<Vertex, [f64; 2]>,
     constructed: usize,
-    broken: Option<&'static str>,
+    broken: Option<Contradiction>,
 }
 
 fn combined(float: &dyn Contestant, scene: &Scene, passes: &Passes, step: &Operand) -> Result<Combined, End> {
     in_session(float, scene, &mut |session| {
         let operands = [0, 1].map(|operand| polygon(passes, operand));
         let [a, b] = &operands;
-        let made = overlay(session, [a, b], Search::Grid).map_err(|why| why.to_string())?;
+        let made = overlay(session, [a, b], Search::Grid)?;
         let result = made.regions(&*session, step.operation);
         let session: &dyn Predicates = &*session;
         let vertices = result.regions.iter().flat_map(|region| region.loops()).flatten().map(|edge| edge.from);
@@ -120,16 +120,16 @@ pub(super) fn run_thick(
             }
         }
         let (regions, collapsed) = cleaned(loops(&made));
-        let unsettled = (!settled.is_settled).then_some("thick primitives settle");
+        let unsettled = (!settled.is_settled).then_some(super::Contradiction::Unsettled);
         then.call(Stepped {
             elapsed: clock.elapsed(),
             constructed: settled.crossed + made.constructed,
             collapsed: collapsed + settled.merged,
             held: current.discs.len(),
             thickness,
-            broken: unsettled.or(made.broken),
+            broken: unsettled.or(made.broken.map(Into::into)),
             is_gone: regions.is_empty(),
-            shape: &|| Ok(shape_of(&regions)),
+            shape: &|| shape_of(&regions),
             turned: &|| None,
         })?;
     }
@@ -177,9 +177,9 @@ pub(super) fn run_contacts(
             collapsed: collapsed + merged.merged,
             held: current.iter().flatten().map(Vec::len).sum(),
             thickness: 0.0,
-            broken: made.broken,
+            broken: made.broken.map(Into::into),
             is_gone: current.is_empty(),
-            shape: &|| Ok(shape_of(&current)),
+            shape: &|| shape_of(&current),
             turned: &|| None,
         })?;
     }
@@ -206,10 +206,9 @@ impl Merged {
             second.iter().map(|edge| [moved(edge.from), moved(edge.to)]).collect(),
         ];
         let scene = Scene::from_points2(&[sides[0].points.as_slice(), &sides[1].points].concat());
-        let scene = scene.map_err(|why| why.to_string())?;
+        let scene = scene?;
         let complex = |edges: &Vec<[Vertex; 2]>| {
             Complex::new(&scene, &Simplices { edges: edges.clone(), ..Simplices::default() })
-                .map_err(|why| why.to_string())
         };
         let [a, b] = [complex(&operands[0])?, complex(&operands[1])?];
         let lengths = [&a, &b].map(|complex| complex.primitive_length(&scene));

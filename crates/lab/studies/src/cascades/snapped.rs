@@ -8,8 +8,8 @@ use std::collections::{BTreeSet, HashMap};
 use std::time::Instant;
 
 use predicament_overlay::algorithm::overlay::{Edge, Method as Search, Polygon, Region, Rule, arrange, combine};
-use predicament_overlay::algorithm::snap::{Drawing, Method as Snapping, Snapped, snap};
-use predicament_predicates::{Construction, Plane, Scene, Vertex};
+use predicament_overlay::algorithm::snap::{Drawing, Method as Snapping, SnapError, Snapped, snap};
+use predicament_predicates::{Construction, Plane, Scene, SceneError, Vertex};
 use predicament_tasks::Contestant;
 
 use super::cascade::{Loop, Operand};
@@ -54,14 +54,13 @@ pub(super) fn run(
         let mut constructed = 0;
         let chains = in_session(backend, &pair.scene, &mut |session| {
             let edges: Vec<Edge> = near.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
-            arrange(session, &edges, Search::Grid).map_err(|why| why.to_string())?;
+            arrange(session, &edges, Search::Grid)?;
             constructed = session.scene().constructions().len();
-            near.snapped(session.scene(), exponent)
+            Ok(near.snapped(session.scene(), exponent)?)
         })?;
         let next = near.operands(pair, &chains, exponent)?;
         in_session(backend, &next.scene, &mut |session| {
-            let result = combine(session, &next.first, &next.second, step.operation, Search::Grid)
-                .map_err(|why| why.to_string())?;
+            let result = combine(session, &next.first, &next.second, step.operation, Search::Grid)?;
             let session = &*session;
             let loops = |region: &Region| {
                 region.loops().map(|one| origins(one).iter().map(|v| place(session, *v)).collect()).collect()
@@ -114,7 +113,7 @@ impl Near {
     }
 
     /// The pixels and chains of the segments.
-    fn snapped(&self, scene: &Scene, exponent: i32) -> Result<Snapped, String> {
+    fn snapped(&self, scene: &Scene, exponent: i32) -> Result<Snapped, SnapError> {
         let number = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
         let point: HashMap<Vertex, u32> = self.points.iter().copied().zip(0..).collect();
         let crossings: Vec<[u32; 2]> = scene
@@ -131,11 +130,11 @@ impl Near {
         let points: Vec<[f64; 2]> = self.points.iter().map(|&v| scene.point2(Plane::Xy, v)).collect();
         let segments: Vec<[u32; 2]> = self.segments.iter().map(|ends| ends.map(|v| point[&v])).collect();
         let drawing = Drawing { points: &points, segments: &segments, crossings: &crossings, touching: &[] };
-        snap(drawing, exponent, Snapping::Iterated).map_err(|why| why.to_string())
+        snap(drawing, exponent, Snapping::Iterated)
     }
 
     /// What has become of the operands.
-    fn operands(&self, pair: &Pair, chains: &Snapped, exponent: i32) -> Result<Pair, String> {
+    fn operands(&self, pair: &Pair, chains: &Snapped, exponent: i32) -> Result<Pair, SceneError> {
         let mut points = Points::default();
         let centres: Vec<Vertex> =
             (0..).zip(&chains.pixels).map(|(pixel, _)| points.vertex(chains.centre(pixel, exponent))).collect();

@@ -258,7 +258,7 @@ impl Row {
             collapsed: sample.collapsed,
             vertices_held: sample.held,
             thickness: matches!(one.method.keep, Keep::Thick(_)).then_some(sample.thickness),
-            broken: one.broken.filter(|(step, _)| *step <= sample.step).map_or("", |(_, rule)| rule),
+            broken: one.broken.filter(|(step, _)| *step <= sample.step).map_or("", |(_, broken)| broken.rule()),
             ended: ended.map(|(step, why)| format!("step {step}: {why}")).unwrap_or_default(),
         }
     }

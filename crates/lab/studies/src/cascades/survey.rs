@@ -1,5 +1,6 @@
 //! Cascades by methods, step by step.
 
+use super::contradiction::Contradiction;
 use std::time::Duration;
 
 use predicament_corpus::Random;
@@ -37,7 +38,7 @@ pub struct Followed {
     /// The measurements, in the order of the steps.
     pub samples: Vec<Sample>,
     /// The first rule of the algorithm that signs have broken, and the step.
-    pub broken: Option<(usize, &'static str)>,
+    pub broken: Option<(usize, Contradiction)>,
     /// The step that could not be done, and why.
     pub ended: Option<(usize, String)>,
 }
@@ -48,9 +49,10 @@ pub(super) enum End {
     Failed(String),
 }
 
-impl From<String> for End {
-    fn from(why: String) -> End {
-        End::Failed(why)
+/// A step that fails ends the method, which says why.
+impl<E: std::error::Error> From<E> for End {
+    fn from(why: E) -> End {
+        End::Failed(why.to_string())
     }
 }
 
@@ -61,10 +63,10 @@ pub(super) struct Stepped<'a> {
     pub collapsed: usize,
     pub held: usize,
     pub thickness: f64,
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
     /// Whether nothing is left.
     pub is_gone: bool,
-    pub shape: &'a dyn Fn() -> Result<Shape, String>,
+    pub shape: &'a dyn Fn() -> Shape,
     pub turned: &'a dyn Fn() -> Option<usize>,
 }
 
@@ -139,7 +141,7 @@ impl Course {
                 is_sampled = true;
             }
             if is_sampled {
-                let shape = (stepped.shape)()?;
+                let shape = (stepped.shape)();
                 #[allow(clippy::cast_precision_loss)] // few steps
                 let steps = (at - before) as f64;
                 found.samples.push(Sample {

@@ -88,7 +88,7 @@ fn sentences(one: &Followed) -> Vec<String> {
     if let Some(radius) = one.samples.last().map(|sample| sample.thickness).filter(|radius| *radius > 0.0) {
         all.push(format!("in the end the thickest primitive has the radius {radius:.1e}"));
     }
-    all.extend(one.broken.map(|(step, rule)| format!("step {step} breaks the rule: {rule}")));
+    all.extend(one.broken.map(|(step, broken)| format!("step {step} breaks the rule: {}", broken.rule())));
     all.extend(one.ended.as_ref().map(|(step, why)| format!("step {step} cannot be done: {why}")));
     all
 }

@@ -21,9 +21,7 @@ pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], the
     let operands: Vec<Polygon> = steps.iter().map(|step| polygon(points.edges(&step.corners))).collect();
     let scene = points.scene()?;
     let mut end = Ok(());
-    backend
-        .with_session(&scene, &mut |session| end = follow(session, first.clone(), &operands, steps, then))
-        .map_err(|declined| declined.to_string())?;
+    backend.with_session(&scene, &mut |session| end = follow(session, first.clone(), &operands, steps, then))?;
     end
 }
 
@@ -37,8 +35,7 @@ fn follow(
     for (step, operand) in steps.iter().zip(operands) {
         let before = session.scene().constructions().len();
         let clock = Instant::now();
-        let result =
-            combine(session, &current, operand, step.operation, Search::Grid).map_err(|why| why.to_string())?;
+        let result = combine(session, &current, operand, step.operation, Search::Grid)?;
         let elapsed = clock.elapsed();
         current = result.regions;
         let regions = || -> Vec<Vec<Vec<Vertex>>> {
@@ -52,9 +49,9 @@ fn follow(
             collapsed: 0,
             held: session.scene().len() + session.scene().constructions().len(),
             thickness: 0.0,
-            broken: result.broken,
+            broken: result.broken.map(Into::into),
             is_gone: current.is_empty(),
-            shape: &|| Ok(places.shape(&regions())),
+            shape: &|| places.shape(&regions()),
             turned: &|| places.rounds().then(|| places.turned(&regions())),
         })?;
     }

@@ -1,5 +1,6 @@
 //! What is measured: a number, and the interval that it is in.
 
+use crate::folder::FolderError;
 use predicament_records::{Spread, wilson};
 use serde::{Deserialize, Serialize};
 
@@ -67,7 +68,7 @@ impl About<'_> {
 /// The rows of a file.
 ///
 /// # Errors
-/// One line with the file, and the line that is wrong.
-pub(super) fn read(path: &std::path::Path) -> Result<Vec<Measure>, String> {
+/// [`FolderError`] with the file, and the line that is wrong.
+pub(super) fn read(path: &std::path::Path) -> Result<Vec<Measure>, FolderError> {
     crate::folder::rows_of(path, "compare")
 }

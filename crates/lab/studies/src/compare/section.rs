@@ -6,7 +6,7 @@ use predicament_report::{Block, Section, Tone};
 
 use super::measure::read;
 use super::{Promise, details, ranking};
-use crate::folder::{plots_in, rows_of};
+use crate::folder::{FolderError, plots_in, rows_of};
 
 /// The file that a folder of this study has.
 pub(super) const FILE: &str = "compare.csv";
@@ -27,8 +27,8 @@ pub fn missing(folder: &Path) -> Section {
 /// The section of a report from a folder that the study has written; none where the folder has no such file.
 ///
 /// # Errors
-/// One line with the file, and the line that is wrong.
-pub fn section(folder: &Path) -> Result<Option<Section>, String> {
+/// [`FolderError`] with the file, and the line that is wrong.
+pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     let path = folder.join(FILE);
     if !path.exists() {
         return Ok(None);
@@ -62,7 +62,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, String> {
 }
 
 /// The plots of a comparison of backends that differ in one parameter, in the folder `curves` beside that of the comparison.
-fn curves(folder: &Path) -> Result<Vec<Block>, String> {
+fn curves(folder: &Path) -> Result<Vec<Block>, FolderError> {
     let beside = folder.with_file_name("curves");
     if !beside.join(FILE).exists() {
         return Ok(Vec::new());

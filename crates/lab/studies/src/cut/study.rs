@@ -3,9 +3,9 @@
 use std::time::{Duration, Instant};
 
 use predicament_contacts::algorithm::pairs::Contacts;
-use predicament_predicates::{PredicateKind, Predicates, ZeroMeaning};
+use predicament_predicates::{Declined, PredicateKind, Predicates, ZeroMeaning};
 use predicament_report::text::in_order;
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant, Refusal};
 
 use super::{Deviation, Exactly, Pieces, Placement, Scene, Shape, Sides, pieces, sides, table};
 use crate::contacts::contacts;
@@ -70,7 +70,7 @@ pub struct Row {
     /// How many tetrahedra are near the surface: those checked are some of them.
     pub near: usize,
     /// What came of it, or why the backend declined.
-    pub made: Result<Made, String>,
+    pub made: Result<Made, AnswerError>,
 }
 
 /// The contacts, and what was made of them.
@@ -226,7 +226,7 @@ impl Cut {
     }
 }
 
-fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Result<Made, String> {
+fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Result<Made, AnswerError> {
     let both = scene.complexes.both();
     let start = Instant::now();
     let registered = contacts(backend, &scene.scene, both)?;
@@ -236,12 +236,13 @@ fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Resul
     let locator = if breaks { backend } else { ties };
     let start = Instant::now();
     let mut found = None;
+    let refused = |why| AnswerError::Refused(Refusal { check: "prepare", why });
     locator
         .with_session(&scene.scene, &mut |session: &mut dyn Predicates| {
             found = Some(sides(&*session, both, &registered));
         })
-        .map_err(|why| why.to_string())?;
-    let sides = found.ok_or("nothing was located")?;
+        .map_err(refused)?;
+    let sides = found.ok_or_else(|| refused(Declined::scene("the backend asked for no session")))?;
     let pieces = pieces(&scene.scene, both[0], &sides);
     let cutting = start.elapsed();
     Ok(Made { contacts: registered, sides, pieces, deviation: Deviation::default(), registering, cutting })

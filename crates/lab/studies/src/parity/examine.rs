@@ -3,7 +3,7 @@
 use predicament_contacts::algorithm::arrangement::Arrangement;
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_contacts::checks::pairs::{Cluster, Collapse, Crossings, Seat, clusters, collapses, crossings};
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 
 use super::PolygonPair;
 use crate::contacts::contacts;
@@ -34,11 +34,11 @@ impl Examined {
 /// counts.
 ///
 /// # Errors
-/// The reason, where the backend declines.
+/// [`AnswerError`] where the backend declines.
 ///
 /// # Panics
 /// Never: polygons are closed.
-pub fn examine(backend: &dyn Contestant, pair: &PolygonPair) -> Result<Examined, String> {
+pub fn examine(backend: &dyn Contestant, pair: &PolygonPair) -> Result<Examined, AnswerError> {
     let (scene, complexes) = pair.scene();
     let complexes = complexes.each_ref();
     let contacts = contacts(backend, &scene, complexes)?;

@@ -4,7 +4,7 @@ use predicament_contacts::checks::pairs::{Seat, is_embedded};
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 
 use super::examine::{Examined, examine};
 use crate::shrink::{Shrink, Shrunk, length, shorter, shrink, without_each};
@@ -114,7 +114,7 @@ pub fn shrink_odd(
     seats: &[Seat],
     limit: usize,
 ) -> Shrunk<PolygonPair> {
-    let all = |examined: Result<Examined, String>, odd: bool| {
+    let all = |examined: Result<Examined, AnswerError>, odd: bool| {
         examined.is_ok_and(|examined| seats.iter().all(|&seat| examined.crossings(seat).is_odd() == odd))
     };
     let shows =

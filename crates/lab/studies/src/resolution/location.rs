@@ -8,6 +8,7 @@ use predicament_corpus::Random;
 use predicament_error_calculus::vector::{minus, perp};
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Scene, Vertex};
+use predicament_tasks::AnswerError;
 use rayon::prelude::*;
 use rug::Rational;
 
@@ -42,8 +43,14 @@ pub struct Location {
 /// Crosses two edges at each angle `trials` times, anywhere along them.
 ///
 /// # Errors
-/// The reason, where the backend declines.
-pub fn location(ask: &Ask, length: f64, precision: Precision, trials: u32, seed: u64) -> Result<Vec<Location>, String> {
+/// [`AnswerError`] where the backend declines.
+pub fn location(
+    ask: &Ask,
+    length: f64,
+    precision: Precision,
+    trials: u32,
+    seed: u64,
+) -> Result<Vec<Location>, AnswerError> {
     let angles: Vec<i32> = (DECADES.start() * STEPS..=DECADES.end() * STEPS).collect();
     let at = angles.par_iter().map(|&step| {
         let angle = 10_f64.powf(f64::from(step) / f64::from(STEPS));

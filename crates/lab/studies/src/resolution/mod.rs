@@ -27,10 +27,11 @@ pub use survey::{Survey, survey};
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
+use predicament_tasks::AnswerError;
 use predicament_tolerance::{Tolerances2d, Tolerances3d};
 
 /// Asks a backend for the contacts of two complexes; the reason where it declines.
-pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, String> + Sync + 'a;
+pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, AnswerError> + Sync + 'a;
 
 /// La and Lb of every scene here: L is hardly more than their sum, which is 1.
 /// (The primitives themselves are no larger, whatever way they are turned.)

@@ -1,7 +1,7 @@
 //! The command line of the study of resolution, its survey and its rows.
 
 use predicament_predicates::Dimension;
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 use serde::Serialize;
 
 use super::{Ask, FEATURES, Feature, Location, Survey, length, location, plots, survey, table};
@@ -130,7 +130,7 @@ impl Resolution {
         backend: &dyn Contestant,
         what: &str,
         dimension: Dimension,
-        measure: impl FnOnce(&Ask, f64, Precision) -> Result<T, String>,
+        measure: impl FnOnce(&Ask, f64, Precision) -> Result<T, AnswerError>,
     ) -> Result<T, Error> {
         let name = backend.name();
         measure(&|scene, a, b| contacts(backend, scene, [a, b]), length(&name, dimension), Precision::of_backend(&name))

@@ -3,6 +3,7 @@
 use predicament_corpus::Random;
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
+use predicament_tasks::AnswerError;
 use rayon::prelude::*;
 
 use super::features::Feature;
@@ -41,7 +42,7 @@ impl Survey {
 /// backend's L where the primitives of the two meshes add up to 1.
 ///
 /// # Errors
-/// The reason, where the backend declines.
+/// [`AnswerError`] where the backend declines.
 pub fn survey(
     feature: &Feature,
     ask: &Ask,
@@ -49,7 +50,7 @@ pub fn survey(
     precision: Precision,
     trials: u32,
     seed: u64,
-) -> Result<Survey, String> {
+) -> Result<Survey, AnswerError> {
     let sizes: Vec<(i32, f64)> = (DECADES.start() * STEPS..=DECADES.end() * STEPS)
         .map(|step| (step, 10_f64.powf(f64::from(step) / f64::from(STEPS))))
         .filter(|&(_, size)| size <= feature.most)
@@ -64,7 +65,7 @@ pub fn survey(
         }
         Ok((size, f64::from(survivors) / f64::from(trials)))
     });
-    Ok(Survey { shares: shares.collect::<Result<_, String>>()? })
+    Ok(Survey { shares: shares.collect::<Result<_, AnswerError>>()? })
 }
 
 /// The feature, turned at random.
@@ -103,8 +104,8 @@ mod tests {
         scene: &Scene,
         a: &Complex,
         b: &Complex,
-    ) -> Result<predicament_contacts::algorithm::pairs::Contacts, String> {
-        Ok(contacts(&Exact.prepare(scene, Off).map_err(|declined| declined.to_string())?, a, b))
+    ) -> Result<predicament_contacts::algorithm::pairs::Contacts, AnswerError> {
+        Ok(contacts(&Exact.prepare(scene, Off).expect("a scene of doubles"), a, b))
     }
 
     #[test]
@@ -123,8 +124,8 @@ mod tests {
         let lost = survey(tooth, &nothing, 1.0, Precision::Double, 2, 1).unwrap();
         assert_eq!((lost.safe(), lost.shares.iter().map(|s| s.1).sum::<f64>()), (None, 0.0));
         assert_eq!(lost.lost(), lost.shares.last().map(|share| share.0));
-        let declined = |_: &Scene, _: &Complex, _: &Complex| Err("no".to_owned());
-        assert_eq!(survey(tooth, &declined, 1.0, Precision::Double, 2, 1), Err("no".to_owned()));
+        let declined = |_: &Scene, _: &Complex, _: &Complex| Err(AnswerError::Stopped);
+        assert_eq!(survey(tooth, &declined, 1.0, Precision::Double, 2, 1), Err(AnswerError::Stopped));
     }
 
     #[test]

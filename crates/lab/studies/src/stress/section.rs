@@ -7,7 +7,7 @@ use predicament_tasks::Knob;
 
 use super::table::{counts, place};
 use super::{Asked, BreakPoint};
-use crate::folder::{plots_in, rows_of};
+use crate::folder::{FolderError, plots_in, rows_of};
 
 /// The file that a folder of this study has.
 const FILE: &str = "breaks.csv";
@@ -15,8 +15,8 @@ const FILE: &str = "breaks.csv";
 /// The section of a report from a folder that the study has written; none where the folder has no such file.
 ///
 /// # Errors
-/// One line with the file, and what is wrong.
-pub fn section(folder: &Path) -> Result<Option<Section>, String> {
+/// [`FolderError`] with the file, and what is wrong.
+pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     let path = folder.join(FILE);
     if !path.exists() {
         return Ok(None);

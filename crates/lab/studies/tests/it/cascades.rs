@@ -5,7 +5,7 @@ use std::str::FromStr;
 use predicament_judge::rational;
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_overlay::checks::overlay::Operands;
-use predicament_studies::cascades::{Cascade, Cascades, Keep, Measured, Method};
+use predicament_studies::cascades::{Cascade, Cascades, Contradiction, Keep, Measured, Method};
 use predicament_studies::{Common, Study};
 use predicament_tasks::Contestant;
 use rug::Rational;
@@ -162,7 +162,7 @@ fn a_broken_promise_is_told() {
     for plant in [
         |found: &mut Measured| found.followed[0].samples[1].lost = 1,
         |found: &mut Measured| found.followed[0].samples[1].defects.crossings = 1,
-        |found: &mut Measured| found.followed[0].broken = Some((1, "a rule")),
+        |found: &mut Measured| found.followed[0].broken = Some((1, Contradiction::Unsettled)),
         |found: &mut Measured| found.followed[1].samples[2].defects.inverted = 1,
         |found: &mut Measured| found.followed[1].ended = Some((3, "no".to_owned())),
         |found: &mut Measured| found.exact[0].samples[0].lost = 1,
@@ -196,7 +196,7 @@ fn methods_are_read_as_they_are_written() {
         ("", "a method has a name"),
     ] {
         let error = Method::from_str(name).unwrap_err();
-        assert!(error.contains(why), "{name}: {error}");
+        assert!(error.to_string().contains(why), "{name}: {error}");
     }
 }
 

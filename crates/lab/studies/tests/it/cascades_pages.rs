@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_studies::cascades::{Cascade, Measured};
+use predicament_studies::cascades::{Cascade, Contradiction, Measured};
 use predicament_studies::{File, Study};
 
 use crate::cascades::{cascades, measured};
@@ -19,7 +19,7 @@ fn planted() -> (impl Study<Measured = Measured>, Measured) {
     (naive.samples[1].lost, naive.samples[1].collapsed) = (5, 7);
     (naive.samples[0].turned, naive.samples[1].turned, naive.samples[2].turned) = (Some(8), Some(9), Some(0));
     naive.samples[1].area *= 2;
-    naive.broken = Some((2, "a rule"));
+    naive.broken = Some((2, Contradiction::Unsettled));
     naive.ended = Some((4, "no more".to_owned()));
     (study, found)
 }
@@ -59,7 +59,11 @@ fn rows_have_the_measurements() {
     }
     let of_naive = |name: &str| rows[3..].iter().map(|row| row[name]).collect::<Vec<_>>();
     assert_eq!(of_naive("method"), ["naive"; 3]);
-    assert_eq!(of_naive("broken"), ["", "a rule", "a rule"], "from the step on that breaks it");
+    assert_eq!(
+        of_naive("broken"),
+        ["", "thick primitives settle", "thick primitives settle"],
+        "from the step on that breaks it"
+    );
     assert_eq!(of_naive("ended"), ["", "", "step 4: no more"], "after the last step");
     assert!((rows[4]["area_error"].parse::<f64>().unwrap() - 1.0).abs() < 1e-9, "twice the area");
 }
@@ -88,7 +92,7 @@ fn a_table_has_the_worst_of_all_samples() {
         "naive: edges of the result cross, first seen after step 2",
         "naive: a loop is turned over, first seen after step 1",
         "naive: points are on the wrong side, first seen after step 2",
-        "naive: step 2 breaks the rule: a rule",
+        "naive: step 2 breaks the rule: thick primitives settle",
         "naive: step 4 cannot be done: no more",
     ] {
         assert!(page.contains(line), "{line}");

@@ -190,7 +190,7 @@ fn a_folder_is_a_section_of_a_report() {
         .collect();
     assert_eq!(counts, [1, 3]);
     std::fs::write(folder.join("compare.csv"), file.text().replace(",1.0,", ",one,")).unwrap();
-    let why = predicament_studies::compare::section(&folder).unwrap_err();
+    let why = predicament_studies::compare::section(&folder).unwrap_err().to_string();
     assert!(why.contains("compare.csv:"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
 }

@@ -16,12 +16,12 @@ mod stress;
 mod which;
 mod worst;
 
-use predicament_studies::Quiet;
+use predicament_studies::{Error, Quiet};
 use predicament_tasks::Contestant;
 
 /// A host that is not watched, with all tasks and backends.
 fn quiet() -> Quiet {
-    Quiet::on(predicament_bundle::tasks(), predicament_bundle::backend)
+    Quiet::on(predicament_bundle::tasks(), |name| predicament_bundle::backend(name).map_err(Error::unfit))
 }
 
 /// The backend with this name.

@@ -198,7 +198,7 @@ fn reports_are_written_file_by_file() {
         files: vec![File::csv("a.csv", [("x", 1), ("y", 2)]).unwrap(), File::new("b.md", "b\n")],
         holds: true,
     };
-    assert!(report.write(&folder).unwrap_err().contains("a.csv"), "the folder is missing");
+    assert!(report.write(&folder).unwrap_err().to_string().contains("a.csv"), "the folder is missing");
     std::fs::create_dir_all(&folder).unwrap();
     report.write(&folder).unwrap();
     let read = ["a.csv", "b.md"].map(|name| std::fs::read_to_string(folder.join(name)).unwrap());

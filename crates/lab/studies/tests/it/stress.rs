@@ -245,7 +245,7 @@ fn a_folder_is_a_section_of_a_report() {
             && plots.all(|picture| picture.pdf.as_ref().is_some_and(|pdf| pdf.starts_with(b"%PDF-")))
     );
     std::fs::write(folder.join("breaks.csv"), "task,knob\nx,y\n").unwrap();
-    let why = predicament_studies::stress::section(&folder).unwrap_err();
+    let why = predicament_studies::stress::section(&folder).unwrap_err().to_string();
     assert!(why.contains("breaks.csv:2") && why.contains("predicament stress"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
 }

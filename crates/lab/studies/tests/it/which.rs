@@ -15,7 +15,9 @@ fn page() -> String {
 
 /// The page as the files of a folder make it.
 fn made(page: &str, folder: &Path) -> Result<String, String> {
-    splice(page, &[], &[], &|name| part(folder, name)).map(|(page, _)| page).map_err(|why| why.message)
+    splice(page, &[], &[], &|name| part(folder, name).map(|made| made.map_err(|why| why.to_string())))
+        .map(|(page, _)| page)
+        .map_err(|why| why.message)
 }
 
 /// A copy of the sample's files in a folder of its own.

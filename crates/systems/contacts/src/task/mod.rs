@@ -39,8 +39,8 @@ pub use section::ContactRow;
 use pairs::closure;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// The task, in the plane or in space.
@@ -230,19 +230,22 @@ impl Task for Contacts {
         content: &Complexes,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
-        let [s, t] = query.args.as_slice() else { return Err(format!("`{query}` is no pair of simplices")) };
+    ) -> Result<Explanation, ExplainError> {
+        let [s, t] = query.args.as_slice() else {
+            return Err(ExplainError::not_of_task(query, "is no pair of simplices"));
+        };
         let both = content.a.find(s).zip(content.b.find(t));
-        let pair =
-            both.map(|(s, t)| [s, t]).ok_or_else(|| "the complexes have no such pair of simplices".to_owned())?;
+        let missing = || ExplainError::not_in_scene(query, "the complexes have no such pair of simplices");
+        let pair = both.map(|(s, t)| [s, t]).ok_or_else(missing)?;
         let truth = tell(scene, content, pair, &alone(scene, content, &Judged::again(scene), pair));
         let ask = |backend: &dyn Contestant| {
-            let mut told = Err(format!("{} was not asked", backend.name()));
+            let mut told = Err(Declined::scene("the backend asked for no session"));
             let prepared = backend.with_session(scene, &mut |session| {
-                let supported = session.supports_contacts().map_err(|why| why.to_string());
-                told = supported.map(|()| tell(scene, content, pair, &alone(scene, content, session, pair)));
+                told = session
+                    .supports_contacts()
+                    .map(|()| tell(scene, content, pair, &alone(scene, content, session, pair)));
             });
-            prepared.map_err(|why| why.to_string()).and(told)
+            prepared.and(told)
         };
         let about = Explanation { vertices: query.vertices().collect(), truth: vec![truth], ..Explanation::default() };
         Ok(about.with_answers(backends, ask))

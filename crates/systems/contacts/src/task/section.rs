@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use predicament_records::format::percent;
-use predicament_records::{Error, Row, RunDir};
+use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table};
 
@@ -35,12 +35,12 @@ predicament_records::table! {
         pub registered: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         if self.registered > self.asked {
-            return Err("more pairs are registered than were asked about".to_owned());
+            return Err(RowError::Contradiction("more pairs are registered than were asked about"));
         }
         if self.ended.checked_add(self.asked) != Some(self.candidates) {
-            return Err("the candidates are not those that had ended and those that were asked about".to_owned());
+            return Err(RowError::Contradiction("the candidates are not those that had ended and those that were asked about"));
         }
         Ok(())
     }

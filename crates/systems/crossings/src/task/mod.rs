@@ -24,8 +24,8 @@ pub use content::Segments;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -151,7 +151,7 @@ impl Task for Crossings {
         content: &Segments,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let (at, about) = named(&content.0, query)?;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0[at]));
         Ok(about.with_answers(backends, ask))

@@ -59,7 +59,7 @@ fn finding(part: &Part, asked: &Asked<'_>) -> Option<Finding> {
     let union = match asked.backend.answer(&CubeUnion, &part.scene, &content) {
         Ok(union) => union,
         // It took the whole.
-        Err(why) => return Some(finding(why, format!("the union of {} cubes", part.cubes))),
+        Err(why) => return Some(finding(why.to_string(), format!("the union of {} cubes", part.cubes))),
     };
     let found = in_units(&measures(&union.mass), union.exponent);
     let truth = [&part.measures.volume, &part.measures.area, &part.measures.edge_length];

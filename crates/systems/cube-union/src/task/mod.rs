@@ -27,8 +27,8 @@ pub use section::MassRow;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// The task.
@@ -167,7 +167,7 @@ impl Task for CubeUnion {
         content: &Cubes,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask =
             |backend: &dyn Contestant| backend.answer(self, scene, content).map(|union| format!("{:?}", union.mass));

@@ -1,7 +1,7 @@
 //! `masses.csv` and what a report makes of it.
 
 use predicament_records::format::significant;
-use predicament_records::{Error, Row, RunDir};
+use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
@@ -39,12 +39,12 @@ predicament_records::table! {
         pub three_faces: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         // Measures of tiny and of huge cubes are zero and infinite as doubles. (What is judged is rational.)
         if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x >= 0.0) {
             Ok(())
         } else {
-            Err("an expected measure is negative, or no number".to_owned())
+            Err(RowError::Contradiction("an expected measure is negative, or no number"))
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use predicament_predicates::{Construction, Vertex};
 
-use super::Triangulation;
+use super::{Contradiction, Triangulation};
 
 /// The Delaunay triangulation of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
@@ -20,7 +20,7 @@ pub struct Delaunay2 {
     /// The points where constraints cross, in the order of their construction.
     pub crossings: Vec<Construction>,
     /// The invariant that did not hold, where signs contradict each other.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 /// The numbers of triangles, of vertices in one line, and of copies.

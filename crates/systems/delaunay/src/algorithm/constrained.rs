@@ -12,17 +12,10 @@ use std::collections::HashMap;
 
 use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Refused, Sign, Vertex};
 
-use super::Triangulation;
 use super::chain::is_between;
 use super::hole::Side;
 use super::mesh::{Edge, INFINITE};
-
-/// The invariant of constraints.
-const TOWARD: &str = "a constraint leaves its end through an edge or a vertex";
-/// The invariant of crossings.
-const ONCE: &str = "two constraints cross in one point";
-/// The invariant of the triangles along a constraint.
-const ALONG: &str = "a constraint crosses a triangle once and stays in the hull";
+use super::{Contradiction, Triangulation};
 
 /// The constrained Delaunay triangulation of the scene's input vertices.
 ///
@@ -112,7 +105,7 @@ impl Laying<'_> {
         constraints: &[[Vertex; 2]],
         number: usize,
         [a, b]: [Vertex; 2],
-    ) -> Result<Result<(), &'static str>, Refused> {
+    ) -> Result<Result<(), Contradiction>, Refused> {
         let mut open = if a == b { Vec::new() } else { vec![[a, b]] };
         // It goes through no vertex twice, and crosses no constraint twice.
         for _ in 0..2 * (self.at.len() + constraints.len()) {
@@ -150,14 +143,15 @@ impl Laying<'_> {
                 open.push([v, w]);
             }
         }
-        Ok(if open.is_empty() { Ok(()) } else { Err(TOWARD) })
+        Ok(if open.is_empty() { Ok(()) } else { Err(Contradiction::Leaves) })
     }
 
     /// What the segment from u to w meets first.
-    fn first<P: Predicates + ?Sized>(&self, session: &P, u: Vertex, w: Vertex) -> Result<First, &'static str> {
+    fn first<P: Predicates + ?Sized>(&self, session: &P, u: Vertex, w: Vertex) -> Result<First, Contradiction> {
         let mesh = &self.triangulation.mesh;
-        let triangle = self.at.get(self.place(u)).copied().filter(|&triangle| triangle != NONE).ok_or(TOWARD)?;
-        let opposite = mesh.opposite(triangle, u).ok_or(TOWARD)?;
+        let triangle =
+            self.at.get(self.place(u)).copied().filter(|&triangle| triangle != NONE).ok_or(Contradiction::Leaves)?;
+        let opposite = mesh.opposite(triangle, u).ok_or(Contradiction::Leaves)?;
         let star: Vec<Edge> = mesh.around(opposite).collect();
         if let Some(edge) = star.iter().find(|&&edge| mesh.start(edge) == w) {
             return Ok(First::Vertex(edge.previous(), w));
@@ -174,7 +168,7 @@ impl Laying<'_> {
                 return Ok(First::Edge(edge));
             }
         }
-        Err(TOWARD)
+        Err(Contradiction::Leaves)
     }
 
     /// The triangles that the segment from u to w crosses, from an edge on.
@@ -184,7 +178,7 @@ impl Laying<'_> {
         u: Vertex,
         w: Vertex,
         first: Edge,
-    ) -> Result<Crossed, &'static str> {
+    ) -> Result<Crossed, Contradiction> {
         let mesh = &mut self.triangulation.mesh;
         mesh.unmark();
         mesh.mark(first.triangle());
@@ -197,7 +191,7 @@ impl Laying<'_> {
             }
             let outside = mesh.across(edge);
             if mesh.is_infinite(outside.triangle()) || mesh.mark(outside.triangle()) {
-                return Err(ALONG);
+                return Err(Contradiction::Crosses);
             }
             triangles.push(outside.triangle());
             let v = mesh.apex(outside);
@@ -274,21 +268,21 @@ impl Laying<'_> {
         constraints: &[[Vertex; 2]],
         number: usize,
         edge: Edge,
-    ) -> Result<Result<Vertex, &'static str>, Refused> {
+    ) -> Result<Result<Vertex, Contradiction>, Refused> {
         let mesh = &self.triangulation.mesh;
         let [a, b] = [mesh.start(edge), mesh.end(edge)];
-        let Some(other) = self.of.remove(&key(a, b)) else { return Ok(Err(ONCE)) };
+        let Some(other) = self.of.remove(&key(a, b)) else { return Ok(Err(Contradiction::Once)) };
         let definition = Construction::Ssi([constraints[other], constraints[number]]);
-        let [v] = session.construct(&[definition])?[..] else { return Ok(Err(ONCE)) };
+        let [v] = session.construct(&[definition])?[..] else { return Ok(Err(Contradiction::Once)) };
         session.supports(PredicateKind::Incircle).map_err(|declined| Refused::session(declined.to_string()))?;
         if self.at.get(self.place(v)).is_some_and(|&triangle| triangle != NONE) {
-            return Ok(Err(ONCE));
+            return Ok(Err(Contradiction::Once));
         }
         if let Err(broken) = self.triangulation.replace(&*session, v, edge.triangle(), Some(edge)) {
             return Ok(Err(broken));
         }
         let mesh = &mut self.triangulation.mesh;
-        let Some(opposite) = mesh.opposite(self.triangulation.near, v) else { return Ok(Err(ONCE)) };
+        let Some(opposite) = mesh.opposite(self.triangulation.near, v) else { return Ok(Err(Contradiction::Once)) };
         let star: Vec<Edge> = mesh.around(opposite).collect();
         for &edge in &star {
             let end = mesh.start(edge);

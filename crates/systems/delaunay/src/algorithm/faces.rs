@@ -6,11 +6,8 @@
 
 use predicament_predicates::{Predicates, Sign};
 
-use super::Triangulation;
 use super::mesh::{Edge, Mesh};
-
-/// The invariant of faces.
-const FACE: &str = "the vertices of a face are on its boundary";
+use super::{Contradiction, Triangulation};
 
 impl Triangulation {
     /// Cuts all faces by the rule. It is part of [`delaunay2d`](super::delaunay2d), and to be called again after vertices
@@ -28,7 +25,7 @@ impl Triangulation {
             if filled.is_ok() && self.region.is_simple(&self.mesh) {
                 self.region.fan(&mut self.mesh);
             } else {
-                self.broken = self.broken.or(Some(FACE));
+                self.broken = self.broken.or(Some(Contradiction::Face));
             }
         }
     }

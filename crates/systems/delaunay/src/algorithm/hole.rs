@@ -4,11 +4,8 @@ use std::collections::HashMap;
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::Triangulation;
 use super::mesh::{Edge, INFINITE, Mesh};
-
-/// The invariant of holes: an edge has a vertex on its inner side.
-pub(super) const APEX: &str = "an edge of a hole has a vertex on its inner side";
+use super::{Contradiction, Triangulation};
 
 /// What is beyond an edge of a hole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -41,7 +38,7 @@ impl Triangulation {
             let at = match apex(session, &polygon) {
                 Some(at) => at,
                 None => {
-                    self.broken = self.broken.or(Some(APEX));
+                    self.broken = self.broken.or(Some(Contradiction::Apex));
                     2
                 }
             };

@@ -2,11 +2,10 @@
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::Triangulation;
 use super::chain::{self, is_between};
 use super::locate::{Place, locate};
 use super::mesh::{Edge, INFINITE, Mesh};
-use super::region::DISC;
+use super::{Contradiction, Triangulation};
 
 /// So many vertices are fetched from memory at once.
 const AHEAD: usize = 8;
@@ -59,7 +58,7 @@ impl Triangulation {
     /// # Errors
     /// The invariant that does not hold, where signs contradict each other: then the triangulation is as it was.
     #[inline]
-    pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), &'static str> {
+    pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), Contradiction> {
         if self.mesh.is_empty() {
             self.insert_in_chain(session, v);
             return Ok(());
@@ -82,7 +81,7 @@ impl Triangulation {
         v: Vertex,
         triangle: u32,
         on: Option<Edge>,
-    ) -> Result<(), &'static str> {
+    ) -> Result<(), Contradiction> {
         self.mesh.unmark();
         self.region.fill::<true>(&mut self.mesh, triangle, |mesh, inside, outside| {
             if Some(inside) == on {
@@ -95,7 +94,7 @@ impl Triangulation {
         })?;
         // Wrong signs can hide from the walk that it is there already.
         if self.region.border.iter().any(|&outside| self.mesh.start(outside) == v) {
-            return Err(DISC);
+            return Err(Contradiction::Disc);
         }
         self.near = self.region.star(&mut self.mesh, v);
         Ok(())

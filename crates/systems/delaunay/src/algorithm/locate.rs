@@ -4,15 +4,11 @@
 //! where thousands of triangles share a far vertex it can go all the way round that one. So a walk that gets long begins
 //! again, straight: only through triangles that the segment to the vertex meets.
 
+use super::Contradiction;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::chain::order;
 use super::mesh::{Edge, Mesh};
-
-/// The invariant of the walk: in a Delaunay triangulation no triangle comes twice.
-pub(super) const WALK: &str = "a walk toward a vertex ends";
-/// The invariant of vertices on two sides of a triangle.
-const CORNER: &str = "a vertex on two sides of a triangle is in the place of their corner";
 
 /// After so many steps a walk begins again, straight.
 const LONG: u32 = 32;
@@ -36,9 +32,9 @@ pub(super) fn locate<P: Predicates + ?Sized>(
     mesh: &Mesh,
     near: u32,
     v: Vertex,
-) -> Result<Place, &'static str> {
+) -> Result<Place, Contradiction> {
     let mut near = [near, mesh.across(Edge::new(near, 2)).triangle()].into_iter().chain(0..mesh.len());
-    let triangle = near.find(|&triangle| !mesh.is_infinite(triangle)).ok_or(WALK)?;
+    let triangle = near.find(|&triangle| !mesh.is_infinite(triangle)).ok_or(Contradiction::Walk)?;
     if let Some(edge) = mesh.opposite(triangle, v) {
         return Ok(Place::At(edge));
     }
@@ -84,7 +80,7 @@ pub(super) fn locate<P: Predicates + ?Sized>(
             _ => return Ok(Place::In(triangle)),
         }
     }
-    Err(WALK)
+    Err(Contradiction::Walk)
 }
 
 /// Walks straight from the vertex opposite of an edge; the edge by which the last triangle is entered: one that the vertex is
@@ -127,7 +123,7 @@ fn at_corner<P: Predicates + ?Sized>(
     mesh: &Mesh,
     [e, f]: [Edge; 2],
     v: Vertex,
-) -> Result<Place, &'static str> {
+) -> Result<Place, Contradiction> {
     let corner = if e.next() == f { f.next() } else { e.next() };
-    if order(session, mesh.apex(corner), v) == Sign::Zero { Ok(Place::At(corner)) } else { Err(CORNER) }
+    if order(session, mesh.apex(corner), v) == Sign::Zero { Ok(Place::At(corner)) } else { Err(Contradiction::Corner) }
 }

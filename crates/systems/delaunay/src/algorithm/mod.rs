@@ -12,12 +12,13 @@
 //!
 //! # Signs that contradict each other
 //! Every loop is bounded by the number of triangles. Where a step is impossible the algorithm stops: the answer holds the
-//! triangulation as it was before it, and the name of the invariant that did not hold. Only a hole, left by a vertex or by
+//! triangulation as it was before it, and the [`Contradiction`]. Only a hole, left by a vertex or by
 //! triangles that a constraint crosses, is filled in any case, with triangles that wrong signs may have turned over.
 
 mod answer;
 mod chain;
 mod constrained;
+mod contradiction;
 mod faces;
 mod hole;
 mod insert;
@@ -31,6 +32,7 @@ use predicament_predicates::{Construction, Predicates, Vertex};
 
 pub use answer::Delaunay2;
 pub use constrained::constrained_delaunay2d;
+pub use contradiction::Contradiction;
 
 use mesh::Mesh;
 use region::Region;
@@ -67,6 +69,6 @@ pub struct Triangulation {
     near: u32,
     /// The points where constraints cross, in the order of their construction.
     crossings: Vec<Construction>,
-    broken: Option<&'static str>,
+    broken: Option<Contradiction>,
     region: Region,
 }

@@ -1,11 +1,9 @@
 //! Triangles that are taken out together, and what takes their place.
 
+use super::Contradiction;
 use predicament_predicates::Vertex;
 
 use super::mesh::{Edge, INFINITE, Mesh};
-
-/// The invariant of regions: triangles, taken out together, are a disc.
-pub(super) const DISC: &str = "the triangles that a vertex replaces are a disc";
 
 /// A connected set of triangles.
 #[derive(Clone, Default, Debug)]
@@ -22,7 +20,7 @@ impl Region {
     /// All triangles are marked.
     ///
     /// # Errors
-    /// [`DISC`], where a triangle is reached that is marked already; and, where the region is to be `ALONE`, where one is
+    /// [`Contradiction::Disc`], where a triangle is reached that is marked already; and, where the region is to be `ALONE`, where one is
     /// beside an edge of its border.
     #[inline(always)]
     pub fn fill<const ALONE: bool>(
@@ -30,7 +28,7 @@ impl Region {
         mesh: &mut Mesh,
         first: u32,
         mut reaches: impl FnMut(&mut Mesh, Edge, Edge) -> bool,
-    ) -> Result<(), &'static str> {
+    ) -> Result<(), Contradiction> {
         mesh.mark(first);
         self.triangles.clear();
         self.border.clear();
@@ -41,7 +39,7 @@ impl Region {
             let outside = mesh.across(edge);
             if reaches(mesh, edge, outside) {
                 if mesh.mark(outside.triangle()) {
-                    return Err(DISC);
+                    return Err(Contradiction::Disc);
                 }
                 self.triangles.push(outside.triangle());
                 self.open.push(outside.previous());
@@ -49,7 +47,7 @@ impl Region {
             } else {
                 // Seen from both sides, a line inside of the region would be an edge around it.
                 if ALONE && mesh.is_marked(outside.triangle()) {
-                    return Err(DISC);
+                    return Err(Contradiction::Disc);
                 }
                 self.border.push(outside);
             }

@@ -4,22 +4,18 @@ use std::collections::HashMap;
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::Triangulation;
 use super::chain;
 use super::hole::Side;
 use super::locate::{Place, locate};
 use super::mesh::{Edge, INFINITE};
-use super::region::DISC;
-
-/// Why a vertex is not removed.
-const MISSING: &str = "a vertex that is removed is in the triangulation";
+use super::{Contradiction, Triangulation};
 
 impl Triangulation {
     /// Removes a vertex; where it stands for others, the smallest of them takes its place.
     ///
     /// # Errors
     /// The invariant that does not hold: the vertex is missing, or signs contradict each other.
-    pub fn remove<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), &'static str> {
+    pub fn remove<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), Contradiction> {
         let copies: Vec<[Vertex; 2]> = super::answer::resolved(&self.copies);
         if copies.iter().any(|&[copy, _]| copy == v) {
             self.copies = copies.into_iter().filter(|&[copy, _]| copy != v).collect();
@@ -32,14 +28,14 @@ impl Triangulation {
             .map(|[copy, of]| [copy, if of == v { heir.unwrap_or(of) } else { of }])
             .collect();
         if self.mesh.is_empty() {
-            let at = self.chain.iter().position(|&other| other == v).ok_or(MISSING)?;
+            let at = self.chain.iter().position(|&other| other == v).ok_or(Contradiction::Missing)?;
             match heir {
                 Some(heir) => self.chain[at] = heir,
                 None => drop(self.chain.remove(at)),
             }
             return Ok(());
         }
-        let Place::At(edge) = locate(session, &self.mesh, self.near, v)? else { return Err(MISSING) };
+        let Place::At(edge) = locate(session, &self.mesh, self.near, v)? else { return Err(Contradiction::Missing) };
         match heir {
             Some(heir) => {
                 self.mesh.rename(edge, heir);
@@ -49,7 +45,7 @@ impl Triangulation {
         }
     }
 
-    fn remove_star<P: Predicates + ?Sized>(&mut self, session: &P, edge: Edge) -> Result<(), &'static str> {
+    fn remove_star<P: Predicates + ?Sized>(&mut self, session: &P, edge: Edge) -> Result<(), Contradiction> {
         let star: Vec<Edge> = self.mesh.around(edge).collect();
         let polygon: Vec<(Vertex, Edge)> =
             star.iter().map(|&edge| (self.mesh.start(edge), self.mesh.across(edge))).collect();
@@ -61,7 +57,7 @@ impl Triangulation {
             && star.iter().all(|edge| !self.mesh.mark(edge.triangle()))
             && polygon.iter().all(|(_, outside)| !self.mesh.is_marked(outside.triangle()));
         if !is_disc {
-            return Err(DISC);
+            return Err(Contradiction::Disc);
         }
         if let Some(rest) = self.rest_in_line(session, &polygon) {
             self.mesh.clear();

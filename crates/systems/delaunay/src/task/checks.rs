@@ -1,19 +1,10 @@
 //! What is reported about Delaunay triangulations.
 
+use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
 
 /// What the algorithm looks after itself.
-const RULES: &[&str] = &[
-    "a constraint crosses a triangle once and stays in the hull",
-    "a constraint leaves its end through an edge or a vertex",
-    "a vertex on two sides of a triangle is in the place of their corner",
-    "a vertex that is removed is in the triangulation",
-    "a walk toward a vertex ends",
-    "an edge of a hole has a vertex on its inner side",
-    "the triangles that a vertex replaces are a disc",
-    "the vertices of a face are on its boundary",
-    "two constraints cross in one point",
-];
+const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[
     Check::topology("vertices", "the corners of each triangle are three vertices of the scene"),

@@ -49,7 +49,7 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
     );
     if let Some(broken) = found.broken {
         let what = "the algorithm stopped there".to_owned();
-        flaws.insert(0, Flaw { check: broken, places: 1, vertices: Vec::new(), what });
+        flaws.insert(0, Flaw { check: broken.rule(), places: 1, vertices: Vec::new(), what });
     }
     flaws.iter().for_each(|flaw| note(outcome, flaw));
     if flaws.is_empty() {

@@ -12,7 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Delaunay2, constrained_delaunay2d, delaunay2d};
+use crate::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d, delaunay2d};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -23,8 +23,8 @@ pub use content::Sites;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -47,7 +47,7 @@ impl Answer for Triangles {
             .into_iter()
             .take(count)
             .flat_map(|list| [list.len()].into_iter().chain(list.iter().map(|v| v.index())));
-        digest(ids.flat_map(usize::to_le_bytes).chain(broken.unwrap_or_default().bytes()))
+        digest(ids.flat_map(usize::to_le_bytes).chain(broken.map_or("", Contradiction::rule).bytes()))
     }
 }
 
@@ -169,7 +169,7 @@ impl Task for Delaunay2d {
         content: &Sites,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let vertices: Vec<Vertex> = query.vertices().collect();
         let ask =
             |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| describe(&found.0, &vertices));
@@ -192,7 +192,7 @@ impl Task for Delaunay2d {
             "chain": ids(&found.chain),
             "copies": pairs(&found.copies),
             "constrained": pairs(&found.constrained),
-            "broken": found.broken,
+            "broken": found.broken.map(Contradiction::rule),
         });
         std::fs::write(&path, format!("{json}\n"))?;
         files.push(path);

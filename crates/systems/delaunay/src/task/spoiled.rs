@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::algorithm::Delaunay2;
+use crate::algorithm::{Contradiction, Delaunay2};
 use predicament_judge::sign;
 use predicament_predicates::{Construction, Plane, Question, Scene, Sign, Vertex};
 
@@ -81,7 +81,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
             "a walk toward a vertex is said not to end",
             "exact",
             &[(Class::Topology, "a walk toward a vertex ends")],
-            |_, _, answer: &mut Triangles| answer.0.broken = Some("a walk toward a vertex ends"),
+            |_, _, answer: &mut Triangles| answer.0.broken = Some(Contradiction::Walk),
         ),
         Spoiled::new(
             "delaunay-forgets-copies",

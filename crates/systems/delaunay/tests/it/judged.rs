@@ -1,6 +1,6 @@
 //! Every check of Delaunay triangulations finds what it is for.
 
-use predicament_delaunay::algorithm::{Delaunay2, constrained_delaunay2d};
+use predicament_delaunay::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d};
 use predicament_delaunay::checks::{Found, flaws};
 use predicament_exact::Exact;
 use predicament_hull::checks::Signs;
@@ -185,7 +185,7 @@ fn laid(points: &[[i64; 2]], constraints: &[[usize; 2]], breaks_ties: bool) -> O
     let asked = Found { triangles, chain, copies, constraints: &constraints };
     let mut failing: Vec<&str> =
         if triangles.is_empty() { Vec::new() } else { flaws(signs, asked).iter().map(|flaw| flaw.check).collect() };
-    failing.extend(found.broken);
+    failing.extend(found.broken.map(Contradiction::rule));
     Some((failing, found))
 }
 

@@ -6,7 +6,7 @@ use predicament_predicates::{Plane, Predicates, Vertex};
 use super::chains::{Side, monotone, tangent};
 use super::first::AXES;
 use super::scratch::Scratch;
-use super::{Hull3, faces, incremental, order, stitch};
+use super::{Contradiction, Hull3, faces, incremental, order, stitch};
 
 /// So many vertices are a part that is not divided: their hull is found by insertion.
 const LEAF: usize = 8;
@@ -82,7 +82,7 @@ fn by_insertion(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Ver
     hull.vertices.iter().for_each(|v| scratch.spoke[v.index()] = super::scratch::NONE);
     match HalfEdgeMesh::new(hull.vertices.clone(), &faces) {
         Ok(mesh) => Ok(Body::Solid(Box::new(mesh))),
-        Err(_) => Err(Hull3 { broken: Some("the faces of a part make a surface"), ..hull }),
+        Err(_) => Err(Hull3 { broken: Some(Contradiction::Part), ..hull }),
     }
 }
 

@@ -2,8 +2,8 @@
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
-use super::Hull3;
 use super::scratch::NONE;
+use super::{Contradiction, Hull3};
 
 /// Edges that are asked about at once.
 const CHUNK: usize = 4096;
@@ -31,7 +31,7 @@ pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: 
         for (&[at, other], sign) in edges.iter().zip(signs) {
             match sign {
                 Sign::Positive => {}
-                Sign::Negative => broken = Some("the hull is convex at every edge"),
+                Sign::Negative => broken = Some(Contradiction::Convex),
                 Sign::Zero => {
                     is_flat = true;
                     let [a, b] = [find(&mut groups, at), find(&mut groups, other)];
@@ -90,7 +90,7 @@ fn polygons(
     triangles: &[[Vertex; 3]],
     near: &[[u32; 3]],
     groups: &mut [u32],
-) -> Result<Vec<Vec<Vertex>>, &'static str> {
+) -> Result<Vec<Vec<Vertex>>, Contradiction> {
     let of: Vec<u32> = (0..).take(triangles.len()).map(|at| find(groups, at)).collect();
     let mut boundary: Vec<(u32, Vertex, Vertex)> = Vec::new();
     for ((corners, near), &group) in triangles.iter().zip(near).zip(&of) {
@@ -126,10 +126,10 @@ fn polygons(
         }
         edges.iter().for_each(|edge| next[edge.1.index()] = NONE);
         if !is_loop {
-            return Err("faces in one plane have one loop around them");
+            return Err(Contradiction::Loop);
         }
         if polygon.len() < 3 {
-            return Err("a face has three vertices of three faces each");
+            return Err(Contradiction::Face);
         }
         polygons.push(polygon);
     }

@@ -6,7 +6,7 @@ use super::first::{Span, span};
 use super::plane::{PlaneMethod, flat};
 use super::scratch::Scratch;
 use super::surface::Surface;
-use super::{Hull3, faces};
+use super::{Contradiction, Hull3, faces};
 
 /// With fewer vertices none is inserted before the others.
 const FEW: usize = 64;
@@ -37,7 +37,7 @@ pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[
     hull
 }
 
-fn insert_all(session: &dyn Predicates, surface: &mut Surface<'_>, vertices: &[Vertex]) -> Result<(), &'static str> {
+fn insert_all(session: &dyn Predicates, surface: &mut Surface<'_>, vertices: &[Vertex]) -> Result<(), Contradiction> {
     if vertices.len() >= FEW {
         for v in extreme(session, vertices) {
             surface.insert(v)?;

@@ -17,9 +17,10 @@
 //!
 //! # Signs that contradict each other
 //! Every loop is bounded by the number of vertices or faces. Where a step is impossible the algorithm stops: the answer
-//! holds the hull as it was before it, and the name of the invariant that did not hold.
+//! holds the hull as it was before it, and the [`Contradiction`].
 
 mod chains;
+mod contradiction;
 mod divide;
 mod faces;
 mod first;
@@ -34,6 +35,7 @@ mod surface;
 
 use predicament_predicates::Vertex;
 
+pub use contradiction::Contradiction;
 pub use plane::{PlaneMethod, hull2d};
 pub use space::{SpaceMethod, hull3d};
 
@@ -43,7 +45,7 @@ pub struct Hull2 {
     /// Its vertices counterclockwise, from the one with the smallest x on, of several that with the smallest y.
     pub vertices: Vec<Vertex>,
     /// The invariant that did not hold, where signs contradict each other.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 /// The vertices, by their indices.
@@ -64,7 +66,7 @@ pub struct Hull3 {
     /// is a point or a segment, two of the same vertices where it is flat.
     pub faces: Vec<Vec<Vertex>>,
     /// The invariant that did not hold, where signs contradict each other.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 /// The numbers of vertices and of faces.

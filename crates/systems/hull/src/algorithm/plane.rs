@@ -3,7 +3,7 @@
 use predicament_predicates::{Plane, Predicates, Vertex};
 
 use super::chains::{Side, divided, monotone, polygon};
-use super::{Hull2, interior, order};
+use super::{Contradiction, Hull2, interior, order};
 
 /// How the hull of points of the plane is found.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
@@ -40,6 +40,6 @@ pub(super) fn flat(session: &dyn Predicates, plane: Plane, method: PlaneMethod, 
     });
     match polygon(&sorted, &lower, &upper) {
         Some(vertices) => Hull2 { vertices, broken: None },
-        None => Hull2 { vertices: lower, broken: Some("the lower and the upper chain meet in their ends only") },
+        None => Hull2 { vertices: lower, broken: Some(Contradiction::Chains) },
     }
 }

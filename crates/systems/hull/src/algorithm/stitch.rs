@@ -10,6 +10,7 @@
 //! Where the plane holds more than three vertices, the face is their polygon: it takes the place of faces of the hulls in
 //! that plane.
 
+use super::Contradiction;
 use std::collections::{HashMap, HashSet};
 
 use predicament_mesh::half_edge::{Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVertex};
@@ -17,8 +18,6 @@ use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::plane::{PlaneMethod, flat};
 use super::scratch::NONE;
-
-type Broken = &'static str;
 
 /// Vertices that are asked about at once.
 const CHUNK: usize = 1024;
@@ -48,7 +47,7 @@ pub(super) fn stitched(
     session: &dyn Predicates,
     parts: &mut [HalfEdgeMesh; 2],
     touching: [Vertex; 2],
-) -> Result<HalfEdgeMesh, Broken> {
+) -> Result<HalfEdgeMesh, Contradiction> {
     let mut stitch = Stitch { session, parts };
     let band = stitch.band(touching)?;
     stitch.cut(&band)?;
@@ -58,7 +57,7 @@ pub(super) fn stitched(
 
 impl Stitch<'_> {
     /// The stitching faces, each counterclockwise from outside.
-    fn band(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Broken> {
+    fn band(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Contradiction> {
         let first = self.first_bridge(touching)?;
         // There are not twice as many faces as vertices in a hull.
         let most = 2 * self.parts.iter().map(HalfEdgeMesh::vertex_count).sum::<usize>();
@@ -74,10 +73,10 @@ impl Stitch<'_> {
                 count += 1;
             }
             let (Some(there), Some([x, y]), 2) = (there, back, count) else {
-                return Err("a stitching face has two edges between the parts");
+                return Err(Contradiction::TwoBridges);
             };
             if there != bridge {
-                return Err("a stitching face has the edge that it is turned about");
+                return Err(Contradiction::Turned);
             }
             band.push(face);
             bridge = [y, x];
@@ -85,11 +84,11 @@ impl Stitch<'_> {
                 return Ok(band);
             }
         }
-        Err("the stitching faces close to a band")
+        Err(Contradiction::Band)
     }
 
     /// An edge of the joined hull between its parts: in the upright plane through two vertices, all in which are asked.
-    fn first_bridge(&self, [a, b]: [Vertex; 2]) -> Result<[Corner; 2], Broken> {
+    fn first_bridge(&self, [a, b]: [Vertex; 2]) -> Result<[Corner; 2], Contradiction> {
         let session = self.session;
         let mut here: Vec<Corner> = Vec::new();
         let mut signs = [Sign::Zero; CHUNK];
@@ -116,7 +115,7 @@ impl Stitch<'_> {
             [1, 0] => Some([b, a]),
             _ => None,
         });
-        bridge.ok_or("the plane below both parts has an edge between them")
+        bridge.ok_or(Contradiction::Below)
     }
 
     /// The polygon of these corners, counterclockwise in a coordinate plane.
@@ -138,7 +137,7 @@ impl Stitch<'_> {
     }
 
     /// The face of the joined hull on the left of an edge between its parts.
-    fn face(&self, [u, v]: [Corner; 2]) -> Result<Vec<Corner>, Broken> {
+    fn face(&self, [u, v]: [Corner; 2]) -> Result<Vec<Corner>, Contradiction> {
         let session = self.session;
         let is_off_line = |w: Corner| {
             [Plane::Xy, Plane::Yz, Plane::Zx]
@@ -155,7 +154,7 @@ impl Stitch<'_> {
                 best = Some(w);
             }
         }
-        let best = best.ok_or("an edge between the parts has a face")?;
+        let best = best.ok_or(Contradiction::Bridge)?;
         let mut here = vec![u, v];
         let mut seen: HashSet<Vertex> = [u.vertex, v.vertex].into();
         let mut next = 0;
@@ -169,7 +168,7 @@ impl Stitch<'_> {
                     || match session.orient3d(u.vertex, v.vertex, best.vertex, w.vertex) {
                         Sign::Positive => false,
                         Sign::Zero => true,
-                        Sign::Negative => return Err("no vertex is outside of a stitching face"),
+                        Sign::Negative => return Err(Contradiction::Outside),
                     };
                 if is_here {
                     here.push(w);
@@ -179,7 +178,7 @@ impl Stitch<'_> {
         if here.len() == 3 {
             return Ok(vec![u, v, best]);
         }
-        let plane = is_off_line(best).ok_or("an edge between the parts has a face")?;
+        let plane = is_off_line(best).ok_or(Contradiction::Bridge)?;
         let mut polygon = self.polygon(plane, &here);
         if session.orient2d(plane, u.vertex, v.vertex, best.vertex) == Sign::Negative {
             polygon.reverse();
@@ -188,11 +187,11 @@ impl Stitch<'_> {
     }
 
     /// Marks the half-edges of the parts that are edges of stitching faces.
-    fn cut(&mut self, band: &[Vec<Corner>]) -> Result<(), Broken> {
+    fn cut(&mut self, band: &[Vec<Corner>]) -> Result<(), Contradiction> {
         for face in band {
             for (a, b) in face.iter().zip(face.iter().cycle().skip(1)).filter(|(a, b)| a.part == b.part) {
                 let mesh = &mut self.parts[a.part];
-                let h = mesh.find(a.at, b.at).ok_or("an edge of a stitching face within a part is an edge of that")?;
+                let h = mesh.find(a.at, b.at).ok_or(Contradiction::Within)?;
                 mesh.set_marker(h, CUT);
             }
         }
@@ -217,7 +216,7 @@ impl Stitch<'_> {
     }
 
     /// The mesh of the kept faces and the stitching faces.
-    fn joined(&self, band: &[Vec<Corner>], kept: &[Vec<bool>; 2]) -> Result<HalfEdgeMesh, Broken> {
+    fn joined(&self, band: &[Vec<Corner>], kept: &[Vec<bool>; 2]) -> Result<HalfEdgeMesh, Contradiction> {
         let mut places = [0, 1].map(|part: usize| vec![NONE; self.parts[part].vertex_count()]);
         let mut vertices: Vec<Vertex> = Vec::new();
         let mut faces = IndexedFaces::default();
@@ -237,9 +236,9 @@ impl Stitch<'_> {
         for face in band {
             faces.push(face.iter().map(|corner| place(corner.part, corner.at)));
         }
-        let mesh = HalfEdgeMesh::new(vertices, &faces).map_err(|_| "stitched faces make a surface")?;
+        let mesh = HalfEdgeMesh::new(vertices, &faces).map_err(|_| Contradiction::Surface)?;
         if mesh.half_edges().any(|h| mesh.is_boundary(h)) {
-            return Err("stitched faces make a closed surface");
+            return Err(Contradiction::Closed);
         }
         Ok(mesh)
     }

@@ -4,6 +4,7 @@
 //! replaced, their vertices find a seat at one of the new triangles or are inside: the segment from a vertex outside of a
 //! replaced triangle to a point of it, which is inside of the new hull, leaves the new hull through a new triangle.
 
+use super::Contradiction;
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::scratch::{NONE, Scratch};
@@ -46,9 +47,6 @@ struct Horizon {
     /// Which edge of that triangle it is.
     edge: usize,
 }
-
-/// Why a vertex was not inserted.
-pub(super) type Broken = &'static str;
 
 impl<'s> Surface<'s> {
     /// The tetrahedron of four vertices, the last of which is below the plane of the others; and the other ones outside
@@ -106,7 +104,7 @@ impl<'s> Surface<'s> {
     ///
     /// # Errors
     /// The invariant that does not hold; the surface is as it was.
-    pub fn insert(&mut self, v: Vertex) -> Result<(), Broken> {
+    pub fn insert(&mut self, v: Vertex) -> Result<(), Contradiction> {
         let first = self.scratch.seat[v.index()];
         if first == NONE {
             return Ok(());
@@ -159,11 +157,11 @@ impl<'s> Surface<'s> {
     }
 
     /// Puts the horizon in order; an error where it is not a single loop.
-    fn check_horizon(&mut self) -> Result<(), Broken> {
+    fn check_horizon(&mut self) -> Result<(), Contradiction> {
         let Surface { scratch, horizon, .. } = self;
         let spoke = &mut scratch.spoke;
         if horizon.is_empty() {
-            return Err("a vertex sees some faces and not all");
+            return Err(Contradiction::Sees);
         }
         let mut is_simple = true;
         for (edge, at) in horizon.iter().zip(0..) {
@@ -184,7 +182,7 @@ impl<'s> Surface<'s> {
         }
         let is_loop = is_simple && length == horizon.len() && length >= 3;
         horizon.iter().for_each(|edge| spoke[edge.from.index()] = NONE);
-        if is_loop { Ok(()) } else { Err("the horizon of a vertex is a single loop") }
+        if is_loop { Ok(()) } else { Err(Contradiction::Horizon) }
     }
 
     /// Replaces the visible triangles by those that join the vertex to the horizon.

@@ -1,5 +1,6 @@
 //! What is reported about hulls.
 
+use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
 
 pub(super) const IN_PLANE: &[Check] = &[
@@ -12,28 +13,11 @@ pub(super) const IN_PLANE: &[Check] = &[
     Check::topology("inside", "no point is outside"),
     Check::topology("smallest index", "of several points in one place the first stands for all"),
     Check::topology("extreme vertices", "the vertices are those of the definition, where the points are few"),
-    Check::invariants("chains meet in their ends", &[&["the lower and the upper chain meet in their ends only"]]),
+    Check::invariants("chains meet in their ends", &[&[Contradiction::Chains.rule()]]),
 ];
 
 /// What the algorithms in space look after themselves.
-const RULES: &[&str] = &[
-    "a face has three vertices of three faces each",
-    "a stitching face has the edge that it is turned about",
-    "a stitching face has two edges between the parts",
-    "a vertex sees some faces and not all",
-    "an edge between the parts has a face",
-    "an edge of a stitching face within a part is an edge of that",
-    "faces in one plane have one loop around them",
-    "no vertex is outside of a stitching face",
-    "stitched faces make a closed surface",
-    "stitched faces make a surface",
-    "the faces of a part make a surface",
-    "the horizon of a vertex is a single loop",
-    "the hull is convex at every edge",
-    "the lower and the upper chain meet in their ends only",
-    "the plane below both parts has an edge between them",
-    "the stitching faces close to a band",
-];
+const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const IN_SPACE: &[Check] = &[
     Check::topology("vertices", "vertices are some of the scene's, each once, and those of the faces"),

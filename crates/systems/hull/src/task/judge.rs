@@ -1,5 +1,6 @@
 //! Hulls against what a convex hull is, and small ones against the definition.
 
+use crate::algorithm::Contradiction;
 use crate::checks::{Flaw, Signs};
 use crate::truth::{PAIRS, Truth};
 use predicament_judge::Judged;
@@ -12,7 +13,7 @@ pub(super) struct Found<'a> {
     /// The vertices.
     pub vertices: &'a [Vertex],
     /// The invariant that the algorithm found broken.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
     /// What is wrong with it, by these signs.
     pub flaws: &'a dyn Fn(Signs<'_>) -> Vec<Flaw>,
 }
@@ -39,7 +40,7 @@ pub(super) fn judge<T: Task<Truth = Truth>>(
     let mut flaws = (found.flaws)(signs);
     if let Some(broken) = found.broken {
         let what = "the algorithm stopped there".to_owned();
-        flaws.insert(0, Flaw { check: broken, places: 1, vertices: Vec::new(), what });
+        flaws.insert(0, Flaw { check: broken.rule(), places: 1, vertices: Vec::new(), what });
     }
     flaws.extend(case.truth.not_extreme(scene, signs, found.vertices));
     for flaw in &flaws {

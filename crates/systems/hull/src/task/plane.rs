@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Hull2, PlaneMethod, hull2d};
+use crate::algorithm::{Contradiction, Hull2, PlaneMethod, hull2d};
 use crate::checks::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -15,8 +15,8 @@ use super::{generate, template};
 use crate::truth::Truth;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -29,7 +29,7 @@ pub struct Polygon(pub Hull2);
 
 impl Answer for Polygon {
     fn digest(&self) -> u64 {
-        let broken = self.0.broken.unwrap_or_default();
+        let broken = self.0.broken.map_or("", Contradiction::rule);
         digest(self.0.vertices.iter().flat_map(|v| v.index().to_le_bytes()).chain(broken.bytes()))
     }
 }
@@ -155,7 +155,7 @@ impl Task for Hull2d {
         content: &Cloud<PlaneMethod>,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
         let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
         Ok(explanation.with_answers(backends, ask))

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Hull3, SpaceMethod, hull3d};
+use crate::algorithm::{Contradiction, Hull3, SpaceMethod, hull3d};
 use crate::checks::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -15,8 +15,8 @@ use super::{generate, template};
 use crate::truth::Truth;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -29,7 +29,7 @@ pub struct Surface(pub Hull3);
 
 impl Answer for Surface {
     fn digest(&self) -> u64 {
-        let broken = self.0.broken.unwrap_or_default();
+        let broken = self.0.broken.map_or("", Contradiction::rule);
         let faces = self.0.faces.iter().flat_map(|face| face.iter().map(|v| v.index()).chain([usize::MAX]));
         let vertices = self.0.vertices.iter().map(|v| v.index());
         digest(vertices.chain([usize::MAX]).chain(faces).flat_map(usize::to_le_bytes).chain(broken.bytes()))
@@ -160,7 +160,7 @@ impl Task for Hull3d {
         content: &Cloud<SpaceMethod>,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|hull| hull.0.to_string());
         let explanation = Explanation { vertices: query.vertices().collect(), ..Explanation::default() };
         Ok(explanation.with_answers(backends, ask))

@@ -1,5 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
+use crate::algorithm::Contradiction;
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_judge::sign;
@@ -102,9 +103,7 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
             "the chains are said to meet in more than their ends",
             "exact",
             &[(Class::Topology, "the lower and the upper chain meet in their ends only")],
-            |_, _, answer: &mut Polygon| {
-                answer.0.broken = Some("the lower and the upper chain meet in their ends only")
-            },
+            |_, _, answer: &mut Polygon| answer.0.broken = Some(Contradiction::Chains),
         ),
     ]
 }
@@ -398,7 +397,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
             "the faces between two hulls are said to make no band",
             "exact",
             &[(Class::Topology, "the stitching faces close to a band")],
-            |_, _, answer: &mut Surface| answer.0.broken = Some("the stitching faces close to a band"),
+            |_, _, answer: &mut Surface| answer.0.broken = Some(Contradiction::Band),
         ),
     ]
 }

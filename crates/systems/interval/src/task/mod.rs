@@ -24,8 +24,8 @@ pub use content::Cells;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest,
 };
 
 /// Probes between two looks at the watch.
@@ -176,8 +176,8 @@ impl Task for Interval {
         content: &Cells,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
-        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+    ) -> Result<Explanation, ExplainError> {
+        let probe = query.vertices().next().ok_or_else(|| ExplainError::not_of_task(query, "names no probe"))?;
         let ask = |backend: &dyn Contestant| {
             let one = Cells { probes: vec![probe], ..content.clone() };
             backend.answer(self, scene, &one).map(|found| describe(&found.0[0]))

@@ -1,5 +1,6 @@
 //! What is reported about overlays of meshes.
 
+use crate::algorithm::overlay::Contradiction;
 use predicament_slice::checks::Check as Law;
 
 use predicament_overlay::task::overlay::RULES as ARRANGEMENT;
@@ -8,17 +9,7 @@ use predicament_tasks::{Check, Class};
 use predicament_triangulate::task::RULES as TRIANGULATION;
 
 /// What the algorithm looks after itself.
-const RULES: &[&str] = &[
-    "a face is in one region of the other mesh",
-    "a triangle has an area in a coordinate plane",
-    "a vertex is in one region of the other mesh",
-    "an edge and a triangle that are registered have boxes that meet",
-    "segments in a triangle are chains and rings",
-    "the ends of an edge that passes through a triangle are on two sides of it",
-    "the triangles of a mesh are simplices",
-    "two triangles meet in one segment",
-    "vertices that no triangle parts are in one region",
-];
+const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[
     Check::topology("vertex not finite", "every vertex is a point"),

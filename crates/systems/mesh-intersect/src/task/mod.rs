@@ -20,7 +20,9 @@ mod spoiled_results;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::overlay::{Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered};
+use crate::algorithm::overlay::{
+    Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
+};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_overlay::algorithm::overlay::Operation;
@@ -34,12 +36,12 @@ use manner::{Manner, manner};
 
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
-pub use settled::Settled;
+pub use settled::{Settled, Unsettled};
 
 use predicament_tasks::output::{Canvas, Placed};
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Refusal,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
+    Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -63,10 +65,10 @@ pub struct Overlaid {
     pub rounded: Option<Vec<[f64; 3]>>,
     /// Where contacts with these vertices were registered; none where none were. What is judged is the points that are defined.
     pub registered: Option<Vec<[f64; 3]>>,
-    /// The results without a perturbation, and in doubles, or what does not hold; none where they were not asked for, or the session rounds.
-    pub settled: Option<std::result::Result<Settled, String>>,
+    /// The results without a perturbation, and in doubles, or why there is none; none where they were not asked for, or the session rounds.
+    pub settled: Option<std::result::Result<Settled, Unsettled>>,
     /// The first invariant that did not hold: then there is nothing else.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 impl Overlaid {
@@ -116,7 +118,7 @@ impl Answer for Overlaid {
             let regions = pairs.into_iter().flatten().map(|region| region as usize);
             triangle.map(Vertex::index).into_iter().chain(regions).collect::<Vec<_>>()
         });
-        digest(pieces.flat_map(number).chain(self.broken.unwrap_or_default().bytes()))
+        digest(pieces.flat_map(number).chain(self.broken.map_or("", Contradiction::rule).bytes()))
     }
 }
 
@@ -265,7 +267,7 @@ impl Task for MeshIntersect {
         content: &TwoMeshes,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|answer| told(&answer));
         Ok(Explanation::default().with_answers(backends, ask))
@@ -303,7 +305,10 @@ impl Task for MeshIntersect {
         };
         let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
         let path = folder.join("pieces.json");
-        std::fs::write(&path, format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken })))?;
+        std::fs::write(
+            &path,
+            format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })),
+        )?;
         files.push(path);
         if answer.rounded.is_none() {
             files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
@@ -345,8 +350,8 @@ impl Task for MeshIntersect {
 }
 
 fn told(answer: &Overlaid) -> String {
-    if let Some(rule) = answer.broken {
-        return format!("violated: {rule}");
+    if let Some(broken) = answer.broken {
+        return format!("broken: {broken}");
     }
     let solids = Operation::ALL.iter().zip(&answer.solids);
     let solids: Vec<String> = solids.map(|(of, solid)| format!("{} of {}", of.name(), solid.len())).collect();

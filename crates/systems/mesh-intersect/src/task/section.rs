@@ -1,7 +1,7 @@
 //! `mesh_intersect.csv` and what a report makes of it.
 
 use predicament_overlay::algorithm::overlay::Operation;
-use predicament_records::{Error, Row, RunDir};
+use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
@@ -55,13 +55,13 @@ predicament_records::table! {
         pub left: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         let flaws = self.turned.saturating_add(self.folded).saturating_add(self.crossing);
         if self.left > flaws {
-            return Err("more flaws are left than there were".to_owned());
+            return Err(RowError::Contradiction("more flaws are left than there were"));
         }
         if self.flat.saturating_add(self.cancelled) > self.perturbed {
-            return Err("more triangles are without area, or cancelled, than there were".to_owned());
+            return Err(RowError::Contradiction("more triangles are without area, or cancelled, than there were"));
         }
         Ok(())
     }

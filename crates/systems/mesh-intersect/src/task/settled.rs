@@ -30,11 +30,18 @@ pub struct Result {
 }
 
 /// Why a result has no limit, or none in doubles.
-enum Unsettled {
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum Unsettled {
+    /// The backend does not take the scene without the perturbation.
     Declined(Declined),
+    /// A result has no limit.
     Undone(Undone),
+    /// A limit is not rounded to doubles.
     NotRounded(NotRounded),
 }
+
+impl std::error::Error for Unsettled {}
 
 impl From<Declined> for Unsettled {
     fn from(why: Declined) -> Unsettled {
@@ -56,13 +63,13 @@ impl std::fmt::Display for Unsettled {
 /// zero.
 ///
 /// # Errors
-/// What does not hold, such as that a constructed vertex is a point where the meshes are.
+/// [`Unsettled`], such as where a constructed vertex is not a point where the meshes are.
 pub(super) fn settled(
     session: &dyn Predicates,
     overlay: &MeshOverlay,
     solids: &[Solid; 4],
     before: usize,
-) -> Option<std::result::Result<Settled, String>> {
+) -> Option<std::result::Result<Settled, Unsettled>> {
     let exact = session.unperturbed()?;
     let scene = session.scene().clone();
     let mut settled: std::result::Result<Settled, Unsettled> = Ok(Settled::default());
@@ -78,7 +85,7 @@ pub(super) fn settled(
             Settled { results, constructions: session.scene().constructions()[before..].to_vec() }
         });
     });
-    Some(asked.map_err(Unsettled::Declined).and(settled).map_err(|why| why.to_string()))
+    Some(asked.map_err(Unsettled::Declined).and(settled))
 }
 
 impl Settled {

@@ -1,8 +1,10 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
+use crate::algorithm::overlay::Contradiction;
 use predicament_mesh::OUTSIDE;
+use predicament_predicates::Declined;
 
-use super::{MeshIntersect, OfMesh, Overlaid};
+use super::{MeshIntersect, OfMesh, Overlaid, Unsettled};
 use predicament_tasks::rounding::{far, one_place, spoiled};
 use predicament_tasks::{Class, Spoiled};
 
@@ -102,7 +104,9 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             "results are said to have no limit",
             "sos:per-mesh",
             &[(Class::Topology, "limit")],
-            |_, _, answer: &mut Overlaid| answer.settled = Some(Err("there is none".to_owned())),
+            |_, _, answer: &mut Overlaid| {
+                answer.settled = Some(Err(Unsettled::Declined(Declined::scene("there is none"))))
+            },
         ),
         Spoiled::new(
             "mesh-intersect-loses-a-piece",
@@ -147,7 +151,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             "two triangles are said to meet in more than one segment",
             "exact",
             &[(Class::Topology, "two triangles meet in one segment")],
-            |_, _, answer: &mut Overlaid| answer.broken = Some("two triangles meet in one segment"),
+            |_, _, answer: &mut Overlaid| answer.broken = Some(Contradiction::Segment),
         ),
     ]
 }

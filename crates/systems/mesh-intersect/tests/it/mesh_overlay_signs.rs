@@ -128,7 +128,7 @@ fn outcome(result: Result<MeshOverlay, Undone>) -> &'static str {
         }
         Err(Undone::Touch(_) | Undone::Contact(_)) => "touch",
         Err(Undone::Refused(_)) => "refused",
-        Err(Undone::Broken(rule)) => rule,
+        Err(Undone::Broken(broken)) => broken.rule(),
     }
 }
 

@@ -23,7 +23,7 @@ use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::OUTSIDE;
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::Role;
@@ -33,8 +33,8 @@ pub use section::MeshLocateRow;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Phase, Purpose, Spoiled,
-    Stop, Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
+    Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// What a drawing of an answer has of the probes.
@@ -239,13 +239,13 @@ impl Task for MeshLocate {
         content: &ProbedMesh,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
-        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+    ) -> Result<Explanation, ExplainError> {
+        let probe = query.vertices().next().ok_or_else(|| ExplainError::not_of_task(query, "names no probe"))?;
         let index = content.mesh_index(scene);
         let ask = |backend: &dyn Contestant| {
-            let mut told = Err(format!("{} was not asked", backend.name()));
+            let mut told = Err(Declined::scene("the backend asked for no session"));
             let prepared = backend.with_session(scene, &mut |session| {
-                told = self.supported(session).map_err(|why| why.to_string()).map(|()| {
+                told = self.supported(session).map(|()| {
                     let mut scratch = Scratch::new();
                     let by_rays = Ray::ALL.map(|ray| named(index.question(session, probe, ray, &mut scratch)));
                     let short = named(locate_all(index, session, &[probe], &|_| true)[0]);
@@ -256,7 +256,7 @@ impl Task for MeshLocate {
                     }
                 });
             });
-            prepared.map_err(|why| why.to_string()).and(told)
+            prepared.and(told)
         };
         let place = Materials::new(scene, content.mesh.triangles(), content.mesh.sides()).locate(probe);
         let (mut vertices, mut truth) = (vec![probe], judge::told(&place));

@@ -1,7 +1,7 @@
 //! `mesh_locate.csv` and what a report makes of it.
 
 use crate::algorithm::Location;
-use predicament_records::{Error, Row, RunDir};
+use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
@@ -40,13 +40,13 @@ predicament_records::table! {
         pub lost: u64,
     }
 
-    fn check(&self) -> Result<(), String> {
+    fn check(&self) -> Result<(), RowError> {
         let answers = [self.in_region, self.on_mesh, self.contradictions, self.undecided];
         if answers.into_iter().try_fold(0_u64, u64::checked_add) != Some(self.probes) {
-            return Err("the probes are not those in a region, on the mesh, in no one region and undecided".to_owned());
+            return Err(RowError::Contradiction("the probes are not those in a region, on the mesh, in no one region and undecided"));
         }
         if self.known > self.probes || self.lost > self.probes {
-            return Err("more probes are known or lost than there are".to_owned());
+            return Err(RowError::Contradiction("more probes are known or lost than there are"));
         }
         Ok(())
     }

@@ -18,7 +18,7 @@ use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
+use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::Role;
@@ -28,8 +28,8 @@ pub use section::LocateRow;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Purpose, Spoiled, Stop,
-    Task, Turns, Watch, digest,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Purpose,
+    Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// What a drawing of an answer has of the probes, by how many regions they are in or on.
@@ -197,19 +197,19 @@ impl Task for PolygonLocate {
         content: &MapWithProbes,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
-        let probe = query.vertices().next().ok_or_else(|| format!("`{query}` names no probe"))?;
+    ) -> Result<Explanation, ExplainError> {
+        let probe = query.vertices().next().ok_or_else(|| ExplainError::not_of_task(query, "names no probe"))?;
         let index = content.locate_index(scene);
         let ask = |backend: &dyn Contestant| {
-            let mut told = Err(format!("{} was not asked", backend.name()));
+            let mut told = Err(Declined::scene("the backend asked for no session"));
             let prepared = backend.with_session(scene, &mut |session| {
-                told = self.supported(session).map_err(|why| why.to_string()).map(|()| {
+                told = self.supported(session).map(|()| {
                     let asked = describe(&content.map, index.question(session, probe, &mut Scratch::new()));
                     let by_shortcut = describe(&content.map, index.locate(session, probe, &mut Scratch::new()));
                     if asked == by_shortcut { asked } else { format!("{asked} (by the shortcut: {by_shortcut})") }
                 });
             });
-            prepared.map_err(|why| why.to_string()).and(told)
+            prepared.and(told)
         };
         let about = Explanation { vertices: vec![probe], ..Explanation::default() };
         Ok(about.with_answers(backends, ask))

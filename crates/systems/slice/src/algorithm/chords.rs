@@ -8,9 +8,9 @@
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
 use predicament_predicates::{Axis, Sign, Vertex};
 
-use super::Halt;
 use super::cutter::{Cutter, cross};
 use super::lines::{Line, OWN_ENDS};
+use super::{Contradiction, Halt};
 use predicament_grid::sort::sort_by_sign;
 
 /// A vertex of a face on the plane: the half-edge that ends there, and the sides of the vertices before and after it.
@@ -146,7 +146,7 @@ impl Cutter<'_> {
                 });
             }
         }
-        if inside == [false; 2] { Ok(()) } else { Err(Halt::Broken("a face has an even number of crossings")) }
+        if inside == [false; 2] { Ok(()) } else { Err(Halt::Broken(Contradiction::Crossings)) }
     }
 
     /// Whether the line may go through the inside at a corner: not, if it touches the line with a convex angle.
@@ -169,10 +169,10 @@ impl Cutter<'_> {
         faces: &mut Vec<Face>,
     ) -> Result<HalfEdge, Halt> {
         let (Some(f), Some(g)) = (self.mesh.face(from), self.mesh.face(to)) else {
-            return Err(Halt::Broken("an edge across a face stays in it"));
+            return Err(Halt::Broken(Contradiction::Across));
         };
         if f != g {
-            let Some(cap) = split.cap else { return Err(Halt::Broken("an edge across a face stays in it")) };
+            let Some(cap) = split.cap else { return Err(Halt::Broken(Contradiction::Across)) };
             // A hole becomes a part of the loop around it.
             self.mesh.open_face(g)?;
             faces.retain(|&face| face != g);

@@ -34,6 +34,7 @@
 //! does not hold is named in [`Sliced::broken`], and parts are what was made so far.
 
 mod chords;
+mod contradiction;
 mod cutter;
 mod lines;
 mod output;
@@ -43,6 +44,8 @@ mod sides;
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::OperationError;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
+
+pub use contradiction::Contradiction;
 
 use self::cutter::Cutter;
 use self::planar::Planar;
@@ -78,9 +81,9 @@ pub struct Sliced {
     pub constructions: Vec<Construction>,
     /// How many faces were split, over all planes.
     pub faces_split: u64,
-    /// The first invariant that did not hold, and the place of the plane where that was; none behind the planes is
+    /// The first rule that did not hold, and the place of the plane where that was; none behind the planes is
     /// for the triangulation.
-    pub broken: Option<(&'static str, Option<u32>)>,
+    pub broken: Option<(Contradiction, Option<u32>)>,
 }
 
 /// Splits a mesh by planes. For each face of the mesh `supports` has three of its vertices that turn as the face does.
@@ -124,7 +127,7 @@ pub fn slice(
 enum Halt {
     Refused(Refused),
     /// The invariant that does not hold.
-    Broken(&'static str),
+    Broken(Contradiction),
 }
 
 impl From<Refused> for Halt {
@@ -137,12 +140,12 @@ impl From<OperationError> for Halt {
     fn from(why: OperationError) -> Halt {
         use OperationError as E;
         Halt::Broken(match why {
-            E::EdgeExists(_) => "two vertices are joined by one edge at most",
-            E::OneVertex(_) => "an edge has two ends",
-            E::TooFewHalfEdges(_) => "a face has three edges",
-            E::TwoFaces(..) | E::OneLoop(..) => "an edge across a face stays in it",
-            E::Full => "a mesh has at most 2^32 - 2 elements of a kind",
-            _ => "the mesh keeps its invariants",
+            E::EdgeExists(_) => Contradiction::Joined,
+            E::OneVertex(_) => Contradiction::TwoEnds,
+            E::TooFewHalfEdges(_) => Contradiction::ThreeEdges,
+            E::TwoFaces(..) | E::OneLoop(..) => Contradiction::Across,
+            E::Full => Contradiction::TooMany,
+            _ => Contradiction::Mesh,
         })
     }
 }

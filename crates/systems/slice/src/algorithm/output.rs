@@ -6,7 +6,7 @@ use predicament_mesh::half_edge::{Face, HalfEdge};
 use predicament_predicates::Vertex;
 
 use super::cutter::Cutter;
-use super::{Part, Sliced, Source};
+use super::{Contradiction, Part, Sliced, Source};
 use predicament_triangulate::algorithm::{Method, projection, triangulate};
 
 /// Parts that triangles are added to.
@@ -14,7 +14,7 @@ use predicament_triangulate::algorithm::{Method, projection, triangulate};
 struct Parts {
     /// By the parts' numbers; those without faces are left out in the end.
     parts: Vec<Part>,
-    broken: Option<&'static str>,
+    broken: Option<Contradiction>,
 }
 
 impl Parts {
@@ -69,12 +69,12 @@ impl Cutter<'_> {
     /// Triangulates loops on the plane of a support.
     fn triangulate(&self, out: &mut Parts, part: u32, source: Source, support: [Vertex; 3], loops: &[Vec<Vertex>]) {
         let Some((plane, reversed)) = self.seen(support) else {
-            out.broken.get_or_insert("a face has an area in a coordinate plane");
+            out.broken.get_or_insert(Contradiction::NoArea);
             return;
         };
         let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
         if let Some(what) = made.broken {
-            out.broken.get_or_insert(what);
+            out.broken.get_or_insert(what.into());
         }
         out.push(part, source, made.triangles);
     }

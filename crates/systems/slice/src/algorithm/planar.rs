@@ -7,8 +7,8 @@ use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, IndexedFaces};
 use predicament_predicates::{Predicates, Sign, Vertex};
 
-use super::Halt;
 use super::cutter::seen;
+use super::{Contradiction, Halt};
 use predicament_triangulate::algorithm::{Method, triangulate};
 
 /// Faces for [`Cutter`](super::cutter::Cutter).
@@ -42,12 +42,11 @@ impl Planar {
                 of.push(face);
                 continue;
             }
-            let (plane, reversed) =
-                seen(session, support).ok_or(Halt::Broken("a face has an area in a coordinate plane"))?;
+            let (plane, reversed) = seen(session, support).ok_or(Halt::Broken(Contradiction::NoArea))?;
             let around = corners(&mesh, f);
             let made = triangulate(session, plane, reversed, std::slice::from_ref(&around), Method::Monotone);
             if let Some(what) = made.broken {
-                return Err(Halt::Broken(what));
+                return Err(Halt::Broken(what.into()));
             }
             for triangle in made.triangles {
                 // The face begins where its half-edge starts, the list here where it ends.
@@ -58,7 +57,7 @@ impl Planar {
             }
         }
         let mesh = HalfEdgeMesh::new(vertices, &faces);
-        let mesh = mesh.map_err(|_| Halt::Broken("two vertices are joined by one edge at most"))?;
+        let mesh = mesh.map_err(|_| Halt::Broken(Contradiction::Joined))?;
         Ok(Planar { mesh, supports: all, faces: of })
     }
 }

@@ -5,8 +5,8 @@ use std::collections::BTreeMap;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
 use predicament_predicates::Sign;
 
-use super::Halt;
 use super::cutter::{Cap, Cutter};
+use super::{Contradiction, Halt};
 
 impl Cutter<'_> {
     /// Finds the sides of faces that touch the plane, and divides their caps.
@@ -16,7 +16,7 @@ impl Cutter<'_> {
             for v in self.mesh.vertex_loop(self.mesh.half_edge_of_face(f)) {
                 let sign = self.sign(v);
                 if sign * found == Sign::Negative {
-                    return Err(Halt::Broken("a face is on one side of a plane"));
+                    return Err(Halt::Broken(Contradiction::OneSide));
                 }
                 if !sign.is_zero() {
                     found = sign;

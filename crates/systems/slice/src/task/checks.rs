@@ -1,22 +1,13 @@
 //! What is reported about the parts of a mesh.
 
+use crate::algorithm::Contradiction;
 use crate::checks::Check as Law;
 
 use predicament_tasks::Check;
 use predicament_triangulate::task::RULES as TRIANGULATION;
 
 /// What the algorithm looks after itself.
-const RULES: &[&str] = &[
-    "a face has an area in a coordinate plane",
-    "a face has an even number of crossings",
-    "a face has three edges",
-    "a face is on one side of a plane",
-    "a mesh has at most 2^32 - 2 elements of a kind",
-    "an edge across a face stays in it",
-    "an edge has two ends",
-    "the mesh keeps its invariants",
-    "two vertices are joined by one edge at most",
-];
+const RULES: &[&str] = Contradiction::RULES;
 
 /// The check that a law holds.
 pub const fn law(law: Law) -> Check {

@@ -17,9 +17,9 @@ const TRIANGLES_CROSSED: [usize; 2] = [100, 4_000];
 
 /// Judges parts.
 pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, outcome: &mut Outcome) {
-    if let Some((what, place)) = answer.sliced.broken {
+    if let Some((broken, place)) = answer.sliced.broken {
         let place = place.map_or("in the end".to_owned(), |place| format!("at plane {place}"));
-        note(outcome, Class::Topology, what, format!("violated {place}"), "holds".to_owned());
+        note(outcome, Class::Topology, broken.rule(), format!("violated {place}"), "holds".to_owned());
         if answer.sliced.broken.is_some_and(|(_, place)| place.is_some()) {
             // The parts are not done: laws about them say nothing.
             return;

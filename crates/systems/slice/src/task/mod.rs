@@ -25,8 +25,8 @@ pub use checks::{law, rounded};
 use predicament_tasks::output::{Canvas, Placed};
 
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -59,7 +59,7 @@ impl Answer for Cut {
             let open = part.open.iter().flatten();
             part.triangles.as_flattened().iter().chain(open).map(move |&v| vertex(v)).chain([ends])
         });
-        let broken = self.sliced.broken.map_or("", |(what, _)| what);
+        let broken = self.sliced.broken.map_or("", |(broken, _)| broken.rule());
         digest(parts.flatten().chain(broken.bytes()))
     }
 }
@@ -185,7 +185,7 @@ impl Task for Slice {
         content: &Solid,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|cut| told(&cut.sliced));
         Ok(Explanation::default().with_answers(backends, ask))
@@ -210,7 +210,7 @@ impl Task for Slice {
         };
         let json = serde_json::json!({
             "parts": parts.iter().map(part).collect::<Vec<_>>(),
-            "broken": answer.sliced.broken.map(|(what, _)| what),
+            "broken": answer.sliced.broken.map(|(broken, _)| broken.rule()),
         });
         std::fs::write(&path, format!("{json}\n"))?;
         files.push(path);
@@ -258,6 +258,6 @@ fn told(sliced: &Sliced) -> String {
     let parts = format!("{} parts of {triangles} triangles", sliced.parts.len());
     match sliced.broken {
         None => parts,
-        Some((what, _)) => format!("{parts}; violated: {what}"),
+        Some((broken, _)) => format!("{parts}; broken: {broken}"),
     }
 }

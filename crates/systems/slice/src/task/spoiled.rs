@@ -1,6 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
-use crate::algorithm::Source;
+use crate::algorithm::{Contradiction, Source};
 use predicament_predicates::Construction;
 
 use super::{Cut, Slice, Solid};
@@ -117,7 +117,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
             "cutting stops at the first plane",
             "exact",
             &[(Class::Topology, "a face has an even number of crossings")],
-            |_, _, answer: &mut Cut| answer.sliced.broken = Some(("a face has an even number of crossings", Some(0))),
+            |_, _, answer: &mut Cut| answer.sliced.broken = Some((Contradiction::Crossings, Some(0))),
         ),
         Spoiled::new(
             "slice-turns-caps",

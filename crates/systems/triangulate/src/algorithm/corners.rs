@@ -7,7 +7,7 @@
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::view::View;
-use super::{NONE, Output, number};
+use super::{Contradiction, NONE, Output, number};
 use predicament_grid::sort::sort_by_sign;
 
 /// The corners of all loops.
@@ -124,7 +124,7 @@ impl Corners {
         around.rotate_left(first);
         let (pairs, _) = around.as_chunks::<2>();
         if !pairs.iter().all(|[from, to]| from.leaves && !to.leaves) {
-            out.broken("the edges at a place come and leave in turn");
+            out.broken(Contradiction::Place);
             return;
         }
         // The corner that keeps each edge that comes, and the corner whose edge follows.

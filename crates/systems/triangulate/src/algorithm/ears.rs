@@ -11,7 +11,7 @@ use predicament_predicates::{Predicates, Sign, Vertex};
 use super::corners::{Corners, ranks};
 use super::reflex::Reflex;
 use super::view::View;
-use super::{NONE, Output, number, sweep};
+use super::{Contradiction, NONE, Output, number, sweep};
 
 /// A walk along the boundary of the inside.
 struct Walk {
@@ -34,7 +34,7 @@ pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &
         walk.split = walk.corners.iter().copied().find(is_first);
     }
     let Some(mut joined) = Joined::new(view, corners, &walks) else {
-        out.broken("walks make a mesh");
+        out.broken(Contradiction::Mesh);
         return;
     };
     for &[split, seen] in &splits {
@@ -62,7 +62,7 @@ fn walks(corners: &Corners, out: &mut Output) -> Vec<Walk> {
         }
         match walk.len() {
             0 => {}
-            1 | 2 => out.broken("a walk has three vertices"),
+            1 | 2 => out.broken(Contradiction::Walk),
             _ => walks.push(Walk { corners: walk, split: None }),
         }
     }
@@ -114,7 +114,7 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         });
         let joined = half_edges.is_some_and(|(inside, hole)| self.mesh.insert_auxiliary_edge(inside, hole).is_ok());
         if !joined {
-            out.broken("a hole can be joined to a vertex on its left");
+            out.broken(Contradiction::Hole);
         }
     }
 
@@ -226,7 +226,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
                 None => {
                     at = self.previous[corner as usize];
                     if !self.cut(corner, out) {
-                        out.broken("the third side of an ear is a new edge");
+                        out.broken(Contradiction::Side);
                         return;
                     }
                 }
@@ -327,7 +327,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         let spike = flat.iter().copied().find(is_spike);
         let convex = all.iter().copied().find(|&corner| !self.is_reflex[corner as usize]);
         if flat.is_empty() {
-            out.broken("a polygon has an ear");
+            out.broken(Contradiction::Ear);
         }
         let candidates = spike.into_iter().chain(flat).chain(convex).chain(all);
         for corner in candidates {
@@ -335,7 +335,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
                 return Some(self.previous[corner as usize]);
             }
         }
-        out.broken("the third side of an ear is a new edge");
+        out.broken(Contradiction::Side);
         None
     }
 }

@@ -36,6 +36,7 @@
 //! sides whatever it is told, but they may overlap. The first rule that signs break is named by
 //! [`Triangulation::broken`].
 
+mod contradiction;
 mod corners;
 mod ears;
 mod few;
@@ -47,6 +48,7 @@ mod view;
 
 use predicament_predicates::{Plane, Predicates, Vertex};
 
+pub use contradiction::Contradiction;
 pub use few::{MOST, triangulate_few};
 pub use nesting::oriented;
 pub use projection::projection;
@@ -72,8 +74,8 @@ pub enum Method {
 pub struct Triangulation {
     /// By the vertices of the loops, counterclockwise in the plane as it is seen.
     pub triangles: Vec<[Vertex; 3]>,
-    /// The first rule that the signs, or the loops, have broken, as the statement that should hold.
-    pub broken: Option<&'static str>,
+    /// The first rule that the signs, or the loops, have broken.
+    pub broken: Option<Contradiction>,
 }
 
 /// Where triangles go.
@@ -94,7 +96,7 @@ impl Output {
         }
     }
 
-    fn broken(&mut self, rule: &'static str) {
+    fn broken(&mut self, rule: Contradiction) {
         self.made.broken.get_or_insert(rule);
     }
 }
@@ -125,10 +127,10 @@ pub fn triangulate<P: Predicates + ?Sized>(
 fn corners<P: Predicates + ?Sized>(view: &View<'_, P>, loops: &[Vec<Vertex>], out: &mut Output) -> Option<Corners> {
     let is_short = |one: &Vec<Vertex>| one.len() < 3;
     if loops.iter().any(is_short) {
-        out.broken("a loop has three vertices");
+        out.broken(Contradiction::Loop);
     }
     if loops.iter().map(Vec::len).sum::<usize>() >= NONE as usize / 4 {
-        out.broken("there are fewer than 2^30 vertices");
+        out.broken(Contradiction::TooMany);
         return None;
     }
     let mut corners = if loops.iter().any(is_short) {

@@ -13,7 +13,7 @@ use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::corners::Corners;
 use super::view::View;
-use super::{NONE, Output, number};
+use super::{Contradiction, NONE, Output, number};
 use predicament_grid::status::Status;
 
 /// A part of the inside that the sweep line crosses.
@@ -185,7 +185,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
     fn start(&mut self, corner: u32) {
         let below = self.region_below(corner);
         if below.is_some_and(|region| self.is_below_upper(region, corner)) {
-            self.out.broken("a start vertex is outside");
+            self.out.broken(Contradiction::Start);
         }
         let chain = self.node(corner);
         self.open(below, corner, chain);
@@ -193,7 +193,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
 
     fn split(&mut self, corner: u32) {
         let Some(below) = self.region_below(corner).filter(|&region| self.is_below_upper(region, corner)) else {
-            self.out.broken("a split vertex is inside");
+            self.out.broken(Contradiction::Split);
             return self.start_inverted(corner);
         };
         let Region { upper, high, last, .. } = self.regions[below as usize];
@@ -248,7 +248,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             return;
         }
         if self.turn_at(corner) == Sign::Positive {
-            self.out.broken("the edges of an end vertex bound one region");
+            self.out.broken(Contradiction::End);
         }
         self.status.remove(above);
         self.push_high(below, corner);
@@ -284,7 +284,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             let sign = self.view.turn(v, a, b);
             if !(sign == Sign::Positive || sign == Sign::Zero && !is_past) {
                 if !is_past {
-                    self.out.broken("a vertex sees the opposite chain");
+                    self.out.broken(Contradiction::Chain);
                 }
                 return low;
             }
@@ -308,7 +308,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             let sign = self.view.turn(v, a, b);
             if !(sign == Sign::Positive || sign == Sign::Zero && !is_past) {
                 if !is_past {
-                    self.out.broken("a vertex sees the opposite chain");
+                    self.out.broken(Contradiction::Chain);
                 }
                 return high;
             }

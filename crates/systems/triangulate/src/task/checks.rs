@@ -1,22 +1,10 @@
 //! What is reported about triangles of polygons.
 
+use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
 
 /// What the algorithm looks after itself.
-pub const RULES: &[&str] = &[
-    "a hole can be joined to a vertex on its left",
-    "a loop has three vertices",
-    "a polygon has an ear",
-    "a split vertex is inside",
-    "a start vertex is outside",
-    "a vertex sees the opposite chain",
-    "a walk has three vertices",
-    "the edges at a place come and leave in turn",
-    "the edges of an end vertex bound one region",
-    "the third side of an ear is a new edge",
-    "there are fewer than 2^30 vertices",
-    "walks make a mesh",
-];
+pub const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[
     Check::topology("loops do not cross", "what is to be triangulated is a polygon"),

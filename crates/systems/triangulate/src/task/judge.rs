@@ -24,11 +24,11 @@ pub(super) fn judge(
         let (plane, reversed) = case.truth.seen[at];
         let ties = (zero == ZeroMeaning::Never).then(|| asked.backend.tie_judge()).flatten();
         let perturbed = ties.map(|ties| Perturbed { judged: Judged::perturbed(case.scene(), ties), plane, reversed });
-        let broken = found.broken.map(|rule| Flaw {
-            check: rule,
+        let broken = found.broken.map(|broken| Flaw {
+            check: broken.rule(),
             vertices: Vec::new(),
             got: "signs, or loops, broke the rule".to_owned(),
-            truth: rule.to_owned(),
+            truth: broken.rule().to_owned(),
         });
         // Loops that touch may cross once they are perturbed: then they bound nothing that has triangles.
         let crosses = perturbed.as_ref().is_some_and(|perturbed| perturbed.crosses(truth));

@@ -12,7 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Triangulation, oriented, projection, triangulate};
+use crate::algorithm::{Contradiction, Triangulation, oriented, projection, triangulate};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -24,8 +24,8 @@ pub use content::Polygons;
 pub use checks::RULES;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -177,11 +177,11 @@ impl Task for Triangulate {
         content: &Polygons,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let vertices: Vec<_> = query.vertices().collect();
         let has = |polygon: &Vec<Vec<Vertex>>| vertices.iter().all(|v| polygon.iter().any(|one| one.contains(v)));
         let at = content.polygons.iter().position(has);
-        let at = at.ok_or_else(|| format!("`{query}`: no polygon of the scene has these vertices"))?;
+        let at = at.ok_or_else(|| ExplainError::not_in_scene(query, "no polygon of the scene has these vertices"))?;
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|found| describe(&found.0[at], &vertices))
         };
@@ -233,7 +233,7 @@ fn solve(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) 
         Dimension::Two => (Plane::Xy, false),
         Dimension::Three => match projection(session, polygon) {
             Some(seen) => seen,
-            None => return Triangulation { triangles: Vec::new(), broken: Some("a face has area in a plane") },
+            None => return Triangulation { triangles: Vec::new(), broken: Some(Contradiction::NoArea) },
         },
     };
     let loops = oriented(session, plane, reversed, polygon);
@@ -252,6 +252,6 @@ fn describe(found: &Triangulation, vertices: &[Vertex]) -> String {
         common >= vertices.len().min(2)
     };
     let about: Vec<String> = found.triangles.iter().filter(is_about).take(6).map(|triangle| words(triangle)).collect();
-    let broken = found.broken.map_or(String::new(), |rule| format!("; broken: {rule}"));
+    let broken = found.broken.map_or(String::new(), |broken| format!("; broken: {broken}"));
     format!("{} triangles; {}{broken}", found.triangles.len(), about.join(", "))
 }

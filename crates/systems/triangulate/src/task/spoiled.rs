@@ -1,5 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
+use crate::algorithm::Contradiction;
 use predicament_judge::sign;
 use predicament_predicates::{Question, Scene, Vertex};
 
@@ -40,7 +41,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
             "exact",
             &[(Class::Topology, "a polygon has an ear")],
             |_, _, answer: &mut Triangulated| {
-                answer.0.iter_mut().for_each(|found| found.broken = Some("a polygon has an ear"))
+                answer.0.iter_mut().for_each(|found| found.broken = Some(Contradiction::Ear))
             },
         ),
         Spoiled::new(

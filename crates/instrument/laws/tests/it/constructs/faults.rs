@@ -3,9 +3,14 @@
 use predicament_controls::Shewchuk;
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Backend, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Refused,
-    Scene, Sign, Tally, Vertex, answer_by,
+    Backend, Construction, Constructs, Contract, Declined, DefinitionError, NoPoint, Off, Plane, PredicateKind,
+    Predicates, Question, Refused, Scene, Sign, Tally, Vertex, answer_by,
 };
+
+/// Whether a definition was refused for lines, or a line and a plane, that are parallel.
+fn is_parallel(reason: &DefinitionError) -> bool {
+    matches!(reason, DefinitionError::NoPoint(NoPoint::ParallelLines | NoPoint::ParallelToPlane))
+}
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
@@ -107,9 +112,7 @@ impl Predicates for Session<'_> {
             let (prefix, rest) = definitions.split_at(*index);
             match self.fault {
                 Fault::KeepsThePrefix => drop(self.both(prefix)),
-                Fault::TakesParallels if reason.contains("parallel") => {
-                    constructed = self.both(&[prefix, &rest[1..]].concat())
-                }
+                Fault::TakesParallels if is_parallel(reason) => constructed = self.both(&[prefix, &rest[1..]].concat()),
                 _ => {}
             }
         }

@@ -2,7 +2,9 @@
 //! ones, level upon level, each level judged.
 
 use predicament_exact::{Exact, Session, constructed::Constructed};
-use predicament_predicates::{Backend, Construction, Dimension, Off, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Backend, Construction, Dimension, NoPoint, Off, Plane, Predicates, Refused, Scene, Sign, Vertex,
+};
 
 use super::{
     WILD,
@@ -218,10 +220,10 @@ fn a_refused_batch_leaves_nothing() {
     }] {
         let start = scene.constructions().len();
         let mut session = Exact.prepare(&scene, Off).expect("points");
-        assert_eq!(
-            session.construct(&[diagonals, parallel, upright]).unwrap_err().to_string(),
-            "definition 1, SSI(0 1, 2 3), is refused: the lines are parallel"
-        );
+        let refused = session.construct(&[diagonals, parallel, upright]).unwrap_err();
+        assert_eq!(refused.to_string(), "definition 1, SSI(0 1, 2 3), is refused: the lines are parallel");
+        let reason = NoPoint::ParallelLines.into();
+        assert_eq!(refused, Refused::Definition { index: 1, definition: parallel, reason });
         assert_eq!((session.scene(), session.constructed().approximation(v(0)).len()), (&scene, 2));
         let later = Construction::Ssi([[c(start + 1), v(0)], [v(1), v(2)]]);
         assert_eq!(

@@ -1,5 +1,6 @@
 //! Where backends break as a knob is turned, and which metamorphic laws they break.
 
+use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Knob;
 
@@ -11,7 +12,7 @@ use predicament_records::format::thousands;
 use predicament_records::is_predicate;
 
 /// The first position of each knob at which a backend breaks: of predicates, then of algorithms.
-pub(super) fn breaks(files: &Files) -> Result<String, String> {
+pub(super) fn breaks(files: &Files) -> Result<String, FolderError> {
     let rows = files.breaks()?;
     let Asked { ways, backends, .. } = Asked::of(&rows);
     let mut table =
@@ -80,7 +81,7 @@ fn earliest(rows: &[&BreakPoint]) -> String {
 }
 
 /// Violations of metamorphic laws by each backend.
-pub(super) fn laws(files: &Files) -> Result<String, String> {
+pub(super) fn laws(files: &Files) -> Result<String, FolderError> {
     let rows = files.violations()?;
     let mut backends: Vec<&str> = Vec::new();
     for row in &rows {

@@ -1,5 +1,6 @@
 //! Wrong answers by how degenerate a query is, and the bits that answers took.
 
+use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Kind;
 
@@ -9,7 +10,7 @@ use crate::compare::words::{counted, listed, percents};
 use crate::compare::{Conditioned, REFERENCE, Share, ranking};
 
 /// The bins in which backends are wrong, and who is wrong nowhere.
-pub(super) fn wrong(files: &Files) -> Result<String, String> {
+pub(super) fn wrong(files: &Files) -> Result<String, FolderError> {
     let rows = files.conditioning()?;
     let (mut tasks, mut backends): (Vec<&str>, Vec<&str>) = Default::default();
     for row in &rows {
@@ -63,7 +64,7 @@ fn cell(rows: &[Conditioned], task: &str, backend: &str) -> String {
 }
 
 /// The bits of the widest arithmetic that settled an answer of the reference, for the predicates.
-pub(super) fn bits(files: &Files) -> Result<String, String> {
+pub(super) fn bits(files: &Files) -> Result<String, FolderError> {
     let measures = files.measures()?;
     let mut table = Table::new("").words(["predicate"]).numbers(Kind::ALL.map(Kind::name));
     for task in ["orient2d", "orient3d", "incircle", "insphere"] {
@@ -74,7 +75,10 @@ pub(super) fn bits(files: &Files) -> Result<String, String> {
             Some(Cell::from(format!("{:.0}", measures.iter().find(is)?.value)))
         });
         let cells: Option<Vec<Cell>> = cells.into_iter().collect();
-        let cells = cells.ok_or_else(|| format!("compare.csv has no bits of {REFERENCE} on {task}"))?;
+        let cells = cells.ok_or_else(|| FolderError::Lacks {
+            file: "compare.csv",
+            what: format!("bits of {REFERENCE} on {task}"),
+        })?;
         table.push(std::iter::once(Cell::from(task)).chain(cells).collect());
     }
     Ok(ranking::markdown(table))

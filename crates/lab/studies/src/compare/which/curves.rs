@@ -1,5 +1,6 @@
 //! Backends that differ in one parameter.
 
+use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Kind;
 
@@ -8,14 +9,17 @@ use crate::compare::standing::backends;
 use crate::compare::words::{counted, percents};
 use crate::compare::{Standing, inputs_of, ranking, table};
 
+fn lacks(what: &str) -> FolderError {
+    FolderError::Lacks { file: "curves/compare.csv", what: what.to_owned() }
+}
+
 /// The members of curves over the inputs that all of a curve answered.
-pub(super) fn curves(files: &Files) -> Result<String, String> {
-    table::curves(&files.curves()?)
-        .ok_or_else(|| "curves/compare.csv: no two backends differ in one parameter".to_owned())
+pub(super) fn curves(files: &Files) -> Result<String, FolderError> {
+    table::curves(&files.curves()?).ok_or_else(|| lacks("two backends that differ in one parameter"))
 }
 
 /// The stages of exact arithmetic: wrong answers of the predicates by the number of stages.
-pub(super) fn stages(files: &Files) -> Result<String, String> {
+pub(super) fn stages(files: &Files) -> Result<String, FolderError> {
     let measures = files.curves()?;
     let is_predicate = |task: &str| ["orient2d", "orient3d", "incircle", "insphere"].contains(&task);
     let inputs: Vec<_> = inputs_of(&measures)
@@ -26,7 +30,7 @@ pub(super) fn stages(files: &Files) -> Result<String, String> {
     let members: Vec<&str> =
         backends(&measures).into_iter().filter(|backend| backend.starts_with("exact:stages=")).collect();
     if members.is_empty() || inputs.is_empty() {
-        return Err("curves/compare.csv: there is no `exact:stages=K` on nearly degenerate predicates".to_owned());
+        return Err(lacks("`exact:stages=K` on nearly degenerate predicates"));
     }
     let mut table =
         Table::new("").words(["backend"]).numbers(inputs.iter().map(|[task, kind, _]| format!("{task}, {kind}")));

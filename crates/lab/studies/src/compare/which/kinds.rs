@@ -1,5 +1,6 @@
 //! Each backend on each input of a kind: time over that of the reference, and what is wrong.
 
+use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Kind;
 
@@ -9,19 +10,19 @@ use crate::compare::words::{counted, percents, scenes};
 use crate::compare::{InputKey, Measure, REFERENCE, Share, Standing, inputs_of, ranking};
 use predicament_records::format::significant;
 
-pub(super) fn general(files: &Files) -> Result<String, String> {
+pub(super) fn general(files: &Files) -> Result<String, FolderError> {
     table(files, Kind::General)
 }
 
-pub(super) fn near(files: &Files) -> Result<String, String> {
+pub(super) fn near(files: &Files) -> Result<String, FolderError> {
     table(files, Kind::Near)
 }
 
-pub(super) fn degenerate(files: &Files) -> Result<String, String> {
+pub(super) fn degenerate(files: &Files) -> Result<String, FolderError> {
     table(files, Kind::Degenerate)
 }
 
-fn table(files: &Files, kind: Kind) -> Result<String, String> {
+fn table(files: &Files, kind: Kind) -> Result<String, FolderError> {
     let measures = files.measures()?;
     let backends = backends(&measures);
     let inputs = inputs_of(&measures).into_iter().filter(|([_, of, _], _)| *of == kind.name());
@@ -33,7 +34,7 @@ fn table(files: &Files, kind: Kind) -> Result<String, String> {
         table.push(std::iter::once(Cell::from(name)).chain(cells).collect());
     }
     if table.is_empty() {
-        return Err(format!("compare.csv has no {} input", kind.name()));
+        return Err(FolderError::Lacks { file: "compare.csv", what: format!("{} input", kind.name()) });
     }
     Ok(format!(
         "{}\n\nTime over that of {REFERENCE}, of one scene; –: no time. Then what is wrong, of this backend's own answers and scenes: w wrong answers, t scenes with a broken law, \

@@ -12,12 +12,13 @@ mod pieces;
 mod promises;
 mod words;
 
+use crate::folder::FolderError;
 use std::path::Path;
 
 use files::Files;
 
 /// What makes a part.
-type Make = fn(&Files) -> Result<String, String>;
+type Make = fn(&Files) -> Result<String, FolderError>;
 
 /// What the names of all parts begin with.
 const PREFIX: &str = "which ";
@@ -49,15 +50,15 @@ const PARTS: [(&str, Make); 17] = [
 /// `parity-space`.
 ///
 /// # Errors
-/// One line with the file that is missing or wrong, or with the names that there are.
+/// [`FolderError`] with the file that is missing or wrong, or with the names that there are.
 #[must_use]
-pub fn part(folder: &Path, name: &str) -> Option<Result<String, String>> {
+pub fn part(folder: &Path, name: &str) -> Option<Result<String, FolderError>> {
     let name = name.strip_prefix(PREFIX)?;
     let make = PARTS.iter().find(|(known, _)| *known == name).map(|(_, make)| make);
     Some(make.map_or_else(
         || {
-            let names: Vec<&str> = PARTS.iter().map(|(name, _)| *name).collect();
-            Err(format!("no part is called `{PREFIX}{name}`; there are {}", names.join(", ")))
+            let known = PARTS.iter().map(|(name, _)| *name).collect();
+            Err(FolderError::UnknownPart { name: format!("{PREFIX}{name}"), known })
         },
         |make| make(&Files::of(folder)).map(|text| text.trim().to_owned()),
     ))

@@ -1,5 +1,6 @@
 //! What becomes of meshes that are cut, and of closed curves that are merged.
 
+use crate::folder::FolderError;
 use serde::Deserialize;
 
 use super::files::Files;
@@ -22,7 +23,7 @@ struct Cut {
 }
 
 /// Tetrahedra that are cut by registered contacts alone: a line for each backend.
-pub(super) fn cut(files: &Files) -> Result<String, String> {
+pub(super) fn cut(files: &Files) -> Result<String, FolderError> {
     let rows: Vec<Cut> = files.cuts()?;
     let mut lines = Vec::new();
     for backend in names(rows.iter().map(|row| row.backend.as_str())) {
@@ -76,7 +77,7 @@ struct Space {
 }
 
 /// Closed curves that cross an odd number of times, and closed surfaces whose curves of intersection have loose ends.
-pub(super) fn parity(files: &Files) -> Result<String, String> {
+pub(super) fn parity(files: &Files) -> Result<String, FolderError> {
     let plane: Vec<Plane> = files.parity()?;
     let space: Vec<Space> = files.parity_space()?;
     let mut lines = Vec::new();

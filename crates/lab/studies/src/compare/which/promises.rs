@@ -1,5 +1,6 @@
 //! What backends promise, what that costs, and the ranking.
 
+use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
 
 use super::files::Files;
@@ -8,7 +9,7 @@ use crate::compare::ranking;
 use crate::compare::words::{largest, short};
 
 /// For each backend its promise, the smallest feature that it tells, and how far off its contacts are.
-pub(super) fn promises(files: &Files) -> Result<String, String> {
+pub(super) fn promises(files: &Files) -> Result<String, FolderError> {
     let (measures, promises) = (files.measures()?, files.promises()?);
     let mut table = Table::new("").words(["backend", "promise", "proved"]).numbers([
         "smallest feature, 2D, L",
@@ -37,12 +38,12 @@ pub(super) fn promises(files: &Files) -> Result<String, String> {
 }
 
 /// Each backend over its own scenes, and its time over pairs with the reference.
-pub(super) fn ranking(files: &Files) -> Result<String, String> {
+pub(super) fn ranking(files: &Files) -> Result<String, FolderError> {
     let table = ranking::table(&files.measures()?, &files.promises()?);
     Ok(format!("{}\n\n{}", ranking::markdown(table), ranking::MEANING))
 }
 
 /// How times are compared, and on which inputs they are not.
-pub(super) fn rule(files: &Files) -> Result<String, String> {
+pub(super) fn rule(files: &Files) -> Result<String, FolderError> {
     Ok(ranking::rule(&files.measures()?))
 }

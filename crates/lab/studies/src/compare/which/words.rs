@@ -1,5 +1,6 @@
 //! Each backend in sentences.
 
+use crate::folder::FolderError;
 use predicament_records::format::{significant, thousands};
 use predicament_tasks::Kind;
 
@@ -12,7 +13,7 @@ use crate::compare::words::{
 use crate::compare::{InputKey, Measure, REFERENCE, Share, Standing, inputs_of};
 
 /// How many inputs and scenes there are.
-pub(super) fn scenes(files: &Files) -> Result<String, String> {
+pub(super) fn scenes(files: &Files) -> Result<String, FolderError> {
     let measures = files.measures()?;
     let inputs = inputs_of(&measures);
     let mut tasks: Vec<&str> = inputs.iter().map(|([task, ..], _)| *task).collect();
@@ -37,11 +38,12 @@ pub(super) fn scenes(files: &Files) -> Result<String, String> {
 }
 
 /// A paragraph for each backend.
-pub(super) fn backends(files: &Files) -> Result<String, String> {
+pub(super) fn backends(files: &Files) -> Result<String, FolderError> {
     let (measures, promises) = (files.measures()?, files.promises()?);
     let paragraph = |backend: &&str| {
         let promise = promises.iter().find(|of| of.backend == **backend);
-        let promise = promise.ok_or_else(|| format!("promises.csv has no row of {backend}"))?;
+        let promise =
+            promise.ok_or_else(|| FolderError::Lacks { file: "promises.csv", what: format!("row of {backend}") })?;
         let standing = Standing::of(&measures, backend, |_| true);
         let proved = if promise.proved { "proved" } else { "not proved" };
         let sentences = [
@@ -57,7 +59,7 @@ pub(super) fn backends(files: &Files) -> Result<String, String> {
         let sentences: Vec<String> = sentences.into_iter().flatten().collect();
         Ok(format!("* **{backend}**: {}", sentences.join(" ")))
     };
-    let all: Result<Vec<String>, String> = backends_of(&measures).iter().map(paragraph).collect();
+    let all: Result<Vec<String>, FolderError> = backends_of(&measures).iter().map(paragraph).collect();
     Ok(all?.join("\n"))
 }
 

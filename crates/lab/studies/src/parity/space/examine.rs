@@ -3,7 +3,7 @@
 use predicament_contacts::algorithm::arrangement::Arrangement;
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_contacts::checks::pairs::{Boundaries, LooseEnds, boundaries, loose_ends};
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 
 use super::SurfacePair;
 use crate::contacts::contacts;
@@ -69,11 +69,11 @@ impl Examined {
 /// counts.
 ///
 /// # Errors
-/// The reason, where the backend declines.
+/// [`AnswerError`] where the backend declines.
 ///
 /// # Panics
 /// If a surface is not closed.
-pub fn examine(backend: &dyn Contestant, pair: &SurfacePair) -> Result<Examined, String> {
+pub fn examine(backend: &dyn Contestant, pair: &SurfacePair) -> Result<Examined, AnswerError> {
     let (scene, complexes) = pair.scene();
     let both = complexes.both();
     let contacts = contacts(backend, &scene, both)?;

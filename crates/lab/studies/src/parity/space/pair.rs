@@ -7,7 +7,7 @@ use predicament_contacts::task::Complexes;
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Backend, Off, Scene, Vertex};
-use predicament_tasks::Contestant;
+use predicament_tasks::{AnswerError, Contestant};
 
 use super::examine::{Broken, Examined, examine};
 use crate::shrink::{Shrink, Shrunk, length, shorter, shrink};
@@ -175,7 +175,7 @@ pub fn shrink_broken(
     ways: &[Broken],
     limit: usize,
 ) -> Shrunk<SurfacePair> {
-    let all = |examined: Result<Examined, String>, broken: bool| {
+    let all = |examined: Result<Examined, AnswerError>, broken: bool| {
         examined.is_ok_and(|examined| ways.iter().all(|&way| (examined.count(way) > 0) == broken))
     };
     let shows = |pair: &SurfacePair| {

@@ -36,10 +36,7 @@ use self::joints::Joints;
 use self::places::Same;
 use self::sheets::{Gone, Label, Left, Part};
 use crate::algorithm::overlay::number;
-use crate::algorithm::overlay::{MeshOverlay, Solid, Undone};
-
-/// The invariant of a result.
-const CLOSED: &str = "the limit of a closed surface is closed";
+use crate::algorithm::overlay::{MeshOverlay, Solid, SurfaceContradiction, Undone};
 
 /// The limit of a result.
 #[derive(Clone, PartialEq, Default, Debug)]
@@ -247,7 +244,7 @@ impl Work {
     /// The result with all changes.
     fn finish(mut self, mut solid: Solid) -> Result<Limit, Undone> {
         if !self.open().is_empty() {
-            return Err(Undone::Broken(CLOSED));
+            return Err(Undone::Broken(SurfaceContradiction::LimitClosed.into()));
         }
         for part in self.parts.iter().flatten() {
             solid.triangles[part.place as usize] = part.triangle;

@@ -5,10 +5,7 @@ use std::cmp::Ordering;
 use predicament_predicates::{Axis, Predicates, Scene, Vertex};
 
 use super::nearest::nearest;
-use crate::algorithm::overlay::Undone;
-
-/// The invariant of constructed vertices.
-const POINT: &str = "each constructed vertex is a point where the meshes are";
+use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 
 /// The doubles nearest to all vertices of a scene.
 #[derive(Clone, PartialEq, Default, Debug)]
@@ -33,7 +30,7 @@ impl Places {
         let new = &scene.constructions()[self.constructed.len()..];
         let points = predicament_grid::parallel::all(new, &|definition| nearest(scene, definition));
         for point in points {
-            self.constructed.push(point.ok_or(Undone::Broken(POINT))?);
+            self.constructed.push(point.ok_or(Undone::Broken(SurfaceContradiction::Point.into()))?);
         }
         Ok(())
     }

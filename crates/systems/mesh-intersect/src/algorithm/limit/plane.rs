@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, DefinitionError, Plane, Predicates, Refused, Scene, Sign, Vertex};
 
 use super::places::Places;
 
@@ -78,7 +78,7 @@ impl Predicates for InPlane<'_> {
         let InPlane { session, flat, constructed, lines, of: (corners, apart), .. } = self;
         flat.construct_all(definitions, |scene, vertex| {
             let Some(Construction::Ssi(segments)) = scene.construction(vertex) else {
-                return Err("it is no crossing of two segments".to_owned());
+                return Err(DefinitionError::Other("it is no crossing of two segments".into()));
             };
             let definition = match segments.map(|segment| lines.get(&segment).copied()) {
                 [Some(Line::Edge(line)), Some(Line::Edge([c, d]))] => Construction::Lpi { line, plane: [c, d, *apart] },
@@ -86,9 +86,13 @@ impl Predicates for InPlane<'_> {
                     Construction::Lpi { line, plane }
                 }
                 [Some(Line::Cut(first)), Some(Line::Cut(second))] => Construction::Tpi([*corners, first, second]),
-                [None, _] | [_, None] => return Err("a segment is on no line of input vertices".to_owned()),
+                [None, _] | [_, None] => {
+                    return Err(DefinitionError::Other("a segment is on no line of input vertices".into()));
+                }
             };
-            constructed.extend(session.construct(&[definition]).map_err(|why| why.to_string())?);
+            constructed.extend(
+                session.construct(&[definition]).map_err(|why| DefinitionError::Other(why.to_string().into()))?,
+            );
             Ok(())
         })
     }

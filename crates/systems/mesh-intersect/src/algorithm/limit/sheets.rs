@@ -12,14 +12,9 @@ use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 
 use super::places::Places;
 use super::plane::{InPlane, Line};
-use crate::algorithm::overlay::{Source, Undone};
+use crate::algorithm::overlay::{Contradiction, Source, SurfaceContradiction, Undone};
 use predicament_overlay::algorithm::overlay::{Edge, Method, Operation, Polygon, Rule, overlay};
 use predicament_triangulate::algorithm::triangulate;
-
-/// The invariant of planes.
-const APART: &str = "a closed mesh is not in one plane";
-/// The invariant of a triangle.
-const AREA: &str = "a triangle has an area in a coordinate plane";
 
 /// What a triangle of a result is a part of, and whether it faces the other way.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
@@ -166,7 +161,7 @@ pub(crate) fn view(session: &dyn Predicates, places: &Places, [a, b, c]: [Vertex
     let mut planes = [Plane::Xy, Plane::Yz, Plane::Zx].map(|plane| (plane, area(plane)));
     planes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let turns = planes.into_iter().map(|(plane, _)| (plane, session.orient2d(plane, a, b, c)));
-    turns.into_iter().find(|(_, turn)| !turn.is_zero()).ok_or(Undone::Broken(AREA))
+    turns.into_iter().find(|(_, turn)| !turn.is_zero()).ok_or(Undone::Broken(Contradiction::NoArea))
 }
 
 /// Whether two triangles that are turned the same way have more in common than a border: no edge of either has the other one beyond it.
@@ -206,7 +201,10 @@ fn uncovered(
     let [a, b, c] = corners(own[0]);
     let scene = session.scene();
     let all = meshes.iter().flat_map(|mesh| mesh.triangles().as_flattened()).copied();
-    let apart = all.into_iter().find(|&v| !session.orient3d(a, b, c, v).is_zero()).ok_or(Undone::Broken(APART))?;
+    let apart = all
+        .into_iter()
+        .find(|&v| !session.orient3d(a, b, c, v).is_zero())
+        .ok_or(Undone::Broken(SurfaceContradiction::Flat.into()))?;
     let at = |v: Vertex| Vertex::input(vertices.partition_point(|&other| other < v));
     let mut lines = Vec::new();
     let mut polygon = |parts: &[&Part]| {
@@ -238,13 +236,13 @@ fn uncovered(
         Polygon { loops: vec![edges], rule: Rule::NonZero }
     };
     let operands = [polygon(own), polygon(other)];
-    let out_of_range = Undone::Broken("a plane of doubles is a scene");
+    let out_of_range = Undone::Broken(SurfaceContradiction::Plane.into());
     let mut flat = InPlane::new(session, places, plane, vertices, ([a, b, c], apart)).ok_or(out_of_range)?;
     lines.into_iter().for_each(|(segment, line)| flat.on_line(segment, line));
     let both = overlay(&mut flat, operands.each_ref(), Method::Grid)?;
     let regions = both.regions(&flat, Operation::Difference);
     if let Some(rule) = both.arrangement.broken.or(regions.broken) {
-        return Err(Undone::Broken(rule));
+        return Err(Undone::Broken(rule.into()));
     }
     let mut triangles = Vec::new();
     for region in &regions.regions {
@@ -253,7 +251,7 @@ fn uncovered(
         let made =
             triangulate(flat.space(), plane, false, &loops, predicament_triangulate::algorithm::Method::Monotone);
         if let Some(rule) = made.broken {
-            return Err(Undone::Broken(rule));
+            return Err(Undone::Broken(rule.into()));
         }
         triangles.extend(made.triangles);
     }

@@ -4,12 +4,8 @@
 //! other triangles. A segment begins there, one at each point. Inside are points where edges of the other mesh pass through the triangle, with
 //! a segment for each triangle at such an edge, in counterclockwise order.
 
+use super::Contradiction;
 use predicament_predicates::Vertex;
-
-/// Two segments end at each point inside.
-pub(super) const CHAIN: &str = "segments in a triangle are chains and rings";
-/// All that is beside a face's border is in one region.
-pub(super) const REGION: &str = "a face is in one region of the other mesh";
 
 /// A part of two triangles' common line, between two nodes; the region of the other mesh on its left, as seen from in front, and that on its right.
 #[derive(Clone, Copy, Debug)]
@@ -52,7 +48,7 @@ impl Divided {
     ///
     /// # Errors
     /// The invariant that does not hold.
-    pub fn walks(&self) -> Result<Vec<Walk>, &'static str> {
+    pub fn walks(&self) -> Result<Vec<Walk>, Contradiction> {
         let around = self.around;
         // Arcs: those around the triangle, each from the node of its number, then either way of each segment.
         let arcs = around + 2 * self.segments.len();
@@ -62,7 +58,7 @@ impl Divided {
                 if let Some(leaves) = leaves.get_mut(node as usize)
                     && leaves.replace(arc).is_some()
                 {
-                    return Err(CHAIN);
+                    return Err(Contradiction::Chain);
                 }
             }
         }
@@ -105,14 +101,14 @@ impl Divided {
                     segment(arc).right
                 };
                 if *region.get_or_insert(here) != here {
-                    return Err(REGION);
+                    return Err(Contradiction::Region);
                 }
-                arc = next(arc).ok_or(CHAIN)?;
+                arc = next(arc).ok_or(Contradiction::Chain)?;
             }
             if arc != first || vertices.len() < 3 {
-                return Err(CHAIN);
+                return Err(Contradiction::Chain);
             }
-            walks.push(Walk { vertices, region: region.ok_or(REGION)?, is_at_border });
+            walks.push(Walk { vertices, region: region.ok_or(Contradiction::Region)?, is_at_border });
         }
         Ok(walks)
     }

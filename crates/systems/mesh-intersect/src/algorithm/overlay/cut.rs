@@ -3,19 +3,14 @@
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-use super::arcs::{CHAIN, Divided, Segment};
+use super::arcs::{Divided, Segment};
 use super::known::Known;
 use super::meet::Hit;
 use super::near::{Near, number};
 use super::points::Points;
 use super::regions::VertexRegions;
-use super::{Piece, radial};
+use super::{Contradiction, Piece, radial};
 use predicament_triangulate::algorithm::{MOST, Method, triangulate, triangulate_few};
-
-/// The invariant of two triangles.
-const SEGMENT: &str = "two triangles meet in one segment";
-/// The invariant of a triangle.
-const AREA: &str = "a triangle has an area in a coordinate plane";
 
 /// One mesh as it is cut by the other.
 pub(super) struct Cutting<'a> {
@@ -52,7 +47,7 @@ impl Cutting<'_> {
     ///
     /// # Errors
     /// The invariant that does not hold.
-    pub fn pieces(&self, place: u32) -> Result<Vec<Piece>, &'static str> {
+    pub fn pieces(&self, place: u32) -> Result<Vec<Piece>, Contradiction> {
         let of = self.near.triangles[place as usize];
         let corners = self.mesh.triangles()[of as usize];
         let divided = self.divided(place)?;
@@ -90,7 +85,7 @@ impl Cutting<'_> {
             let method = if loops.len() == 1 && loops[0].len() <= MOST { Method::Ears } else { Method::Monotone };
             let made = triangulate(known as &dyn Predicates, plane.0, plane.1, &loops, method);
             if let Some(broken) = made.broken {
-                return Err(broken);
+                return Err(broken.into());
             }
             pieces.extend(made.triangles.into_iter().map(add));
         }
@@ -148,7 +143,7 @@ impl Cutting<'_> {
     }
 
     /// What divides a triangle.
-    fn divided(&self, place: u32) -> Result<Divided, &'static str> {
+    fn divided(&self, place: u32) -> Result<Divided, Contradiction> {
         let mut divided = Divided::default();
         let mut ends = Vec::new();
         self.go_around(place, &mut divided, &mut ends);
@@ -161,9 +156,9 @@ impl Cutting<'_> {
         divided.ends = ends.iter().map(|end| (end.with, end.node)).collect();
         let mut of_node: Vec<Vec<(u32, u32)>> = vec![Vec::new(); divided.vertices.len() - divided.around];
         for pair in ends.chunk_by(|a, b| a.with == b.with) {
-            let [from, to] = pair else { return Err(SEGMENT) };
+            let [from, to] = pair else { return Err(Contradiction::Segment) };
             if from.sides != [to.sides[1], to.sides[0]] {
-                return Err(SEGMENT);
+                return Err(Contradiction::Segment);
             }
             let place = 2 * number(divided.segments.len());
             for (node, end) in [(from.node, place), (to.node, place + 1)] {
@@ -176,7 +171,7 @@ impl Cutting<'_> {
         }
         for (mut there, at) in of_node.into_iter().zip(within) {
             if there.len() < 2 {
-                return Err(CHAIN);
+                return Err(Contradiction::Chain);
             }
             if there.len() > 2 {
                 self.sort_around(self.others.hits[at], &mut there);
@@ -244,7 +239,7 @@ impl Cutting<'_> {
 }
 
 /// The coordinate plane in which a triangle is largest, and whether it is clockwise there.
-fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane, bool), &'static str> {
+fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane, bool), Contradiction> {
     let [a, b, c] = triangle;
     let [from, to, third] = triangle.map(|v| session.scene().point3(v));
     let area = |i: usize, j: usize| {
@@ -255,5 +250,5 @@ fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane,
     planes.sort_by(|a, b| b.1.total_cmp(&a.1));
     let seen = planes.into_iter().map(|(plane, _)| (plane, session.orient2d(plane, a, b, c)));
     let turned = seen.filter(|(_, sign)| !sign.is_zero()).map(|(plane, sign)| (plane, sign == Sign::Negative));
-    turned.into_iter().next().ok_or(AREA)
+    turned.into_iter().next().ok_or(Contradiction::NoArea)
 }

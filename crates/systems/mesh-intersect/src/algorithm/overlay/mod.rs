@@ -49,6 +49,7 @@
 //! ```
 
 mod arcs;
+mod contradiction;
 mod cut;
 mod known;
 mod meet;
@@ -68,6 +69,7 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
 pub use crate::answer::{Regions, Source};
+pub use contradiction::{Contradiction, SurfaceContradiction};
 pub use registered::{Registered, mesh_overlay_registered};
 pub use result::Solid;
 
@@ -107,8 +109,8 @@ pub enum Undone {
     Contact([Vec<Vertex>; 2]),
     /// The session does not construct a point.
     Refused(Refused),
-    /// The first invariant that does not hold, as the statement that should.
-    Broken(&'static str),
+    /// Signs contradict each other: the first rule that does not hold.
+    Broken(Contradiction),
 }
 
 impl From<Refused> for Undone {
@@ -134,7 +136,7 @@ impl std::fmt::Display for Undone {
                 write!(f, "{first} of the first mesh is within the tolerance of {second} of the second")
             }
             Undone::Refused(why) => why.fmt(f),
-            Undone::Broken(rule) => write!(f, "{rule}: that does not hold"),
+            Undone::Broken(broken) => broken.fmt(f),
         }
     }
 }

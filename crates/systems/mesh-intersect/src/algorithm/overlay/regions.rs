@@ -14,15 +14,13 @@ use rayon::prelude::*;
 
 use super::near::{Near, number, span};
 use super::points::Points;
-use super::{Extent, Undone};
+use super::{Contradiction, Extent, Undone};
 use predicament_mesh_locate::algorithm::{Location, MeshIndex, Ray, Scratch, locate_all};
 
 /// No region is known.
 const UNKNOWN: u32 = u32::MAX;
 /// Vertices that one thread takes at a time.
 const PART: usize = 16384;
-/// The invariant of sets of vertices.
-const ONE_REGION: &str = "vertices that no triangle parts are in one region";
 
 /// Vertices in sets.
 struct Sets {
@@ -110,7 +108,7 @@ impl Known<'_> {
         for (v, region) in self.told(side) {
             let root = sets.find(at(v)) as usize;
             if of_root[root] != UNKNOWN && of_root[root] != region {
-                return Err(Undone::Broken(ONE_REGION));
+                return Err(Undone::Broken(Contradiction::OneRegion));
             }
             of_root[root] = region;
         }
@@ -187,7 +185,7 @@ impl Known<'_> {
         let region = |(root, location)| match location {
             Location::In(region) => Ok((root, region)),
             Location::On(_) | Location::Contradiction | Location::Undecided => {
-                Err(Undone::Broken("a vertex is in one region of the other mesh"))
+                Err(Undone::Broken(Contradiction::VertexRegion))
             }
         };
         unknown.into_keys().zip(locations).map(region).collect()

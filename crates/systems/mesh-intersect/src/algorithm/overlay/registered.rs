@@ -9,18 +9,13 @@ use std::sync::Arc;
 
 use predicament_mesh::{Complex, MaterialMesh, Simplices};
 use predicament_predicates::{
-    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
+    Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
 };
 
 use super::meet::Hit;
 use super::near::Near;
-use super::{Extent, MeshOverlay, Step, Undone, finish};
+use super::{Contradiction, Extent, MeshOverlay, Step, Undone, finish};
 use predicament_contacts::algorithm::pairs::{Contact, contacts};
-
-/// The invariant of an edge that is registered.
-const ENDS: &str = "the ends of an edge that passes through a triangle are on two sides of it";
-/// The invariant of a contact of full dimension.
-const APART: &str = "an edge and a triangle that are registered have boxes that meet";
 
 /// Points in doubles: those of a scene, and registered ones beside them. Signs are those of floating-point determinants.
 #[derive(Clone, Debug)]
@@ -55,7 +50,7 @@ pub fn mesh_overlay_registered(
         Complex::new(scene, &Simplices { triangles, ..Simplices::default() })
     });
     let [Ok(first), Ok(second)] = complexes else {
-        return Err(Undone::Broken("the triangles of a mesh are simplices"));
+        return Err(Undone::Broken(Contradiction::Simplices));
     };
     let registered = contacts(session, &first, &second).registered;
     let mut points = Registered { scene: scene.clone(), places: BTreeMap::new(), points: Vec::new() };
@@ -97,14 +92,14 @@ impl Found<'_> {
             [&[a, b, c], &[p, q]] => (1, [p, q], [a, b, c], contact.on_b),
             other => return Err(Undone::Contact(other.map(<[Vertex]>::to_vec))),
         };
-        let edge = self.near[mesh].edge(ends[0], ends[1]).ok_or(Undone::Broken(APART))?;
-        let triangles = self.triangles[1 - mesh].get(&corners).ok_or(Undone::Broken(APART))?;
+        let edge = self.near[mesh].edge(ends[0], ends[1]).ok_or(Undone::Broken(Contradiction::Apart))?;
+        let triangles = self.triangles[1 - mesh].get(&corners).ok_or(Undone::Broken(Contradiction::Apart))?;
         for &triangle in triangles {
             let plane = meshes[1 - mesh].triangles()[self.near[1 - mesh].triangles[triangle as usize] as usize];
             let [from, to] = ends.map(|v| points.orient3d(plane[0], plane[1], plane[2], v));
             let begins = if from.is_zero() { -to } else { from };
             if begins.is_zero() || to == begins {
-                return Err(Undone::Broken(ENDS));
+                return Err(Undone::Broken(Contradiction::Ends));
             }
             hits[mesh].push(Hit { edge, triangle, is_first_behind: begins == Sign::Positive });
             let [p, q] = ends.map(|v| points.scene.point3(v));
@@ -151,7 +146,7 @@ impl Predicates for Registered {
         let (places, points) = (&self.places, &mut self.points);
         self.scene.construct_all(definitions, |scene, vertex| {
             let definition = scene.construction(vertex).expect("just constructed");
-            points.push(*places.get(definition).ok_or("it is not registered")?);
+            points.push(*places.get(definition).ok_or(DefinitionError::Other("it is not registered".into()))?);
             Ok(())
         })
     }

@@ -15,11 +15,8 @@ use super::planar::Points;
 use crate::algorithm::limit::Places;
 use crate::algorithm::limit::plane::{InPlane, Line};
 use crate::algorithm::limit::sheets::view;
-use crate::algorithm::overlay::Undone;
+use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 use predicament_overlay::algorithm::overlay::{Edge, Method, arrange};
-
-/// The invariant of projections.
-const SCENE: &str = "a plane of doubles is a scene";
 
 /// Triangles that meet others.
 #[derive(Default)]
@@ -95,13 +92,13 @@ pub(super) fn cut(
     }
     points.into_iter().for_each(|v| segments.point(v));
     places.extend(session.scene())?;
-    let mut flat =
-        InPlane::new(session, places, plane, segments.vertices, (own, apart)).ok_or(Undone::Broken(SCENE))?;
+    let mut flat = InPlane::new(session, places, plane, segments.vertices, (own, apart))
+        .ok_or(Undone::Broken(SurfaceContradiction::Plane.into()))?;
     let edges: Vec<Edge> = segments.ends.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
     segments.lines.into_iter().for_each(|(ends, line)| flat.on_line(ends, line));
     let made = arrange(&mut flat, &edges, Method::Grid)?;
     if let Some(rule) = made.broken {
-        return Err(Undone::Broken(rule));
+        return Err(Undone::Broken(rule.into()));
     }
     let nodes: Vec<Vertex> = made.vertices.iter().map(|&v| flat.vertex(v)).collect();
     let session = flat.space();
@@ -122,7 +119,7 @@ pub(super) fn cut(
     let ends = made.pieces.iter().filter_map(|piece| Some([place(piece.ends[0])?, place(piece.ends[1])?]));
     let pieces: Vec<[u32; 2]> = ends.filter(|ends| !common(ends).is_empty()).collect();
     let points = Points { session, plane, vertices: &vertices };
-    let triangles = points.triangulated(&pieces).map_err(Undone::Broken)?;
+    let triangles = points.triangulated(&pieces).map_err(|broken| Undone::Broken(broken.into()))?;
     let face = |triangle: [u32; 3]| {
         let times: i32 = common(&triangle).into_iter().map(|member| members[member].times).sum();
         let [a, b, c] = triangle.map(|at| vertices[at as usize]);

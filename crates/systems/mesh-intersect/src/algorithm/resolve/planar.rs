@@ -4,12 +4,10 @@
 //! wanted are there (Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993). Isolated points and chains
 //! with a free end need no treatment of their own, as they would with loops.
 
+use crate::algorithm::overlay::SurfaceContradiction;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
-
-/// The invariant of edges that are wanted.
-const APART: &str = "no point is inside of an edge, and no two edges cross";
 
 /// Points seen in a coordinate plane.
 pub(super) struct Points<'a> {
@@ -43,7 +41,7 @@ impl Points<'_> {
     ///
     /// # Errors
     /// The invariant that signs break.
-    pub fn triangulated(&self, edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, &'static str> {
+    pub fn triangulated(&self, edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, SurfaceContradiction> {
         let mut mesh = self.swept();
         let wanted: BTreeSet<[u32; 2]> = edges.iter().map(|&[a, b]| [a.min(b), a.max(b)]).collect();
         for &[a, b] in &wanted {
@@ -96,19 +94,26 @@ impl Points<'_> {
     }
 
     /// Flips edges until there is this one.
-    fn enforce(&self, mesh: &mut Mesh, [a, b]: [u32; 2], wanted: &BTreeSet<[u32; 2]>) -> Result<(), &'static str> {
+    fn enforce(
+        &self,
+        mesh: &mut Mesh,
+        [a, b]: [u32; 2],
+        wanted: &BTreeSet<[u32; 2]>,
+    ) -> Result<(), SurfaceContradiction> {
         if mesh.has([a, b]) {
             return Ok(());
         }
         let mut crossed = self.crossed(mesh, [a, b])?;
         if crossed.iter().any(|&[u, w]| wanted.contains(&[u.min(w), u.max(w)])) {
-            return Err(APART);
+            return Err(SurfaceContradiction::Planar);
         }
         // Each pass over the edges leaves fewer of them.
         let mut left = 16 + crossed.len().saturating_pow(2).saturating_mul(4);
         while let Some([u, w]) = crossed.pop_front() {
-            left = left.checked_sub(1).ok_or(APART)?;
-            let (Some(c), Some(d)) = (mesh.across([u, w]), mesh.across([w, u])) else { return Err(APART) };
+            left = left.checked_sub(1).ok_or(SurfaceContradiction::Planar)?;
+            let (Some(c), Some(d)) = (mesh.across([u, w]), mesh.across([w, u])) else {
+                return Err(SurfaceContradiction::Planar);
+            };
             let is_convex = self.turn(c, u, d) == Sign::Positive && self.turn(d, w, c) == Sign::Positive;
             if !is_convex {
                 crossed.push_back([u, w]);
@@ -120,28 +125,28 @@ impl Points<'_> {
                 crossed.push_back([c, d]);
             }
         }
-        mesh.has([a, b]).then_some(()).ok_or(APART)
+        mesh.has([a, b]).then_some(()).ok_or(SurfaceContradiction::Planar)
     }
 
     /// The edges that cross the way from one point to another.
-    fn crossed(&self, mesh: &Mesh, [a, b]: [u32; 2]) -> Result<VecDeque<[u32; 2]>, &'static str> {
+    fn crossed(&self, mesh: &Mesh, [a, b]: [u32; 2]) -> Result<VecDeque<[u32; 2]>, SurfaceContradiction> {
         let is_ahead =
             |&(u, w): &(u32, u32)| self.turn(a, u, b) == Sign::Positive && self.turn(a, w, b) == Sign::Negative;
-        let (mut right, mut left) = mesh.around(a).find(is_ahead).ok_or(APART)?;
+        let (mut right, mut left) = mesh.around(a).find(is_ahead).ok_or(SurfaceContradiction::Planar)?;
         let mut crossed = VecDeque::new();
         loop {
             crossed.push_back([right, left]);
-            let beyond = mesh.across([left, right]).ok_or(APART)?;
+            let beyond = mesh.across([left, right]).ok_or(SurfaceContradiction::Planar)?;
             if beyond == b {
                 return Ok(crossed);
             }
             match self.turn(a, b, beyond) {
                 Sign::Positive => left = beyond,
                 Sign::Negative => right = beyond,
-                Sign::Zero => return Err(APART),
+                Sign::Zero => return Err(SurfaceContradiction::Planar),
             }
             if crossed.len() > mesh.apices.len() {
-                return Err(APART);
+                return Err(SurfaceContradiction::Planar);
             }
         }
     }

@@ -11,12 +11,7 @@ use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 use super::faces::{Face, side, turn};
 use crate::algorithm::limit::Places;
 use crate::algorithm::limit::sheets::view;
-use crate::algorithm::overlay::Undone;
-
-/// The invariant of edges.
-const CLOSED: &str = "the parts of a closed surface that others have cut are closed";
-/// The invariant of faces.
-const APART: &str = "faces meet in common corners and edges only";
+use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 
 /// For each face the winding number in front of it; behind it that is more, by the times that the face is passed.
 pub(super) fn in_front(session: &dyn Predicates, places: &Places, faces: &[Face]) -> Result<Vec<i32>, Undone> {
@@ -67,7 +62,7 @@ fn patches(faces: &[Face]) -> Result<Vec<usize>, Undone> {
     };
     for uses in edges.chunk_by(|a, b| a.0 == b.0) {
         if uses.iter().map(|(_, _, times)| times).sum::<i32>() != 0 {
-            return Err(Undone::Broken(CLOSED));
+            return Err(Undone::Broken(SurfaceContradiction::PartsClosed.into()));
         }
         if let [(_, first, _), (_, second, _)] = uses {
             let [first, second] = [*first, *second].map(|at| leader(&mut leaders, at));
@@ -101,7 +96,11 @@ impl Ray {
 
     /// The first of three signs that is not zero.
     fn first(&self, sign: impl FnMut(Vertex) -> Sign) -> Result<Sign, Undone> {
-        self.from.into_iter().map(sign).find(|sign| !sign.is_zero()).ok_or(Undone::Broken(APART))
+        self.from
+            .into_iter()
+            .map(sign)
+            .find(|sign| !sign.is_zero())
+            .ok_or(Undone::Broken(SurfaceContradiction::Faces.into()))
     }
 
     /// By how much the winding number is less where the ray has passed a face.

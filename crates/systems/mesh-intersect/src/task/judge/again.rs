@@ -77,13 +77,13 @@ impl Judging<'_> {
             Err(why) => {
                 // A box is longer than the meshes, and tolerances grow with lengths.
                 if asked.contract(PredicateKind::Orient3d).zero != ZeroMeaning::Band {
-                    note(found, check, why, law);
+                    note(found, check, why.to_string(), law);
                 }
                 return None;
             }
         };
-        if let Some(rule) = answer.broken {
-            note(found, check, rule.to_owned(), law);
+        if let Some(broken) = answer.broken {
+            note(found, check, broken.to_string(), law);
             return None;
         }
         let Ok(points) = points(&other.scene, &answer, self.place) else {

@@ -7,6 +7,7 @@ mod again;
 
 use std::cell::OnceCell;
 
+use crate::algorithm::overlay::Contradiction;
 use crate::checks::{Laws, Point, Settled, Settlement, Violation, Violations, note};
 use crate::truth;
 use predicament_corpus::Random;
@@ -56,7 +57,7 @@ pub(super) fn judge(
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let found = &mut Vec::new();
-    if let Some(rule) = answer.broken {
+    if let Some(rule) = answer.broken.map(Contradiction::rule) {
         note(found, rule, "violated".to_owned(), rule);
         report(found, outcome);
         return Ok(());
@@ -253,7 +254,7 @@ impl<'a> Judging<'a> {
                 settlement
             }
             Err(why) => {
-                note(found, "limit", why.clone(), "where each constructed vertex is a point, a result has a limit");
+                note(found, "limit", why.to_string(), "where each constructed vertex is a point, a result has a limit");
                 None
             }
         }

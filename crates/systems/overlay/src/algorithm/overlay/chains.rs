@@ -6,7 +6,7 @@ use super::far::Run;
 use super::meet::{Meetings, Pair};
 use super::supports::{Label, Supports};
 use super::view::View;
-use super::{NONE, number, partial};
+use super::{Contradiction, NONE, number, partial};
 use predicament_grid::sort::sort_by_sign;
 
 /// A part of a segment between two vertices that follow each other on it.
@@ -39,7 +39,7 @@ pub(super) struct Chains {
     /// What the last pieces are, as many as there are of these.
     pub runs: Vec<Run>,
     /// The first rule that signs have broken.
-    pub broken: Option<&'static str>,
+    pub broken: Option<Contradiction>,
 }
 
 /// Vertices by one number: input ones first, constructed ones after.
@@ -140,7 +140,7 @@ impl Chains {
         for run in runs {
             let ends = run.ends().map(&mut node_of);
             if ends.contains(&NONE) || ends[0] == ends[1] {
-                chains.broken.get_or_insert("an edge ends after it begins");
+                chains.broken.get_or_insert(Contradiction::Ends);
                 continue;
             }
             chains.runs.push(run.clone());
@@ -219,7 +219,7 @@ impl Chains {
                     let place = |node| self.along[range.clone()].iter().position(|&other| other == node);
                     let between = place(from).zip(place(to)).filter(|(from, to)| from <= to);
                     let Some((from, to)) = between else {
-                        self.broken.get_or_insert("an edge ends after it begins");
+                        self.broken.get_or_insert(Contradiction::Ends);
                         continue;
                     };
                     for (sum, covers) in &mut sums[from..to] {

@@ -26,6 +26,7 @@
 
 mod cells;
 mod chains;
+mod contradiction;
 mod far;
 mod heap;
 mod meet;
@@ -44,6 +45,7 @@ use predicament_predicates::{Predicates, Refused, Vertex};
 
 pub use crate::answer::Operation;
 pub use chains::Piece;
+pub use contradiction::Contradiction;
 pub use polygon::{Edge, Polygon, Region, Rule};
 pub use result::Regions;
 
@@ -83,8 +85,8 @@ pub struct Arrangement {
     runs: Vec<Run>,
     /// The pieces as the edges of a subdivision.
     pub subdivision: Subdivision,
-    /// The first rule that signs have broken, as the statement that should hold.
-    pub broken: Option<&'static str>,
+    /// The first rule that signs have broken.
+    pub broken: Option<Contradiction>,
 }
 
 impl Arrangement {
@@ -200,7 +202,7 @@ fn overlaid(
     let mut arrangement = arranged(session, supports, runs, method)?;
     let (windings, agree) = result::windings(&arrangement.subdivision, &arrangement.pieces, rules);
     if !agree {
-        arrangement.broken.get_or_insert("winding numbers agree around every edge");
+        arrangement.broken.get_or_insert(Contradiction::Windings);
     }
     Ok(Overlay { arrangement, windings, rules })
 }
@@ -227,7 +229,7 @@ fn arranged(
     let nestings = pieces.nestings(&subdivision, raster, &reach);
     let (subdivision, all_known) = subdivision.with_faces(&nestings);
     if !all_known {
-        broken.get_or_insert("a component lies in a face of one that begins left of it");
+        broken.get_or_insert(Contradiction::Component);
     }
     let Chains { nodes, first, along, pieces, runs, .. } = chains;
     Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, runs, subdivision, broken })

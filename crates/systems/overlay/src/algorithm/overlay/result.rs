@@ -7,7 +7,7 @@ use super::chains::Piece;
 use super::far::{Run, Touched};
 use super::polygon::{Edge, Region, Rule};
 use super::view::View;
-use super::{Arrangement, NONE, reach};
+use super::{Arrangement, Contradiction, NONE, reach};
 use crate::answer::Operation;
 
 /// The winding numbers of both operands in each face, from the unbounded one on; of one whose rule is even and odd they are
@@ -53,8 +53,8 @@ fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32
 pub struct Regions {
     /// The regions, in the order of their outer loops.
     pub regions: Vec<Region>,
-    /// The first rule that signs have broken, as the statement that should hold; none where the result is whole.
-    pub broken: Option<&'static str>,
+    /// The first rule that signs have broken; none where the result is whole.
+    pub broken: Option<Contradiction>,
 }
 
 /// Faces, some of which are inside.
@@ -120,7 +120,7 @@ impl Extraction<'_> {
             let holes: Vec<Vec<Edge>> =
                 group.iter().filter(|bound| bound.is_hole).map(|bound| bound.edges.clone()).collect();
             let [outer] = outer.as_slice() else {
-                result.broken.get_or_insert("a region has one outer loop");
+                result.broken.get_or_insert(Contradiction::Outer);
                 continue;
             };
             result.regions.push(Region { outer: outer.edges.clone(), holes });

@@ -13,7 +13,7 @@ use predicament_predicates::{Construction, Predicates, Refused, Sign, Vertex};
 use super::heap::Heap;
 use super::meet::{MOST_CROSSINGS, Meetings};
 use super::view::View;
-use super::{NONE, number};
+use super::{Contradiction, NONE, number};
 use predicament_grid::sort::sort_by_sign;
 use predicament_grid::status::Status;
 
@@ -29,7 +29,7 @@ struct Sweep<'a> {
     /// By constructions: whether the vertex is, or was, an event, and two segments that cross there.
     pairs: Vec<Option<[u32; 2]>>,
     found: Meetings,
-    broken: Option<&'static str>,
+    broken: Option<Contradiction>,
 }
 
 /// What all segments have in common, and the first rule that signs have broken.
@@ -39,7 +39,7 @@ struct Sweep<'a> {
 pub(super) fn meetings(
     session: &mut dyn Predicates,
     ends: &[[Vertex; 2]],
-) -> Result<(Meetings, Option<&'static str>), Refused> {
+) -> Result<(Meetings, Option<Contradiction>), Refused> {
     let view = View::new(&*session);
     let mut vertices: Vec<Vertex> = ends.as_flattened().to_vec();
     vertices.sort_unstable();
@@ -100,7 +100,7 @@ pub(super) fn meetings(
             sweep.crossings.pop(order);
         }
         if before.is_some_and(|before| order(before, first) != Sign::Negative) {
-            sweep.broken.get_or_insert("events come from left to right");
+            sweep.broken.get_or_insert(Contradiction::Events);
         }
         before = Some(first);
         sweep.event(&group, &starting)?;
@@ -167,7 +167,7 @@ impl Sweep<'_> {
                 is_new
             });
             if through.len() > regular {
-                self.broken.get_or_insert("a crossing is on both its segments");
+                self.broken.get_or_insert(Contradiction::Crossing);
             }
         }
         for &segment in &through {
@@ -223,7 +223,7 @@ impl Sweep<'_> {
         let mut under = below;
         for &segment in &on {
             if std::mem::replace(&mut self.is_in[segment as usize], true) {
-                self.broken.get_or_insert("a segment begins once");
+                self.broken.get_or_insert(Contradiction::Begins);
                 continue;
             }
             self.status.insert_above(under, segment);

@@ -1,19 +1,12 @@
 //! What is reported about arrangements and overlays.
 
+use crate::algorithm::overlay::Contradiction;
 use crate::checks::overlay::Check as Law;
 
 use predicament_tasks::Check;
 
 /// What the algorithm looks after itself.
-pub const RULES: &[&str] = &[
-    "a component lies in a face of one that begins left of it",
-    "a crossing is on both its segments",
-    "a region has one outer loop",
-    "a segment begins once",
-    "an edge ends after it begins",
-    "events come from left to right",
-    "winding numbers agree around every edge",
-];
+pub const RULES: &[&str] = Contradiction::RULES;
 
 const fn law(law: Law) -> Check {
     Check::topology(law.name(), law.law())

@@ -1,5 +1,6 @@
 //! Arrangements and results against the laws that they satisfy, decided in rationals.
 
+use crate::algorithm::overlay::Contradiction;
 use std::collections::BTreeMap;
 
 use crate::checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results, Windings};
@@ -34,7 +35,7 @@ pub(super) fn judge(
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let broken = answer.overlay.arrangement.broken.into_iter();
-    for rule in broken.chain(answer.regions.iter().filter_map(|made| made.broken)) {
+    for rule in broken.chain(answer.regions.iter().filter_map(|made| made.broken)).map(Contradiction::rule) {
         note(outcome, Class::Topology, rule, "violated".to_owned(), rule);
     }
     asked.watch.done(0)?;

@@ -12,7 +12,7 @@ mod spoiled;
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::overlay::{Edge, Operation, Overlay, Regions, arrange, overlay};
+use crate::algorithm::overlay::{Contradiction, Edge, Operation, Overlay, Regions, arrange, overlay};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
@@ -23,8 +23,8 @@ pub use content::{Layered, Layers};
 pub use checks::RULES;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -223,7 +223,7 @@ impl Task for Overlay2d {
         content: &Layered,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let _ = query;
         let ask = |backend: &dyn Contestant| backend.answer(self, scene, content).map(|found| told(&found));
         Ok(Explanation::default().with_answers(backends, ask))
@@ -258,7 +258,7 @@ impl Task for Overlay2d {
             "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
             "faces": subdivision.faces().len(),
             "windings": answer.overlay.windings,
-            "broken": arrangement.broken,
+            "broken": arrangement.broken.map(Contradiction::rule),
         });
         let path = folder.join("arrangement.json");
         std::fs::write(&path, format!("{json}\n"))?;
@@ -333,6 +333,6 @@ fn told(found: &Overlaid) -> String {
         .map(|(operation, made)| format!("{} {}", operation.name(), made.regions.len()))
         .collect();
     let regions = if regions.is_empty() { String::new() } else { format!("; regions: {}", regions.join(", ")) };
-    let broken = arrangement.broken.map_or(String::new(), |rule| format!("; violated: {rule}"));
+    let broken = arrangement.broken.map_or(String::new(), |broken| format!("; broken: {broken}"));
     format!("{nodes} nodes, {edges} edges, {faces} faces{regions}{broken}")
 }

@@ -1,5 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
+use crate::algorithm::overlay::Contradiction;
 use predicament_mesh::Nesting;
 
 use super::{Overlaid, Overlay2d};
@@ -90,7 +91,7 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
             "events are said not to come from left to right",
             "exact",
             &[(Class::Topology, "events come from left to right")],
-            |_, _, answer: &mut Overlaid| answer.overlay.arrangement.broken = Some("events come from left to right"),
+            |_, _, answer: &mut Overlaid| answer.overlay.arrangement.broken = Some(Contradiction::Events),
         ),
         Spoiled::new(
             "overlay-loses-a-segment",

@@ -1,11 +1,11 @@
 //! What is reported about rounded drawings.
 
+use super::Contradiction;
 use crate::task::overlay::RULES as ARRANGEMENT;
 use predicament_tasks::Check;
 
 /// What is looked after here.
-const RULES: &[&str] =
-    &["an arrangement has the segments that were given", "segments that cross have a point in common"];
+const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[
     Check::topology("ends", "a chain begins and ends in the pixels of its segment's ends"),

@@ -5,12 +5,12 @@ use crate::checks::snap::{Flaw, Promise, Rounded, flaws, new_crossings};
 use crate::truth::SEGMENTS;
 use predicament_predicates::{Query, Vertex};
 
-use super::{Chains, Drawn, Snap2d, SnapRow, points};
+use super::{Chains, Contradiction, Drawn, Snap2d, SnapRow, points};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
 pub fn judge(case: &Case<'_, Snap2d>, asked: &Asked<'_>, answer: &Chains, outcome: &mut Outcome) -> Result<(), Stop> {
     let content = case.content;
-    if let Some(rule) = answer.broken {
+    if let Some(rule) = answer.broken.map(Contradiction::rule) {
         note(outcome, content, rule, "violated".to_owned(), &[], asked.budget.findings_per_class);
         if answer.snapped.chains.len() != content.segments.len() {
             return Ok(());

@@ -5,6 +5,7 @@
 
 mod checks;
 mod content;
+mod contradiction;
 mod judge;
 mod section;
 mod spoiled;
@@ -23,13 +24,14 @@ use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
 
 pub use content::{Drawn, method_name};
+pub use contradiction::Contradiction;
 pub use section::SnapRow;
 
 use predicament_tasks::output::Canvas;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
-    Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
+    Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task.
@@ -41,8 +43,8 @@ pub struct Snap2d;
 pub struct Chains {
     /// Pixels and chains.
     pub snapped: Snapped,
-    /// The first rule that signs have broken, as the statement that should hold.
-    pub broken: Option<&'static str>,
+    /// The first rule that signs have broken.
+    pub broken: Option<Contradiction>,
 }
 
 impl Answer for Chains {
@@ -50,7 +52,7 @@ impl Answer for Chains {
         let pixels = self.snapped.pixels.iter().flatten().map(|i| i.cast_unsigned());
         let of_chain = |chain: &Vec<u32>| chain.iter().map(|&at| u64::from(at)).chain([u64::MAX]).collect::<Vec<_>>();
         let chains = self.snapped.chains.iter().flat_map(of_chain);
-        let broken = self.broken.unwrap_or_default();
+        let broken = self.broken.map_or("", Contradiction::rule);
         digest(pixels.chain([u64::MAX]).chain(chains).flat_map(u64::to_le_bytes).chain(broken.bytes()))
     }
 }
@@ -107,7 +109,7 @@ fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> 
     let edges: Vec<Edge> = content.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
     let arrangement = arrange(session, &edges, overlay::Method::Grid)?;
     if arrangement.segments != content.segments {
-        return Ok(Chains { broken: Some("an arrangement has the segments that were given"), ..Chains::default() });
+        return Ok(Chains { broken: Some(Contradiction::Segments), ..Chains::default() });
     }
     let turn = |[a, b]: [Vertex; 2], c| session.orient2d(Plane::Xy, a, b, c);
     let in_line = |line, [c, d]: [Vertex; 2]| [turn(line, c), turn(line, d)] == [Sign::Zero; 2];
@@ -117,8 +119,8 @@ fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> 
         content.segments.iter().map(|ends| ends.map(|v| u32::try_from(v.index()).expect("fewer than 2^32"))).collect();
     let drawing = Drawing { points: &points, segments: &segments, crossings: &crossings, touching: &touching };
     Ok(match snap(drawing, content.pixel, content.method) {
-        Ok(snapped) => Chains { snapped, broken: arrangement.broken },
-        Err(_) => Chains { broken: Some("segments that cross have a point in common"), ..Chains::default() },
+        Ok(snapped) => Chains { snapped, broken: arrangement.broken.map(Contradiction::from) },
+        Err(_) => Chains { broken: Some(Contradiction::NoPoint), ..Chains::default() },
     })
 }
 
@@ -251,12 +253,12 @@ impl Task for Snap2d {
         content: &Drawn,
         query: &Query,
         backends: &[&dyn Contestant],
-    ) -> Result<Explanation, String> {
+    ) -> Result<Explanation, ExplainError> {
         let (at, about) = named(&content.segments, query)?;
         let ask = |backend: &dyn Contestant| {
             backend.answer(self, scene, content).map(|chains| match chains.pixels().get(at) {
                 Some(chain) => chain.iter().map(|[x, y]| format!("({x}, {y})")).collect::<Vec<_>>().join(" "),
-                None => chains.broken.unwrap_or("no chain").to_owned(),
+                None => chains.broken.map_or("no chain".to_owned(), |broken| broken.to_string()),
             })
         };
         Ok(about.with_answers(backends, ask))

@@ -1,6 +1,6 @@
 //! `snap.csv` and what a report makes of it: what rounding did to drawings, by method.
 
-use predicament_records::{Error, Row, RunDir};
+use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
@@ -31,8 +31,8 @@ predicament_records::table! {
         pub drift: f64 ["sides of pixels"],
     }
 
-    fn check(&self) -> Result<(), String> {
-        if self.drift.is_finite() && self.drift >= 0.0 { Ok(()) } else { Err("the drift is no distance".to_owned()) }
+    fn check(&self) -> Result<(), RowError> {
+        if self.drift.is_finite() && self.drift >= 0.0 { Ok(()) } else { Err(RowError::Number { column: "drift", value: self.drift, wanted: "a distance" }) }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
 
-use super::{Chains, Snap2d};
+use super::{Chains, Contradiction, Snap2d};
 use predicament_tasks::{Class, Spoiled};
 
 pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
@@ -56,7 +56,7 @@ pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
             "segments that cross are said to have no point in common",
             "exact",
             &[(Class::Topology, "segments that cross have a point in common")],
-            |_, _, answer: &mut Chains| answer.broken = Some("segments that cross have a point in common"),
+            |_, _, answer: &mut Chains| answer.broken = Some(Contradiction::NoPoint),
         ),
         Spoiled::new(
             "snap-goes-straight",

@@ -1,0 +1,318 @@
+//! What is wrong with an engine: its configuration, its commands, its messages.
+
+use std::path::PathBuf;
+use std::process::ExitStatus;
+use std::time::Duration;
+
+use predicament_formats::CorpusError;
+use predicament_predicates::Broken;
+
+use crate::command::printable;
+use crate::config::{FILE, FOLDER, LONGEST_TEXT, MOST_BYTES as MOST_OF_FILE};
+use crate::{MOST_ENTRIES, PREFIX};
+
+/// Why there is no such engine, or it cannot be used.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum EngineError {
+    /// The file of the engine cannot be read.
+    Unread {
+        /// The file, as it was named.
+        file: PathBuf,
+        /// What the operating system says.
+        error: std::io::Error,
+    },
+    /// The file is no regular file, or longer than a configuration.
+    NotAFile {
+        /// The file, as it was named.
+        file: PathBuf,
+    },
+    /// The configuration is wrong.
+    Config(CorpusError),
+    /// The engine is called otherwise than its folder.
+    OtherName {
+        /// The file.
+        file: PathBuf,
+        /// The name that the file has.
+        called: String,
+    },
+    /// The folder of engines has no engine of this name.
+    Unknown {
+        /// The name.
+        name: String,
+        /// The folder.
+        folder: PathBuf,
+        /// The names that it has.
+        known: Vec<String>,
+    },
+    /// A command of the engine, or a process of it, did not do its work.
+    Failed {
+        /// The engine's name.
+        name: String,
+        /// Its file.
+        file: PathBuf,
+        /// What happened.
+        why: EngineFailure,
+    },
+}
+
+impl std::fmt::Display for EngineError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            EngineError::Unread { file, error } => {
+                write!(f, "{}: {error}; name the engine.toml of an engine", file.display())
+            }
+            EngineError::NotAFile { file } => write!(
+                f,
+                "{}: it is no regular file of at most {MOST_OF_FILE} bytes; name the engine.toml of an engine",
+                file.display()
+            ),
+            EngineError::Config(error) => error.fmt(f),
+            EngineError::OtherName { file, called } => {
+                write!(f, "{}: the engine is called `{called}`; call it as its folder", file.display())
+            }
+            EngineError::Unknown { name, folder, known } => {
+                write!(f, "no engine is called `{name}` in {}: ", folder.display())?;
+                match known.as_slice() {
+                    [] => f.write_str("there is none")?,
+                    known => write!(f, "there are {}", known.join(", "))?,
+                }
+                write!(f, "; name one, its {FILE}, or set ${FOLDER}")
+            }
+            EngineError::Failed { name, file, why } => write!(f, "{PREFIX}{name} ({}): {why}", file.display()),
+        }
+    }
+}
+
+impl std::error::Error for EngineError {}
+
+/// What a command or a process of an engine did not do.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum EngineFailure {
+    /// The command has no words.
+    NoProgram,
+    /// A command did not start.
+    NotStarted {
+        /// The command.
+        command: String,
+        /// What the operating system says.
+        error: std::io::Error,
+    },
+    /// A command ended with a failure.
+    Command {
+        /// The command.
+        command: String,
+        /// How it ended.
+        status: ExitStatus,
+        /// The last lines that it printed.
+        said: String,
+    },
+    /// The version command printed nothing.
+    NoVersion {
+        /// The command.
+        command: String,
+    },
+    /// The version command printed nothing in this time.
+    SilentVersion {
+        /// The command.
+        command: String,
+        /// The time.
+        silence: Duration,
+    },
+    /// The process did not start, or does not speak the protocol.
+    Process(Broken),
+}
+
+impl std::fmt::Display for EngineFailure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            EngineFailure::NoProgram => f.write_str("an empty command"),
+            EngineFailure::NotStarted { command, error } => write!(f, "`{command}` did not start: {error}"),
+            EngineFailure::Command { command, status, said } => write!(f, "`{command}` failed: {status}\n  {said}"),
+            EngineFailure::NoVersion { command } => write!(f, "`{command}` printed no version"),
+            EngineFailure::SilentVersion { command, silence } => {
+                write!(f, "`{command}` printed no version within {silence:?}")
+            }
+            EngineFailure::Process(broken) => broken.fmt(f),
+        }
+    }
+}
+
+impl std::error::Error for EngineFailure {}
+
+/// How a message, or the order of messages, is not of the protocol.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ProtocolError {
+    /// The stream cannot be read: what the operating system says.
+    Unread(String),
+    /// The stream ends after so many bytes of a length.
+    EndsInLength(usize),
+    /// The stream ends within a message.
+    EndsInBody {
+        /// The bytes that came.
+        have: usize,
+        /// The bytes that the message has.
+        size: u32,
+    },
+    /// The bytes are not the length of a message: most often they are text that was printed to stdout.
+    NotALength([u8; 4]),
+    /// An answer is longer than any right one.
+    TooLong {
+        /// The bytes that it has.
+        size: u32,
+        /// The bytes that a right one has at most.
+        most: u32,
+    },
+    /// The last entry of a message is cut off.
+    CutOff,
+    /// A message has more than [`MOST_ENTRIES`] entries.
+    TooManyEntries,
+    /// A key is no ASCII word.
+    BadKey,
+    /// A message does not begin with its `type`.
+    NoType,
+    /// A message that is to be sent has more bytes than the protocol has.
+    TooLongToSend {
+        /// The bytes that it has.
+        size: usize,
+        /// The bytes that a message has at most.
+        most: u32,
+    },
+    /// A key that is to be sent has more than 255 bytes.
+    LongKey(String),
+    /// A message lacks a key.
+    Missing {
+        /// The type of the message.
+        message: String,
+        /// The key.
+        key: String,
+    },
+    /// The value of a key is not a number.
+    NotANumber {
+        /// The type of the message.
+        message: String,
+        /// The key.
+        key: String,
+        /// The value.
+        text: String,
+    },
+    /// The greeting was declined, for this reason.
+    GreetingDeclined(String),
+    /// The greeting was answered by a message of this type.
+    GreetedBy(String),
+    /// The engine speaks another version of the protocol than the tool.
+    Version {
+        /// The version of the engine.
+        engine: String,
+        /// The version of the tool.
+        tool: &'static str,
+    },
+    /// The engine offers what is no predicate of the protocol.
+    UnknownPredicate(String),
+    /// The engine offers no predicate.
+    NoPredicate,
+    /// The meaning of zero is neither exact nor never.
+    UnknownZero(String),
+    /// The precision is neither f64 nor f32.
+    UnknownPrecision(String),
+    /// The value of this key is not one short line.
+    NotALine(String),
+    /// A batch was answered by a message of this type.
+    BatchAnsweredBy(String),
+    /// Another number of signs came back than were asked for.
+    Signs {
+        /// How many came.
+        came: usize,
+        /// How many queries there were.
+        queries: usize,
+    },
+    /// A query was answered by a byte that is no sign.
+    NotASign {
+        /// The query, in words.
+        query: String,
+        /// The byte.
+        byte: u8,
+    },
+    /// The engine says that it took longer than it was waited for.
+    Time {
+        /// The nanoseconds that it says.
+        said: u64,
+        /// The time that the answer took.
+        took: Duration,
+    },
+    /// An answer is to another question.
+    OtherQuestion {
+        /// The number that the answer has.
+        of: String,
+        /// The number of the question.
+        id: u64,
+    },
+    /// An answer of this type lacks the number of its question.
+    NoId(String),
+    /// A message of this type came unasked.
+    Unasked(String),
+}
+
+impl std::fmt::Display for ProtocolError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ProtocolError::Unread(error) => f.write_str(error),
+            ProtocolError::EndsInLength(have) => write!(f, "a message that ends after {have} bytes"),
+            ProtocolError::EndsInBody { have, size } => {
+                write!(f, "a message that ends after {have} of its {size} bytes")
+            }
+            ProtocolError::NotALength(bytes) => {
+                let text = String::from_utf8_lossy(bytes);
+                write!(f, "no message: it begins with the bytes `{}`", text.escape_default())
+            }
+            ProtocolError::TooLong { size, most } => {
+                write!(f, "an answer of {size} bytes, where at most {most} were asked for")
+            }
+            ProtocolError::CutOff => f.write_str("a message whose last entry is cut off"),
+            ProtocolError::TooManyEntries => write!(f, "a message of more than {MOST_ENTRIES} entries"),
+            ProtocolError::BadKey => f.write_str("a message with a key that is no ASCII word"),
+            ProtocolError::NoType => f.write_str("a message that does not begin with its `type`"),
+            ProtocolError::TooLongToSend { size, most } => {
+                write!(f, "a message of {size} bytes; the protocol has up to {most}")
+            }
+            ProtocolError::LongKey(key) => write!(f, "the key `{key}` is too long"),
+            ProtocolError::Missing { message, key } => write!(f, "a message `{message}` without `{key}`"),
+            ProtocolError::NotANumber { message, key, text } => {
+                write!(f, "`{key}` of `{message}` is `{text}`, which is no number")
+            }
+            ProtocolError::GreetingDeclined(reason) => f.write_str(reason),
+            ProtocolError::GreetedBy(kind) => write!(f, "`hello` was answered by `{kind}`"),
+            ProtocolError::Version { engine, tool } => {
+                write!(f, "it speaks protocol {engine}, and the tool {tool}; rebuild the engine")
+            }
+            ProtocolError::UnknownPredicate(name) => {
+                write!(f, "it offers `{name}`, which is no predicate of the protocol")
+            }
+            ProtocolError::NoPredicate => f.write_str("it offers no predicate"),
+            ProtocolError::UnknownZero(zero) => write!(f, "its zero is `{zero}`; it has to be exact or never"),
+            ProtocolError::UnknownPrecision(precision) => {
+                write!(f, "its precision is `{precision}`; it has to be f64 or f32")
+            }
+            ProtocolError::NotALine(key) => {
+                write!(f, "its {key} is empty, longer than {LONGEST_TEXT} characters, or not one line")
+            }
+            ProtocolError::BatchAnsweredBy(kind) => write!(f, "a batch was answered by `{}`", printable(kind)),
+            ProtocolError::Signs { came, queries } => write!(f, "{came} signs came back for {queries} queries"),
+            ProtocolError::NotASign { query, byte } => write!(f, "{query} was answered by the byte {byte}"),
+            ProtocolError::Time { said, took } => {
+                write!(f, "`ns` is {said}, and the answer took {} ns", took.as_nanos())
+            }
+            ProtocolError::OtherQuestion { of, id } => {
+                write!(f, "an answer to question `{}`, where question {id} was asked", printable(of))
+            }
+            ProtocolError::NoId(kind) => write!(f, "an answer `{}` without the `id` of its question", printable(kind)),
+            ProtocolError::Unasked(kind) => {
+                write!(f, "it wrote more than the answer to the message before: a message `{}`", printable(kind))
+            }
+        }
+    }
+}
+
+impl std::error::Error for ProtocolError {}

@@ -1,0 +1,62 @@
+//! What is wrong with the values of a row.
+
+use crate::rows::MOST;
+
+/// What is wrong with the values of a row, beyond their types.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum RowError {
+    /// A count that no run reaches.
+    Count(u64),
+    /// A number that its column cannot have.
+    Number {
+        /// The column.
+        column: &'static str,
+        /// The number.
+        value: f64,
+        /// What the column has, with its article: `a time`.
+        wanted: &'static str,
+    },
+    /// A column is empty.
+    Empty {
+        /// The column.
+        column: &'static str,
+    },
+    /// Values that are not of one row: what is wrong with them, in one line.
+    Contradiction(&'static str),
+}
+
+impl RowError {
+    /// Whether a count is one that a run reaches.
+    ///
+    /// # Errors
+    /// [`RowError::Count`] where it is not.
+    pub(crate) fn check_count(count: u64) -> Result<(), RowError> {
+        if count > MOST { Err(RowError::Count(count)) } else { Ok(()) }
+    }
+
+    /// Whether a column's number is a time.
+    ///
+    /// # Errors
+    /// [`RowError::Number`] where it is not finite and positive.
+    pub(crate) fn check_time(column: &'static str, value: f64) -> Result<(), RowError> {
+        if value.is_finite() && value > 0.0 {
+            Ok(())
+        } else {
+            Err(RowError::Number { column, value, wanted: "a time" })
+        }
+    }
+}
+
+impl std::fmt::Display for RowError {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            RowError::Count(count) => write!(f, "a count of {count}: no run counts so far; restore the file"),
+            RowError::Number { column, value, wanted } => write!(f, "{column} is {value}, which is not {wanted}"),
+            RowError::Empty { column } => write!(f, "{column} is empty"),
+            RowError::Contradiction(what) => f.write_str(what),
+        }
+    }
+}
+
+impl std::error::Error for RowError {}
