@@ -92,11 +92,6 @@ pub enum BackendError {
         /// The name behind `fault:`.
         fault: String,
     },
-    /// The backend is a crate of the feature `peers`, which the tool is built without.
-    NotBuilt {
-        /// The name.
-        name: String,
-    },
     /// The engine is not there, does not start, or does not speak the protocol.
     Engine(EngineError),
 }
@@ -117,9 +112,6 @@ impl std::fmt::Display for BackendError {
             BackendError::Epsilon { name, why } => write!(f, "`{name}`: {why}"),
             BackendError::UnknownFault { fault } => {
                 write!(f, "no fault is called `{fault}`; `predicament selftest --list` names them")
-            }
-            BackendError::NotBuilt { name } => {
-                write!(f, "`{name}` is there where the tool is built with --features peers")
             }
             BackendError::Engine(error) => error.fmt(f),
         }

@@ -12,7 +12,7 @@ use predicament_tasks::{Budget, Class, Watch};
 use crate::common::pinned;
 
 /// Scenes of more coordinates are left out: their text is long, and says nothing that others do not.
-const MOST: usize = 20_000;
+const MOST: usize = 8_000;
 /// Scenes of at most so many coordinates are judged again.
 const JUDGED: usize = 1_500;
 

@@ -219,7 +219,7 @@ fn more_pairs_than_are_kept() {
 /// Each vertex belongs to many triangles, each edge to two, in different pieces of work.
 #[test]
 fn faces_of_many_are_looked_at_once() {
-    const SIDE: u32 = 17;
+    const SIDE: u32 = 13;
     let mut points: Vec<[f64; 3]> = Vec::new();
     let grids = [0_u32, 1].map(|which| {
         let first = points.len();
