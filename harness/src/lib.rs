@@ -43,6 +43,7 @@ pub mod example;
 mod exit;
 mod expect_file;
 mod expectations;
+mod failure;
 mod found;
 mod hunting;
 mod interrupt;

@@ -9,7 +9,7 @@ use std::path::Path;
 
 use predicament_records::Hold;
 
-use crate::exit::Failure;
+use crate::failure::Failure;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;

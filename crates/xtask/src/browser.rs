@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::steps::{answers, fresh, root, step, target_directory};
+use crate::command::{answers, fresh, root, step, target_directory};
 
 /// Where the browser's work is.
 const FOLDER: &str = "target/browser";

@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-use crate::steps::{answers, root};
+use crate::command::{answers, root};
 
 /// Reads YAML from stdin and says whether it is a table of jobs.
 const PARSE: &str = "import sys, yaml\nof = yaml.safe_load(sys.stdin)\njobs = of.get('jobs', of)\n\

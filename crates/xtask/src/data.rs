@@ -1,6 +1,6 @@
 //! The page about results as data: its blocks are run by DuckDB and pandas, in an environment of their own, and by R where it has the packages.
 
-use crate::steps::{answers, fresh, root, step};
+use crate::command::{answers, fresh, root, step};
 
 /// Where the environment of Python is.
 const FOLDER: &str = "target/data";

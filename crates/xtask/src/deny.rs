@@ -1,7 +1,7 @@
 //! Licences and sources of dependencies, by cargo-deny where it is installed, as `deny.toml` says.
 
 use crate::advisories::locks;
-use crate::steps::{answers, cargo, root};
+use crate::command::{answers, cargo, root};
 
 /// Holds licences, sources and bans of all workspaces against `deny.toml`; says so where cargo-deny is not installed.
 ///

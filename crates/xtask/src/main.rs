@@ -9,6 +9,7 @@
 mod advisories;
 mod browser;
 mod ci_page;
+mod command;
 mod cpu;
 mod data;
 mod deny;

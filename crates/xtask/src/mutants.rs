@@ -13,7 +13,7 @@ mod planted;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::steps::{answers, cargo_command, fresh, root, step_ending};
+use crate::command::{answers, cargo_command, fresh, root, step_ending};
 
 /// The packages whose mistakes would be taken for truth.
 const PACKAGES: [&str; 6] = ["arithmetic", "exact", "sos", "tolerance", "laws", "judge"];

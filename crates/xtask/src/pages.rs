@@ -2,7 +2,7 @@
 
 use std::process::{Command, Stdio};
 
-use crate::steps::{cargo, root, target_directory};
+use crate::command::{cargo, root, target_directory};
 
 /// Where the part of BOUNDS begins that a search has found: it is not derived, and stays.
 const FOUND: &str = "\n## Worst cases\n";

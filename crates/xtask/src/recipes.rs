@@ -3,7 +3,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::steps::root;
+use crate::command::root;
 
 /// The commands of `install` in an `engine.toml`, which has them in one line, and those of `build` that are cargo's: it
 /// fetches what is not there.

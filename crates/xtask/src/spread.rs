@@ -11,7 +11,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-use crate::steps::{answers, cargo, fresh, root, step, target_directory};
+use crate::command::{answers, cargo, fresh, root, step, target_directory};
 
 /// Where the work is left, beside the build.
 const SPREAD: &str = "target/spread";

@@ -1,11 +1,10 @@
-//! The steps of each chore, shown as they start, with the time that each took.
+//! The steps of each chore.
 
 use std::ffi::OsStr;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
-use std::time::Instant;
+use std::path::Path;
+use std::process::Command;
 
-use crate::cpu;
+use crate::command::{answers, cargo, cargo_command, fresh, root, step, target_directory, words};
 
 /// Where `demo` leaves its work, beside the build.
 const DEMO: &str = "target/demo";
@@ -336,104 +335,4 @@ fn fuzz() -> Result<(), String> {
 pub fn fuzz_seeds() -> Result<(), String> {
     let run = ["run", "--quiet", "--release", "--manifest-path", "fuzz/Cargo.toml", "--example", "seeds"];
     cargo("seeds of the fuzz targets", &run)
-}
-
-/// The folder of the workspace.
-pub fn root() -> PathBuf {
-    // xtask lives in crates/xtask of the workspace that it serves.
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// A folder under that of the workspace, made anew; returned as it was named.
-pub fn fresh(dir: &str) -> Result<PathBuf, String> {
-    let full = root().join(dir);
-    if full.exists() {
-        std::fs::remove_dir_all(&full).map_err(|error| format!("{}: {error}", full.display()))?;
-    }
-    std::fs::create_dir_all(&full).map_err(|error| format!("{}: {error}", full.display()))?;
-    Ok(PathBuf::from(dir))
-}
-
-/// Where cargo builds: wherever the environment or a configuration file says.
-pub fn target_directory() -> Result<PathBuf, String> {
-    let output = Command::new(cargo_path())
-        .args(["metadata", "--format-version", "1", "--no-deps"])
-        .current_dir(root())
-        .stderr(Stdio::inherit())
-        .output()
-        .map_err(|error| format!("cargo metadata did not start: {error}"))?;
-    target_of(&String::from_utf8_lossy(&output.stdout)).ok_or_else(|| "cargo metadata names no folder".to_owned())
-}
-
-/// The target directory in cargo's metadata.
-fn target_of(metadata: &str) -> Option<PathBuf> {
-    let (_, rest) = metadata.split_once("\"target_directory\":\"")?;
-    let (path, _) = rest.split_once('"')?;
-    Some(PathBuf::from(path.replace("\\\\", "\\")))
-}
-
-fn cargo_path() -> String {
-    std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
-}
-
-/// True if this can be run, and ends well.
-pub fn answers(program: &str, args: &[&str]) -> bool {
-    let program = if program == "cargo" { cargo_path() } else { program.to_owned() };
-    let ran =
-        Command::new(program).args(args).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).status();
-    ran.is_ok_and(|status| status.success())
-}
-
-fn words(program: &str, args: &[&str]) -> Vec<String> {
-    [program].iter().chain(args).map(|&word| word.to_owned()).collect()
-}
-
-pub fn cargo_command<S: AsRef<str>>(args: &[S]) -> Vec<String> {
-    std::iter::once(cargo_path()).chain(args.iter().map(|word| word.as_ref().to_owned())).collect()
-}
-
-pub fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
-    step(what, &cargo_command(args), &[])
-}
-
-/// Runs a command, says what it is for and how long it took.
-///
-/// # Errors
-/// If it does not start, or fails.
-pub fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
-    step_ending(what, words, env, &[0])
-}
-
-/// The same for a program that may end with any of these codes.
-pub fn step_ending(what: &str, words: &[String], env: &[(&str, &str)], fine: &[i32]) -> Result<(), String> {
-    let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    println!("\n== {what}: {name} {}", words[1..].join(" "));
-    let (start, cpu) = (Instant::now(), cpu::of_children());
-    let status = Command::new(&words[0])
-        .args(&words[1..])
-        .envs(env.iter().copied())
-        .current_dir(root())
-        .status()
-        .map_err(|error| format!("{what}: {name} did not start: {error}"))?;
-    let spent = cpu::of_children()
-        .zip(cpu)
-        .map_or(String::new(), |(after, before)| format!(" ({:.0} s of processor time)", after - before));
-    if status.code().is_some_and(|code| fine.contains(&code)) {
-        println!("== {what}: ok, {:.0} s{spent}", start.elapsed().as_secs_f64());
-        Ok(())
-    } else {
-        Err(format!("{what} failed: {status}"))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_target_directory_is_read() {
-        let metadata = r#"{"packages":[],"target_directory":"C:\\a\\target","version":1}"#;
-        assert_eq!(target_of(metadata), Some(PathBuf::from(r"C:\a\target")));
-        assert_eq!(target_of("{}"), None);
-    }
 }

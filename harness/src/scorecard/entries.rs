@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_oracle::faults::{Area, Fault};
 use predicament_oracle::guards::{self, Guarded};
-use predicament_tasks::{AnyTask, Outcome};
+use predicament_tasks::{AnyTask, Contestant, Outcome};
 
 use super::declared::Declarations;
 use crate::shrinking::Measure;
@@ -192,4 +192,10 @@ pub fn only(mut entries: Vec<Entry>, names: &[String]) -> Result<Vec<Entry>, Str
         Kind::Backend(_) | Kind::Answer | Kind::Part(_) => names.contains(&entry.name),
     });
     Ok(entries)
+}
+
+/// The honest backend with this name.
+pub fn honest<'c>(contestants: &'c [Box<dyn Contestant>], name: &str) -> &'c dyn Contestant {
+    let honest = contestants.iter().find(|contestant| contestant.name() == name);
+    honest.unwrap_or_else(|| panic!("no honest backend is called {name}")).as_ref()
 }

@@ -8,8 +8,7 @@ use predicament_search::{Backends, Wanted, Witness};
 use predicament_tasks::{AnySpoiled, AnyTask, Budget, Contestant, Finding, Outcome, Stop, Watch};
 
 use super::declared::{Declared, Of};
-use super::entries::{Entry, Kind, answer};
-use super::work::honest;
+use super::entries::{Entry, Kind, answer, honest};
 use crate::shrinking::Measure;
 use crate::tool::Tool;
 use crate::{interrupt, planning};

@@ -9,7 +9,7 @@ use predicament_tasks::{AnyCase, Budget, Contestant, Outcome, Stop, Watch};
 use rayon::prelude::*;
 
 use super::declared::Declarations;
-use super::entries::{Entry, Kind, TWO_MESHES, answer, caught};
+use super::entries::{Entry, Kind, TWO_MESHES, answer, caught, honest};
 use super::shrunk::Shrinking;
 use crate::exit::{self, Failure};
 use crate::select::Selection;
@@ -221,10 +221,4 @@ impl Work<'_> {
         }
         Ok(found)
     }
-}
-
-/// The honest backend with this name.
-pub fn honest<'c>(contestants: &'c [Box<dyn Contestant>], name: &str) -> &'c dyn Contestant {
-    let honest = contestants.iter().find(|contestant| contestant.name() == name);
-    honest.unwrap_or_else(|| panic!("no honest backend is called {name}")).as_ref()
 }

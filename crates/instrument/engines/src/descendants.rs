@@ -17,7 +17,7 @@ use rustix::process::{
     Pid, PidfdFlags, Signal, WaitOptions, getpid, pidfd_open, pidfd_send_signal, set_child_subreaper, waitpid,
 };
 
-use crate::group::MARK;
+use crate::mark::MARK;
 
 /// How many times what is still there is ended: a process may start another one in the moment in which it is ended.
 const ROUNDS: usize = 50;

@@ -5,17 +5,13 @@
 //! [`descendants`]. Elsewhere they stay.
 
 use std::collections::BTreeMap;
-use std::hash::{BuildHasher as _, RandomState};
 use std::io::Error;
 use std::process::{Child, Command};
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 use std::sync::{Mutex, PoisonError};
 
 #[cfg(target_os = "linux")]
 use crate::descendants;
-
-/// The variable whose value tells the processes of one group from all others.
-pub(crate) const MARK: &str = "PREDICAMENT_ENGINE_PROCESS";
+use crate::mark::{MARK, mark};
 
 /// The groups that are running: their marks by the number of their first process.
 static RUNNING: Mutex<BTreeMap<u32, String>> = Mutex::new(BTreeMap::new());
@@ -66,14 +62,6 @@ impl Drop for Group {
     fn drop(&mut self) {
         self.end();
     }
-}
-
-/// A value that no other group has, of this or another process.
-fn mark() -> String {
-    static NEXT: AtomicU64 = AtomicU64::new(0);
-    // The system's randomness: an earlier process may have had this number.
-    let random = RandomState::new().hash_one(std::process::id());
-    format!("{}-{random:016x}-{}", std::process::id(), NEXT.fetch_add(1, Relaxed))
 }
 
 /// Ends a group of processes, by the number of its first, and what has left the group.

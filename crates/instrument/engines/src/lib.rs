@@ -19,11 +19,13 @@ mod config;
 mod descendants;
 mod error;
 mod group;
+mod mark;
 mod message;
 mod pipes;
 mod pool;
 mod process;
 mod session;
+mod started;
 
 pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};

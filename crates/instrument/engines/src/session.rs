@@ -10,10 +10,10 @@ use predicament_predicates::{
     answer_by,
 };
 
-use crate::backend::Shared;
 use crate::command::printable;
 use crate::process::Process;
-use crate::{Engine, Message, ProtocolError};
+use crate::started::Shared;
+use crate::{Message, ProtocolError};
 
 /// The byte of −1.
 const NEGATIVE: u8 = 255;
@@ -53,11 +53,15 @@ pub struct Session<'s> {
 }
 
 impl<'s> Session<'s> {
-    pub(crate) fn prepare<T: Tally + 's>(engine: &Engine, scene: &'s Scene, tally: T) -> Result<Session<'s>, Declined> {
+    pub(crate) fn prepare<T: Tally + 's>(
+        shared: Arc<Shared>,
+        empty: bool,
+        scene: &'s Scene,
+        tally: T,
+    ) -> Result<Session<'s>, Declined> {
         if !scene.constructions().is_empty() {
             return Err(Declined::scene("the protocol has no constructed vertices"));
         }
-        let shared = Arc::clone(&engine.shared);
         // Whether a coordinate survives is what is asked.
         #[allow(clippy::cast_possible_truncation)]
         let single = |x: &f64| f64::from(*x as f32) == *x;
@@ -73,15 +77,7 @@ impl<'s> Session<'s> {
         let mut hasher = DefaultHasher::new();
         message.hash(&mut hasher);
         let number = hasher.finish();
-        let session = Session {
-            scene,
-            message,
-            number,
-            empty: engine.empty,
-            tally: Box::new(tally),
-            nans: Mutex::default(),
-            shared,
-        };
+        let session = Session { scene, message, number, empty, tally: Box::new(tally), nans: Mutex::default(), shared };
         match session.ask(|_| Ok(())) {
             Ok(Ok(())) => Ok(session),
             Ok(Err(declined)) => Err(Declined::scene(printable(&declined.reason))),

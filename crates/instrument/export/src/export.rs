@@ -8,9 +8,10 @@ use predicament_records::{Column, Error, Kind, Outcome, RunFolder, TableSpec};
 
 use crate::copies::Copies;
 use crate::find::Found;
+use crate::format::Format;
 use crate::front::{self, FRONT, OWN_TABLES, RunRow};
 use crate::place::Places;
-use crate::sink::{Format, Sink};
+use crate::sink::Sink;
 use crate::value::{Typed, Value};
 
 /// Who waits for an export.

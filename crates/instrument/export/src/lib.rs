@@ -12,6 +12,7 @@ mod copies;
 mod error;
 mod export;
 mod find;
+mod format;
 mod front;
 mod place;
 mod row_groups;
@@ -20,6 +21,6 @@ mod value;
 
 pub use export::{Exported, Watch, Written, export};
 pub use find::{Found, Runs, find};
+pub use format::Format;
 pub use front::{FRONT, OWN_TABLES, RunRow};
 pub use predicament_records::Error;
-pub use sink::Format;

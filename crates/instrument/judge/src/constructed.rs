@@ -15,7 +15,7 @@ use predicament_predicates::{Construction, Scene, Vertex};
 use rug::{Integer, Rational};
 
 use crate::integers::over_one_denominator;
-use crate::points::Row;
+use crate::row::Row;
 
 /// The exact coordinates of any vertex of the scene; none for a constructed
 /// vertex whose lines and planes don't meet in one point, or go through such a vertex.
@@ -30,6 +30,14 @@ pub fn point(scene: &Scene, v: Vertex) -> Option<Vec<Rational>> {
 /// The same over one denominator.
 pub(crate) fn row(scene: &Scene, v: Vertex) -> Option<Row> {
     Points { scene, known: BTreeMap::new() }.row(v)
+}
+
+/// The row of any vertex, solved for anew if it is constructed.
+///
+/// # Panics
+/// If a constructed vertex is no point.
+pub(crate) fn certain_row(scene: &Scene, v: Vertex) -> Row {
+    row(scene, v).unwrap_or_else(|| panic!("{v} is no point"))
 }
 
 /// Points of a scene, each constructed one computed once: many may define one vertex.

@@ -17,8 +17,9 @@ use std::borrow::Cow;
 use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
-use crate::points::{self, Row};
-use crate::{constructed::point, integers};
+use crate::constructed::{certain_row, point};
+use crate::integers;
+use crate::row::Row;
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
@@ -58,7 +59,7 @@ pub fn rational(x: f64) -> Rational {
 /// or if it is about a construction that is no point, which scenes of suites don't have.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
-    sign_of_rows(scene, question, args, |v| Cow::Owned(points::row(scene, v)))
+    sign_of_rows(scene, question, args, |v| Cow::Owned(certain_row(scene, v)))
 }
 
 /// The same, with the rows from `row` if a vertex is constructed.

@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use predicament_predicates::{Axis, Sign};
 use rug::Integer;
 
-use crate::points::Row;
+use crate::row::Row;
 
 /// Rows of a determinant at most: insphere has four, of three differences and a lift.
 const MOST: usize = 4;

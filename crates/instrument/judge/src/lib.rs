@@ -31,6 +31,7 @@ pub mod interval;
 pub mod locate;
 mod nearest;
 mod points;
+mod row;
 mod sample;
 mod session;
 pub mod solids;

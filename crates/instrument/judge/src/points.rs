@@ -8,41 +8,11 @@ use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use predicament_predicates::{Construction, NoPoint, Question, Refused, Scene, Sign, Vertex};
-use rug::{Integer, Rational};
+use rug::Rational;
 
 use crate::constructed;
 use crate::determinant::{Verdict, sign_of_rows, verdict_of};
-
-/// A point over one denominator: its coordinates are integers divided by the weight.
-#[derive(Clone, Debug)]
-pub(crate) struct Row {
-    pub(crate) coordinates: Vec<Integer>,
-    /// Positive.
-    pub(crate) weight: Integer,
-}
-
-impl Row {
-    /// The coordinates as fractions.
-    pub(crate) fn point(&self) -> Vec<Rational> {
-        self.coordinates.iter().map(|x| Rational::from((x, &self.weight))).collect()
-    }
-
-    /// The same over the least denominator.
-    pub(crate) fn reduced(mut self) -> Row {
-        let common = self.coordinates.iter().fold(self.weight.clone(), |common, x| common.gcd(x));
-        self.coordinates.iter_mut().for_each(|x| x.div_exact_mut(&common));
-        self.weight.div_exact_mut(&common);
-        self
-    }
-}
-
-/// The row of any vertex, solved for anew if it is constructed.
-///
-/// # Panics
-/// If a constructed vertex is no point.
-pub(crate) fn row(scene: &Scene, v: Vertex) -> Row {
-    constructed::row(scene, v).unwrap_or_else(|| panic!("{v} is no point"))
-}
+use crate::row::Row;
 
 /// A constructed vertex over one denominator, and as rationals if anybody asks for them.
 struct Solved {
@@ -106,7 +76,7 @@ impl Points {
     #[must_use]
     pub fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
         sign_of_rows(&self.scene, question, args, |v| match v.construction() {
-            None => Cow::Owned(row(&self.scene, v)),
+            None => Cow::Owned(constructed::certain_row(&self.scene, v)),
             Some(index) => Cow::Borrowed(&self.solved(index, v).unwrap_or_else(|| panic!("{v} is no point")).row),
         })
     }

@@ -24,7 +24,7 @@ use predicament_tolerance::{Misscaled, Tolerance};
 use predicament_judge::TieJudge;
 
 use crate::boxed::Boxed;
-use crate::roster::{Visit, hand};
+use crate::visit::{Visit, hand};
 
 pub use area::Area;
 pub use deadly::Deadly;

@@ -22,5 +22,6 @@ pub mod roster;
 
 mod boxed;
 mod twice;
+mod visit;
 
 pub use predicament_tasks::{caught, run, run_spoiled};

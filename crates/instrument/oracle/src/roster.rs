@@ -18,6 +18,8 @@ use predicament_tasks::{Contestant, Entry, TaskList};
 use crate::boxed::Boxed;
 use crate::faults;
 use crate::twice::Twice;
+pub use crate::visit::Visit;
+use crate::visit::hand;
 
 /// The backends that run by default, in the order of reports.
 pub const DEFAULT: &[&str] =
@@ -42,22 +44,6 @@ epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if l
 shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
 engine:NAME             a program with somebody else's predicates: engines/NAME/engine.toml, or a path to such a file";
-
-/// Work for one backend, whatever its type.
-pub trait Visit {
-    /// What comes out.
-    type Out;
-
-    /// Does the work; `ties` is the independent judge of how the backend breaks ties, if it does.
-    fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Self::Out;
-}
-
-/// Hands a backend over as it is, or behind a pointer in builds that nobody times (`build.rs`).
-pub(crate) fn hand<V: Visit, B: Backend + 'static>(visitor: V, backend: B, ties: Option<Box<TieJudge>>) -> V::Out {
-    #[cfg(shared_tasks)]
-    let backend = Boxed::new(backend);
-    visitor.visit(backend, ties)
-}
 
 /// Why a name picks no backend.
 #[derive(Debug)]

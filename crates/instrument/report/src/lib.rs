@@ -19,6 +19,7 @@
 //! The same folder gives the same bytes: rows are sorted before they are
 //! printed, and nothing asks for the time.
 
+mod columns;
 mod comparison;
 pub mod drawing;
 mod figures;

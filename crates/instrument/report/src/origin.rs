@@ -10,8 +10,8 @@ use std::path::PathBuf;
 
 use serde_json::{Map, Value, json};
 
+use crate::columns::dictionary;
 use crate::table::{Block, Section};
-use crate::web::dictionary;
 use crate::{Error, RunDir, figures};
 use predicament_records::Lined;
 

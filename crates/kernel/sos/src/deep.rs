@@ -109,7 +109,7 @@ impl<const D: usize> Asked<'_, D> {
     fn coefficient(&self, term: &Term) -> Sign {
         let order = |column: u8, from: u8, to: u8| {
             let [p, q] = [from, to].map(|row| self.points[usize::from(row)][usize::from(column)]);
-            crate::leading::order(p, q)
+            filter::order(p, q)
         };
         let gap = term.gap.map_or(Sign::Positive, |gap| order(gap.column, gap.from, gap.to));
         if gap.is_zero() {

@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 
 use predicament_predicates::{Axis, Dimension, Off, Plane, PredicateKind, Scene, Sign, Vertex};
 
-use crate::filter::{self, Struck};
+use crate::filter::{self, Struck, order};
 use crate::ties::projection;
 use crate::{Lift, Scheme, Term};
 use crate::{deep, short};
@@ -335,14 +335,6 @@ impl<const EXACT: bool> Rows for Four<'_, EXACT> {
             _ => None,
         }
     }
-}
-
-/// The sign of p − q.
-#[inline(always)]
-pub(crate) fn order(p: f64, q: f64) -> Sign {
-    // A table: a branch on what is as good as random costs more than all the rest.
-    const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
-    SIGNS[usize::from(p >= q) + usize::from(p > q)]
 }
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];

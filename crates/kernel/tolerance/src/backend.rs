@@ -10,12 +10,11 @@ use crate::band::is_sound;
 use crate::contacts::EdgeVertex;
 use crate::extent::largest_extent;
 use crate::float::check_precision;
-use crate::session::{Session, Tolerances};
+use crate::session::{INPUT_ONLY, Session, Tolerances};
 use crate::{ContactTolerances, Float, Misscaled, Tolerances2d, Tolerances3d, circles};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const STAGES: [&str; 1] = ["float"];
-pub(crate) const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constructed ones";
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///

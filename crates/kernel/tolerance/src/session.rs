@@ -8,9 +8,11 @@ use predicament_predicates::{
     Tally, Vertex,
 };
 
-use crate::backend::INPUT_ONLY;
 use crate::contacts::{EdgeVertex, Pairs};
 use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, quantities};
+
+/// Why a scene or a construction is declined.
+pub(crate) const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constructed ones";
 
 /// [`Tolerance`](struct@crate::Tolerance), prepared for one scene.
 #[derive(Clone, Debug)]

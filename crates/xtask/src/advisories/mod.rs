@@ -7,7 +7,7 @@ mod version;
 
 use std::path::{Path, PathBuf};
 
-use crate::steps::root;
+use crate::command::root;
 use database::{Advisory, Database, entries, strings};
 use version::Version;
 

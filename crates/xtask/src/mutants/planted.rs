@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use crate::steps::{cargo_command, root};
+use crate::command::{cargo_command, root};
 
 /// Where the copy of the tree is, and what runs in it leave.
 const FOLDER: &str = "target/planted";

@@ -6,7 +6,7 @@ mod agrees;
 use std::path::Path;
 use std::process::Command;
 
-use crate::steps::{cargo, fresh, root, step, target_directory};
+use crate::command::{cargo, fresh, root, step, target_directory};
 
 /// Where the runs are made, beside the build.
 const WORK: &str = "target/sample";

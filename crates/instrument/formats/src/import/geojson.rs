@@ -11,7 +11,7 @@ use serde::Deserialize;
 use serde_json::Value;
 use serde_json::value::RawValue;
 
-use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
+use super::features::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
 use super::{ImportNotes, Keeps, id_text};
 use crate::decimals::{Place as Written, ends, explain, shown};
 use crate::{CorpusError, Decimals, Lines};

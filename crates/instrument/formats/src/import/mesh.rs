@@ -4,31 +4,11 @@
 //! into triangles by a fan around their first corner. Decimals are read as those of suites are: exactly doubles, or refused, or rounded
 //! where the suite says so.
 
-use predicament_mesh::half_edge::IndexedFaces;
-use predicament_predicates::Vertex;
-
-use super::{ImportNotes, Places, obj, off, ply, stl};
+pub use super::imported_mesh::ImportedMesh;
+use super::{obj, off, ply, stl};
 use crate::data::{DataFile, Format};
-use crate::decimals::{MOST_COORDINATES, Place, explain, shown};
-use crate::lines::lines;
+use crate::decimals::MOST_COORDINATES;
 use crate::{CorpusError, Decimals};
-
-/// Points, and simplices of their indices.
-#[derive(Clone, PartialEq, Debug, Default)]
-pub struct ImportedMesh {
-    /// The points.
-    pub points: Vec<[f64; 3]>,
-    /// Edges that belong to no face (OBJ only).
-    pub edges: Vec<[Vertex; 2]>,
-    /// The faces as they are in the file, with any number of corners from three on.
-    pub faces: IndexedFaces,
-    /// The triangles of the faces.
-    pub triangles: Vec<[Vertex; 3]>,
-    /// Where the points and the faces are in the file.
-    pub places: Places,
-    /// What was left out.
-    pub notes: ImportNotes,
-}
 
 /// Reads a file by its extension, `.off`, `.obj`, `.ply` or `.stl`, each perhaps with `.gz` behind it.
 ///
@@ -56,69 +36,11 @@ pub(super) fn read_data(data: DataFile, decimals: &Decimals) -> Result<ImportedM
     Ok(mesh)
 }
 
-/// What is left of a line without its comment, if anything.
-pub(super) fn content(line: &str) -> Option<&str> {
-    let line = line.split('#').next().unwrap_or_default().trim();
-    (!line.is_empty()).then_some(line)
-}
-
-/// The lines that say something, numbered from 1.
-pub(super) fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    lines(text).filter_map(|line| content(line.body).map(|body| (line.number, body)))
-}
-
-pub(super) fn no_vertex(file: &str, line: usize, word: &str, points: usize, first: &str) -> CorpusError {
-    let message = format!("`{}` is none of the {points} vertices", shown(word));
-    CorpusError::file(file, message, format!("indices count from {first}")).at_line(line)
-}
-
-pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals) -> Result<[f64; 3], CorpusError> {
-    let Some(words) = words.first_chunk::<3>() else {
-        let message = format!("a vertex of {} coordinates", words.len());
-        return Err(CorpusError::file(file, message, "write three coordinates").at_line(line));
-    };
-    let mut point = [0.0; 3];
-    for (x, word) in point.iter_mut().zip(words) {
-        *x = decimals.read(word).map_err(|why| {
-            let (message, cure) = explain(Place::Data, word, &why);
-            CorpusError::file(file, message, cure).at_line(line)
-        })?;
-    }
-    Ok(point)
-}
-
-impl ImportedMesh {
-    /// Appends a point, and where it is.
-    pub(super) fn push_point(&mut self, point: [f64; 3], at: usize) {
-        self.points.push(point);
-        self.places.push_point(at);
-    }
-
-    /// Appends a face, its triangles, and where it is; or what is wrong with it, and the cure.
-    pub(super) fn push_face(&mut self, corners: &[Vertex], at: usize) -> Result<(), (String, &'static str)> {
-        let [first, rest @ ..] = corners else {
-            return Err(("a face without corners".to_owned(), "remove it"));
-        };
-        if rest.len() < 2 {
-            return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
-        }
-        let mut sorted = corners.to_vec();
-        sorted.sort_unstable();
-        if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
-            return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
-        }
-        // Input vertices, of which there are at most 2^31.
-        self.faces.push(corners.iter().filter_map(|corner| u32::try_from(corner.index()).ok()));
-        self.triangles.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
-        self.places.push_face(at);
-        Ok(())
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use std::io::Read;
 
+    use predicament_predicates::Vertex;
     use proptest::prelude::*;
 
     use super::*;

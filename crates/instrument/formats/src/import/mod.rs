@@ -1,13 +1,16 @@
 //! Importers of meshes, maps and other geometry.
 
+mod features;
 mod geojson;
 pub mod geometry;
+mod imported_mesh;
 pub mod mesh;
 mod obj;
 mod off;
 mod places;
 mod ply;
 mod ply_ascii;
+mod ply_element;
 mod ply_header;
 pub mod points;
 mod rings;

@@ -2,7 +2,7 @@
 
 use predicament_predicates::Vertex;
 
-use super::mesh::{ImportedMesh, contents, no_vertex, point};
+use super::imported_mesh::{ImportedMesh, contents, no_vertex, point};
 use crate::coordinate::{self, CoordinateError};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};

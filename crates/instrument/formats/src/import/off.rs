@@ -2,7 +2,7 @@
 
 use predicament_predicates::Vertex;
 
-use super::mesh::{ImportedMesh, content, contents, no_vertex, point};
+use super::imported_mesh::{ImportedMesh, content, contents, no_vertex, point};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 

@@ -6,58 +6,15 @@
 use std::io::{BufReader, ErrorKind};
 
 use ply_rs_bw::parser::{ParseError, Parser, Reader};
-use ply_rs_bw::ply::{ElementDef, Encoding, Property, PropertyAccess, PropertyAccessResult};
+use ply_rs_bw::ply::{ElementDef, Encoding};
 use predicament_predicates::Vertex;
 
-use super::mesh::ImportedMesh;
+use super::imported_mesh::ImportedMesh;
+use super::ply_element::{Element, ended};
 use super::{Places, ply_ascii, ply_header};
 use crate::decimals::shown;
 use crate::lines::lines;
 use crate::{CorpusError, Decimals, Position};
-
-/// An element of any kind: what matters of its properties.
-pub(super) struct Element {
-    /// `x`, `y` and `z`; not a number where there is none.
-    pub(super) at: [f64; 3],
-    /// `vertex_indices`, which some call `vertex_index`; none if one is negative.
-    pub(super) corners: Option<Vec<u32>>,
-}
-
-/// The axis that a property of a vertex is the coordinate of.
-pub(super) fn axis(name: &str) -> Option<usize> {
-    ["x", "y", "z"].iter().position(|axis| *axis == name)
-}
-
-/// Whether a property of a face is the list of its vertices.
-pub(super) fn is_corners(name: &str) -> bool {
-    matches!(name, "vertex_indices" | "vertex_index")
-}
-
-impl PropertyAccess for Element {
-    fn new() -> Element {
-        Element { at: [f64::NAN; 3], corners: None }
-    }
-
-    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
-        if is_corners(name) {
-            self.corners = property.to_u32_list();
-            return PropertyAccessResult::Set;
-        }
-        let Some(axis) = axis(name) else { return PropertyAccessResult::Ignored };
-        self.at[axis] = match property {
-            Property::Char(x) => x.into(),
-            Property::UChar(x) => x.into(),
-            Property::Short(x) => x.into(),
-            Property::UShort(x) => x.into(),
-            Property::Int(x) => x.into(),
-            Property::UInt(x) => x.into(),
-            Property::Float(x) => x.into(),
-            Property::Double(x) => x,
-            _ => return PropertyAccessResult::Ignored,
-        };
-        PropertyAccessResult::Set
-    }
-}
 
 /// Reads the elements `vertex` and `face`; all others are passed over, but for strips of triangles, which are refused.
 pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
@@ -129,12 +86,6 @@ fn binary(
         ErrorKind::UnexpectedEof => ended(file, kind, index),
         _ => broken(file, &error),
     })
-}
-
-/// The file ends before, or in, an element.
-pub(super) fn ended(file: &str, kind: &ElementDef, index: usize) -> CorpusError {
-    let message = format!("the file ends after {index} of its {} elements `{}`", kind.count, kind.name);
-    CorpusError::file(file, message, "correct the counts or add what is missing")
 }
 
 /// Adds a vertex or a face to the mesh.

@@ -5,7 +5,7 @@
 
 use ply_rs_bw::ply::{ElementDef, PropertyAccess, PropertyType, ScalarType};
 
-use super::ply::{Element, axis, ended, is_corners};
+use super::ply_element::{Element, axis, ended, is_corners};
 use crate::decimals::{Place, explain, shown};
 use crate::lines::{Line, lines};
 use crate::{CorpusError, Decimals};

@@ -4,7 +4,7 @@
 
 use ply_rs_bw::ply::{ElementDef, Encoding, Header, PropertyType, ScalarType};
 
-use super::ply::{axis, is_corners};
+use super::ply_element::{axis, is_corners};
 use crate::CorpusError;
 use crate::decimals::shown;
 

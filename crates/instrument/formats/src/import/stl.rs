@@ -6,7 +6,7 @@
 //! points and are passed over.
 
 use super::Places;
-use super::mesh::{ImportedMesh, contents};
+use super::imported_mesh::{ImportedMesh, contents};
 use super::shared::SharedVertices;
 use crate::decimals::{Place, explain, shown};
 use crate::file::text_of;

@@ -4,7 +4,7 @@
 //! file, to be read losslessly or refused. Blank space and semicolons separate geometries, lines that start
 //! with `#` are comments, and the `SRID=…;` of PostGIS is passed over.
 
-use super::geometry::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
+use super::features::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
 use super::{ImportNotes, Keeps};
 use crate::decimals::{Place, explain, shown};
 use crate::{CorpusError, Decimals, Lines};

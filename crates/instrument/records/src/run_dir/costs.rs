@@ -58,7 +58,7 @@ impl CostRow {
         if !path.exists() {
             return Ok(Vec::new());
         }
-        let bytes = super::reader::read_regular(&path)?;
+        let bytes = super::regular::read_regular(&path)?;
         let mut reader = ReaderBuilder::new().from_reader(&bytes[..whole_lines(&bytes)]);
         let failed = |error: csv::Error| {
             let line = error.position().map(csv::Position::line);

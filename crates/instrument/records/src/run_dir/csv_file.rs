@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
 use super::hashed::{Hashed, digest};
+use super::regular::read_regular;
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use crate::error::with_cure;
@@ -29,7 +30,7 @@ impl CsvFile {
 
     /// An existing table, cut back to the length that it had when all was well, and refused where its bytes are not those of then.
     pub fn reopen(path: PathBuf, length: u64, written: Option<&String>) -> Result<CsvFile, Error> {
-        let mut bytes = super::reader::read_regular(&path)?;
+        let mut bytes = read_regular(&path)?;
         if (bytes.len() as u64) < length {
             return Err(shortened(&path, bytes.len() as u64, length));
         }
@@ -75,7 +76,7 @@ impl CsvFile {
 
     /// Refuses a file that is no longer the one that is written, or has other bytes.
     pub fn check(&self) -> Result<(), Error> {
-        let bytes = super::reader::read_regular(&self.path)?;
+        let bytes = read_regular(&self.path)?;
         if bytes.len() as u64 == self.writer.get_ref().length() && digest(&bytes) == self.digest() {
             return Ok(());
         }
@@ -102,11 +103,6 @@ pub(super) const CHANGED: &str =
 fn shortened(path: &Path, found: u64, length: u64) -> Error {
     let cure = "restore the two from a copy, or start a new run";
     Error::new(path, format!("{found} bytes are left of the {length} that the run had written, by state.json; {cure}"))
-}
-
-/// How many bytes the line of the columns has, with its end.
-pub(super) fn header_length(bytes: &[u8]) -> u64 {
-    bytes.iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |end| end + 1) as u64
 }
 
 /// A table as text.
@@ -201,7 +197,7 @@ impl Extent {
 
 /// Reads a table, which has this digest if one is given. What was left out of it is told in a sentence.
 pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Result<(Text, Option<String>), Error> {
-    let mut bytes = super::reader::read_regular(path)?;
+    let mut bytes = read_regular(path)?;
     let found = bytes.len() as u64;
     let mut warning = None;
     extent.check(found, path)?;

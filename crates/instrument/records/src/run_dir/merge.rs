@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::costs::CostRow;
-use super::csv_file::header_length;
 use super::lock::{FILE as LOCK, Lock};
+use super::regular::header_length;
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
 use super::{RunDir, RunWriter, TableSpec};

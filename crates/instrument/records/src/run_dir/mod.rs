@@ -25,6 +25,7 @@ mod lock;
 mod merge;
 mod once;
 mod reader;
+mod regular;
 mod sealed;
 mod segments;
 mod state;

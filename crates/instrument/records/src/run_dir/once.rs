@@ -10,11 +10,9 @@ use std::path::{Path, PathBuf};
 use csv::StringRecord;
 
 use super::csv_file::Text;
+use super::reader::Pair;
 use super::{Outcome, RunDir};
 use crate::{Error, PhaseRow, PrecisionRow, Row, StageRow, SummaryRow};
-
-/// Suite, scene, id, task, backend.
-pub(super) type Pair = [String; 5];
 
 /// Task, family, backend: what rows of stages go by.
 type Group = [String; 3];

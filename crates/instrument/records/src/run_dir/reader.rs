@@ -3,23 +3,24 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
 use std::fs;
-use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::costs::CostRow;
 use super::csv_file::{self, CHANGED, Extent};
 use super::hashed::digest;
-use super::once::Pair;
+use super::regular::read_regular;
 use super::sealed::{of_json, read_json};
-use super::state::{Outcome, State};
+use super::state::{Outcome, State, map_key};
 use super::tables::{Record, TableSpec};
-use super::writer::map_key;
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::rows::{MOST, NO_COUNT};
 use crate::{
     Env, Error, FORMAT, FindingRow, Interface, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow, SummaryRow,
     ThroughputRow,
 };
+
+/// Suite, scene, id, task, backend.
+pub(super) type Pair = [String; 5];
 
 /// A run that was read back. Rows stand in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
@@ -304,21 +305,6 @@ fn check(path: &Path, bytes: &[u8], written: Option<&String>) -> Result<(), Erro
     match written {
         Some(written) if *written != digest(bytes) => Err(Error::new(path, CHANGED)),
         _ => Ok(()),
-    }
-}
-
-/// The bytes of a regular file: to open a pipe is to wait for it, and a device may never end.
-pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
-    let metadata = fs::metadata(path).map_err(|error| match error.kind() {
-        ErrorKind::NotFound => {
-            Error::new(path, "there is no such file; restore it from a copy, start a new run, or name another folder")
-        }
-        _ => Error::io(path)(error),
-    })?;
-    if metadata.is_file() {
-        fs::read(path).map_err(Error::io(path))
-    } else {
-        Err(Error::new(path, "it is no regular file but a folder, a pipe, a device or the like"))
     }
 }
 

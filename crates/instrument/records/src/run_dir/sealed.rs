@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use super::hashed::digest;
-use super::reader::read_regular;
+use super::regular::read_regular;
 use crate::{Error, replace};
 
 /// What the line of the seal begins with, and ends in.

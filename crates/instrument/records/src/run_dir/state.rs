@@ -6,7 +6,8 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::{Deserialize, Serialize};
 
-use super::csv_file::header_length;
+use super::MAPS;
+use super::regular::{header_length, read_regular};
 use crate::Error;
 
 /// How a run ended.
@@ -121,7 +122,7 @@ impl State {
     pub fn lost(folder: &Path) -> Result<Option<String>, Error> {
         let mut with_rows = None;
         for path in tables(folder)? {
-            let bytes = super::reader::read_regular(&path)?;
+            let bytes = read_regular(&path)?;
             if header_length(&bytes) < bytes.len() as u64 {
                 let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 with_rows = with_rows.into_iter().chain([name]).min();
@@ -145,4 +146,9 @@ pub(super) fn tables(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let entries = fs::read_dir(folder).map_err(Error::io(folder))?;
     let paths = entries.map(|entry| Ok(entry.map_err(Error::io(folder))?.path())).collect::<Result<Vec<_>, Error>>()?;
     Ok(paths.into_iter().filter(|path| path.extension() == Some("csv".as_ref())).collect())
+}
+
+/// The name of a picture among the digests of a state.
+pub(super) fn map_key(file: &str) -> String {
+    format!("{MAPS}/{file}")
 }

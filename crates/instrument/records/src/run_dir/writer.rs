@@ -9,9 +9,10 @@ use super::costs::{CostLog, CostRow};
 use super::csv_file::CsvFile;
 use super::hashed::digest;
 use super::lock::Lock;
+use super::regular::read_regular;
 use super::sealed::write_json;
 use super::segments::SegmentRow;
-use super::state::{Outcome, State, tables};
+use super::state::{Outcome, State, map_key, tables};
 use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::replace::{make_folder, sweep_all};
@@ -63,7 +64,7 @@ impl RunWriter {
         for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             tables.insert(file, CsvFile::create(folder.join(file), columns)?);
         }
-        let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
+        let plan = digest(&read_regular(&folder.join(PLAN))?);
         let digests = [(PLAN.to_owned(), plan)].into();
         let state = State { outcome: Outcome::Unfinished, committed: BTreeMap::new(), digests };
         let (folder, pace, costs) = (folder.to_owned(), Pace::default(), CostLog::default());
@@ -96,7 +97,7 @@ impl RunWriter {
         }
         let mut state = State::read(folder)?;
         state.refuse_strangers(folder, TABLES.iter().chain(more).map(|table| table.file))?;
-        let plan = digest(&super::reader::read_regular(&folder.join(PLAN))?);
+        let plan = digest(&read_regular(&folder.join(PLAN))?);
         state.digests.entry(PLAN.to_owned()).or_insert(plan);
         if state.outcome == Outcome::Complete {
             return Err(Error::new(folder, "the run is complete: there is nothing to resume"));
@@ -277,11 +278,6 @@ impl Pace {
     fn took(&mut self, time: Duration) {
         self.last = Some((Instant::now(), time));
     }
-}
-
-/// The name of a picture among the digests of a state.
-pub(super) fn map_key(file: &str) -> String {
-    format!("{MAPS}/{file}")
 }
 
 /// Takes away the tables of a run that was ended before its first commit. Rows are not taken away: then the state was lost.

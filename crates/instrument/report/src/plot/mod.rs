@@ -8,6 +8,7 @@
 //! * [`histogram`]: how often, by place.
 
 mod curves;
+mod files;
 mod helvetica;
 mod histogram;
 mod labels;

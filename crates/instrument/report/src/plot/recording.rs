@@ -12,8 +12,8 @@ use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind, FontFamily, FontStyle, FontTransform,
 };
 
-use super::{failed, page, pdf};
-use crate::{Error, Picture};
+use super::{failed, page};
+use crate::Error;
 
 /// What was drawn, in its order.
 #[derive(Default)]
@@ -56,11 +56,6 @@ impl Recording {
     pub fn area(&mut self, size: (u32, u32)) -> DrawingArea<Recorder<'_>, Shift> {
         self.size = size;
         Recorder(self).into_drawing_area()
-    }
-
-    /// The drawing as it goes into pages and files.
-    pub fn picture(&self) -> Result<Picture, Error> {
-        Ok(Picture { svg: self.svg()?, pdf: Some(pdf::pdf(self)?) })
     }
 
     /// The drawing as SVG, with the ink of the page around it.

@@ -4,7 +4,7 @@ use predicament_judge::TieJudge;
 use predicament_predicates::{Class, Counts};
 use rayon::prelude::*;
 
-use super::judge::{Given, class};
+use super::given::{Given, class};
 use crate::{AnswerLine, Contestant, symbol};
 
 /// The lines of all answers, in query order.

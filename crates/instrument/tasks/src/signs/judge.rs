@@ -5,24 +5,13 @@
 
 use predicament_judge::{self as judge, TieJudge};
 use predicament_laws::published;
-use predicament_predicates::{Band, Contract, Counts, Predicates, QuerySet, Scene, Sign};
+use predicament_predicates::{Counts, Sign};
 use rayon::prelude::*;
 
 use super::error::{distance_over_l, largest_edge};
-use super::{CHUNK, Signs, answers, axioms, classify};
+use super::given::{Given, class};
+use super::{CHUNK, Signs, answers, axioms};
 use crate::{Asked, Budget, Case, Class, ClassCounts, Contestant, Finding, Outcome, Stop, symbol};
-
-/// The answers to a scene with all that they are held against.
-pub(super) struct Given<'a> {
-    pub scene: &'a Scene,
-    pub queries: &'a QuerySet,
-    pub truth: &'a [Sign],
-    pub answers: &'a [Sign],
-    pub session: &'a dyn Predicates,
-    pub contract: Contract,
-    /// The band that the answers are held to, the published one; none where none is claimed.
-    pub band: Option<Band>,
-}
 
 /// Judges all answers.
 pub(super) fn judge(
@@ -92,19 +81,6 @@ struct Chunk {
     ties: Vec<u32>,
 }
 
-impl Given<'_> {
-    /// The class of the answer that was given to a query.
-    pub(super) fn class(&self, query: usize) -> Class {
-        let question = self.queries.question();
-        let (args, got, truth) = (self.queries.args(query), self.answers[query], self.truth[query]);
-        // A NaN compares as zero, so only zeros can hide one.
-        if got.is_zero() && self.session.estimate(question, args).is_some_and(f64::is_nan) {
-            return Class::Nan;
-        }
-        classify(self.contract.zero, self.band, got, truth, |limit| judge::is_within(self.scene, question, args, limit))
-    }
-}
-
 fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range: std::ops::Range<usize>) -> Chunk {
     let mut chunk = Chunk { counts: ClassCounts::default(), raw: Vec::new(), ties: Vec::new() };
     for query in range {
@@ -119,22 +95,6 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
         }
     }
     chunk
-}
-
-/// The class of the answer to a query. Where ties are broken, zero agrees with an identity.
-pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
-    match given.class(query) {
-        Class::Inconsistent if is_identity(given, ties, query) => Class::Agree,
-        class => class,
-    }
-}
-
-/// Whether a determinant is zero however the scene moves: no tie, but a vertex
-/// on the plane it was constructed on, two names of one point, or vertices of
-/// one mesh that is moved as a whole.
-fn is_identity(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> bool {
-    let (question, args) = (given.queries.question(), given.queries.args(query));
-    ties.is_some_and(|perturbed| perturbed(given.scene, question, args).is_zero())
 }
 
 /// Holds an even sample of broken ties against explicit infinitesimals: the

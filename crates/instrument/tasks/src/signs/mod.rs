@@ -17,6 +17,7 @@ mod error;
 mod explain;
 pub mod families;
 mod fixture;
+mod given;
 mod judge;
 mod queries;
 pub use queries::axis;

@@ -51,11 +51,11 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, NoP
 }
 
 fn flat(rows: View, v: Vertex) -> Row<3> {
-    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 2]), rows.find(v), [X, Y]))
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 2]), rows.known(v), [X, Y]))
 }
 
 fn solid(rows: View, v: Vertex) -> Row<4> {
-    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 3]), rows.find(v), [X, Y, Z]))
+    whole::integers(&rows.of(&mut Space::new(&mut [0; 2 * 3]), rows.known(v), [X, Y, Z]))
 }
 
 /// The line through two points of the plane.

@@ -29,6 +29,7 @@
 mod capacity;
 mod approximate;
 mod deep;
+mod demand;
 mod determinant;
 pub mod filter;
 mod points;

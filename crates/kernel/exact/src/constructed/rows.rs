@@ -1,10 +1,6 @@
 //! Exact homogeneous coordinates of vertices, input and constructed.
 //!
-//! # When they are computed
-//! The row of a constructed vertex is computed when it is first asked for, and kept. It depends on
-//! definitions and coordinates alone, so it does not matter who asks first, on which thread. What
-//! defines a vertex comes before it: its rows are computed first, one by one in a list of what is to do, as a cascade
-//! can be deeper than a stack.
+//! Rows are kept here once they are computed, [on demand](super::demand).
 //!
 //! # Alignment
 //! All coordinates of a scene are scaled by one power of two, so that the
@@ -22,9 +18,9 @@ use predicament_arithmetic::{
     ExponentRange,
     dyadic::{Number, Space},
 };
-use predicament_predicates::{Axis, Construction, NoPoint, Scene, Vertex};
+use predicament_predicates::{Axis, Scene, Vertex};
 
-use super::{filter::Approximate, points};
+use super::filter::Approximate;
 
 /// The bits of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
@@ -44,7 +40,7 @@ pub(super) struct Rows {
     /// The exponent of the scale, once it is needed.
     shift: OnceLock<i32>,
     slots: Vec<OnceLock<Box<Slots>>>,
-    count: usize,
+    pub count: usize,
 }
 
 impl Rows {
@@ -164,18 +160,6 @@ impl<'a> View<'a> {
         numbers
     }
 
-    /// A vertex with what is exactly known of it.
-    ///
-    /// # Panics
-    /// If there is no such vertex.
-    #[inline(always)]
-    pub fn find(self, v: Vertex) -> Found<'a> {
-        match v.construction() {
-            None => Found::Input(self.scene.point(v)),
-            Some(index) => Found::Constructed(self.row(index)),
-        }
-    }
-
     /// The row of a vertex, seen along these axes: R is K + 1, the weight
     /// comes last. The space is for input vertices, two limbs a coordinate.
     #[inline]
@@ -200,59 +184,27 @@ impl<'a> View<'a> {
         row
     }
 
-    /// The row of the constructed vertex with this index, which is known to be a point.
+    /// A vertex with what is exactly known of it, where its row has been computed if it is constructed.
     ///
     /// # Panics
-    /// If there is no such vertex.
-    #[inline(always)]
-    pub fn row(self, index: usize) -> &'a Row {
-        let slot = self.rows.slots[index / TOGETHER].get().and_then(|slots| slots[index % TOGETHER].get());
-        slot.unwrap_or_else(|| self.row_and_before(index))
-    }
-
-    /// [`View::row`], where it has to be computed.
-    #[cold]
-    #[inline(never)]
-    fn row_and_before(self, index: usize) -> &'a Row {
-        self.compute_before(index);
-        let row = || points::row(self, self.definition(index)).expect("it is certain that there is a point");
-        self.slot(index).get_or_init(row)
-    }
-
-    /// The row of the last constructed vertex, or why it is no point.
-    pub fn admit(self) -> Result<&'a Row, NoPoint> {
-        let last = self.rows.count - 1;
-        self.compute_before(last);
-        let row = points::row(self, self.definition(last))?;
-        Ok(self.slot(last).get_or_init(|| row))
-    }
-
-    /// Computes the rows of what a vertex is constructed from.
-    fn compute_before(self, index: usize) {
-        if self.definition(index).is_of_inputs() {
-            return;
-        }
-        let mut stack = vec![index];
-        while let Some(&top) = stack.last() {
-            let before = stack.len();
-            let definition = self.definition(top);
-            let vertices = definition.flats().flatten().filter_map(|v| v.construction());
-            stack.extend(vertices.filter(|&v| self.slot(v).get().is_none()));
-            if stack.len() == before {
-                stack.pop();
-                if top != index {
-                    let row = || points::row(self, definition).expect("it is certain that there is a point");
-                    self.slot(top).get_or_init(row);
-                }
+    /// If there is no such vertex, or no row of it yet.
+    pub fn known(self, v: Vertex) -> Found<'a> {
+        match v.construction() {
+            None => Found::Input(self.scene.point(v)),
+            Some(index) => {
+                Found::Constructed(self.computed(index).expect("what defines a vertex is computed before it"))
             }
         }
     }
 
-    fn definition(self, index: usize) -> &'a Construction {
-        &self.scene.constructions()[index]
+    /// The row of the constructed vertex with this index, if it has been computed.
+    #[inline(always)]
+    pub fn computed(self, index: usize) -> Option<&'a Row> {
+        self.rows.slots[index / TOGETHER].get().and_then(|slots| slots[index % TOGETHER].get())
     }
 
-    fn slot(self, index: usize) -> &'a OnceLock<Row> {
+    /// Where the row of the constructed vertex with this index is kept.
+    pub fn slot(self, index: usize) -> &'a OnceLock<Row> {
         let slots =
             self.rows.slots[index / TOGETHER].get_or_init(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
         &slots[index % TOGETHER]

@@ -17,7 +17,7 @@ use predicament_error_calculus::Enclosure;
 use rug::Rational;
 
 use super::coefficient::{FIGURE_5, named};
-use super::constraints::{At, Constraint, Origin, Sides};
+use super::constraint::{At, Constraint, Origin, Sides};
 
 const E_M_SQUARED: u32 = 129;
 const E_D_HAT: u32 = 47;

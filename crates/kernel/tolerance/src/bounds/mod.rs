@@ -15,6 +15,7 @@
 
 pub mod algorithms;
 pub mod coefficient;
+mod constraint;
 pub mod constraints;
 pub mod decimal;
 mod derivation;

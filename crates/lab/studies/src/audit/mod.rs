@@ -22,7 +22,9 @@
 
 mod constants;
 mod hierarchy;
+mod measured;
 mod reads;
+mod records;
 mod row;
 mod scheme;
 mod stream;
@@ -33,10 +35,10 @@ mod thresholds;
 
 pub use constants::{Constant, NEAR_CONSTANT, constants};
 pub use hierarchy::{Driver, Hierarchy, hierarchy};
+pub use measured::{Audit, Audited};
 pub use reads::{NEAR_LIMIT, Reads, read};
 pub use row::{Algorithm, Form, Row, rows};
 pub use scheme::Scheme;
 pub use stream::{audit, exactly};
-pub use study::{Audit, Audited};
 pub use tally::{NEAR, Tally, Violation};
 pub use thresholds::{ThresholdPairs, Thresholds};

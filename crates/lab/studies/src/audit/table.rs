@@ -2,7 +2,8 @@
 
 use std::fmt::Write as _;
 
-use super::study::{Audited, ConstantRecord, DriverRecord, Measured, Read, ReadRecord, Record};
+use super::measured::{Audited, Measured, Read};
+use super::records::{ConstantRecord, DriverRecord, ReadRecord, Record};
 use super::{Audit, Row, Violation};
 
 /// The tables, and the first violation of each row that has any.

@@ -24,6 +24,7 @@ mod rounded;
 mod sample;
 mod settled;
 mod snapped;
+mod step;
 mod study;
 mod survey;
 mod table;

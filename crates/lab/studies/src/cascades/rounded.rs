@@ -10,7 +10,7 @@ use predicament_tasks::Contestant;
 
 use super::cascade::{Loop, Operand};
 use super::current::{Pair, cleaned};
-use super::survey::{End, Stepped, Then, shape_of};
+use super::step::{End, Stepped, Then, shape_of};
 use super::whole::{origins, turned};
 
 /// What a step leaves.

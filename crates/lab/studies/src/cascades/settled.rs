@@ -17,7 +17,7 @@ use predicament_tasks::Contestant;
 use super::cascade::{Loop, Operand};
 use super::current::{Points, cleaned};
 use super::rounded::{in_session, place};
-use super::survey::{End, Stepped, Then, shape_of};
+use super::step::{End, Stepped, Then, shape_of};
 use super::whole::origins;
 use crate::contacts::contacts;
 

@@ -15,7 +15,7 @@ use predicament_tasks::Contestant;
 use super::cascade::{Loop, Operand};
 use super::current::{Pair, Points};
 use super::rounded::{Made, each, in_session, place};
-use super::survey::{End, Then};
+use super::step::{End, Then};
 use super::whole::origins;
 
 /// Low x and y, high x and y.

@@ -6,12 +6,13 @@ use std::time::Duration;
 use predicament_corpus::Random;
 use predicament_judge::rational;
 use predicament_overlay::algorithm::overlay::Operation;
-use predicament_overlay::checks::overlay::{Point, Shape, winding_of};
-use predicament_tasks::{Contestant, Stop, Watch};
+use predicament_overlay::checks::overlay::{Point, winding_of};
+use predicament_tasks::{Contestant, Watch};
 
 use super::cascade::{Cascade, Loop, Operand};
 use super::method::{Keep, Method};
 use super::sample::{Probe, Sample, bits, lost};
+use super::step::{End, Stepped, Then};
 use super::{rounded, settled, snapped, whole};
 use crate::Error;
 
@@ -41,58 +42,6 @@ pub struct Followed {
     pub broken: Option<(usize, Contradiction)>,
     /// The step that could not be done, and why.
     pub ended: Option<(usize, String)>,
-}
-
-/// Why a method does not go on.
-pub(super) enum End {
-    Stopped(Stop),
-    Failed(String),
-}
-
-/// A step that fails ends the method, which says why.
-impl<E: std::error::Error> From<E> for End {
-    fn from(why: E) -> End {
-        End::Failed(why.to_string())
-    }
-}
-
-/// A step that was done.
-pub(super) struct Stepped<'a> {
-    pub elapsed: Duration,
-    pub constructed: usize,
-    pub collapsed: usize,
-    pub held: usize,
-    pub thickness: f64,
-    pub broken: Option<Contradiction>,
-    /// Whether nothing is left.
-    pub is_gone: bool,
-    pub shape: &'a dyn Fn() -> Shape,
-    pub turned: &'a dyn Fn() -> Option<usize>,
-}
-
-/// What is told of steps.
-pub(super) struct Then<'t> {
-    samples: &'t [usize],
-    note: &'t mut dyn FnMut(Stepped<'_>) -> Result<(), End>,
-}
-
-impl Then<'_> {
-    /// Whether the step with this place, from 0, is measured.
-    pub fn is_sampled(&self, at: usize) -> bool {
-        self.samples.binary_search(&(at + 1)).is_ok()
-    }
-
-    /// Tells of a step.
-    pub fn call(&mut self, stepped: Stepped<'_>) -> Result<(), End> {
-        (self.note)(stepped)
-    }
-}
-
-/// Loops of doubles, exactly; a coordinate that is not finite is 0.
-pub(super) fn shape_of(regions: &[Vec<Loop>]) -> Shape {
-    let exactly = |x: f64| if x.is_finite() { rational(x) } else { rational(0.0) };
-    let one = |one: &Loop| one.iter().map(|corner| corner.map(exactly)).collect();
-    Shape { regions: regions.iter().map(|region| region.iter().map(one).collect()).collect() }
 }
 
 /// A cascade with what should come of it.

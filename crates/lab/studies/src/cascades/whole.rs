@@ -11,7 +11,7 @@ use predicament_tasks::Contestant;
 
 use super::cascade::{Loop, Operand};
 use super::current::Points;
-use super::survey::{End, Stepped, Then};
+use super::step::{End, Stepped, Then};
 
 /// Does the steps.
 pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], then: &mut Then<'_>) -> Result<(), End> {

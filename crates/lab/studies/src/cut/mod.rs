@@ -11,6 +11,7 @@
 //! * [`Pieces`]: tetrahedra cut by contacts; [`Exactly`]: what some of them should have inside, in rationals.
 
 mod exactly;
+mod measured;
 mod pieces;
 mod sides;
 mod study;
@@ -19,7 +20,7 @@ mod table;
 mod volume;
 
 pub use exactly::{Deviation, Exactly, ROUNDING};
+pub use measured::{Cut, Made, Measured, Row};
 pub use pieces::{Pieces, SLIVER, pieces};
 pub use sides::{Sides, sides};
-pub use study::{Cut, Made, Measured, Row};
 pub use surfaces::{Placement, Scene, Shape};

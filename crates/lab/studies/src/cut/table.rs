@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
+use super::measured::{Cut, Made, Measured, Row};
 use super::pieces::SLIVER;
-use super::study::{Made, Row};
-use super::{Cut, Measured};
 use crate::{Error, File};
 
 #[derive(Serialize)]

@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::study::{PlaneSearched, SpaceSearched, all};
+use super::searched::{PlaneSearched, SpaceSearched, all};
 use super::{Kind, Parity, PolygonPair, Recipe, Small, space, table};
 use crate::coordinate::coordinate;
 use crate::{Error, File, Precision};

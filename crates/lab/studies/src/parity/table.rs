@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 
-use super::study::{PlaneSearched, all};
+use super::searched::{PlaneSearched, all};
 use super::{Census, Kind, Parity, Row, Searched};
 use crate::{Error, File, Precision};
 

@@ -27,7 +27,7 @@
 //! take a time linear in n. Cubes of mixed types in an order that mixes
 //! them as well are looked at as they are, all pairs with n bits each.
 
-use super::cell::{Cube, Range, face_in};
+use super::cube::{Cube, Range, face_in};
 use super::mass::Mass;
 use super::order::{ByIndex, Face};
 use super::wide;

@@ -107,6 +107,7 @@ mod bins;
 mod cell;
 mod coordinate;
 mod crowd;
+mod cube;
 mod error;
 mod mass;
 mod order;
@@ -117,8 +118,9 @@ use predicament_predicates::{PredicateKind, Predicates};
 use rayon::prelude::*;
 
 use bins::{Bins, Entry};
-use cell::{Cube, Scratch, add_cell, is_covered, reaches};
+use cell::{Scratch, add_cell, is_covered};
 pub use coordinate::Coordinate;
+use cube::{Cube, reaches};
 pub use error::CubesError;
 pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};

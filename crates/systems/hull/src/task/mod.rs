@@ -3,6 +3,7 @@
 //! The smallest algorithms whose loops are steered by signs alone: a wrong turn cuts a vertex off, a wrong side opens the
 //! surface. Each has two methods, which give the same answer where signs do not contradict each other.
 
+mod answer;
 mod checks;
 mod cloud;
 mod generate;
@@ -11,9 +12,8 @@ mod plane;
 mod space;
 mod spoiled;
 
+pub use answer::{Hull2d, Hull3d, Polygon, Surface};
 pub use cloud::{Cloud, Method};
-pub use plane::{Hull2d, Polygon};
-pub use space::{Hull3d, Surface};
 
 /// What `new` writes, with points that are four or five to a hull, the first method and a family with ties.
 fn template(points: &str, method: &str, family: &str) -> String {

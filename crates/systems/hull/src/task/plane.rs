@@ -2,37 +2,23 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Contradiction, Hull2, PlaneMethod, hull2d};
+use crate::algorithm::{PlaneMethod, hull2d};
 use crate::checks::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_report::drawing::Role;
 
+use super::answer::{Hull2d, Polygon};
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, judge};
 use super::{generate, template};
 use crate::truth::Truth;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, output,
 };
-
-/// The task.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Hull2d;
-
-/// The hull that was found.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Polygon(pub Hull2);
-
-impl Answer for Polygon {
-    fn digest(&self) -> u64 {
-        let broken = self.0.broken.map_or("", Contradiction::rule);
-        digest(self.0.vertices.iter().flat_map(|v| v.index().to_le_bytes()).chain(broken.bytes()))
-    }
-}
 
 impl SceneFormat for Hull2d {
     fn name(&self) -> &'static str {

@@ -2,39 +2,23 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::algorithm::{Contradiction, Hull3, SpaceMethod, hull3d};
+use crate::algorithm::{SpaceMethod, hull3d};
 use crate::checks::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_report::drawing::Role;
 
+use super::answer::{Hull3d, Surface};
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, judge};
 use super::{generate, template};
 use crate::truth::Truth;
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
+    Turns, Watch, output,
 };
-
-/// The task.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Hull3d;
-
-/// The hull that was found.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Surface(pub Hull3);
-
-impl Answer for Surface {
-    fn digest(&self) -> u64 {
-        let broken = self.0.broken.map_or("", Contradiction::rule);
-        let faces = self.0.faces.iter().flat_map(|face| face.iter().map(|v| v.index()).chain([usize::MAX]));
-        let vertices = self.0.vertices.iter().map(|v| v.index());
-        digest(vertices.chain([usize::MAX]).chain(faces).flat_map(usize::to_le_bytes).chain(broken.bytes()))
-    }
-}
 
 impl SceneFormat for Hull3d {
     fn name(&self) -> &'static str {

@@ -6,8 +6,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use predicament_judge::sign;
 use predicament_predicates::{Plane, Question, Scene, Vertex};
 
-use super::plane::{Hull2d, Polygon};
-use super::space::{Hull3d, Surface};
+use super::answer::{Hull2d, Hull3d, Polygon, Surface};
 use predicament_tasks::{Class, Spoiled};
 
 pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {

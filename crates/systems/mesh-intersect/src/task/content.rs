@@ -6,7 +6,7 @@ use predicament_corpus::{Canon, Content, Parts, Spelled, spelled_points};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Dimension, Scene};
 
-use super::read::is_refused;
+use super::flaw::is_refused;
 use predicament_mesh_locate::task::content::spelled_mesh;
 use predicament_mesh_locate::task::probes::Surface;
 

@@ -6,6 +6,7 @@
 mod checks;
 mod content;
 mod files;
+mod flaw;
 mod generate;
 mod judge;
 mod manner;

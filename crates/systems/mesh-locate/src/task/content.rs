@@ -7,7 +7,7 @@ use predicament_corpus::{Canon, Content, Items, List, Spelled, unnumbered};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Scene, Vertex};
 
-use super::phases::MeshFile;
+use super::mesh_file::MeshFile;
 
 /// A mesh with points to locate in it.
 ///

@@ -1,31 +1,11 @@
 //! What locating takes, phase by phase: reading, checking and the grid, which ask no predicate, then labels and queries.
 
 use crate::algorithm::{MeshIndex, locate_labelled};
-use predicament_corpus::Origin;
-use predicament_formats::{Cache, CorpusError, Decimals, mesh};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Predicates, Scene, Vertex};
 
 use super::content::ProbedMesh;
 use predicament_tasks::Phase;
-
-/// The file of a mesh, which can be read again.
-#[derive(Clone, Debug)]
-pub(super) struct MeshFile {
-    pub(super) origin: Origin,
-    pub(super) round: bool,
-    pub(super) cache: Cache,
-}
-
-impl MeshFile {
-    /// Reads the file: its name, what is in it, and how many decimals were rounded.
-    pub(super) fn read(&self) -> Result<(String, mesh::ImportedMesh, usize), CorpusError> {
-        let decimals = Decimals::new(self.round);
-        let (file, bytes) = self.origin.bytes(&self.cache)?;
-        let read = mesh::read(&file, bytes, &decimals)?;
-        Ok((file, read, decimals.rounded()))
-    }
-}
 
 /// The phases that ask no predicate.
 pub(super) fn building(scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {

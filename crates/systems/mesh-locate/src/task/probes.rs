@@ -9,7 +9,7 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::content::{Probe, ProbeKind, ProbedMesh};
-use super::phases::MeshFile;
+use super::mesh_file::MeshFile;
 
 const MOST_RANDOM: u64 = 100_000_000;
 const MOST_STRIDE: u64 = 1_000_000;

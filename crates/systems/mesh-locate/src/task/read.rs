@@ -8,7 +8,7 @@ use predicament_judge::sign;
 use predicament_mesh::{MaterialError, MaterialMesh, OUTSIDE};
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
 
-use super::phases::MeshFile;
+use super::mesh_file::MeshFile;
 use super::probes::{Probing, Surface, with_probes};
 use super::regions::{Pairs, Regions};
 

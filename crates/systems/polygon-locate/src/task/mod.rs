@@ -8,6 +8,7 @@ pub(crate) mod content;
 mod generate;
 mod judge;
 mod probes;
+mod read;
 mod section;
 mod spoiled;
 
@@ -87,7 +88,7 @@ impl SceneFormat for PolygonLocate {
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
-        Ok(Source::elsewhere(content::ProbedMap::read(context, fields)?))
+        Ok(Source::elsewhere(read::ProbedMap::read(context, fields)?))
     }
 
     fn families(&self) -> &'static [Family] {

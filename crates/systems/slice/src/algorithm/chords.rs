@@ -8,8 +8,9 @@
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
 use predicament_predicates::{Axis, Sign, Vertex};
 
-use super::cutter::{Cutter, cross};
+use super::cutter::Cutter;
 use super::lines::{Line, OWN_ENDS};
+use super::projection::cross;
 use super::{Contradiction, Halt};
 use predicament_grid::sort::sort_by_sign;
 
@@ -202,7 +203,7 @@ impl Cutter<'_> {
         let line = match split.line {
             _ if of_inputs => OWN_ENDS,
             Some(line) => line,
-            None => self.add_line(Line::Planes([split.support, split.plane])),
+            None => self.lines.add(Line::Planes([split.support, split.plane])),
         };
         if !of_inputs {
             split.line = Some(line);

@@ -2,11 +2,12 @@
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
-use predicament_predicates::{Construction, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Construction, Plane, Predicates, Sign, Vertex};
 
 use super::Halt;
-use super::lines::Line;
+use super::lines::{Lines, OWN_ENDS};
 use super::planar::Planar;
+use super::projection::{normal, seen};
 
 /// The covered loops of one part in one plane, on one side of it.
 pub(super) struct Cap {
@@ -30,7 +31,7 @@ pub(super) struct Cutter<'a> {
     /// For each face the face of the input that it is a piece of.
     pub(super) faces: Vec<u32>,
     pub(super) planes: &'a [[Vertex; 3]],
-    pub(super) lines: Vec<Line>,
+    pub(super) lines: Lines,
     pub(super) caps: Vec<Cap>,
     /// The scene's vertex of each vertex of the mesh.
     points: Vec<Vertex>,
@@ -56,7 +57,7 @@ impl<'a> Cutter<'a> {
             supports,
             faces: of,
             planes,
-            lines: Vec::new(),
+            lines: Lines::default(),
             caps: Vec::new(),
             points: Vec::new(),
             signs: Vec::new(),
@@ -122,11 +123,30 @@ impl<'a> Cutter<'a> {
     /// Splits the edges with ends on both sides, whose points are constructed in one call.
     fn split_edges(&mut self, plane: [Vertex; 3]) -> Result<(), Halt> {
         let edges = self.crossing_edges();
-        let definitions: Vec<Construction> = edges.iter().map(|&h| self.definition(h, plane)).collect();
+        let definitions: Vec<Construction> =
+            edges.iter().map(|&h| self.lines.definition(&self.mesh, h, plane)).collect();
         let vertices = self.session.construct(&definitions)?;
         for (h, vertex) in edges.into_iter().zip(vertices) {
             self.split_edge(h, vertex)?;
         }
+        Ok(())
+    }
+
+    /// Splits an edge, whose halves remember the line.
+    fn split_edge(&mut self, h: HalfEdge, vertex: Vertex) -> Result<(), Halt> {
+        let line = match (self.mesh.user_data(h), self.lines.of(&self.mesh, h)) {
+            (OWN_ENDS, line) => self.lines.add(line),
+            (place, _) => place,
+        };
+        let part = self.mesh.vertex_user_data(self.mesh.start(h));
+        let v = self.mesh.split_edge(h, vertex)?;
+        for half in [h, self.mesh.next(h)] {
+            let opposite = self.mesh.opposite(half);
+            self.mesh.set_user_data(half, line);
+            self.mesh.set_user_data(opposite, line);
+        }
+        self.mesh.set_vertex_user_data(v, part);
+        self.see_new_vertices(&[v]);
         Ok(())
     }
 
@@ -153,28 +173,4 @@ impl<'a> Cutter<'a> {
     pub(super) fn normal(&self, plane: [Vertex; 3]) -> [f64; 3] {
         normal(self.session.scene(), plane)
     }
-}
-
-/// A coordinate plane in which three vertices turn, and whether they turn clockwise there.
-pub(super) fn seen(session: &dyn Predicates, support: [Vertex; 3]) -> Option<(Plane, bool)> {
-    let [a, b, c] = support;
-    let normal = normal(session.scene(), support);
-    let mut planes = [(Plane::Yz, normal[0]), (Plane::Zx, normal[1]), (Plane::Xy, normal[2])];
-    // Which one is a matter of taste; whether they turn there is not.
-    planes.sort_by(|p, q| q.1.abs().total_cmp(&p.1.abs()));
-    planes.into_iter().find_map(|(plane, _)| match session.orient2d(plane, a, b, c) {
-        Sign::Zero => None,
-        sign => Some((plane, sign == Sign::Negative)),
-    })
-}
-
-/// The normal of a plane of input vertices, roughly.
-fn normal(scene: &Scene, plane: [Vertex; 3]) -> [f64; 3] {
-    let [a, b, c] = plane.map(|v| scene.point3(v));
-    let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|i| p[i] - q[i]);
-    cross(minus(b, a), minus(c, a))
-}
-
-pub(super) fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
-    [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }

@@ -1,9 +1,8 @@
 //! The lines that edges are on, by input vertices, and where they meet a plane.
 
+use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::HalfEdge;
 use predicament_predicates::{Construction, Vertex};
-
-use super::cutter::Cutter;
 
 /// What spans the line of an edge.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -18,43 +17,30 @@ pub(super) enum Line {
 /// from 1.
 pub(super) const OWN_ENDS: u32 = 0;
 
-impl Cutter<'_> {
+/// The lines that are not spanned by the ends of their edges.
+#[derive(Default)]
+pub(super) struct Lines(Vec<Line>);
+
+impl Lines {
     /// The user data of edges on a line.
-    pub(super) fn add_line(&mut self, line: Line) -> u32 {
-        self.lines.push(line);
-        u32::try_from(self.lines.len()).expect("fewer lines than half-edges")
+    pub(super) fn add(&mut self, line: Line) -> u32 {
+        self.0.push(line);
+        u32::try_from(self.0.len()).expect("fewer lines than half-edges")
     }
 
-    fn line(&self, h: HalfEdge) -> Line {
-        match self.mesh.user_data(h) {
-            OWN_ENDS => Line::Vertices([self.mesh.start(h), self.mesh.end(h)].map(|v| self.mesh.scene_vertex(v))),
-            place => self.lines[place as usize - 1],
+    /// The line that a half-edge is on.
+    pub(super) fn of(&self, mesh: &HalfEdgeMesh, h: HalfEdge) -> Line {
+        match mesh.user_data(h) {
+            OWN_ENDS => Line::Vertices([mesh.start(h), mesh.end(h)].map(|v| mesh.scene_vertex(v))),
+            place => self.0[place as usize - 1],
         }
     }
 
     /// The point where the line of an edge meets a plane.
-    pub(super) fn definition(&self, h: HalfEdge, plane: [Vertex; 3]) -> Construction {
-        match self.line(h) {
+    pub(super) fn definition(&self, mesh: &HalfEdgeMesh, h: HalfEdge, plane: [Vertex; 3]) -> Construction {
+        match self.of(mesh, h) {
             Line::Vertices(line) => Construction::Lpi { line, plane },
             Line::Planes([first, second]) => Construction::Tpi([first, second, plane]),
         }
-    }
-
-    /// Splits an edge, whose halves remember the line.
-    pub(super) fn split_edge(&mut self, h: HalfEdge, vertex: Vertex) -> Result<(), super::Halt> {
-        let line = match (self.mesh.user_data(h), self.line(h)) {
-            (OWN_ENDS, line) => self.add_line(line),
-            (place, _) => place,
-        };
-        let part = self.mesh.vertex_user_data(self.mesh.start(h));
-        let v = self.mesh.split_edge(h, vertex)?;
-        for half in [h, self.mesh.next(h)] {
-            let opposite = self.mesh.opposite(half);
-            self.mesh.set_user_data(half, line);
-            self.mesh.set_user_data(opposite, line);
-        }
-        self.mesh.set_vertex_user_data(v, part);
-        self.see_new_vertices(&[v]);
-        Ok(())
     }
 }

@@ -39,6 +39,7 @@ mod cutter;
 mod lines;
 mod output;
 mod planar;
+mod projection;
 mod sides;
 
 use predicament_mesh::HalfEdgeMesh;

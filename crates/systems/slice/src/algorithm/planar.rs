@@ -7,7 +7,7 @@ use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, IndexedFaces};
 use predicament_predicates::{Predicates, Sign, Vertex};
 
-use super::cutter::seen;
+use super::projection::seen;
 use super::{Contradiction, Halt};
 use predicament_triangulate::algorithm::{Method, triangulate};
 

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use predicament_records::wilson;
 use serde::Serialize;
 
-use super::super::study::{Parity, Searched, SpaceSearched, all};
+use super::super::searched::{Parity, Searched, SpaceSearched, all};
 use super::super::table::thousands;
 use super::{Broken, Census, Kind, Recipe, Row};
 use crate::{Error, File, Precision};

@@ -11,10 +11,18 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 use rug::Rational;
 
+/// Meshes of more triangles together are checked only if that is asked for.
+pub(super) const CHECKED: usize = 2_000;
 /// Triangles whose sides are looked at.
 const SAMPLED: usize = 24;
 /// Directions of rays, in general position for most meshes.
 const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
+
+/// Whether meshes are refused unless `check` is false: they are small enough to be checked, and not as they have to be.
+pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
+    let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
+    count <= CHECKED && meshes.into_iter().any(|mesh| flaw(scene, mesh).is_some())
+}
 
 /// What is wrong with a mesh.
 pub(super) enum Flaw {

@@ -1,7 +1,5 @@
 //! `first` and `second`: triangles of `points`, or meshes in files; `first_regions` and `second_regions`, `moved` and `check`.
 
-mod check;
-
 use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource, Source};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, ImportNotes, Places};
 use predicament_judge::sign;
@@ -9,8 +7,8 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::Plane::{Xy, Yz, Zx};
 use predicament_predicates::{Dimension, Question, Scene, Vertex};
 
-use self::check::Flaw;
 use super::content::with_meshes;
+use super::flaw::{CHECKED, Flaw, flaw};
 use predicament_mesh_locate::task::read::{MeshSource, Place, Simplices, simplices};
 use predicament_mesh_locate::task::regions::Regions;
 
@@ -30,15 +28,6 @@ struct Written {
     moved: Option<[f64; 3]>,
     /// Whether meshes are checked; none for small ones only.
     check: Option<bool>,
-}
-
-/// Meshes of more triangles together are checked only if that is asked for.
-const CHECKED: usize = 2_000;
-
-/// Whether meshes are refused unless `check` is false: they are small enough to be checked, and not as they have to be.
-pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
-    let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
-    count <= CHECKED && meshes.into_iter().any(|mesh| check::flaw(scene, mesh).is_some())
 }
 
 /// Reads a scene.
@@ -152,7 +141,7 @@ impl Written {
         let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
         if self.check.unwrap_or(count <= CHECKED) {
             for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
-                check::flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name)))?;
+                flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name)))?;
             }
         }
         Ok(())
