@@ -2,25 +2,13 @@
 
 use std::ops::Range;
 
+use similar::TextDiff;
+
 use crate::line_ends::{is_crlf, to_crlf};
 
 /// Changes of one text; they do not overlap.
 #[derive(Default, Debug)]
 pub struct Edits(Vec<(Range<usize>, String)>);
-
-/// Lines before and after a change in a patch.
-const AROUND: usize = 3;
-
-/// Some bytes and what comes in their place.
-type Edit<'e> = (Range<usize>, &'e str);
-
-/// Some lines that are replaced by others.
-struct Change<'t> {
-    /// The first line, from 0.
-    at: usize,
-    old: Vec<&'t str>,
-    new: Vec<String>,
-}
 
 impl Edits {
     /// Puts a text in the place of these bytes.
@@ -46,118 +34,31 @@ impl Edits {
         self.0.is_empty()
     }
 
-    /// The changes from the first to the last; of several in one place the one that came first is first.
-    fn sorted(&self) -> Vec<Edit<'_>> {
-        let mut edits: Vec<Edit<'_>> = self.0.iter().map(|(range, text)| (range.clone(), &**text)).collect();
-        edits.sort_by_key(|(range, _)| (range.start, range.end));
-        edits
-    }
-
-    /// The text with the changes.
+    /// The text with the changes; of several in one place the one that came first is first.
     pub fn apply(&self, text: &str) -> String {
-        part(text, 0..text.len(), &self.sorted())
+        let mut edits: Vec<_> = self.0.iter().collect();
+        edits.sort_by_key(|(bytes, _)| (bytes.start, bytes.end));
+        let (mut made, mut at) = (String::new(), 0);
+        for (bytes, with) in edits {
+            made += text.get(at..bytes.start).unwrap_or_default();
+            made += with;
+            at = at.max(bytes.end);
+        }
+        made + text.get(at..).unwrap_or_default()
     }
 
-    /// The changes as a patch, with some lines around each.
+    /// The changes as a patch, with three lines around each.
     pub fn patch(&self, file: &str, text: &str) -> String {
-        let lines: Vec<&str> = text.split_inclusive('\n').collect();
-        let mut starts = vec![0];
-        starts.extend(lines.iter().scan(0, |at, line| {
-            *at += line.len();
-            Some(*at)
-        }));
-        // What is put behind a last line without an end changes that line.
-        let is_open = !text.is_empty() && !text.ends_with('\n');
-        let line_of = |byte: usize| match starts.partition_point(|&start| start <= byte) - 1 {
-            line if is_open => line.min(lines.len() - 1),
-            line => line,
-        };
-        // Changes that touch the same lines become one.
-        let mut groups: Vec<(Range<usize>, Vec<Edit<'_>>)> = Vec::new();
-        for (bytes, with) in self.sorted() {
-            let first = line_of(bytes.start);
-            let last = if bytes.end > bytes.start { line_of(bytes.end - 1) + 1 } else { first };
-            // What is put between two lines changes neither.
-            let is_between = starts[first] == bytes.start && with.ends_with('\n');
-            let last = if is_between { last } else { last.max(first + 1) }.min(lines.len());
-            match groups.last_mut().filter(|(of, _)| first < of.end || (first == of.end && of.is_empty())) {
-                Some((of, edits)) => {
-                    of.end = of.end.max(last);
-                    edits.push((bytes, with));
-                }
-                None => groups.push((first.min(lines.len())..last, vec![(bytes, with)])),
-            }
-        }
-        let changes = groups.into_iter().map(|(of, edits)| {
-            let new = part(text, starts[of.start]..starts[of.end], &edits);
-            let new = new.split_inclusive('\n').map(str::to_owned).collect();
-            trimmed(Change { at: of.start, old: lines[of].to_vec(), new })
-        });
-        hunks(file, &lines, &changes.collect::<Vec<_>>())
+        let made = self.apply(text);
+        let (old, new) = (lines(text), lines(&made));
+        let diff = TextDiff::configure().newline_terminated(true).diff_slices(&old, &new);
+        diff.unified_diff().header(file, file).to_string()
     }
 }
 
-/// A part of a text with these changes, all of which are in it.
-fn part(text: &str, of: Range<usize>, edits: &[Edit<'_>]) -> String {
-    let (mut made, mut at) = (String::new(), of.start);
-    for (bytes, with) in edits {
-        made += text.get(at..bytes.start).unwrap_or_default();
-        made += with;
-        at = at.max(bytes.end);
-    }
-    made + text.get(at..of.end).unwrap_or_default()
-}
-
-/// The change without the lines at its ends that stay.
-fn trimmed(mut change: Change<'_>) -> Change<'_> {
-    while change.old.last().zip(change.new.last()).is_some_and(|(old, new)| old == new) {
-        change.old.pop();
-        change.new.pop();
-    }
-    let same = change.old.iter().zip(&change.new).take_while(|(old, new)| old == new).count();
-    change.old.drain(..same);
-    change.new.drain(..same);
-    Change { at: change.at + same, ..change }
-}
-
-fn hunks(file: &str, lines: &[&str], changes: &[Change<'_>]) -> String {
-    let mut text = String::new();
-    let mut shift = 0_i64;
-    let mut rest = changes;
-    while let Some(first) = rest.first() {
-        // Changes whose surroundings touch are shown together.
-        let near = |pair: &[Change<'_>]| pair[1].at <= pair[0].at + pair[0].old.len() + 2 * AROUND;
-        let count = 1 + rest.windows(2).take_while(|pair| near(pair)).count();
-        let (these, others) = rest.split_at(count);
-        rest = others;
-        let last = &these[count - 1];
-        let from = first.at.saturating_sub(AROUND);
-        let to = (last.at + last.old.len() + AROUND).min(lines.len());
-        let mut body = Vec::new();
-        let mut at = from;
-        for change in these {
-            body.extend(lines[at..change.at].iter().map(|line| (' ', (*line).to_owned())));
-            body.extend(change.old.iter().map(|line| ('-', (*line).to_owned())));
-            body.extend(change.new.iter().map(|line| ('+', line.clone())));
-            at = change.at + change.old.len();
-        }
-        body.extend(lines[at..to].iter().map(|line| (' ', (*line).to_owned())));
-        let count = |without: char| body.iter().filter(|(mark, _)| *mark != without).count();
-        let (old, new) = (count('+'), count('-'));
-        // A hunk without lines is said to be at the line before.
-        let start = |length: usize, at: i64| if length == 0 { at } else { at + 1 };
-        let from = i64::try_from(from).unwrap_or(i64::MAX);
-        text += &format!("@@ -{},{old} +{},{new} @@\n", start(old, from), start(new, from + shift));
-        for (mark, line) in &body {
-            text.push(*mark);
-            text += line;
-            if !line.ends_with('\n') {
-                text += "\n\\ No newline at end of file\n";
-            }
-        }
-        shift += i64::try_from(new).unwrap_or(0) - i64::try_from(old).unwrap_or(0);
-    }
-    if text.is_empty() { text } else { format!("--- {file}\n+++ {file}\n{text}") }
+/// The lines of a text as patches count them: `TextDiff::from_lines` also ends one at a lone carriage return.
+fn lines(text: &str) -> Vec<&str> {
+    text.split_inclusive('\n').collect()
 }
 
 #[cfg(test)]
@@ -182,7 +83,7 @@ mod tests {
         assert_eq!(Edits::default().patch("f", &text), "");
         let mut first = Edits::default();
         first.insert(0, "a\n");
-        assert_eq!(first.patch("f", ""), "--- f\n+++ f\n@@ -0,0 +1,1 @@\n+a\n");
+        assert_eq!(first.patch("f", ""), "--- f\n+++ f\n@@ -0,0 +1 @@\n+a\n");
         assert_eq!(first.apply(""), "a\n");
     }
 
@@ -195,7 +96,7 @@ mod tests {
             let (mark, line) = line.split_at(1);
             if mark == "@" {
                 let range = line.split(['-', ' ']).nth(2).unwrap();
-                let (from, length) = range.split_once(',').unwrap();
+                let (from, length) = range.split_once(',').unwrap_or((range, "1"));
                 let (from, length): (usize, usize) = (from.parse().unwrap(), length.parse().unwrap());
                 let from = if length == 0 { from } else { from - 1 };
                 made.extend(lines.by_ref().take(from - at));

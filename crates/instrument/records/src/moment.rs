@@ -1,34 +1,21 @@
 //! Moments in UTC as text: `2026-01-31T23:59:59Z`.
 //!
-//! Years 1970 to 9999, by the days of the Gregorian calendar. Local time and leap seconds are left to others.
+//! Years 1970 to 9999. Local time and leap seconds are left to others.
 
-/// How many days have passed since 1970-01-01 at the start of a day; `month` and `day` from 1.
-///
-/// Years begin in March here, so that the day that a leap year adds is the last one (Hinnant, "chrono-compatible low-level date algorithms").
-const fn days(year: u64, month: u64, day: u64) -> u64 {
-    let year = if month <= 2 { year - 1 } else { year };
-    let (era, of_era) = (year / 400, year % 400);
-    let of_year = (153 * ((month + 9) % 12) + 2) / 5 + day - 1;
-    era * 146_097 + of_era * 365 + of_era / 4 - of_era / 100 + of_year - 719_468
-}
+use chrono::{DateTime, SecondsFormat, Utc};
 
 /// A moment so many seconds after 1970 began.
 #[must_use]
 pub fn text(seconds: u64) -> String {
-    let (date, time) = (seconds / 86_400, seconds % 86_400);
-    let year = (1970 + date / 366..).take_while(|&year| days(year, 1, 1) <= date).last().unwrap_or(1970);
-    let month = (1..=12).take_while(|&month| days(year, month, 1) <= date).last().unwrap_or(1);
-    let day = date - days(year, month, 1) + 1;
-    format!("{year:04}-{month:02}-{day:02}T{:02}:{:02}:{:02}Z", time / 3_600, time / 60 % 60, time % 60)
+    let moment = i64::try_from(seconds).ok().and_then(DateTime::from_timestamp_secs);
+    moment.unwrap_or(DateTime::<Utc>::MAX_UTC).to_rfc3339_opts(SecondsFormat::Secs, true)
 }
 
 /// How many seconds after 1970 began a moment is; none if it is no moment as [`text`] writes it.
 #[must_use]
 pub fn seconds(moment: &str) -> Option<u64> {
-    let number = |from: usize, to: usize| moment.get(from..to)?.parse::<u64>().ok();
-    let days = days(number(0, 4)?.max(1970), number(5, 7)?.clamp(1, 12), number(8, 10)?.clamp(1, 31));
-    let seconds = days * 86_400 + number(11, 13)? * 3_600 + number(14, 16)? * 60 + number(17, 19)?;
-    // What is no such day, or is written in another way, comes out as another text.
+    let seconds = u64::try_from(moment.parse::<DateTime<Utc>>().ok()?.timestamp()).ok()?;
+    // RFC 3339 has other ways to write a moment, and leap seconds.
     (text(seconds) == moment).then_some(seconds)
 }
 
@@ -64,6 +51,9 @@ mod tests {
             "2026-01-01",
             "2026-01-01T24:00:00Z",
             "1969-12-31T23:59:59Z",
+            "2026-01-01T00:00:00+00:00",
+            "2026-01-01 00:00:00Z",
+            "2016-12-31T23:59:60Z",
         ] {
             assert_eq!(seconds(no), None, "{no}");
         }

@@ -1,7 +1,8 @@
 //! One backend on one task: where generic code is compiled.
 //!
-//! Hot loops are generic over the session, the command line is not. A
-//! [`Solver`] is where the two meet: one dynamic call per scene, none per query.
+//! Hot loops that are timed are generic over the session, the command line is not. A
+//! [`Solver`] is where the two meet: one dynamic call per timed scene, none per query. What is
+//! judged costs a dynamic call per query.
 
 use std::any::Any;
 use std::hint::black_box;
@@ -154,19 +155,21 @@ impl<B: Backend, T: Task> OnTask<B, T> {
         OnTask { backend: Arc::clone(backend), task }
     }
 
-    fn prepare<'s, K: predicament_predicates::Tally + 's>(
-        &'s self,
-        scene: &'s Scene,
-        tally: K,
-    ) -> Result<B::Session<'s, K>, Refusal> {
-        let session = self.backend.prepare(scene, tally).map_err(|why| Refusal { check: "prepare", why })?;
+    /// A session that supports what the task asks.
+    fn supported<P: Predicates>(&self, session: Result<P, Declined>) -> Result<P, Refusal> {
+        let session = session.map_err(|why| Refusal { check: "prepare", why })?;
         self.task.supported(&session).map_err(|why| Refusal { check: "supports", why })?;
         Ok(session)
     }
 
+    /// A session to be timed.
+    fn prepare<'s>(&'s self, scene: &'s Scene) -> Result<B::Session<'s, Off>, Refusal> {
+        self.supported(self.backend.prepare(scene, Off))
+    }
+
     /// Another session of a scene that was prepared before.
     fn prepared<'s>(&'s self, scene: &'s Scene) -> B::Session<'s, Off> {
-        self.prepare(scene, Off).unwrap_or_else(|refusal| panic!("prepared before, and declined now: {refusal}"))
+        self.prepare(scene).unwrap_or_else(|refusal| panic!("prepared before, and declined now: {refusal}"))
     }
 
     fn content<'a>(&self, content: &'a dyn Content) -> &'a T::Content {
@@ -188,10 +191,11 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         how: &How<'_>,
         then: &mut Then<'_>,
     ) -> Result<(), Halt> {
-        let mut session = self.prepare(scene, counts).map_err(Halt::Refused)?;
+        // What is judged is not timed: behind a pointer, the task is compiled once for the sessions of all backends that count.
+        let mut session = self.supported(self.backend.boxed(scene, Some(counts))).map_err(Halt::Refused)?;
         let mut answer = T::Answer::default();
         self.task.solve(&mut session, self.content(content), how, &mut answer)?;
-        then(&session, &answer).map_err(Halt::Stopped)
+        then(&*session, &answer).map_err(Halt::Stopped)
     }
 
     fn interfaces(&self, content: &dyn Content) -> Vec<Interface> {
@@ -214,7 +218,7 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         threads: usize,
         interface: Interface,
     ) -> Result<Option<Box<dyn Stopwatch + 'a>>, AnswerError> {
-        let session = self.prepare(scene, Off).map_err(AnswerError::Refused)?;
+        let session = self.prepare(scene).map_err(AnswerError::Refused)?;
         let has_own_clock = session.own_nanoseconds().is_some();
         // Algorithms would use all threads that there are.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();

@@ -2,9 +2,9 @@
 //!
 //! The search is greedy: a scene proposes [reductions](Shrink::reductions)
 //! of itself, the boldest first; the first that still shows the finding takes
-//! its place, until none does. A reduction counts only if its
-//! [size](Shrink::size) is smaller, so the search ends whatever a scene
-//! proposes, and the same scene gives the same result every time.
+//! its place, until none does. The same scene gives the same result every time.
+
+use predicament_search::shrink::descent::{Descent, Evaluations};
 
 /// A scene that can be made smaller.
 pub trait Shrink: Sized {
@@ -25,36 +25,30 @@ pub struct Shrunk<S> {
     /// The scene.
     pub scene: S,
     /// How many reductions were taken.
-    pub taken: usize,
+    pub taken: u64,
     /// How many scenes were tried.
-    pub tried: usize,
+    pub tried: u64,
     /// Whether no reduction of it shows the finding; not so if the limit came first.
     pub minimal: bool,
 }
 
 /// Shrinks a scene while `shows` says that it shows the finding, trying at
 /// most `limit` scenes. The scene itself is not tried.
-pub fn shrink<S: Shrink>(scene: S, limit: usize, mut shows: impl FnMut(&S) -> bool) -> Shrunk<S> {
-    let mut shrunk = Shrunk { scene, taken: 0, tried: 0, minimal: false };
-    'smaller: loop {
-        let size = shrunk.scene.size();
-        for candidate in shrunk.scene.reductions() {
-            if candidate.size() >= size {
-                continue;
-            }
-            if shrunk.tried == limit {
-                return shrunk;
-            }
-            shrunk.tried += 1;
-            if shows(&candidate) {
-                shrunk.scene = candidate;
-                shrunk.taken += 1;
-                continue 'smaller;
-            }
+pub fn shrink<S: Shrink>(scene: S, limit: u64, mut shows: impl FnMut(&S) -> bool) -> Shrunk<S> {
+    let mut shows = |candidate: &S, evaluations: &mut Evaluations| {
+        evaluations.count()?;
+        Ok(shows(candidate))
+    };
+    let mut search = Descent::new(scene, S::size, Evaluations { made: 0, most: limit }, &mut shows);
+    let minimal = loop {
+        let reductions = search.best.reductions();
+        match search.try_each(reductions) {
+            Ok(true) => {}
+            Ok(false) => break true,
+            Err(_) => break false,
         }
-        shrunk.minimal = true;
-        return shrunk;
-    }
+    };
+    Shrunk { scene: search.best, taken: search.taken, tried: search.evaluations.made, minimal }
 }
 
 /// How long a coordinate is: the bits from its first to its last that is set,

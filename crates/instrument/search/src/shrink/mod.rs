@@ -5,6 +5,8 @@
 //! vertices by halves, quarters and so on (delta debugging: Zeller and Hildebrandt 2002), then vertices that can be
 //! merged, then the coordinates become simpler. What is kept is always [smaller](Size), so it ends.
 
+pub mod descent;
+
 mod numbers;
 mod pieces;
 mod size;
@@ -18,6 +20,7 @@ use predicament_predicates::Vertex;
 use predicament_tasks::{Finding, Stop};
 
 use crate::{SearchError, Witness};
+use descent::{Descent, Evaluations};
 pub use size::Size;
 
 /// How much is tried.
@@ -88,117 +91,50 @@ pub fn shrink(
     let finding = witness.look(&loaded).map_err(|_| SearchError::Interrupted)?;
     let finding = finding.ok_or(SearchError::NotShown)?;
     kept(&start, &finding, evaluations);
-    let mut search = Search {
-        vocabulary,
-        witness,
-        size: Size::of(&start),
-        best: start,
-        loaded,
-        finding,
-        tried: HashSet::new(),
-        evaluations,
-        most: limits.evaluations,
-        kept,
+    let (mut loaded, mut finding, mut tried) = (loaded, finding, HashSet::new());
+    let mut shows = |candidate: &Spelled, evaluations: &mut Evaluations| {
+        let mut hasher = DefaultHasher::new();
+        candidate.table(predicament_corpus::Heading::default()).hash(&mut hasher);
+        if !tried.insert(hasher.finish()) {
+            return Ok(false);
+        }
+        // What the task refuses costs little, and is no scene.
+        let Ok(read) = candidate.loaded(vocabulary, NAME) else { return Ok(false) };
+        evaluations.count()?;
+        let found = witness.look(&read).map_err(|stop| match stop {
+            Stop::Interrupted | Stop::Timeout => End::Interrupted,
+        })?;
+        let Some(found) = found else { return Ok(false) };
+        kept(candidate, &found, evaluations.made);
+        (loaded, finding) = (read, found);
+        Ok(true)
     };
-    let end = match search.all(named) {
+    let evaluations = Evaluations { made: evaluations, most: limits.evaluations };
+    let mut search = Search::new(start, Size::of, evaluations, &mut shows);
+    let end = match all(&mut search, named) {
         Ok(()) => End::Smallest,
         Err(end) => end,
     };
-    let Search { best, loaded, finding, evaluations, .. } = search;
-    Ok(Shrunk { spelled: best, loaded, finding, evaluations, end })
+    let (spelled, evaluations) = (search.best, search.evaluations.made);
+    Ok(Shrunk { spelled, loaded, finding, evaluations, end })
 }
 
 const NAME: &str = "shrunk";
 
 /// A search under way.
-struct Search<'a> {
-    vocabulary: &'a Vocabulary,
-    witness: &'a dyn Witness,
-    best: Spelled,
-    size: Size,
-    loaded: LoadedScene,
-    finding: Finding,
-    /// Digests of the texts that were tried.
-    tried: HashSet<u64>,
-    evaluations: u64,
-    most: u64,
-    kept: &'a mut Kept<'a>,
-}
+type Search<'s> = Descent<'s, Spelled, Size>;
 
-impl Search<'_> {
-    /// Everything, until nothing changes.
-    fn all(&mut self, named: &[Vertex]) -> Result<(), End> {
-        pieces::focus(self, named)?;
-        loop {
-            let before = self.size.clone();
-            pieces::drop_all(self)?;
-            pieces::merge_all(self)?;
-            numbers::simplify(self)?;
-            if self.size == before {
-                return Ok(());
-            }
+/// Everything, until nothing changes.
+fn all(search: &mut Search<'_>, named: &[Vertex]) -> Result<(), End> {
+    pieces::focus(search, named)?;
+    loop {
+        let before = search.size.clone();
+        pieces::drop_all(search)?;
+        pieces::merge_all(search)?;
+        numbers::simplify(search)?;
+        if search.size == before {
+            return Ok(());
         }
-    }
-
-    /// Whether a smaller scene shows the finding; then it is the best.
-    fn try_one(&mut self, candidate: Spelled) -> Result<bool, End> {
-        let size = Size::of(&candidate);
-        if size >= self.size {
-            return Ok(false);
-        }
-        let mut hasher = DefaultHasher::new();
-        candidate.table(predicament_corpus::Heading::default()).hash(&mut hasher);
-        if !self.tried.insert(hasher.finish()) {
-            return Ok(false);
-        }
-        // What the task refuses costs little, and is no scene.
-        let Ok(loaded) = candidate.loaded(self.vocabulary, NAME) else { return Ok(false) };
-        if self.evaluations >= self.most {
-            return Err(End::Evaluations);
-        }
-        self.evaluations += 1;
-        let Some(finding) = self.witness.look(&loaded).map_err(|stop| match stop {
-            Stop::Interrupted | Stop::Timeout => End::Interrupted,
-        })?
-        else {
-            return Ok(false);
-        };
-        (self.kept)(&candidate, &finding, self.evaluations);
-        (self.best, self.size, self.loaded, self.finding) = (candidate, size, loaded, finding);
-        Ok(true)
-    }
-
-    /// Leaves out of `n` pieces as many as it can: by halves first, then by smaller and smaller chunks, from the last piece to the
-    /// first, until no single one can go.
-    ///
-    /// `without` is the best scene with only the pieces that are marked.
-    fn leave_out(
-        &mut self,
-        mut n: usize,
-        without: &dyn Fn(&Spelled, &[bool]) -> Spelled,
-        count: &dyn Fn(&Spelled) -> usize,
-    ) -> Result<(), End> {
-        let mut chunk = n;
-        while chunk > 0 && n > 0 {
-            let mut end = n;
-            let mut changed = false;
-            while end > 0 {
-                let start = end.saturating_sub(chunk);
-                let keep: Vec<bool> = (0..n).map(|at| !(start..end).contains(&at)).collect();
-                if self.try_one(without(&self.best, &keep))? {
-                    changed = true;
-                    // What went may have taken others with it.
-                    n = count(&self.best);
-                    end = start.min(n);
-                } else {
-                    end = start;
-                }
-            }
-            if !(changed && chunk == 1) {
-                chunk = if chunk > n { n } else { chunk / 2 };
-            }
-        }
-        Ok(())
     }
 }
 

@@ -36,7 +36,7 @@ impl Find for Found {
         random_pair(self.recipe, precision, seed, self.number).0
     }
 
-    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: PolygonPair, limit: usize) -> Shrunk<PolygonPair> {
+    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: PolygonPair, limit: u64) -> Shrunk<PolygonPair> {
         shrink_odd(backends, pair, &self.seats, limit)
     }
 

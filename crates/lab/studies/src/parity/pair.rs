@@ -112,7 +112,7 @@ pub fn shrink_odd(
     [backend, exact]: [&dyn Contestant; 2],
     pair: PolygonPair,
     seats: &[Seat],
-    limit: usize,
+    limit: u64,
 ) -> Shrunk<PolygonPair> {
     let all = |examined: Result<Examined, AnswerError>, odd: bool| {
         examined.is_ok_and(|examined| seats.iter().all(|&seat| examined.crossings(seat).is_odd() == odd))

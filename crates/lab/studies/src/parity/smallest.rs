@@ -9,7 +9,7 @@ use crate::Precision;
 use crate::shrink::{Shrink, Shrunk};
 
 /// So many scenes are tried for one find.
-const LIMIT: usize = 20_000;
+const LIMIT: u64 = 20_000;
 
 /// A pair whose contacts contradict each other, by its place in a stream.
 pub trait Find: Sync {
@@ -27,7 +27,7 @@ pub trait Find: Sync {
     fn pair(&self, precision: Precision, seed: u64) -> Self::Pair;
 
     /// Shrinks it, keeping what was found: the first backend contradicts itself, the second, exact, does not.
-    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: Self::Pair, limit: usize) -> Shrunk<Self::Pair>;
+    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: Self::Pair, limit: u64) -> Shrunk<Self::Pair>;
 
     /// The kind of a pair.
     fn kind(backend: &dyn Contestant, pair: &Self::Pair) -> Self::Kind;

@@ -29,7 +29,7 @@ impl Find for Found {
         random_surfaces(self.recipe, precision, seed, self.number).0
     }
 
-    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: SurfacePair, limit: usize) -> Shrunk<SurfacePair> {
+    fn shrunk(&self, backends: [&dyn Contestant; 2], pair: SurfacePair, limit: u64) -> Shrunk<SurfacePair> {
         shrink_broken(backends, pair, &self.ways, limit)
     }
 

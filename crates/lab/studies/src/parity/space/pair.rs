@@ -173,7 +173,7 @@ pub fn shrink_broken(
     [backend, exact]: [&dyn Contestant; 2],
     pair: SurfacePair,
     ways: &[Broken],
-    limit: usize,
+    limit: u64,
 ) -> Shrunk<SurfacePair> {
     let all = |examined: Result<Examined, AnswerError>, broken: bool| {
         examined.is_ok_and(|examined| ways.iter().all(|&way| (examined.count(way) > 0) == broken))
