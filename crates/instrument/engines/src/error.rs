@@ -51,7 +51,7 @@ pub enum EngineError {
         name: String,
         /// Its file.
         file: PathBuf,
-        /// What happened.
+        /// The failure: whether the engine crashed, was silent too long or broke the protocol.
         why: EngineFailure,
     },
 }

@@ -12,7 +12,7 @@ use crate::{Config, EngineError, EngineFailure, Message, ProtocolError, command}
 /// The version of the protocol.
 const PROTOCOL: &str = "1";
 
-/// What an engine says of itself.
+/// The greeting of an engine: its predicates, and what its zero means.
 pub struct Hello {
     pub predicates: Vec<PredicateKind>,
     pub zero: ZeroMeaning,
@@ -20,7 +20,7 @@ pub struct Hello {
     pub version: String,
 }
 
-/// What all sessions of an engine share.
+/// The state that all sessions of an engine share: the configuration, the greeting and the processes.
 pub struct Shared {
     pub config: Config,
     pub hello: Hello,

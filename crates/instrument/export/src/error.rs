@@ -33,7 +33,7 @@ impl From<ParquetError> for WriteError {
     }
 }
 
-/// With what to do about it, where the operating system has said it.
+/// The message ends with a cure where the operating system names the cause.
 impl std::fmt::Display for WriteError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let of_system = match self {

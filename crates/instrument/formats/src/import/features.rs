@@ -33,10 +33,10 @@ pub enum Shape {
     Polygon(Vec<Vec<Position>>),
 }
 
-/// What belongs together: a region of a map.
+/// A region of a map: a name, its shapes, and the place in the file where it begins.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Feature {
-    /// What it is called.
+    /// The name, if the file has one.
     pub name: Option<String>,
     /// Where it begins, from 1.
     pub line: usize,
@@ -51,7 +51,7 @@ pub struct Geometry {
     pub file: String,
     /// All features in the order of the file.
     pub features: Vec<Feature>,
-    /// What was left out while it was read.
+    /// Notes about parts of the file that were left out.
     pub notes: ImportNotes,
 }
 
