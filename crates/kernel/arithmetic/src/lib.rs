@@ -21,15 +21,11 @@ mod exact;
 mod fixed;
 mod parts;
 mod plan;
-mod range;
 mod short;
-mod up;
 
 pub use ball::Ball;
 pub use exact::{Scaled, rational};
 pub use fixed::Fixed;
 pub use parts::{Parts, power_of_two};
-pub use plan::{Arithmetic, Form, Plan, Span, exact_tail, units};
-pub use range::ExponentRange;
+pub use plan::{Arithmetic, ExponentRange, Form, Plan, Span, difference_up, exact_tail, units};
 pub use short::{exact_differences, short_rows};
-pub use up::difference_up;

@@ -40,7 +40,7 @@
 //! fits into how many limbs is counted where the determinants are; a [`Form`]
 //! carries the result.
 
-use crate::{ExponentRange, Parts, difference_up, power_of_two};
+use crate::{Parts, power_of_two};
 
 /// The lowest exponent that a non-zero sum may have for its product with u to be normal.
 const LOWEST: i32 = -1022 + 53;
@@ -48,6 +48,44 @@ const LOWEST: i32 = -1022 + 53;
 const HIGHEST: i32 = 1023;
 /// The bits of a double.
 const PRECISION: i32 = 53;
+
+/// Where the bits of some non-zero doubles lie.
+///
+/// Every value x of the list is an integer multiple of 2^`lowest`, and
+/// |x| < 2^`highest`. Both are tight: some value has a bit set at `lowest`, and
+/// some |x| ≥ 2^(`highest` − 1). So `lowest` < `highest`, and for finite values
+/// both lie within −1074 ..= 1024.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct ExponentRange {
+    /// The exponent of the lowest bit that is set in any value.
+    pub lowest: i32,
+    /// The least e with |x| < 2^e for every value x.
+    pub highest: i32,
+}
+
+impl ExponentRange {
+    /// The range of all values that are not zero; none if there is none.
+    ///
+    /// Meant for finite values. Infinities and NaN count as if they were some
+    /// number of 2^1024 or more, for which no [`Plan`](crate::Plan) proves
+    /// anything.
+    #[must_use]
+    pub fn of<'a>(values: impl IntoIterator<Item = &'a f64>) -> Option<ExponentRange> {
+        values.into_iter().filter_map(|&x| ExponentRange::of_one(x)).reduce(ExponentRange::and)
+    }
+
+    /// The range that covers both.
+    #[must_use]
+    pub fn and(self, other: ExponentRange) -> ExponentRange {
+        ExponentRange { lowest: self.lowest.min(other.lowest), highest: self.highest.max(other.highest) }
+    }
+
+    #[inline]
+    fn of_one(x: f64) -> Option<ExponentRange> {
+        let parts = Parts::of_any(x);
+        Some(ExponentRange { lowest: parts.lowest()?, highest: parts.highest()? })
+    }
+}
 
 /// A polynomial in differences of coordinates, as far as ranges are concerned.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -247,4 +285,52 @@ pub fn units(x: f64, lowest: i32) -> i128 {
     };
     let units = magnitude.cast_signed();
     if negative { units.wrapping_neg() } else { units }
+}
+
+/// |a − b|, rounded up; infinite where no double is large enough.
+///
+/// What was rounded off a difference is a double, and Knuth's two-sum finds
+/// it; it is lost only if the difference itself overflows.
+#[must_use]
+pub fn difference_up(a: f64, b: f64) -> f64 {
+    let difference = (a - b).abs();
+    // (Where the difference overflows, the tail is no number.)
+    if exact_tail(a.max(b), a.min(b), difference) > 0.0 { difference.next_up() } else { difference }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn range(values: &[f64]) -> (i32, i32) {
+        let range = ExponentRange::of(values).unwrap();
+        (range.lowest, range.highest)
+    }
+
+    #[test]
+    fn known_values() {
+        assert_eq!(ExponentRange::of(&[]), None);
+        assert_eq!(ExponentRange::of(&[0.0, -0.0]), None);
+        assert_eq!(range(&[1.0]), (0, 1));
+        assert_eq!(range(&[0.0, -6.0]), (1, 3));
+        assert_eq!(range(&[0.1]), (-55, -3));
+        assert_eq!(range(&[5e-324]), (-1074, -1073));
+        assert_eq!(range(&[f64::MIN_POSITIVE]), (-1022, -1021));
+        assert_eq!(range(&[f64::MIN_POSITIVE.next_down()]), (-1074, -1022));
+        assert_eq!(range(&[f64::MAX]), (971, 1024));
+        assert_eq!(range(&[f64::MAX, 5e-324]), (-1074, 1024));
+        assert_eq!(range(&[1.0, f64::INFINITY]).1, 1025);
+        assert_eq!(range(&[f64::NAN]).1, 1025);
+    }
+
+    #[test]
+    fn exact_differences_stay_and_others_go_up() {
+        assert_eq!(difference_up(3.0, -1.0), 4.0);
+        assert_eq!(difference_up(-1.0, 3.0), 4.0);
+        assert_eq!(difference_up(1.0, -2.0_f64.powi(-53)), 1.0_f64.next_up());
+        assert_eq!(difference_up(1.0, 2.0_f64.powi(-60)), 1.0);
+        assert_eq!(difference_up(f64::MAX, -f64::MAX), f64::INFINITY);
+        assert_eq!(difference_up(f64::MAX, -1.0), f64::INFINITY);
+        assert_eq!(difference_up(5e-324, -5e-324), 1e-323);
+    }
 }

@@ -19,8 +19,7 @@ use predicament_predicates::{
 
 use crate::constructed::Constructed;
 use crate::first::{self, First, extents};
-use crate::ladder::Prepared;
-use crate::planned::{Flat, Solid};
+use crate::ladder::{Flat, Prepared, Solid};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::stage;
 

@@ -1,7 +1,7 @@
 //! Exact signs for any finite doubles, without allocation.
 //!
 //! Where the coordinates of a query span at most 253 bits, integers of a fixed
-//! size ([`integer_determinants`]) answer. Where they span more, exact numbers are long, and
+//! size ([`determinant`]) answer. Where they span more, exact numbers are long, and
 //! most signs are plain: [`Ball`]s, floating point with proved errors and
 //! an exponent of its own, come first, and dyadic [`Number`]s compute exactly what those
 //! leave open. None of them can overflow, underflow or run out of digits.
@@ -41,30 +41,30 @@ use predicament_arithmetic::{
 };
 use predicament_predicates::Sign;
 
-use crate::integer_determinants;
+use crate::determinant;
 
 /// The sign of (a − c) × (b − c).
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Sign {
-    alternating([a, b, c], orient2d_ball, integer_determinants::orient2d::<4, 8>, orient2d_dyadic)
+    alternating([a, b, c], orient2d_ball, determinant::orient2d::<4, 8>, orient2d_dyadic)
 }
 
 /// The sign of det(a − d, b − d, c − d).
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Sign {
-    alternating([a, b, c, d], orient3d_ball, integer_determinants::orient3d::<4, 8, 12>, orient3d_dyadic)
+    alternating([a, b, c, d], orient3d_ball, determinant::orient3d::<4, 8, 12>, orient3d_dyadic)
 }
 
 /// The sign of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 #[must_use]
 pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Sign {
-    alternating([a, b, c, d], incircle_ball, integer_determinants::incircle::<4, 8, 16>, incircle_dyadic)
+    alternating([a, b, c, d], incircle_ball, determinant::incircle::<4, 8, 16>, incircle_dyadic)
 }
 
 /// The sign of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 #[must_use]
 pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Sign {
-    alternating([a, b, c, d, e], insphere_ball, integer_determinants::insphere::<4, 8, 12, 20>, insphere_dyadic)
+    alternating([a, b, c, d, e], insphere_ball, determinant::insphere::<4, 8, 12, 20>, insphere_dyadic)
 }
 
 /// The sign of a determinant that changes its sign when two points change places:
@@ -103,7 +103,7 @@ fn alternating<const D: usize, const N: usize, const R: usize>(
 /// Limbs of a difference in integers of a fixed size.
 const FIXED: usize = 4;
 /// The bits that coordinates may span for them: differences are below 2^254,
-/// and the table in [`integer_determinants`] wants b ≤ 64·4 − 2.
+/// and the table in [`determinant`] wants b ≤ 64·4 − 2.
 const FIXED_SPAN: i32 = 64 * 4 - 3;
 
 /// x·2^−`exponent`, an integer below 2^[`FIXED_SPAN`].

@@ -6,7 +6,7 @@
 //!    for the whole scene;
 //! 2. the semi-static filter, with a bound for the query, for any doubles ([`anywhere`]);
 //! 3. plain floating point as it is, where every intermediate is a double anyway;
-//! 4. integers of a fixed size ([`integer_determinants`]), over one power of two for the scene or the query;
+//! 4. integers of a fixed size ([`determinant`]), over one power of two for the scene or the query;
 //! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
 //! A session knows how far its scene extends, which is all that filters need. Which of the other rungs apply is proved by a
@@ -29,15 +29,13 @@ mod batch;
 mod common_unit;
 pub mod constructed;
 mod decider;
+pub mod determinant;
 pub mod dyadic;
 pub mod estimate;
 pub mod filter;
 mod first;
-pub mod form;
-pub mod integer_determinants;
 mod ladder;
 mod partial;
-mod planned;
 mod precision;
 mod predicate;
 mod products;

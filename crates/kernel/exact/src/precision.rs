@@ -4,7 +4,7 @@
 use predicament_arithmetic::{Arithmetic, Plan, Span};
 use predicament_predicates::{Dimension, PredicateKind, Scene};
 
-use crate::form::{self, Determinant};
+use crate::determinant::{self, Determinant};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
 /// What the coordinates of a scene need.
@@ -42,8 +42,8 @@ impl Precision {
                 let plan = Plan::<2>::of(scene.coordinates().as_chunks().0);
                 let extent = plan.axes().map(|axis| axis.extent());
                 let choices = vec![
-                    choice(PredicateKind::Orient2d, &plan, form::ORIENT2D, Orient2d::static_bound(extent)),
-                    choice(PredicateKind::Incircle, &plan, form::INCIRCLE, Incircle::static_bound(extent)),
+                    choice(PredicateKind::Orient2d, &plan, determinant::ORIENT2D, Orient2d::static_bound(extent)),
+                    choice(PredicateKind::Incircle, &plan, determinant::INCIRCLE, Incircle::static_bound(extent)),
                 ];
                 Precision::new(&plan, choices)
             }
@@ -54,9 +54,9 @@ impl Precision {
                 sorted.sort_unstable_by(f64::total_cmp);
                 let flat = Orient2d::static_bound([sorted[1], sorted[2]]);
                 let choices = vec![
-                    choice(PredicateKind::Orient2d, &plan, form::ORIENT2D, flat),
-                    choice(PredicateKind::Orient3d, &plan, form::ORIENT3D, Orient3d::static_bound(extent)),
-                    choice(PredicateKind::Insphere, &plan, form::INSPHERE, Insphere::static_bound(extent)),
+                    choice(PredicateKind::Orient2d, &plan, determinant::ORIENT2D, flat),
+                    choice(PredicateKind::Orient3d, &plan, determinant::ORIENT3D, Orient3d::static_bound(extent)),
+                    choice(PredicateKind::Insphere, &plan, determinant::INSPHERE, Insphere::static_bound(extent)),
                 ];
                 Precision::new(&plan, choices)
             }

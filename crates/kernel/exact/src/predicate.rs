@@ -7,9 +7,9 @@ use predicament_arithmetic::{Fixed, bound, short_rows};
 use predicament_predicates::{PredicateKind, Sign};
 
 use crate::anywhere::{self, Bounded};
+use crate::determinant::{self, Determinant};
 use crate::estimate::{self, Estimate};
-use crate::form::{self, Determinant};
-use crate::{dyadic, integer_determinants, products};
+use crate::{dyadic, products};
 
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
@@ -37,7 +37,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// For points whose differences span few bits; none if they don't.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
-        short_rows(points).map(|rows| Self::integer(rows, Self::DETERMINANT.limbs(integer_determinants::BITS[0])))
+        short_rows(points).map(|rows| Self::integer(rows, Self::DETERMINANT.limbs(determinant::BITS[0])))
     }
 
     /// In floating point, for points whose differences are doubles; none if they aren't, or if there is no such way.
@@ -55,7 +55,7 @@ pub(crate) struct Orient2d;
 
 impl Predicate<2, 3> for Orient2d {
     const KIND: PredicateKind = PredicateKind::Orient2d;
-    const DETERMINANT: Determinant = form::ORIENT2D;
+    const DETERMINANT: Determinant = determinant::ORIENT2D;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
         bound::static_orient2d(extent)
@@ -70,14 +70,14 @@ impl Predicate<2, 3> for Orient2d {
     }
     #[inline(always)]
     fn integer([a, b, _]: [[Fixed<1>; 2]; 3], _: usize) -> Sign {
-        integer_determinants::orient2d::<1, 2>([a, b])
+        determinant::orient2d::<1, 2>([a, b])
     }
     #[inline(always)]
     fn wide_integer([a, b, _]: [[Fixed<2>; 2]; 3], limbs: usize) -> Sign {
         match limbs {
-            ..=2 => integer_determinants::orient2d::<2, 2>([a, b]),
-            3 => integer_determinants::orient2d::<2, 3>([a, b]),
-            _ => integer_determinants::orient2d::<2, 4>([a, b]),
+            ..=2 => determinant::orient2d::<2, 2>([a, b]),
+            3 => determinant::orient2d::<2, 3>([a, b]),
+            _ => determinant::orient2d::<2, 4>([a, b]),
         }
     }
     #[inline(always)]
@@ -98,7 +98,7 @@ pub(crate) struct Orient3d;
 
 impl Predicate<3, 4> for Orient3d {
     const KIND: PredicateKind = PredicateKind::Orient3d;
-    const DETERMINANT: Determinant = form::ORIENT3D;
+    const DETERMINANT: Determinant = determinant::ORIENT3D;
 
     fn static_bound(extent: [f64; 3]) -> f64 {
         bound::static_orient3d(extent)
@@ -114,13 +114,13 @@ impl Predicate<3, 4> for Orient3d {
     #[inline(always)]
     fn integer([a, b, c, _]: [[Fixed<1>; 3]; 4], limbs: usize) -> Sign {
         match limbs {
-            ..=2 => integer_determinants::orient3d::<1, 2, 2>([a, b, c]),
-            _ => integer_determinants::orient3d::<1, 2, 3>([a, b, c]),
+            ..=2 => determinant::orient3d::<1, 2, 2>([a, b, c]),
+            _ => determinant::orient3d::<1, 2, 3>([a, b, c]),
         }
     }
     #[inline(always)]
     fn wide_integer([a, b, c, _]: [[Fixed<2>; 3]; 4], _: usize) -> Sign {
-        integer_determinants::orient3d::<2, 4, 6>([a, b, c])
+        determinant::orient3d::<2, 4, 6>([a, b, c])
     }
     fn dyadic([a, b, c, d]: [[f64; 3]; 4]) -> Sign {
         dyadic::orient3d(a, b, c, d)
@@ -132,7 +132,7 @@ pub(crate) struct Incircle;
 
 impl Predicate<2, 4> for Incircle {
     const KIND: PredicateKind = PredicateKind::Incircle;
-    const DETERMINANT: Determinant = form::INCIRCLE;
+    const DETERMINANT: Determinant = determinant::INCIRCLE;
 
     fn static_bound(extent: [f64; 2]) -> f64 {
         bound::static_incircle(extent)
@@ -148,14 +148,14 @@ impl Predicate<2, 4> for Incircle {
     #[inline(always)]
     fn integer([a, b, c, _]: [[Fixed<1>; 2]; 4], limbs: usize) -> Sign {
         match limbs {
-            ..=2 => integer_determinants::incircle::<1, 2, 2>([a, b, c]),
-            3 => integer_determinants::incircle::<1, 2, 3>([a, b, c]),
-            _ => integer_determinants::incircle::<1, 2, 4>([a, b, c]),
+            ..=2 => determinant::incircle::<1, 2, 2>([a, b, c]),
+            3 => determinant::incircle::<1, 2, 3>([a, b, c]),
+            _ => determinant::incircle::<1, 2, 4>([a, b, c]),
         }
     }
     #[inline(always)]
     fn wide_integer([a, b, c, _]: [[Fixed<2>; 2]; 4], _: usize) -> Sign {
-        integer_determinants::incircle::<2, 4, 8>([a, b, c])
+        determinant::incircle::<2, 4, 8>([a, b, c])
     }
     fn dyadic([a, b, c, d]: [[f64; 2]; 4]) -> Sign {
         dyadic::incircle(a, b, c, d)
@@ -167,7 +167,7 @@ pub(crate) struct Insphere;
 
 impl Predicate<3, 5> for Insphere {
     const KIND: PredicateKind = PredicateKind::Insphere;
-    const DETERMINANT: Determinant = form::INSPHERE;
+    const DETERMINANT: Determinant = determinant::INSPHERE;
 
     fn static_bound(extent: [f64; 3]) -> f64 {
         bound::static_insphere(extent)
@@ -183,15 +183,15 @@ impl Predicate<3, 5> for Insphere {
     #[inline(always)]
     fn integer([a, b, c, d, _]: [[Fixed<1>; 3]; 5], limbs: usize) -> Sign {
         match limbs {
-            ..=2 => integer_determinants::insphere::<1, 2, 2, 2>([a, b, c, d]),
-            3 => integer_determinants::insphere::<1, 2, 3, 3>([a, b, c, d]),
-            4 => integer_determinants::insphere::<1, 2, 3, 4>([a, b, c, d]),
-            _ => integer_determinants::insphere::<1, 2, 3, 5>([a, b, c, d]),
+            ..=2 => determinant::insphere::<1, 2, 2, 2>([a, b, c, d]),
+            3 => determinant::insphere::<1, 2, 3, 3>([a, b, c, d]),
+            4 => determinant::insphere::<1, 2, 3, 4>([a, b, c, d]),
+            _ => determinant::insphere::<1, 2, 3, 5>([a, b, c, d]),
         }
     }
     #[inline(always)]
     fn wide_integer([a, b, c, d, _]: [[Fixed<2>; 3]; 5], _: usize) -> Sign {
-        integer_determinants::insphere::<2, 4, 6, 10>([a, b, c, d])
+        determinant::insphere::<2, 4, 6, 10>([a, b, c, d])
     }
     fn dyadic([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {
         dyadic::insphere(a, b, c, d, e)

@@ -13,7 +13,7 @@ use predicament_arithmetic::Scaled;
 use predicament_predicates::Sign;
 use rug::{Integer, Rational};
 
-use crate::form;
+use crate::determinant;
 
 /// A determinant's exact value: an integer over a power of two.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -53,14 +53,14 @@ impl Value {
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Value {
     let ([a, b, c], exponent) = scale([a, b, c]);
-    value(cross(&minus(&a, &c), &minus(&b, &c)), form::ORIENT2D, exponent)
+    value(cross(&minus(&a, &c), &minus(&b, &c)), determinant::ORIENT2D, exponent)
 }
 
 /// det(a − d, b − d, c − d).
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Value {
     let ([a, b, c, d], exponent) = scale([a, b, c, d]);
-    value(triple(&minus(&a, &d), &minus(&b, &d), &minus(&c, &d)), form::ORIENT3D, exponent)
+    value(triple(&minus(&a, &d), &minus(&b, &d), &minus(&c, &d)), determinant::ORIENT3D, exponent)
 }
 
 /// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
@@ -72,7 +72,7 @@ pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Value {
         let lift = square(&x) + square(&y);
         [x, y, lift]
     };
-    value(triple(&lifted(&a), &lifted(&b), &lifted(&c)), form::INCIRCLE, exponent)
+    value(triple(&lifted(&a), &lifted(&b), &lifted(&c)), determinant::INCIRCLE, exponent)
 }
 
 /// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
@@ -83,10 +83,10 @@ pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3])
     let term = |p: &[Integer; 3], minor: Integer| (square(&p[0]) + square(&p[1]) + square(&p[2])) * minor;
     let even = term(&d, triple(&a, &b, &c)) + term(&b, triple(&a, &c, &d));
     let odd = term(&c, triple(&a, &b, &d)) + term(&a, triple(&b, &c, &d));
-    value(even - odd, form::INSPHERE, exponent)
+    value(even - odd, determinant::INSPHERE, exponent)
 }
 
-fn value(integer: Integer, determinant: form::Determinant, exponent: i32) -> Value {
+fn value(integer: Integer, determinant: determinant::Determinant, exponent: i32) -> Value {
     Value { integer, exponent: determinant.form.degree * exponent }
 }
 

@@ -12,7 +12,7 @@
 use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_predicates::Vertex;
 
-use crate::integer_determinants::BITS;
+use crate::determinant::BITS;
 use crate::truncate::to_integer;
 
 /// The coordinates of a scene as integers, where they are kept.

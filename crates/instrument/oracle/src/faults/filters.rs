@@ -2,8 +2,8 @@
 
 use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_arithmetic::{Fixed, Plan, units};
-use predicament_exact::form::{self, Determinant};
-use predicament_exact::{filter, integer_determinants};
+use predicament_exact::determinant::{self, Determinant};
+use predicament_exact::filter;
 use predicament_predicates::{Plane, Predicates, Question, Sign, Vertex};
 
 use super::Session;
@@ -22,19 +22,19 @@ impl Session<'_> {
             Question::Compare(_) => None,
             Question::Orient2d(plane) => {
                 let p = flat(plane, args);
-                filter::orient2d(p[0], p[1], p[2], share * bound(form::ORIENT2D, &p))
+                filter::orient2d(p[0], p[1], p[2], share * bound(determinant::ORIENT2D, &p))
             }
             Question::Orient3d => {
                 let p = solid();
-                filter::orient3d(p[0], p[1], p[2], p[3], share * bound(form::ORIENT3D, &p))
+                filter::orient3d(p[0], p[1], p[2], p[3], share * bound(determinant::ORIENT3D, &p))
             }
             Question::Incircle => {
                 let p = flat(Plane::Xy, args);
-                filter::incircle(p[0], p[1], p[2], p[3], share * bound(form::INCIRCLE, &p))
+                filter::incircle(p[0], p[1], p[2], p[3], share * bound(determinant::INCIRCLE, &p))
             }
             Question::Insphere => {
                 let p = solid();
-                filter::insphere(p[0], p[1], p[2], p[3], p[4], share * bound(form::INSPHERE, &p))
+                filter::insphere(p[0], p[1], p[2], p[3], p[4], share * bound(determinant::INSPHERE, &p))
             }
         }
     }
@@ -86,10 +86,10 @@ impl Session<'_> {
         let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
             Question::Compare(_) => None,
-            Question::Orient2d(plane) => rows(&flat(plane)).map(integer_determinants::orient2d::<1, 2>),
-            Question::Orient3d => rows(&solid()).map(integer_determinants::orient3d::<1, 2, 3>),
-            Question::Incircle => rows(&flat(Plane::Xy)).map(integer_determinants::incircle::<1, 2, 4>),
-            Question::Insphere => rows(&solid()).map(integer_determinants::insphere::<1, 2, 3, 5>),
+            Question::Orient2d(plane) => rows(&flat(plane)).map(determinant::orient2d::<1, 2>),
+            Question::Orient3d => rows(&solid()).map(determinant::orient3d::<1, 2, 3>),
+            Question::Incircle => rows(&flat(Plane::Xy)).map(determinant::incircle::<1, 2, 4>),
+            Question::Insphere => rows(&solid()).map(determinant::insphere::<1, 2, 3, 5>),
         }
     }
 }

@@ -15,7 +15,7 @@ use predicament_predicates::{Axis, Dimension, Plane, QuerySet, Question, Scene, 
 use rayon::prelude::*;
 
 use super::CHUNK;
-use super::given::Given;
+use super::class::Given;
 use crate::{Asked, Budget, Class, ClassCounts, Finding, Stop, Watch};
 
 /// What the laws found: all is counted, the first violations are kept. There can be millions.

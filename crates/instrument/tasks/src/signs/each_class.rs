@@ -4,7 +4,7 @@ use predicament_laws::published;
 use predicament_predicates::{Scene, Sign};
 use rayon::prelude::*;
 
-use super::given::{Given, class};
+use super::class::{Given, class};
 use super::{SignQueries, Signs};
 use crate::{AnswerError, Class, Contestant, Refusal};
 

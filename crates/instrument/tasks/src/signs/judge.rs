@@ -8,9 +8,9 @@ use predicament_laws::published;
 use predicament_predicates::{Counts, Sign};
 use rayon::prelude::*;
 
+use super::class::{Given, class};
 use super::error::{distance_over_l, largest_edge};
-use super::given::{Given, class};
-use super::{CHUNK, Signs, answers, axioms};
+use super::{CHUNK, Signs, axioms, class};
 use crate::{Asked, Budget, Case, Class, ClassCounts, Contestant, Finding, Outcome, Stop, symbol};
 
 /// Judges all answers.
@@ -27,7 +27,7 @@ pub(super) fn judge(
     let given = Given { scene, queries, truth, answers, session, contract, band };
     let ties = asked.backend.tie_judge();
     if asked.budget.answers {
-        outcome.answers = answers::lines(&given, ties, asked.backend);
+        outcome.answers = class::lines(&given, ties, asked.backend);
     }
     let chunks: Result<Vec<Chunk>, Stop> = (0..queries.len().div_ceil(CHUNK))
         .into_par_iter()

@@ -4,10 +4,9 @@
 //! list of queries. Each answer is held against the exact sign, and samples of
 //! answers against each other (the laws of predicates).
 
-mod answers;
 mod axioms;
 mod checks;
-mod classify;
+mod class;
 mod constructed;
 mod content;
 mod degeneracy;
@@ -17,7 +16,6 @@ mod error;
 mod explain;
 pub mod families;
 mod fixture;
-mod given;
 mod judge;
 mod queries;
 pub use queries::axis;
@@ -31,7 +29,7 @@ use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
-pub use classify::classify;
+pub use class::classify;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use each_class::classes;

@@ -1,12 +1,12 @@
 //! What filters leave open fits in the limbs that it is given, and hardly in fewer.
 //!
 //! Determinants that a filter leaves open are computed modulo a power of two
-//! (`form::Determinant::limbs_left_open`). Here points are moved, along one axis, to
+//! (`determinant::Determinant::limbs_left_open`). Here points are moved, along one axis, to
 //! where the filter just gives up: determinants are as large as they get there.
 
 use crate::common::Random;
 use predicament_arithmetic::{bound, rational};
-use predicament_exact::form::{self, Determinant};
+use predicament_exact::determinant::{self, Determinant};
 use predicament_exact::{Exact, Session, estimate, rational::Value, stage};
 use predicament_predicates::{Backend, Dimension, Off, Scene, Sign, Vertex};
 use rug::Rational;
@@ -109,7 +109,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
 #[test]
 fn orient3d() {
     Subject::<3, 4> {
-        determinant: form::ORIENT3D,
+        determinant: determinant::ORIENT3D,
         static_bound: bound::static_orient3d,
         estimate: |&[a, b, c, d]| estimate::orient3d(a, b, c, d).determinant,
         value: |&[a, b, c, d]| predicament_exact::rational::orient3d(a, b, c, d),
@@ -121,7 +121,7 @@ fn orient3d() {
 #[test]
 fn incircle() {
     Subject::<2, 4> {
-        determinant: form::INCIRCLE,
+        determinant: determinant::INCIRCLE,
         static_bound: bound::static_incircle,
         estimate: |&[a, b, c, d]| estimate::incircle(a, b, c, d).determinant,
         value: |&[a, b, c, d]| predicament_exact::rational::incircle(a, b, c, d),
@@ -133,7 +133,7 @@ fn incircle() {
 #[test]
 fn insphere() {
     Subject::<3, 5> {
-        determinant: form::INSPHERE,
+        determinant: determinant::INSPHERE,
         static_bound: bound::static_insphere,
         estimate: |&[a, b, c, d, e]| estimate::insphere(a, b, c, d, e).determinant,
         value: |&[a, b, c, d, e]| predicament_exact::rational::insphere(a, b, c, d, e),
@@ -145,7 +145,12 @@ fn insphere() {
 /// The limbs hold what the proof says, and are the fewest that do.
 #[test]
 fn limbs_are_as_many_as_the_proof_needs() {
-    let all = [(form::ORIENT2D, 2), (form::ORIENT3D, 6), (form::INCIRCLE, 12), (form::INSPHERE, 72)];
+    let all = [
+        (determinant::ORIENT2D, 2),
+        (determinant::ORIENT3D, 6),
+        (determinant::INCIRCLE, 12),
+        (determinant::INSPHERE, 72),
+    ];
     for (determinant, terms) in all {
         let open = rational(determinant.bound).unwrap() * Rational::from((201, 100));
         for bits in 1..=126 {

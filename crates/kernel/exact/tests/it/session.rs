@@ -1,7 +1,7 @@
 //! What a session is besides its signs: conventions, stages, refusals.
 
 use crate::common::Random;
-use predicament_exact::{Exact, Session, estimate, form, rational, stage};
+use predicament_exact::{Exact, Session, determinant, estimate, rational, stage};
 use predicament_predicates::{
     Axis, Backend, Construction, Counts, DefinitionError, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question,
     Scene, Sign, Tally, Vertex, ZeroMeaning,
@@ -163,7 +163,7 @@ fn each_stage_settles_what_it_can_prove() {
 fn the_filter_does_not_answer_where_nothing_is_proved() {
     // The products underflow to zero, exact as it may look.
     let below = [[1e-200, 0.0], [0.0, 1e-200], [0.0, 0.0]];
-    assert_eq!(estimate::orient2d(below[0], below[1], below[2]).certain(form::ORIENT2D.bound), Some(Sign::Zero));
+    assert_eq!(estimate::orient2d(below[0], below[1], below[2]).certain(determinant::ORIENT2D.bound), Some(Sign::Zero));
     assert_eq!(settled(below, &[]), (Sign::Positive, stage::INTEGER));
     // ∞ − ∞.
     let above = [[1e200, 1e200], [1e200, 2e200], [0.0, 0.0]];

@@ -7,7 +7,7 @@ use crate::common::{
 };
 use predicament_arithmetic::{Arithmetic, Plan};
 use predicament_effort::scaled;
-use predicament_exact::form;
+use predicament_exact::determinant;
 use predicament_predicates::Sign;
 use proptest::prelude::*;
 
@@ -108,7 +108,7 @@ fn nearly_degenerate_at_every_scale() {
 #[test]
 fn numbers_to_the_last_bit_of_each_rung() {
     let mut random = Random(11);
-    for determinant in [form::ORIENT2D, form::ORIENT3D, form::INCIRCLE, form::INSPHERE] {
+    for determinant in [determinant::ORIENT2D, determinant::ORIENT3D, determinant::INCIRCLE, determinant::INSPHERE] {
         let exact_in_doubles = (53 - determinant.form.growth) / determinant.form.degree;
         for (bits, arithmetic, next) in [
             (exact_in_doubles, Arithmetic::Double, Arithmetic::Integer),
@@ -126,9 +126,9 @@ fn numbers_to_the_last_bit_of_each_rung() {
                     (corner + *random.pick(&[0.0, 0.0, 1.0, -1.0])).clamp(0.0, largest(bits))
                 };
                 match determinant {
-                    form::ORIENT2D => drop(check_orient2d(&random.points(&mut extreme))),
-                    form::ORIENT3D => drop(check_orient3d(&random.points(&mut extreme))),
-                    form::INCIRCLE => drop(check_incircle(&random.points(&mut extreme))),
+                    determinant::ORIENT2D => drop(check_orient2d(&random.points(&mut extreme))),
+                    determinant::ORIENT3D => drop(check_orient3d(&random.points(&mut extreme))),
+                    determinant::INCIRCLE => drop(check_incircle(&random.points(&mut extreme))),
                     _ => drop(check_insphere(&random.points(&mut extreme))),
                 }
             }

@@ -1,7 +1,7 @@
 //! How many bits the arithmetic needed that settled the answers.
 
 use predicament_exact::Precision as Planned;
-use predicament_exact::form::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
+use predicament_exact::determinant::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
 use predicament_predicates::{PredicateKind, Scene};
 use predicament_tasks::Contestant;
 

@@ -2,9 +2,9 @@
 
 use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows, units};
 use predicament_exact::{
-    Exact, dyadic, filter,
-    form::{self, Determinant},
-    integer_determinants, rational, raw,
+    Exact,
+    determinant::{self, Determinant},
+    dyadic, filter, rational, raw,
 };
 use predicament_predicates::{Backend, Dimension, Off, Plane, QuerySet, Question, Scene, Sign, Vertex};
 
@@ -30,49 +30,49 @@ pub struct Predicate<const D: usize, const N: usize> {
 
 pub const ORIENT2D: Predicate<2, 3> = Predicate {
     question: Question::Orient2d(Plane::Xy),
-    determinant: form::ORIENT2D,
+    determinant: determinant::ORIENT2D,
     truth: |[a, b, c]| rational::orient2d(a, b, c),
     judge: common::orient2d,
     raw: raw::orient2d,
     filter: |[a, b, c], bound| filter::orient2d(a, b, c, bound),
-    integer: |[a, b, _]| integer_determinants::orient2d::<1, 2>([a, b]),
-    wide_integer: |[a, b, _]| integer_determinants::orient2d::<2, 4>([a, b]),
+    integer: |[a, b, _]| determinant::orient2d::<1, 2>([a, b]),
+    wide_integer: |[a, b, _]| determinant::orient2d::<2, 4>([a, b]),
     dyadic: |[a, b, c]| dyadic::orient2d(a, b, c),
 };
 
 pub const ORIENT3D: Predicate<3, 4> = Predicate {
     question: Question::Orient3d,
-    determinant: form::ORIENT3D,
+    determinant: determinant::ORIENT3D,
     truth: |[a, b, c, d]| rational::orient3d(a, b, c, d),
     judge: common::orient3d,
     raw: raw::orient3d,
     filter: |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound),
-    integer: |[a, b, c, _]| integer_determinants::orient3d::<1, 2, 3>([a, b, c]),
-    wide_integer: |[a, b, c, _]| integer_determinants::orient3d::<2, 4, 6>([a, b, c]),
+    integer: |[a, b, c, _]| determinant::orient3d::<1, 2, 3>([a, b, c]),
+    wide_integer: |[a, b, c, _]| determinant::orient3d::<2, 4, 6>([a, b, c]),
     dyadic: |[a, b, c, d]| dyadic::orient3d(a, b, c, d),
 };
 
 pub const INCIRCLE: Predicate<2, 4> = Predicate {
     question: Question::Incircle,
-    determinant: form::INCIRCLE,
+    determinant: determinant::INCIRCLE,
     truth: |[a, b, c, d]| rational::incircle(a, b, c, d),
     judge: common::incircle,
     raw: raw::incircle,
     filter: |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound),
-    integer: |[a, b, c, _]| integer_determinants::incircle::<1, 2, 4>([a, b, c]),
-    wide_integer: |[a, b, c, _]| integer_determinants::incircle::<2, 4, 8>([a, b, c]),
+    integer: |[a, b, c, _]| determinant::incircle::<1, 2, 4>([a, b, c]),
+    wide_integer: |[a, b, c, _]| determinant::incircle::<2, 4, 8>([a, b, c]),
     dyadic: |[a, b, c, d]| dyadic::incircle(a, b, c, d),
 };
 
 pub const INSPHERE: Predicate<3, 5> = Predicate {
     question: Question::Insphere,
-    determinant: form::INSPHERE,
+    determinant: determinant::INSPHERE,
     truth: |[a, b, c, d, e]| rational::insphere(a, b, c, d, e),
     judge: common::insphere,
     raw: raw::insphere,
     filter: |[a, b, c, d, e], bound| filter::insphere(a, b, c, d, e, bound),
-    integer: |[a, b, c, d, _]| integer_determinants::insphere::<1, 2, 3, 5>([a, b, c, d]),
-    wide_integer: |[a, b, c, d, _]| integer_determinants::insphere::<2, 4, 6, 10>([a, b, c, d]),
+    integer: |[a, b, c, d, _]| determinant::insphere::<1, 2, 3, 5>([a, b, c, d]),
+    wide_integer: |[a, b, c, d, _]| determinant::insphere::<2, 4, 6, 10>([a, b, c, d]),
     dyadic: |[a, b, c, d, e]| dyadic::insphere(a, b, c, d, e),
 };
 
@@ -169,7 +169,7 @@ impl<const D: usize, const N: usize> Exam<D, N> {
             assert_eq!((self.predicate.integer)(rows), truth, "integer {question:?} {points:?}");
             self.seen.integer += 1;
         }
-        if plan.has_finite_differences() && plan.bits() <= integer_determinants::BITS[1] {
+        if plan.has_finite_differences() && plan.bits() <= determinant::BITS[1] {
             let last = points[N - 1].map(|x| units(x, plan.lowest()));
             let row = |p: [f64; D]| {
                 std::array::from_fn(|axis| Fixed::from(units(p[axis], plan.lowest()).wrapping_sub(last[axis])))
