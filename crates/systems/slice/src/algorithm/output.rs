@@ -18,9 +18,11 @@ struct Parts {
 }
 
 impl Parts {
+    /// Adds triangles of one source to a part. Of a triangle with an edge without length nothing is left: its three edges
+    /// cancel each other. Loops that pass a vertex twice have such triangles.
     fn push(&mut self, part: u32, source: Source, triangles: impl IntoIterator<Item = [Vertex; 3]>) {
         let part = &mut self.parts[part as usize];
-        part.triangles.extend(triangles);
+        part.triangles.extend(triangles.into_iter().filter(|[a, b, c]| a != b && b != c && c != a));
         part.sources.resize(part.triangles.len(), source);
     }
 }
@@ -42,8 +44,7 @@ impl Cutter<'_> {
             let mut around = self.mesh.loop_of(first);
             if let (Some(a), Some(b), Some(c), None) = (around.next(), around.next(), around.next(), around.next()) {
                 let [a, b, c] = [a, b, c].map(|h| self.vertex(h));
-                // An edge without length leaves nothing of a triangle.
-                out.push(part, source, (a != b && b != c && a != c).then_some([a, b, c]));
+                out.push(part, source, [[a, b, c]]);
                 continue;
             }
             drop(around);

@@ -9,7 +9,7 @@ use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{
     Backend, Construction, Off, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
 };
-use predicament_slice::algorithm::{Sliced, slice};
+use predicament_slice::algorithm::{Sliced, Source, slice};
 use predicament_sos::Sos;
 
 /// Points, faces, and for each face three corners that turn as it does.
@@ -157,6 +157,44 @@ fn combs_by_planes_through_their_corners() {
 #[test]
 fn lattices_by_planes_through_their_vertices() {
     check(|seed| lattice(1 + u32::try_from(seed % if predicament_effort::whole() { 3 } else { 2 }).unwrap()));
+}
+
+/// An open mesh whose faces nearly lie on each other: the border of a part comes to one constructed vertex more than once.
+#[test]
+fn covers_of_borders_that_pass_a_vertex_twice_have_no_corner_twice() {
+    let tiny = |x: f32| f64::from(x);
+    let points = [
+        [0.0, 0.0, 0.0],
+        [0.0, 4.0, 0.0],
+        [4.0, 0.0, 0.0],
+        [0.0, 0.0, 4.0],
+        [4.0, -0.0, tiny(2.24e-44)],
+        [0.0, tiny(4.59e-41), 4.0],
+    ];
+    let faces: [[u32; 3]; 4] = [[0, 1, 2], [0, 2, 3], [4, 1, 5], [1, 0, 3]];
+    let planes = [[2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [2.0, 0.0, 1.0]];
+    let turned = |plane: [[f64; 3]; 3], by: usize| {
+        plane.map(|mut p| {
+            p.rotate_right(by);
+            p
+        })
+    };
+    let all: Vec<[f64; 3]> = points.into_iter().chain((0..3).flat_map(|by| turned(planes, by))).collect();
+    let scene = Scene::from_points3(&all).unwrap();
+    let faces: IndexedFaces = faces.iter().map(|face| face.to_vec()).collect();
+    let mesh = HalfEdgeMesh::new((0..points.len()).map(Vertex::input).collect(), &faces).unwrap();
+    let supports: Vec<[Vertex; 3]> =
+        faces.iter().map(|f| [f[0], f[1], f[2]].map(|v| Vertex::input(v as usize))).collect();
+    let planes: Vec<[Vertex; 3]> = (0..3).map(|k| [0, 1, 2].map(|i| Vertex::input(points.len() + 3 * k + i))).collect();
+    let sliced = slice(&mut Exact.prepare(&scene, Off).unwrap(), mesh, &supports, &planes).unwrap();
+    assert_eq!(sliced.broken, None);
+    check_closed(&sliced);
+    let mut covers = 0;
+    for part in &sliced.parts {
+        covers += part.sources.iter().filter(|&&source| source == Source::Cover).count();
+        assert!(part.triangles.iter().all(|[a, b, c]| a != b && b != c && c != a), "{:?}", part.triangles);
+    }
+    assert!(covers > 0);
 }
 
 /// Signs by a hash of the question; every point is constructed.
