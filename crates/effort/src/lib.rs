@@ -42,6 +42,12 @@ pub fn whole() -> bool {
     divisor() == 1
 }
 
+/// The first of two amounts by default, the second if heavy tests are run whole: where a twentieth is too few, or not few enough.
+#[must_use]
+pub fn some_or_all<T>(some: T, all: T) -> T {
+    if whole() { all } else { some }
+}
+
 /// How many of this many inputs a heavy test tries: a twentieth, rounded up, or all.
 #[must_use]
 pub fn scaled(all: usize) -> usize {

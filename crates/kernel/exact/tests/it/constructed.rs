@@ -59,7 +59,7 @@ fn grids_are_full_of_ties() {
 fn every_exponent_with_every_other() {
     let mut random = Random(3);
     for dimension in DIMENSIONS {
-        for _ in 0..60 {
+        for _ in 0..predicament_effort::some_or_all(15, 60) {
             let mut scene = scene(&mut random, dimension, 10, |random| *random.pick(&WILD));
             construct(&mut random, &mut scene, 6);
             if !scene.constructions().is_empty() {
@@ -75,7 +75,7 @@ fn every_length_of_coordinates() {
     let mut random = Random(8);
     for dimension in DIMENSIONS {
         let mut signs = [0; 3];
-        for bits in (1..2098).step_by(11) {
+        for bits in (1..2098).step_by(predicament_effort::some_or_all(31, 11)) {
             let place = i32::try_from(random.below(2098 - bits)).expect("an exponent") - 1074;
             // Of numbers below 2^(place + bits) the largest that are doubles, and the lowest bit.
             let power = |k: i32| if k < -1022 { f64::from_bits(1 << (k + 1074)) } else { 2f64.powi(k) };
@@ -90,7 +90,7 @@ fn every_length_of_coordinates() {
                 signs = std::array::from_fn(|i| signs[i] + seen.signs[i]);
             }
         }
-        assert!(signs.iter().all(|&count| count > 100), "{dimension:?} {signs:?}");
+        assert!(signs.iter().all(|&count| count > predicament_effort::some_or_all(35, 100)), "{dimension:?} {signs:?}");
     }
 }
 
@@ -296,7 +296,7 @@ fn finite() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(300))]
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(100, 300)))]
 
     #[test]
     fn arbitrary_doubles(

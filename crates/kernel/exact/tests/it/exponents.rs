@@ -204,7 +204,7 @@ fn incircle() {
 #[test]
 fn orient3d() {
     let mut exam = Exam::new(ORIENT3D, 4);
-    every_combination(&mut exam, &grid(4));
+    every_combination(&mut exam, &grid(predicament_effort::some_or_all(3, 4)));
     every_narrow_combination(&mut exam, &[0, 5]);
     every_point_and_axis(&mut exam, 9);
     let grid = grid(4);

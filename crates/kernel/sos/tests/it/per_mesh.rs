@@ -23,7 +23,8 @@ fn args(random: &mut Random, from: usize, arity: usize) -> Vec<Vertex> {
 #[test]
 fn ties_between_meshes_are_broken_as_if_one_had_moved() {
     let (mut random, mut ties, mut zeros) = (Random(21), 0, 0);
-    for _ in 0..300 {
+    let rounds = predicament_effort::some_or_all(75, 300);
+    for _ in 0..rounds {
         for dimension in [2, 3] {
             let scene = scene(&mut random, dimension, 6);
             let second = scene.second_mesh().unwrap();
@@ -45,7 +46,7 @@ fn ties_between_meshes_are_broken_as_if_one_had_moved() {
             }
         }
     }
-    assert!(ties > 300 && zeros > 100, "{ties} {zeros}");
+    assert!(ties > rounds && zeros > rounds / 3, "{ties} {zeros}");
 }
 
 #[test]

@@ -113,7 +113,7 @@ fn multilinear_in_both_bases() {
 #[test]
 fn in_space_in_both_bases() {
     let mut random = Random(6);
-    for _ in 0..60 {
+    for _ in 0..predicament_effort::some_or_all(15, 60) {
         let scene = grid_scene(3, 2, &random.numbers(8, 4));
         for scheme in Scheme::ALL {
             for question in questions(3).into_iter().filter(|q| q.kind().arity() <= 4) {
@@ -127,7 +127,7 @@ fn in_space_in_both_bases() {
 #[test]
 fn circles() {
     let mut random = Random(7);
-    for _ in 0..200 {
+    for _ in 0..predicament_effort::some_or_all(50, 200) {
         let scene = grid_scene(2, 3, &random.numbers(9, 4));
         check(Scheme::PerCoordinate, &scene, Question::Incircle, 3, 8);
         check(Scheme::EdelsbrunnerMucke, &scene, Question::Incircle, 2, 12);
@@ -140,7 +140,7 @@ fn circles() {
 #[test]
 fn spheres() {
     let mut random = Random(8);
-    for _ in 0..12 {
+    for _ in 0..predicament_effort::some_or_all(3, 12) {
         let scene = grid_scene(3, 2, &random.numbers(8, 5));
         check(Scheme::PerCoordinate, &scene, Question::Insphere, 3, 10);
         check(Scheme::EdelsbrunnerMucke, &scene, Question::Insphere, 2, 13);

@@ -121,7 +121,7 @@ fn of_f64(x: f64) -> Rational {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(150))]
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(50, 150)))]
 
     #[test]
     fn the_plane_withstands_an_adversary(points in points::<2>(), seed: u64, halvings in 0_u32..40) {

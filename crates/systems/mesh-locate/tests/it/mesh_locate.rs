@@ -427,7 +427,7 @@ fn solids() -> impl Strategy<Value = Solids> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(500)))]
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(10, 500)))]
 
     #[test]
     fn tetrahedra_in_layers_and_lattices(solids in solids(), more in prop::collection::vec(prop::array::uniform3(-1.0..9.0_f64), 0..40)) {

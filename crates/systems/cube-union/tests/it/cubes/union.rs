@@ -29,7 +29,7 @@ fn no_cubes_have_no_mass() {
 #[test]
 fn three_cubes_on_a_small_grid_are_right_wherever_they_are() {
     let places = scenes::lattice(3, 1);
-    for edge in [1, 2] {
+    for &edge in predicament_effort::some_or_all(&[2][..], &[1, 2]) {
         for &a in &places {
             for &b in &places {
                 for &c in &places {
@@ -67,6 +67,7 @@ fn dense_and_sparse_crowds_are_right() {
     for (count, end, edge) in
         [(1500, 1000, 100), (1500, 1000, 1), (800, 1000, 400), (600, 1000, 3000), (300, 1_000_000_000, 1), (900, 40, 5)]
     {
+        let count = predicament_effort::some_or_all(count / 2, count);
         check(&random.lowers(count, end), edge);
     }
 }
