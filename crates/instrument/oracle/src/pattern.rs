@@ -19,10 +19,9 @@ pub fn escape(text: &str) -> String {
 pub struct Pattern(Arc<Inner>);
 
 #[derive(Debug)]
-struct Inner {
-    glob: Glob,
-    matcher: OnceLock<GlobMatcher>,
-    is_name: bool,
+enum Inner {
+    Name(String),
+    Glob(Glob, OnceLock<GlobMatcher>),
 }
 
 /// A text that is not a pattern. It displays the text and what is wrong with it.
@@ -43,21 +42,27 @@ impl Pattern {
     /// # Errors
     /// What is wrong with it, in one line that repeats it.
     pub fn new(text: &str) -> Result<Pattern, PatternError> {
-        let glob = Glob::new(text).map_err(PatternError)?;
         let is_name = !text.contains(['*', '?', '[', ']', '{', '}', '\\', '!', ',']);
-        Ok(Pattern(Arc::new(Inner { glob, matcher: OnceLock::new(), is_name })))
+        Ok(Pattern(Arc::new(if is_name {
+            Inner::Name(text.to_owned())
+        } else {
+            Inner::Glob(Glob::new(text).map_err(PatternError)?, OnceLock::new())
+        })))
     }
 
     /// The pattern as it was written.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.0.glob.glob()
+        match &*self.0 {
+            Inner::Name(name) => name,
+            Inner::Glob(glob, _) => glob.glob(),
+        }
     }
 
     /// The one name that it matches, if nothing in it means anything else.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
-        self.0.is_name.then(|| self.text())
+        matches!(*self.0, Inner::Name(_)).then(|| self.text())
     }
 
     /// Whether it says of which suites the scenes are.
@@ -77,12 +82,12 @@ impl Pattern {
     /// Whether it matches a scene by its name, or by that of its suite and its own.
     #[must_use]
     pub fn names(&self, suite: &str, scene: &str) -> bool {
-        match self.name() {
-            Some(name) => {
+        match &*self.0 {
+            Inner::Name(name) => {
                 name == scene || name.strip_prefix(suite).and_then(|rest| rest.strip_prefix('/')) == Some(scene)
             }
-            None => {
-                let matcher = self.0.matcher.get_or_init(|| self.0.glob.compile_matcher());
+            Inner::Glob(glob, matcher) => {
+                let matcher = matcher.get_or_init(|| glob.compile_matcher());
                 matcher.is_match(scene) || matcher.is_match(format!("{suite}/{scene}"))
             }
         }

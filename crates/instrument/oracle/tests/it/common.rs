@@ -10,7 +10,7 @@ use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Wa
 /// The embedded scenes that need no download.
 pub fn definitions() -> Vec<SceneDef> {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let scenes = library.suites().iter().flat_map(|suite| &suite.scenes);
+    let scenes = library.suites().unwrap().iter().flat_map(|suite| &suite.scenes);
     scenes.filter(|definition| !definition.needs_fetch()).cloned().collect()
 }
 

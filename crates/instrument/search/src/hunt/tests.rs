@@ -81,7 +81,7 @@ fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
 #[test]
 fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let seeds = seeds(library.suites(), "contacts2d").unwrap();
+    let seeds = seeds(library.suites().unwrap(), "contacts2d").unwrap();
     let order = Order { seeds, finds: 40, ..Order::new("contacts2d", "epsilon:1e-4", None) };
     let whole = order.hunt(250, State::default());
     let stopped = order.hunt(120, State::default());
