@@ -1,7 +1,8 @@
 //! Which scenes a pattern of a file of expectations names.
 //!
 //! Nearly all patterns are the name of one scene. A glob becomes a regular expression, and thousands of those cost a third of a second at the
-//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked.
+//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked; it is parsed before only where
+//! it can be wrong.
 
 use std::sync::{Arc, OnceLock};
 
@@ -21,8 +22,13 @@ pub struct Pattern(Arc<Inner>);
 #[derive(Debug)]
 enum Inner {
     Name(String),
-    Glob(Glob, OnceLock<GlobMatcher>),
+    Glob(String, OnceLock<GlobMatcher>),
 }
+
+/// The signs of globs that stand by themselves: nothing can be wrong with them.
+const SINGLE: [char; 2] = ['*', '?'];
+/// The other signs of globs.
+const OTHERS: [char; 7] = ['[', ']', '{', '}', '\\', '!', ','];
 
 /// A text that is not a pattern. It displays the text and what is wrong with it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -42,11 +48,15 @@ impl Pattern {
     /// # Errors
     /// What is wrong with it, in one line that repeats it.
     pub fn new(text: &str) -> Result<Pattern, PatternError> {
-        let is_name = !text.contains(['*', '?', '[', ']', '{', '}', '\\', '!', ',']);
-        Ok(Pattern(Arc::new(if is_name {
-            Inner::Name(text.to_owned())
+        let can_be_wrong = text.contains(OTHERS);
+        if can_be_wrong {
+            Glob::new(text).map_err(PatternError)?;
+        }
+        let is_glob = can_be_wrong || text.contains(SINGLE);
+        Ok(Pattern(Arc::new(if is_glob {
+            Inner::Glob(text.to_owned(), OnceLock::new())
         } else {
-            Inner::Glob(Glob::new(text).map_err(PatternError)?, OnceLock::new())
+            Inner::Name(text.to_owned())
         })))
     }
 
@@ -54,9 +64,14 @@ impl Pattern {
     #[must_use]
     pub fn text(&self) -> &str {
         match &*self.0 {
-            Inner::Name(name) => name,
-            Inner::Glob(glob, _) => glob.glob(),
+            Inner::Name(text) | Inner::Glob(text, _) => text,
         }
+    }
+
+    /// What all names begin with that it matches.
+    #[must_use]
+    pub fn prefix(&self) -> &str {
+        self.text().split(SINGLE).next().and_then(|text| text.split(OTHERS).next()).unwrap_or_default()
     }
 
     /// The one name that it matches, if nothing in it means anything else.
@@ -86,9 +101,19 @@ impl Pattern {
             Inner::Name(name) => {
                 name == scene || name.strip_prefix(suite).and_then(|rest| rest.strip_prefix('/')) == Some(scene)
             }
+            Inner::Glob(..) => self.is_match(scene) || self.is_match(&format!("{suite}/{scene}")),
+        }
+    }
+
+    /// Whether it matches this text.
+    #[must_use]
+    pub fn is_match(&self, text: &str) -> bool {
+        match &*self.0 {
+            Inner::Name(name) => name == text,
             Inner::Glob(glob, matcher) => {
-                let matcher = matcher.get_or_init(|| glob.compile_matcher());
-                matcher.is_match(scene) || matcher.is_match(format!("{suite}/{scene}"))
+                let compile =
+                    || Glob::new(glob).expect("it was read, or nothing can be wrong with it").compile_matcher();
+                matcher.get_or_init(compile).is_match(text)
             }
         }
     }
