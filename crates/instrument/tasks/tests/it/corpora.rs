@@ -15,8 +15,10 @@ fn cache() -> Cache {
     Cache::new("/nonexistent/predicament-cache")
 }
 
-fn library() -> Library {
-    Library::embedded(predicament_bundle::vocabulary()).unwrap()
+/// The embedded suites, read once.
+fn library() -> &'static Library {
+    static LIBRARY: std::sync::OnceLock<Library> = std::sync::OnceLock::new();
+    LIBRARY.get_or_init(|| Library::embedded(predicament_bundle::vocabulary()).unwrap())
 }
 
 fn definition(name: &str) -> SceneDef {
@@ -63,7 +65,7 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
     let names = |library: &Library| -> Vec<(String, usize)> {
         library.suites().unwrap().iter().map(|suite| (suite.name.clone(), suite.scenes.len())).collect()
     };
-    assert_eq!(names(&library), names(&self::library()));
+    assert_eq!(names(&library), names(self::library()));
     assert_eq!(library.manifest(), self::library().manifest());
     for suite in library.suites().unwrap() {
         let text = std::fs::read_to_string(suite.file()).unwrap();
