@@ -149,8 +149,7 @@ pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unuse
         level: &plan.level.to_string(),
     };
     let mut unused = expected.unused(&known);
-    let is_own =
-        |suite: &String| plan.paths.contains_key(suite) || !library.suites().iter().any(|of| of.name == *suite);
+    let is_own = |suite: &String| plan.paths.contains_key(suite) || !library.names().any(|name| name == suite);
     if plan.suites.iter().all(is_own) {
         // What ships with the tool is about none of the user's suites.
         unused.here.retain(|place| !place.starts_with(&format!("corpora/{SHIPPED}:")));
@@ -171,7 +170,7 @@ pub fn may_be(tool: &Tool, plan: &Plan, name: &str) -> bool {
 /// All scenes that the tool or a run of this plan knows.
 pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Scenes, Failure> {
     let library = tool.library()?;
-    let mut suites: Vec<Suite> = library.suites().iter().chain(&tool.own_suites()?).cloned().collect();
+    let mut suites: Vec<Suite> = library.suites()?.iter().chain(&tool.own_suites()?).cloned().collect();
     // All scenes of a suite that was named by file, also those that a filter left out; without its file, some are not known.
     let (files, gone): (Vec<_>, Vec<_>) = plan.paths.iter().partition(|(_, file)| Path::new(file).exists());
     for (_, file) in files {

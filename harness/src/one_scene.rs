@@ -63,7 +63,7 @@ fn files<'a>(args: &'a OneScene, tool: &Tool) -> Result<Option<OnFiles<'a>>, Fai
     // A suite can have the name of a task.
     let Some(second) = files.first() else { return Ok(None) };
     let library = tool.library()?;
-    let is_suite = second.ends_with(".toml") || library.suites().iter().any(|suite| suite.name == *second);
+    let is_suite = second.ends_with(".toml") || library.names().any(|name| name == second);
     Ok((!is_suite).then_some((task, files)))
 }
 

@@ -97,7 +97,7 @@ impl Selector {
         let mut not_selected = Vec::new();
         let suites = if self.suites.is_empty() {
             let (fetched, ready): (Vec<_>, Vec<_>) =
-                library.suites().iter().cloned().partition(|suite| suite.needs_fetch);
+                library.suites()?.iter().cloned().partition(|suite| suite.needs_fetch);
             not_selected.extend(fetched.into_iter().map(|suite| NotSelected {
                 reason: format!(
                     "needs fetched data and was not named; `{} corpus fetch`, then name `{}`",
@@ -121,9 +121,8 @@ impl Selector {
                     )));
                 }
             }
-            let rest = library.suites().iter().filter(|suite| named.iter().all(|other| other.name != suite.name));
-            not_selected
-                .extend(rest.map(|suite| NotSelected { suite: suite.name.clone(), reason: NOT_NAMED.to_owned() }));
+            let rest = library.names().filter(|name| named.iter().all(|other| other.name != *name));
+            not_selected.extend(rest.map(|name| NotSelected { suite: name.to_owned(), reason: NOT_NAMED.to_owned() }));
             named
         };
         let named_by_file = |suite: &&Suite| {

@@ -184,16 +184,16 @@ impl Tool {
         own.chain([roster::HELP.to_owned()]).collect()
     }
 
-    /// The embedded library, read once.
-    pub fn library(&self) -> Result<Library, CorpusError> {
-        self.library.get_or_init(|| Library::embedded(&self.vocabulary)).clone()
+    /// The embedded library.
+    pub fn library(&self) -> Result<&Library, CorpusError> {
+        self.library.get_or_init(|| Library::embedded(&self.vocabulary)).as_ref().map_err(Clone::clone)
     }
 
     /// The suites of the folders that the tool's maker named, in the order of folders and names.
     pub fn own_suites(&self) -> Result<Vec<Suite>, CorpusError> {
         let mut suites = Vec::new();
         for folder in &self.guests.suites {
-            suites.extend(Library::from_dir(&self.vocabulary, folder)?.suites().iter().cloned());
+            suites.extend(Library::from_dir(&self.vocabulary, folder)?.suites()?.iter().cloned());
         }
         Ok(suites)
     }

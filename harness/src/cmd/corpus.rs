@@ -86,7 +86,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
 
 fn list(tool: &Tool, scenes: bool, as_json: bool) -> exit::Outcome {
     let (library, own) = (tool.library()?, tool.own_suites()?);
-    for suite in own.iter().chain(library.suites()) {
+    for suite in own.iter().chain(library.suites()?) {
         if as_json {
             let scene =
                 |def: &SceneDef| json!({ "name": def.name, "task": def.task, "family": def.family, "tags": def.tags });

@@ -66,8 +66,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         let state = if cache.has(entry) { "present".to_owned() } else { missing() };
         line(&format!("  {}", entry.key), &state);
     }
-    let scenes: usize = library.suites().iter().map(|suite| suite.scenes.len()).sum();
-    line("suites", &format!("{} with {scenes} scenes", library.suites().len()));
+    let suites = library.suites()?;
+    let scenes: usize = suites.iter().map(|suite| suite.scenes.len()).sum();
+    line("suites", &format!("{} with {scenes} scenes", suites.len()));
     Ok(if sound { exit::OK } else { exit::UNEXPECTED })
 }
 

@@ -352,7 +352,7 @@ fn seeds_of(tool: &Tool, task: &str, names: &[String], all: bool) -> Result<Vec<
     let library = tool.library()?;
     let mut suites = Vec::new();
     if all {
-        suites.extend(library.suites().iter().cloned());
+        suites.extend(library.suites()?.iter().cloned());
         suites.extend(tool.own_suites()?);
     }
     for name in names {

@@ -130,7 +130,7 @@ fn an_engine_in_python_that_loops_ends_with_its_worker() {
     let out = at(&folder, "run");
     let backend = format!("engine:{engine}");
     // A time limit is enough to have it apart.
-    let told = crate::common::run(&["run", &suite, "-b", &backend, "--timeout", "1", "--out", &out]);
+    let told = crate::common::run(&["run", &suite, "-b", &backend, "--timeout", "0.5", "--out", &out]);
     assert_eq!(told.code, 103, "{}", told.stderr);
     assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
     let place = folder.path().join("endless");

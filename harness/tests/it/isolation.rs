@@ -22,7 +22,7 @@ fn what_ends_the_process_costs_one_row() {
     let suite = write(&folder, "mine.toml", SUITE);
     let none = write(&folder, "none.toml", "");
     for (fault, class, check, said) in [
-        ("loops", "timeout", "time limit", "took longer than 5.5s"),
+        ("loops", "timeout", "time limit", "took longer than 2.5s"),
         ("panics", "panic", "panic", "planted: a panic"),
         ("overflows-stack", "panic", "crashed", "has overflowed its stack"),
         ("aborts", "panic", "crashed", "abort (signal 6): without a word"),
@@ -32,7 +32,7 @@ fn what_ends_the_process_costs_one_row() {
         let out = at(&folder, fault);
         let backends = format!("fault:{fault},exact");
         // Long enough for a process that does not loop, however busy the machine is.
-        let limit: &[&str] = if fault == "loops" { &["--timeout", "5.5"] } else { &[] };
+        let limit: &[&str] = if fault == "loops" { &["--timeout", "2.5"] } else { &[] };
         let args = ["run", &suite, "-b", &backends, "--isolate", "--expected", &none, "--out", &out];
         let told = run(&[&args[..], limit].concat());
         let code = if fault == "loops" { 103 } else { 100 };
@@ -62,7 +62,7 @@ fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", SUITE);
     let out = at(&folder, "run");
-    let args = ["run", &suite, "-b", "fault:loops,exact", "--isolate", "--timeout", "2", "--out", &out];
+    let args = ["run", &suite, "-b", "fault:loops,exact", "--isolate", "--timeout", "1", "--out", &out];
     let first = tool(&args).stderr(std::process::Stdio::piped()).spawn().unwrap();
     let worker = folder.path().join(format!("run/worker-{}", first.id()));
     while !worker.join("run/state.json").exists() {
@@ -82,7 +82,8 @@ fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
 fn isolated_rows_are_the_rows() {
     let folder = tempdir().unwrap();
     let (here, apart) = (at(&folder, "here"), at(&folder, "apart"));
-    let scenes = ["run", "-f", "kettner-(a1|pixels-c)$|tilings/bricks$", "-b", "exact,naive", "--out"];
+    let scenes =
+        ["run", "classics", "tilings", "-f", "kettner-(a1|pixels-c)$|tilings/bricks$", "-b", "exact,naive", "--out"];
     run(&[&scenes[..], &[&here]].concat());
     run(&[&scenes[..], &[&apart, "--isolate"]].concat());
     crate::common::assert_same_tables(&here, &apart, "in a process of its own");

@@ -4,7 +4,7 @@ use tempfile::tempdir;
 
 use crate::common::{at, column, expect, read, rewrite, run, unsealed, write};
 
-const SCENES: [&str; 4] = ["-f", "kettner-a1$|tilings/bricks|three-cells|cubes/twins", "-b", "exact,sos,naive"];
+const SCENES: [&str; 4] = ["-f", "kettner-a1$|tilings/crossing|three-cells|cubes/twins", "-b", "exact,sos,naive"];
 
 #[test]
 fn judgements_are_taken_over_and_answers_compared() {

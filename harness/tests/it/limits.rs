@@ -10,7 +10,8 @@ use crate::common::{SUITE, assert_same_tables, at, column, expect, read, run, wr
 fn a_timeout_is_counted_and_the_run_incomplete() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "run");
-    let told = expect(103, &["run", "-f", "kettner-a1$", "-b", "exact,naive", "--timeout", "1e-9", "--out", &out]);
+    let told =
+        expect(103, &["run", "classics", "-f", "kettner-a1$", "-b", "exact,naive", "--timeout", "1e-9", "--out", &out]);
     assert!(told.stdout.contains("1 timeout"), "{}", told.stdout);
     assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
     // A timeout is a finding that nobody expects.

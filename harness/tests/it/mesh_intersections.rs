@@ -9,7 +9,10 @@ const OFF: &str = "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 1
 fn a_mesh_that_moves_as_a_whole_has_no_findings() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "run");
-    expect(0, &["run", "-q", "intersections", "-b", "sos:per-mesh", "--out", &out]);
+    // What was drawn by hand and what was reported, the smallest of each family of meshes, and every way to lay two spheres.
+    let few = ["-f", "/[^i]|/(into|in-)|-mesh-intersect-placed-(same|nearly|offset|quarter|tiny|tangent|step|half)$"];
+    let scenes: &[&str] = if predicament_effort::whole() { &[] } else { &few };
+    expect(0, &[&["run", "-q", "intersections", "-b", "sos:per-mesh", "--out", &out], scenes].concat());
     let summary = read(&out, "summary.csv");
     assert!(summary.lines().count() > 30 && summary.lines().skip(1).all(|row| row.ends_with(",ok")), "{summary}");
 }

@@ -6,7 +6,7 @@ use tempfile::tempdir;
 /// A part of the corpora that has signs, ties, findings and a map.
 const SOME: [&str; 4] = [
     "-f",
-    "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide",
+    "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings/crossing|contacts/(surfaces|polygons)-degen|cubes/slide",
     "-b",
     "exact,sos,naive,tolerance",
 ];
@@ -39,7 +39,7 @@ fn shards_are_a_partition_of_the_whole() {
 fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
     let folder = tempdir().unwrap();
     let (whole, broken) = (at(&folder, "whole"), at(&folder, "broken"));
-    let args = ["run", "-f", "classics|decimals|families", "-b", "exact,sos,sos:edelsbrunner-mucke", "--out"];
+    let args = ["run", "families", "-f", "incircle|insphere", "-b", "exact,sos,sos:edelsbrunner-mucke", "--out"];
     run(&[&args[..], &[&whole]].concat());
     let mut child = tool(&[&args[..], &[&broken]].concat()).stdout(std::process::Stdio::null()).spawn().unwrap();
     // Wait until something is done, then interrupt.
@@ -73,7 +73,7 @@ fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
     while !judged() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    std::thread::sleep(std::time::Duration::from_millis(500));
+    std::thread::sleep(std::time::Duration::from_millis(200));
     std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap();
     let ended = child.wait_with_output().unwrap();
     assert_eq!(ended.status.code(), Some(103));
@@ -86,7 +86,7 @@ fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
 fn every_scene_has_one_precision_plan_whatever_the_backends() {
     let folder = tempdir().unwrap();
     let (one, many, old) = (at(&folder, "one"), at(&folder, "many"), at(&folder, "old"));
-    let scenes = ["run", "-f", "grid-(orient3d|incircle)|wide-scaled-orient2d", "-b"];
+    let scenes = ["run", "families", "-f", "grid-(orient3d|incircle)|wide-scaled-orient2d", "-b"];
     run(&[&scenes[..], &["naive", "--out", &one]].concat());
     run(&[&scenes[..], &["exact,sos,naive", "--out", &many]].concat());
     let plans = read(&one, "precision.csv");
@@ -139,26 +139,15 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
 #[test]
 fn what_is_held_against_a_part_of_the_truth_is_written_down() {
     let folder = tempdir().unwrap();
-    for (scene, rows) in [("polygons-1e5", 1), ("polygons-1e3", 0)] {
+    // Up to 20,000 edges and a bit, all of them are looked at.
+    for (scene, edges, rows) in [("large", 25_000, 1), ("small", 1000, 0)] {
         let out = at(&folder, scene);
-        let filter = format!("/{scene}$");
-        expect(
-            0,
-            &[
-                "run",
-                "contact-sizes",
-                "-f",
-                &filter,
-                "--level",
-                "full",
-                "-b",
-                "naive",
-                "--permutations",
-                "0",
-                "--out",
-                &out,
-            ],
+        let text = format!(
+            "title = \"Edges\"\n[[generate]]\nname = \"{scene}\"\nfamily = \"polygons-uniform\"\ntask = \"contacts2d\"\n\
+             n = {edges}\nbits = 24\nseed = 31\n"
         );
+        let suite = write(&folder, &format!("{scene}-suite.toml"), &text);
+        expect(0, &["run", &suite, "-b", "naive", "--permutations", "0", "--out", &out]);
         let sampled = read(&out, "sampled.csv");
         assert_eq!(column(&sampled, "scene"), vec![scene; rows], "{sampled}");
         assert_eq!(sampled.contains("simplices of the first complex"), rows > 0, "{sampled}");
@@ -169,7 +158,7 @@ fn what_is_held_against_a_part_of_the_truth_is_written_down() {
 fn a_finding_is_replayed_from_its_id() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "run");
-    run(&["run", "-f", "kettner|tilings/tiling", "-b", "naive,epsilon:1e-10", "--out", &out]);
+    run(&["run", "classics", "tilings", "-f", "kettner|tilings/tiling", "-b", "naive,epsilon:1e-10", "--out", &out]);
     let findings = read(&out, "findings.csv");
     let (ids, checks) = (column(&findings, "finding_id"), column(&findings, "check"));
     for kind in ["sign", "antisymmetry", "false-boundary"] {

@@ -7,10 +7,15 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{at, expect, run, tool, write};
 
-/// A run of a family by naive, and its first finding of a class by a check.
-fn found(folder: &TempDir, filter: &str, backends: &str, class: &str, check: &str) -> (String, String) {
+/// As two scenes of the embedded families, and smaller: what a finding is shrunk to does not go by how large its scene was.
+const SMALL: &str = "title = \"Small\"\n\
+    [[generate]]\nfamily = \"near\"\ntask = \"orient3d\"\nn = 800\nseed = 3\nulps = 4\n\
+    [[generate]]\nfamily = \"kettner\"\ntask = \"orient2d\"\nn = 600\nseed = 4\n";
+
+/// A run of a suite by naive, and its first finding of a class by a check.
+fn found(folder: &TempDir, suite: &str, filter: &str, backends: &str, class: &str, check: &str) -> (String, String) {
     let out = at(folder, "run");
-    let code = run(&["run", "families", "-f", filter, "-b", backends, "-q", "--out", &out]).code;
+    let code = run(&["run", suite, "-f", filter, "-b", backends, "-q", "--out", &out]).code;
     assert!([0, 100].contains(&code), "{code}");
     let mut table = csv::Reader::from_path(format!("{out}/findings.csv")).unwrap();
     let heads = table.headers().unwrap().clone();
@@ -27,7 +32,7 @@ fn state(folder: &str) -> Value {
 #[test]
 fn a_wrong_sign_among_thousands_is_three_points() {
     let folder = tempdir().unwrap();
-    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first,exact", "sign_flip", "sign");
+    let (id, run_dir) = found(&folder, "families", "/kettner-orient2d$", "naive:first,exact", "sign_flip", "sign");
     let [out, suite] = ["shrunk", "mine.toml"].map(|name| at(&folder, name));
     let told = expect(0, &["shrink", &id, "--run", &run_dir, "--out", &out, "--into", &suite]);
     let state = state(&out);
@@ -57,7 +62,8 @@ fn a_wrong_sign_among_thousands_is_three_points() {
 #[test]
 fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     let folder = tempdir().unwrap();
-    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
+    let small = write(&folder, "small.toml", SMALL);
+    let (id, run_dir) = found(&folder, &small, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
     let [short, long] = ["short", "long"].map(|name| at(&folder, name));
     let suite = at(&folder, "mine.toml");
     let limit = ["--evaluations", "5", "--into", &suite];
@@ -117,9 +123,12 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
 #[test]
 fn a_second_backend_has_to_show_it_and_another_must_not() {
     let folder = tempdir().unwrap();
-    let (id, run_dir) = found(&folder, "near.*orient3d", "naive,naive:first,shewchuk", "sign_flip", "sign");
+    let small = write(&folder, "small.toml", SMALL);
+    let (id, run_dir) = found(&folder, &small, "near.*orient3d", "naive,naive:first,shewchuk", "sign_flip", "sign");
     let out = at(&folder, "both");
-    let more = ["-b", "naive:first", "--not-by", "shewchuk,exact"];
+    // Every scene on the way shows what the smallest does.
+    let evaluations = if predicament_effort::whole() { "5000" } else { "400" };
+    let more = ["-b", "naive:first", "--not-by", "shewchuk,exact", "--evaluations", evaluations];
     let args: Vec<&str> = ["shrink", &id, "--run", &run_dir, "--out", &out].into_iter().chain(more).collect();
     expect(0, &args);
     let suite = format!("{out}/shrunk.toml");
@@ -139,7 +148,7 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     let out = at(&folder, "run");
     let args = [
         "run",
-        "families",
+        &write(&folder, "small.toml", SMALL),
         "-f",
         "/kettner-orient2d$",
         "-b",
@@ -201,7 +210,8 @@ fn tests_of_constructed_vertices_have_their_definitions() {
 #[test]
 fn the_test_in_python_is_right() {
     let folder = tempdir().unwrap();
-    let (id, run_dir) = found(&folder, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
+    let small = write(&folder, "small.toml", SMALL);
+    let (id, run_dir) = found(&folder, &small, "/kettner-orient2d$", "naive:first", "sign_flip", "sign");
     let out = at(&folder, "shrunk");
     expect(0, &["shrink", &id, "--run", &run_dir, "--out", &out]);
     let text = fs::read_to_string(format!("{out}/shrunk.py")).unwrap();

@@ -85,7 +85,8 @@ fn no_pairs_and_no_folder_are_refused() {
 fn an_audit_passes_though_what_is_printed_does_not() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
-    let told = expect(0, &["audit", "--decisions", "500", "--out", &out]);
+    let decisions = if predicament_effort::whole() { "500" } else { "50" };
+    let told = expect(0, &["audit", "--decisions", decisions, "--out", &out]);
     assert_eq!(told.stdout, format!("{}\n{out}\n", read(&out, "audit.md")));
     let csv = read(&out, "audit.csv");
     let broken: u64 =
@@ -98,7 +99,8 @@ fn an_audit_passes_though_what_is_printed_does_not() {
 fn every_planted_tolerance_and_driver_is_found() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
-    expect(0, &["audit", "--planted", "--decisions", "3000", "--out", &out]);
+    let decisions = if predicament_effort::whole() { "3000" } else { "1000" };
+    expect(0, &["audit", "--planted", "--decisions", decisions, "--out", &out]);
     let found = column(&read(&out, "reads.csv"), "misread");
     assert!(found.len() == 2 * (17 + 9) && found.iter().all(|n| n != "0"), "{found:?}");
     let numbers = column(&read(&out, "constants.csv"), "is_published");

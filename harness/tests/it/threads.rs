@@ -4,22 +4,18 @@ use tempfile::tempdir;
 
 use crate::common::{assert_same_tables, at, run, tables};
 
-/// A part of the corpora that has signs, ties, findings and a row for every table. And the study with a folder that works in parallel.
-const SOME: [&[&str]; 2] = [
-    &[
-        "run",
-        "-f",
-        "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra|intersections/tetrahedra$",
-        "-b",
-        "exact,sos,naive,tolerance",
-    ],
-    &["parity", "--pairs", "60", "--shrink", "1"],
-];
+/// A part of the corpora that has signs, ties, findings and a row for every table.
+const SOME: &str = "kettner-[ab]|wide-scaled-orient2d|grid-incircle|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra|intersections/tetrahedra$|tilings/";
 
 #[test]
 fn the_bytes_do_not_depend_on_the_number_of_threads() {
     let folder = tempdir().unwrap();
-    for args in SOME {
+    // The smallest of the three maps has rows in their tables; the other two are as much work as all other scenes.
+    let scenes = if predicament_effort::whole() { SOME.to_owned() } else { format!("{SOME}crossing") };
+    // And the study with a folder that works in parallel.
+    for args in
+        [&["run", "-f", &scenes, "-b", "exact,sos,naive,tolerance"][..], &["parity", "--pairs", "60", "--shrink", "1"]]
+    {
         let [one, many] = ["1", "5"].map(|threads| {
             let out = at(&folder, &format!("{}{threads}", args[0]));
             let told = run(&[args, &["--threads", threads, "--out", &out]].concat());
@@ -37,7 +33,8 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
         }
         assert_same_tables(&one, &many, "five threads instead of one");
     }
-    let laws = ["laws", "-b", "exact,naive", "--tuples", "5000", "--format", "csv", "--threads"];
+    // The first violation of each law is the first whatever the threads; a backend without any says little about that.
+    let laws = ["laws", "-b", "naive", "--tuples", "5000", "--format", "csv", "--threads"];
     let [one, many] = ["1", "5"].map(|threads| run(&[&laws[..], &[threads]].concat()).stdout);
     assert!(one.lines().count() > 1 && one == many, "{one}\n{many}");
 }

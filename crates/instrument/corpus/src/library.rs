@@ -1,6 +1,8 @@
 //! All the suites of a folder, or those that the tool carries with it.
 
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, OnceLock};
 
 use include_dir::{Dir, include_dir};
 
@@ -16,30 +18,39 @@ const COMPANIONS: [&str; 2] = [FETCH, "expected.toml"];
 const FETCH: &str = "fetch.toml";
 
 /// The suites and the fetch manifest of one corpora folder.
+///
+/// A suite is read when it is first asked for: a command about one suite reads no other.
 #[derive(Clone, Debug)]
 pub struct Library {
-    suites: Vec<Suite>,
+    files: Vec<File>,
+    suites: Arc<OnceLock<Result<Vec<Suite>, CorpusError>>>,
     manifest: Manifest,
     folder: Option<PathBuf>,
     vocabulary: Vocabulary,
 }
 
+/// The text of a suite.
+#[derive(Clone, Debug)]
+struct File {
+    /// The suite's name.
+    name: String,
+    /// The file as errors name it.
+    shown: String,
+    text: Cow<'static, str>,
+}
+
 impl Library {
-    /// The suites in `corpora/`, as they were when the tool was built.
+    /// The suites in `corpora/`, as they were when the tool was built. None is read yet.
     ///
     /// # Errors
-    /// [`CorpusError`] where a suite is wrong.
+    /// [`CorpusError`] where the fetch manifest is wrong.
     pub fn embedded(vocabulary: &Vocabulary) -> Result<Library, CorpusError> {
-        let mut files: Vec<(String, String)> = EMBEDDED
-            .files()
-            .filter_map(|file| Some((file.path().to_str()?.to_owned(), file.contents_utf8()?.to_owned())))
-            .collect();
-        files.sort();
-        let named = files.iter().map(|(name, text)| (name.as_str(), format!("corpora/{name}"), text.as_str()));
-        Library::assemble(vocabulary, named.collect(), None)
+        let named = EMBEDDED.files().filter_map(|file| Some((file.path().to_str()?, file.contents_utf8()?)));
+        let files = named.map(|(name, text)| (name.to_owned(), format!("corpora/{name}"), Cow::Borrowed(text)));
+        Library::assemble(vocabulary, files.collect(), None)
     }
 
-    /// The suites of a folder on disk.
+    /// The suites of a folder on disk, all of them read.
     ///
     /// # Errors
     /// [`CorpusError`] where the folder can't be read or a suite is wrong.
@@ -53,34 +64,39 @@ impl Library {
             if path.extension().is_some_and(|extension| extension == "toml") {
                 let text = read_suite(&path)?;
                 let name = path.file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
-                files.push((name, path.display().to_string(), text));
+                files.push((name, path.display().to_string(), Cow::Owned(text)));
             }
         }
-        files.sort();
-        let named = files.iter().map(|(name, file, text)| (name.as_str(), file.clone(), text.as_str()));
-        Library::assemble(vocabulary, named.collect(), Some(folder))
+        let library = Library::assemble(vocabulary, files, Some(folder))?;
+        library.suites()?;
+        Ok(library)
     }
 
-    /// Suites from (file name, name in errors, text), sorted.
+    /// Suites from (file name, name in errors, text).
     fn assemble(
         vocabulary: &Vocabulary,
-        files: Vec<(&str, String, &str)>,
+        mut files: Vec<(String, String, Cow<'static, str>)>,
         folder: Option<&Path>,
     ) -> Result<Library, CorpusError> {
+        files.sort();
         let manifest = match files.iter().find(|(name, ..)| *name == FETCH) {
             Some((_, file, text)) => Manifest::parse(file, text)?,
             None => Manifest::default(),
         };
-        let mut suites = Vec::new();
-        let mut seen = SeenIds::new();
-        for (name, file, text) in files {
-            if !COMPANIONS.contains(&name) && name.ends_with(".toml") {
-                let suite = Suite::parse(vocabulary, &file, text, folder, &manifest)?;
-                suite.check_ids(&mut seen)?;
-                suites.push(suite);
-            }
-        }
-        Ok(Library { suites, manifest, folder: folder.map(Path::to_path_buf), vocabulary: vocabulary.clone() })
+        let suites = files.into_iter().filter(|(name, ..)| !COMPANIONS.contains(&name.as_str()));
+        let suites = suites
+            .filter_map(|(name, shown, text)| Some(File { name: name.strip_suffix(".toml")?.to_owned(), shown, text }));
+        Ok(Library {
+            files: suites.collect(),
+            suites: Arc::default(),
+            manifest,
+            folder: folder.map(Path::to_path_buf),
+            vocabulary: vocabulary.clone(),
+        })
+    }
+
+    fn read(&self, file: &File) -> Result<Suite, CorpusError> {
+        Suite::parse(&self.vocabulary, &file.shown, &file.text, self.folder.as_deref(), &self.manifest)
     }
 
     /// The tasks that its suites can name.
@@ -89,10 +105,27 @@ impl Library {
         &self.vocabulary
     }
 
-    /// The suites in the order of their names.
-    #[must_use]
-    pub fn suites(&self) -> &[Suite] {
-        &self.suites
+    /// The names of the suites, in order. None is read for them.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        self.files.iter().map(|file| file.name.as_str())
+    }
+
+    /// All suites in the order of their names, read once.
+    ///
+    /// # Errors
+    /// [`CorpusError`] where a suite is wrong, or two have a scene with the same content.
+    pub fn suites(&self) -> Result<&[Suite], CorpusError> {
+        let read = || {
+            let mut seen = SeenIds::new();
+            let mut suites = Vec::new();
+            for file in &self.files {
+                let suite = self.read(file)?;
+                suite.check_ids(&mut seen)?;
+                suites.push(suite);
+            }
+            Ok(suites)
+        };
+        self.suites.get_or_init(read).as_deref().map_err(Clone::clone)
     }
 
     /// What can be fetched.
@@ -106,14 +139,17 @@ impl Library {
     /// # Errors
     /// [`CorpusError`] where there is neither, or the file is wrong.
     pub fn suite(&self, name: &str) -> Result<Suite, CorpusError> {
-        if let Some(suite) = self.suites.iter().find(|suite| suite.name == name) {
-            return Ok(suite.clone());
+        if let Some(at) = self.names().position(|known| known == name) {
+            return match self.suites.get() {
+                Some(Ok(suites)) => Ok(suites[at].clone()),
+                _ => self.read(&self.files[at]),
+            };
         }
         let path = Path::new(name);
         if path.extension().is_some_and(|extension| extension == "toml") {
             return Suite::from_file(&self.vocabulary, path, &self.manifest);
         }
-        let known: Vec<_> = self.suites.iter().map(|suite| suite.name.as_str()).collect();
+        let known: Vec<_> = self.names().collect();
         Err(CorpusError::usage(
             name,
             "no suite has this name",
@@ -148,7 +184,7 @@ impl Library {
     /// The first [`CorpusError`] of a scene.
     pub fn verify(&self, level: Level, cache: &Cache, mut visit: impl FnMut(&LoadedScene)) -> Result<(), CorpusError> {
         let mut seen = SeenIds::new();
-        for scene in self.suites.iter().flat_map(|suite| &suite.scenes) {
+        for scene in self.suites()?.iter().flat_map(|suite| &suite.scenes) {
             let loaded = scene.load(level, cache)?;
             seen.insert(scene, &loaded)?;
             visit(&loaded);

@@ -55,9 +55,28 @@ pub fn exact(text: &str) -> Result<f64, CoordinateError> {
             HexError::Overflow => CoordinateError::Overflow,
         });
     }
+    if let Some(is_double) = short(text) {
+        let nearest = text.parse().map_err(|_| CoordinateError::Malformed)?;
+        return if is_double { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) };
+    }
     let nearest = nearest(text)?;
     let decimal = Decimal::read(text).ok_or(CoordinateError::Malformed)?;
     if decimal == Decimal::of(nearest) { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) }
+}
+
+/// Whether a decimal of at most 15 digits, without an exponent, is a double; none for other texts. Nearly all texts are so short.
+///
+/// With k of them behind the point, the digits are an integer m below 2^53, and m / 10^k is a double exactly where 5^k divides m.
+fn short(text: &str) -> Option<bool> {
+    let text = text.strip_prefix(['-', '+']).unwrap_or(text);
+    let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
+    let digits = || whole.bytes().chain(fraction.bytes());
+    if !(1..=15).contains(&(whole.len() + fraction.len())) || !digits().all(|byte| byte.is_ascii_digit()) {
+        return None;
+    }
+    let m = digits().fold(0, |m, digit| 10 * m + u64::from(digit - b'0'));
+    let fives = 5_u64.pow(u32::try_from(fraction.len()).ok()?);
+    Some(m % fives == 0)
 }
 
 /// The double nearest to a decimal.
@@ -200,6 +219,23 @@ mod tests {
             let x: f64 = text.parse().unwrap();
             let is_double = Rational::from_f64(x.abs()) == Some(truth);
             prop_assert_eq!(exact(&text).is_ok(), is_double, "{}", text);
+        }
+
+        /// Written without an exponent, on both sides of the length from which there is no shorter way.
+        #[test]
+        fn exactness_of_short_decimals_agrees_with_rationals(
+            digits in prop_oneof!["[0-9]{1,17}", "[0-9]{0,12}(5|25|125|625|0000)", "[0-9]{0,3}(0|5|25|75){1,6}"],
+            behind in 0usize..17,
+            sign in "[+-]?",
+        ) {
+            let behind = behind.min(digits.len());
+            let (whole, fraction) = digits.split_at(digits.len() - behind);
+            let truth = rational(&digits, -i32::try_from(behind).unwrap());
+            let text = format!("{sign}{whole}.{fraction}");
+            let x: f64 = text.parse().unwrap();
+            let is_double = Rational::from_f64(x.abs()) == Some(truth);
+            let expected = if is_double { Ok(x.to_bits()) } else { Err(CoordinateError::Inexact { nearest: x }) };
+            prop_assert_eq!(exact(&text).map(f64::to_bits), expected, "{}", text);
         }
 
         #[test]

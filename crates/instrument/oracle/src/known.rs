@@ -3,7 +3,8 @@
 //! A suite of the user's may be anywhere, or gone: what names its scenes is no mistake, and can't be held against a run. So a pattern that
 //! matches nothing is a mistake only where all scenes that it could match are known.
 
-use std::collections::{BTreeSet, HashSet};
+use std::collections::BTreeSet;
+use std::ops::Bound;
 
 use crate::pattern::Pattern;
 
@@ -11,7 +12,7 @@ use crate::pattern::Pattern;
 #[derive(Default)]
 pub struct Scenes {
     all: Vec<(String, String)>,
-    names: HashSet<String>,
+    names: BTreeSet<String>,
     suites: BTreeSet<String>,
     /// Suites that have more scenes than these.
     open: BTreeSet<String>,
@@ -29,10 +30,9 @@ impl Scenes {
     /// Whether a scene has a name that matches.
     #[must_use]
     pub fn has_any(&self, pattern: &Pattern) -> bool {
-        match pattern.name() {
-            Some(name) => self.names.contains(name),
-            None => self.matching(pattern).next().is_some(),
-        }
+        let prefix = pattern.prefix();
+        let candidates = self.names.range::<str, _>((Bound::Included(prefix), Bound::Unbounded));
+        candidates.take_while(|name| name.starts_with(prefix)).any(|name| pattern.is_match(name))
     }
 
     /// The scenes that match, by suite and name.

@@ -1,7 +1,8 @@
 //! Which scenes a pattern of a file of expectations names.
 //!
 //! Nearly all patterns are the name of one scene. A glob becomes a regular expression, and thousands of those cost a third of a second at the
-//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked.
+//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked; it is parsed before only where
+//! it can be wrong.
 
 use std::sync::{Arc, OnceLock};
 
@@ -19,11 +20,15 @@ pub fn escape(text: &str) -> String {
 pub struct Pattern(Arc<Inner>);
 
 #[derive(Debug)]
-struct Inner {
-    glob: Glob,
-    matcher: OnceLock<GlobMatcher>,
-    is_name: bool,
+enum Inner {
+    Name(String),
+    Glob(String, OnceLock<GlobMatcher>),
 }
+
+/// The signs of globs that stand by themselves: nothing can be wrong with them.
+const SINGLE: [char; 2] = ['*', '?'];
+/// The other signs of globs.
+const OTHERS: [char; 7] = ['[', ']', '{', '}', '\\', '!', ','];
 
 /// A text that is not a pattern. It displays the text and what is wrong with it.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -43,21 +48,36 @@ impl Pattern {
     /// # Errors
     /// What is wrong with it, in one line that repeats it.
     pub fn new(text: &str) -> Result<Pattern, PatternError> {
-        let glob = Glob::new(text).map_err(PatternError)?;
-        let is_name = !text.contains(['*', '?', '[', ']', '{', '}', '\\', '!', ',']);
-        Ok(Pattern(Arc::new(Inner { glob, matcher: OnceLock::new(), is_name })))
+        let can_be_wrong = text.contains(OTHERS);
+        if can_be_wrong {
+            Glob::new(text).map_err(PatternError)?;
+        }
+        let is_glob = can_be_wrong || text.contains(SINGLE);
+        Ok(Pattern(Arc::new(if is_glob {
+            Inner::Glob(text.to_owned(), OnceLock::new())
+        } else {
+            Inner::Name(text.to_owned())
+        })))
     }
 
     /// The pattern as it was written.
     #[must_use]
     pub fn text(&self) -> &str {
-        self.0.glob.glob()
+        match &*self.0 {
+            Inner::Name(text) | Inner::Glob(text, _) => text,
+        }
+    }
+
+    /// What all names begin with that it matches.
+    #[must_use]
+    pub fn prefix(&self) -> &str {
+        self.text().split(SINGLE).next().and_then(|text| text.split(OTHERS).next()).unwrap_or_default()
     }
 
     /// The one name that it matches, if nothing in it means anything else.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
-        self.0.is_name.then(|| self.text())
+        matches!(*self.0, Inner::Name(_)).then(|| self.text())
     }
 
     /// Whether it says of which suites the scenes are.
@@ -77,13 +97,23 @@ impl Pattern {
     /// Whether it matches a scene by its name, or by that of its suite and its own.
     #[must_use]
     pub fn names(&self, suite: &str, scene: &str) -> bool {
-        match self.name() {
-            Some(name) => {
+        match &*self.0 {
+            Inner::Name(name) => {
                 name == scene || name.strip_prefix(suite).and_then(|rest| rest.strip_prefix('/')) == Some(scene)
             }
-            None => {
-                let matcher = self.0.matcher.get_or_init(|| self.0.glob.compile_matcher());
-                matcher.is_match(scene) || matcher.is_match(format!("{suite}/{scene}"))
+            Inner::Glob(..) => self.is_match(scene) || self.is_match(&format!("{suite}/{scene}")),
+        }
+    }
+
+    /// Whether it matches this text.
+    #[must_use]
+    pub fn is_match(&self, text: &str) -> bool {
+        match &*self.0 {
+            Inner::Name(name) => name == text,
+            Inner::Glob(glob, matcher) => {
+                let compile =
+                    || Glob::new(glob).expect("it was read, or nothing can be wrong with it").compile_matcher();
+                matcher.get_or_init(compile).is_match(text)
             }
         }
     }

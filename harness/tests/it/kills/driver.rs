@@ -31,10 +31,16 @@ impl Shape {
     /// The words after `predicament`, without the folder.
     pub fn words(self) -> Vec<String> {
         // Signs, ties, a mesh, a map of a plane; or a picture of single signs, which goes with its rows.
-        let scenes = "ties/(grid-(4x4|3x3x3)-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
-        let few = "kettner-(a1|pixels-a)$";
-        let scenes = if self == Shape::Apart { few } else { scenes };
-        let mut words = vec!["run", "-f", scenes, "-b", "exact,sos,naive", "--quiet"];
+        // The last two are long enough to be killed in.
+        let many = "ties/(grid-(4x4|3x3x3)-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
+        let some = "ties/(grid-4x4-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
+        let scenes = match self {
+            Shape::Apart => "kettner-(a1|pixels-a)$",
+            _ if predicament_effort::whole() => many,
+            _ => some,
+        };
+        let suites: &[&str] = if self == Shape::Apart { &["classics"] } else { &["ties", "lecture", "tilings"] };
+        let mut words = [&["run"], suites, &["-f", scenes, "-b", "exact,sos,naive", "--quiet"]].concat();
         let part = if let Shape::Part(k) = self { format!("{k}/{PARTS}") } else { String::new() };
         match self {
             Shape::Plain => words.push("--answers"),

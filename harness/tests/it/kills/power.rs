@@ -157,14 +157,22 @@ fn texts(arguments: &str) -> Vec<Vec<u8>> {
                 // All bytes are in hex digits.
                 byte => {
                     assert_eq!([Some(byte), rest.next()], [b'\\', b'x'].map(Some));
-                    let digits = [rest.next().unwrap(), rest.next().unwrap()];
-                    text.push(u8::from_str_radix(std::str::from_utf8(&digits).unwrap(), 16).unwrap());
+                    text.push(16 * digit(rest.next().unwrap()) + digit(rest.next().unwrap()));
                 }
             }
         }
         texts.push(text);
     }
     texts
+}
+
+/// The value of a hex digit.
+fn digit(byte: u8) -> u8 {
+    match byte {
+        b'0'..=b'9' => byte - b'0',
+        b'a'..=b'f' => byte - b'a' + 10,
+        _ => panic!("{byte} is no digit"),
+    }
 }
 
 /// Makes the folder that the disk has after these events.

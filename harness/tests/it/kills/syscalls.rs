@@ -51,6 +51,8 @@ pub fn can_trace() -> bool {
 fn small(out: &std::path::Path) -> Vec<String> {
     let words = [
         "run",
+        "classics",
+        "ties",
         "-f",
         "kettner-a1$|kettner-pixels-c$|ties/coincident",
         "-b",

@@ -14,7 +14,7 @@ use crate::common::{SUITE, at, expect, read, run, told, tool, write};
 fn two_processes_on_one_folder_are_refused_with_a_cure() {
     let folder = tempdir().unwrap();
     let place = |name: &str| at(&folder, name);
-    let scene = ["run", "-f", "kettner-a1$", "-b", "exact", "--quiet"];
+    let scene = ["run", "classics", "-f", "kettner-a1$", "-b", "exact", "--quiet"];
     let of = |more: &[&str], out: &str| expect(0, &[&scene[..], more, &["--out", out]].concat());
     let (whole, parts) = (place("whole"), ["1", "2"].map(place));
     of(&[], &whole);
@@ -95,7 +95,7 @@ fn a_worker_that_somebody_has_ended_is_started_again() {
         let folder = tempdir().unwrap();
         let suite = write(&folder, "mine.toml", SUITE);
         let out = at(&folder, "run");
-        let args = ["run", &suite, "-f", "plain", "-b", "fault:loops", "--isolate", "--timeout", "1.5", "--out", &out];
+        let args = ["run", &suite, "-f", "plain", "-b", "fault:loops", "--isolate", "--timeout", "0.8", "--out", &out];
         let mut child = tool(&args).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
         let worker = loop {
             if let Some(worker) = children(child.id()).first().copied() {
@@ -169,7 +169,7 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     }
     let folder = tempdir().unwrap();
     let (out, report) = (at(&folder, "run"), at(&folder, "report"));
-    run(&["run", "-f", "kettner-a1$", "-b", "exact", "--out", &out]);
+    run(&["run", "classics", "-f", "kettner-a1$", "-b", "exact", "--out", &out]);
     let page = write(&folder, "page.md", "mine\n<!-- predicament: glance tables -->\n<!-- /predicament -->\n");
     let before = std::fs::read_to_string(&page).unwrap();
     let tool = tool(&["report", &out, "--splice", &page, "--out", &report]);

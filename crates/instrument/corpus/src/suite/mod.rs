@@ -128,7 +128,7 @@ impl Suite {
     pub(crate) fn check_ids(&self, seen: &mut SeenIds) -> Result<(), CorpusError> {
         for scene in &self.scenes {
             if let Some(id) = scene.inline_id() {
-                seen.note(id, scene)?;
+                seen.note(id.to_owned(), scene)?;
             }
         }
         Ok(())

@@ -38,7 +38,8 @@ pub struct SceneDef {
 
 #[derive(Clone)]
 enum Where {
-    Written(Arc<Parts>),
+    /// With its content id.
+    Written(Arc<(Parts, String)>),
     Elsewhere(Arc<dyn Elsewhere>),
 }
 
@@ -77,17 +78,19 @@ impl SceneDef {
     /// not fetched yet is an error that says how to fetch it. An error at a line
     /// of the suite names the data files that the scene is made of.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
-        let Parts { scene, content, mut notes } = match &self.content {
-            Where::Written(parts) => Parts::clone(parts),
+        let (Parts { scene, content, mut notes }, id) = match &self.content {
+            Where::Written(written) => written.as_ref().clone(),
             Where::Elsewhere(elsewhere) => {
-                elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?
+                let parts = elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?;
+                let id = content_id(&parts.scene, parts.content.as_ref());
+                (parts, id)
             }
         };
         notes.rounded += self.rounded;
         Ok(LoadedScene {
             suite: self.suite.clone(),
             name: self.name.clone(),
-            id: content_id(&scene, content.as_ref()),
+            id,
             task: self.task,
             family: self.family.clone(),
             tags: self.tags.clone(),
@@ -111,9 +114,9 @@ impl SceneDef {
     }
 
     /// The content id, where the scene is written out in the suite.
-    pub(super) fn inline_id(&self) -> Option<String> {
+    pub(super) fn inline_id(&self) -> Option<&str> {
         match &self.content {
-            Where::Written(parts) => Some(content_id(&parts.scene, parts.content.as_ref())),
+            Where::Written(written) => Some(&written.1),
             Where::Elsewhere(_) => None,
         }
     }
@@ -139,7 +142,10 @@ pub(super) fn define(
         file: fields.file().to_owned(),
         line: fields.line(),
         content: match source {
-            Source::Written(parts) => Where::Written(Arc::new(parts)),
+            Source::Written(parts) => {
+                let id = content_id(&parts.scene, parts.content.as_ref());
+                Where::Written(Arc::new((parts, id)))
+            }
             Source::Elsewhere(elsewhere) => Where::Elsewhere(elsewhere),
         },
         data: context.data.take(),

@@ -216,6 +216,6 @@ fn only_a_task_s_coordinates_are_made_lossless() {
 
 #[test]
 fn a_library_of_other_tasks_is_made_by_its_vocabulary() {
-    let error = Library::embedded(&both()).unwrap_err().to_string();
+    let error = Library::embedded(&both()).unwrap().suites().unwrap_err().to_string();
     assert!(error.contains("; use one of first, second"), "{error}");
 }

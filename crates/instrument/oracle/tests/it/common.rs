@@ -1,5 +1,6 @@
 //! Scenes of the embedded corpora, and backends run on them.
 
+use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::{Level, Library, LoadedScene, SceneDef};
@@ -7,10 +8,15 @@ use predicament_formats::Cache;
 use predicament_oracle::run;
 use predicament_tasks::{AnyCase, AnyTask, Budget, Class, Contestant, Outcome, Watch};
 
+/// The embedded suites, read once.
+fn library() -> &'static Library {
+    static LIBRARY: OnceLock<Library> = OnceLock::new();
+    LIBRARY.get_or_init(|| Library::embedded(predicament_bundle::vocabulary()).unwrap())
+}
+
 /// The embedded scenes that need no download.
 pub fn definitions() -> Vec<SceneDef> {
-    let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let scenes = library.suites().iter().flat_map(|suite| &suite.scenes);
+    let scenes = library().suites().unwrap().iter().flat_map(|suite| &suite.scenes);
     scenes.filter(|definition| !definition.needs_fetch()).cloned().collect()
 }
 
@@ -26,7 +32,7 @@ pub fn load(name: &str) -> LoadedScene {
 
 /// All scenes of a suite.
 pub fn suite(name: &str) -> Vec<LoadedScene> {
-    definitions().iter().filter(|definition| definition.suite == name).map(loaded).collect()
+    library().suite(name).unwrap().scenes.iter().map(loaded).collect()
 }
 
 pub fn task(loaded: &LoadedScene) -> &'static dyn AnyTask {

@@ -16,6 +16,19 @@ proptest! {
         prop_assert_eq!(pattern.names(&suite, &scene), truth);
     }
 
+    /// Those that can't begin as it does are not looked at.
+    #[test]
+    fn a_pattern_of_one_of_several_scenes_is_found(
+        text in "[ab]{0,2}([/*?,]|\\{a,b\\}|\\[ab\\]|\\\\a){0,2}[ab]{0,2}",
+        scenes in prop::collection::vec("[ab]{1,3}", 0..6),
+    ) {
+        let pattern = Pattern::new(&text).expect("a glob");
+        let glob = Glob::new(&text).expect("a glob").compile_matcher();
+        let truth = scenes.iter().any(|scene| glob.is_match(scene) || glob.is_match(format!("a/{scene}")));
+        let scenes = scenes.into_iter().map(|scene| ("a".to_owned(), scene)).collect();
+        prop_assert_eq!(Scenes::new(scenes, BTreeSet::new()).has_any(&pattern), truth);
+    }
+
     #[test]
     fn an_escaped_name_is_itself_and_nothing_else(
         name in "[ab*?!,{}\\\\\\[\\]^-]{1,4}|\\PC{1,6}",

@@ -62,32 +62,35 @@ fn a_sign_flip_of_naive_is_found_soon_and_shrunk() {
     assert!(find.story.contains("shape"), "{}", find.story);
 }
 
+/// Several generations, the first of which find something.
+const MANY: u64 = 150;
+
 #[test]
 fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
     let order = Order::new("orient2d", "shewchuk", None);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        pool.install(|| order.hunt(300, State::default()))
+        pool.install(|| order.hunt(MANY, State::default()))
     };
     let (one, three) = (on(1), on(3));
     assert!(!one.finds.is_empty());
     assert_eq!(one, three);
-    let stopped = order.hunt(100, State::default());
+    let stopped = order.hunt(MANY / 3, State::default());
     assert!(stopped.generations < one.generations);
-    assert_eq!(order.hunt(300, stopped), one, "what was stopped goes on as if it had not been");
+    assert_eq!(order.hunt(MANY, stopped), one, "what was stopped goes on as if it had not been");
 }
 
 /// Scenes of some tasks are read in another order than they are written: edges that are turned, triangles that are there twice.
 #[test]
 fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let seeds = seeds(library.suites(), "contacts2d").unwrap();
+    let seeds = seeds(library.suites().unwrap(), "contacts2d").unwrap();
     let order = Order { seeds, finds: 40, ..Order::new("contacts2d", "epsilon:1e-4", None) };
-    let whole = order.hunt(250, State::default());
-    let stopped = order.hunt(120, State::default());
+    let whole = order.hunt(MANY, State::default());
+    let stopped = order.hunt(MANY / 2, State::default());
     assert!(stopped.generations < whole.generations && stopped != whole);
     let text = serde_json::to_string(&stopped).unwrap();
-    assert_eq!(order.hunt(250, serde_json::from_str(&text).unwrap()), whole);
+    assert_eq!(order.hunt(MANY, serde_json::from_str(&text).unwrap()), whole);
 }
 
 #[test]

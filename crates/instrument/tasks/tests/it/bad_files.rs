@@ -102,7 +102,7 @@ fn what_is_not_there_is_a_usage_error() {
 fn data_that_was_not_fetched_is_an_error_that_says_how() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let folder = tempfile::tempdir().unwrap();
-    for suite in library.suites().iter().filter(|suite| suite.needs_fetch) {
+    for suite in library.suites().unwrap().iter().filter(|suite| suite.needs_fetch) {
         let error = suite.scenes[0].load(Level::Quick, &Cache::new(folder.path())).unwrap_err();
         assert_eq!(error.kind, ErrorKind::Corpus);
         assert!(error.to_string().ends_with("has not been fetched; run `predicament corpus fetch`"), "{error}");

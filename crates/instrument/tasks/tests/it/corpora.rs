@@ -15,13 +15,15 @@ fn cache() -> Cache {
     Cache::new("/nonexistent/predicament-cache")
 }
 
-fn library() -> Library {
-    Library::embedded(predicament_bundle::vocabulary()).unwrap()
+/// The embedded suites, read once.
+fn library() -> &'static Library {
+    static LIBRARY: std::sync::OnceLock<Library> = std::sync::OnceLock::new();
+    LIBRARY.get_or_init(|| Library::embedded(predicament_bundle::vocabulary()).unwrap())
 }
 
 fn definition(name: &str) -> SceneDef {
     let library = library();
-    let all = library.suites().iter().flat_map(|suite| &suite.scenes);
+    let all = library.suites().unwrap().iter().flat_map(|suite| &suite.scenes);
     all.into_iter().find(|scene| scene.name == name).unwrap_or_else(|| panic!("no scene {name}")).clone()
 }
 
@@ -32,7 +34,7 @@ fn load(name: &str) -> LoadedScene {
 /// Every scene that needs no download, loaded.
 fn offline() -> Vec<LoadedScene> {
     let library = library();
-    let scenes = library.suites().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
+    let scenes = library.suites().unwrap().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
     scenes.map(|scene| scene.load(Level::Quick, &cache()).unwrap()).collect()
 }
 
@@ -61,11 +63,11 @@ fn the_folder_and_the_embedded_copy_are_the_same() {
     let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../corpora");
     let library = Library::from_dir(predicament_bundle::vocabulary(), &folder).unwrap();
     let names = |library: &Library| -> Vec<(String, usize)> {
-        library.suites().iter().map(|suite| (suite.name.clone(), suite.scenes.len())).collect()
+        library.suites().unwrap().iter().map(|suite| (suite.name.clone(), suite.scenes.len())).collect()
     };
-    assert_eq!(names(&library), names(&self::library()));
+    assert_eq!(names(&library), names(self::library()));
     assert_eq!(library.manifest(), self::library().manifest());
-    for suite in library.suites() {
+    for suite in library.suites().unwrap() {
         let text = std::fs::read_to_string(suite.file()).unwrap();
         assert_eq!(
             fmt(predicament_bundle::vocabulary(), suite.file(), &text).unwrap(),
@@ -423,7 +425,7 @@ fn probes_are_vertices_of_their_own_where_they_should_be() {
 fn fetched_suites_load_and_the_fixtures_signs_are_right() {
     let cache = Cache::default_dir().unwrap();
     let mut scenes = 0;
-    for suite in library().suites().iter().filter(|suite| suite.needs_fetch) {
+    for suite in library().suites().unwrap().iter().filter(|suite| suite.needs_fetch) {
         for scene in &suite.scenes {
             let loaded = scene.load(Level::Quick, &cache).unwrap();
             scenes += 1;

@@ -8,7 +8,7 @@ use predicament_mesh_locate::task::ProbedMesh;
 #[test]
 fn winding_numbers_are_the_same_in_another_direction() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let suite = library.suites().iter().find(|suite| suite.name == "mesh-points").unwrap();
+    let suite = library.suites().unwrap().iter().find(|suite| suite.name == "mesh-points").unwrap();
     for definition in &suite.scenes {
         let loaded = definition.load(Level::Quick, &Cache::new("/nonexistent/predicament-cache")).unwrap();
         let content: &ProbedMesh = loaded.content().unwrap();

@@ -19,7 +19,7 @@ const JUDGED: usize = 1_500;
 /// The embedded scenes that need no download and are of moderate size, and how many are larger.
 fn moderate() -> (Vec<LoadedScene>, usize) {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
-    let scenes = library.suites().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
+    let scenes = library.suites().unwrap().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
     let all: Vec<LoadedScene> = scenes.map(|scene| scene.load(Level::Quick, &Cache::new("nowhere")).unwrap()).collect();
     let count = all.len();
     let moderate: Vec<_> = all.into_iter().filter(|loaded| loaded.scene.coordinates().len() <= MOST).collect();
