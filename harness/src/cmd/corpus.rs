@@ -20,7 +20,7 @@ const EXAMPLES: &str = "\
 Examples:
   predicament corpus list --scenes
   predicament corpus verify mine.toml
-  predicament corpus fmt mine.toml points.csv         decimals that are no doubles become hex floats
+  predicament corpus fmt mine.toml points.csv         decimals with digits that no double holds become hex floats
   predicament corpus gen families -f 'near-orient3d'  generate, and show how degenerate it is
   predicament corpus gen classics -f 'kettner-a1$' --toml > mine.toml   write it out, as a suite to change
   predicament corpus fetch                            real data, into the cache";

@@ -21,7 +21,7 @@ fn suites_are_refused_with_file_line_and_cure() {
         ("inf", "\"0x1p-1\"", "\"inf\"", ":6:", ["inf", "finite"]),
         ("ragged", "[\"12\", \"12\"]", "[\"12\"]", ":6:", ["coordinate", "point"]),
         ("key", "name = \"plain\"", "name = \"plain\"\ncolour = 1", ":10:", ["colour", ";"]),
-        ("inexact", "\"0x1p-1\"", "\"0.1\"", ":6:", ["0.1", "corpus fmt"]),
+        ("inexact", "\"0x1p-1\"", "\"0.1000000000000000001\"", ":6:", ["0.1000000000000000001", "corpus fmt"]),
         ("duplicate", "name = \"plain\"", "name = \"wrong-once\"", ":", ["wrong-once", ";"]),
         ("task", "task = \"orient2d\"", "task = \"orient4d\"", ":5:", ["orient4d", ";"]),
     ] {
@@ -163,12 +163,12 @@ fn a_run_is_never_written_over_another() {
 #[test]
 fn fmt_cures_what_run_refuses() {
     let folder = tempdir().unwrap();
-    let suite = write(&folder, "mine.toml", &SUITE.replacen("\"0x1p-1\"", "\"0.1\"", 1));
+    let suite = write(&folder, "mine.toml", &SUITE.replacen("\"0x1p-1\"", "\"0.1000000000000000001\"", 1));
     expect(104, &["corpus", "verify", &suite]);
     expect(104, &["corpus", "fmt", "--check", &suite]);
     expect(0, &["corpus", "fmt", &suite]);
     expect(0, &["corpus", "fmt", "--check", &suite]);
     expect(0, &["corpus", "verify", &suite]);
     let text = std::fs::read_to_string(&suite).unwrap();
-    assert!(text.contains("0x1.999999999999ap-4") && text.contains("0.1"), "{text}");
+    assert!(text.contains("0x1.999999999999ap-4") && text.contains("0.1000000000000000001"), "{text}");
 }

@@ -185,7 +185,10 @@ fn regions_and_probes_come_from_files() {
         ("0,1\n0,1\n0,1\n0,1\n0,1\n0,1\n", format!("r.csv:5: 6 pairs of regions for 4 faces; {cure}")),
         ("0,1\n0,-1\n", format!("r.csv:2: `-1` is no number of a region; {integer}")),
         ("0,1\n0.5,1\n", format!("r.csv:2: `0.5` is no number of a region; {integer}")),
-        ("0,1\n0,0.1\n", format!("r.csv:2: decimal 0.1 is not exactly a double; {integer}")),
+        (
+            "0,1\n0,0.1000000000000000001\n",
+            format!("r.csv:2: decimal 0.1000000000000000001 has digits that no double holds; {integer}"),
+        ),
         ("0,2147483649\n", format!("r.csv:1: `2147483649` is no number of a region; {integer}")),
         ("0,steel\n", "r.csv:1: `steel` is not a number; write a decimal or a hex".to_owned()),
         ("0,1,2\n", format!("r.csv:1: pair 0 has 3 regions; {cure}")),
@@ -228,9 +231,12 @@ fn regions_and_probes_come_from_files() {
 fn solve_says_how_to_round_what_is_set() {
     let folder = tempdir().unwrap();
     let (mesh, out) = (write(&folder, "m.off", OFF), at(&folder, "out"));
-    let args = ["solve", "mesh-locate", &mesh, "--set", "probes=[[0.1, 1, 1]]", "--out", &out];
+    let args = ["solve", "mesh-locate", &mesh, "--set", "probes=[[0.1000000000000000001, 1, 1]]", "--out", &out];
     let found = said(&folder, &expect(2, &args));
-    assert_eq!(found, "mesh-locate: decimal 0.1 is not exactly a double; add --round to read the nearest doubles");
+    assert_eq!(
+        found,
+        "mesh-locate: decimal 0.1000000000000000001 has digits that no double holds; add --round to read the nearest doubles"
+    );
     expect(0, &[&args[..], &["--round"]].concat());
 }
 

@@ -66,7 +66,10 @@ fn a_backend_that_breaks_is_not_a_success() {
 fn what_cannot_be_asked_is_said_in_a_line() {
     for (args, said) in [
         (&["orient2d"][..], "no points; type some, or name a file with --points"),
-        (&["orient2d", "0.1,0", "1,0", "0,1"], "point 0: decimal 0.1 is not exactly a double; add --round"),
+        (
+            &["orient2d", "0.1000000000000000001,0", "1,0", "0,1"],
+            "point 0: decimal 0.1000000000000000001 has digits that no double holds; add --round",
+        ),
         (&["orient2d", "0,0", "1,0", "x,1"], "point 2: `x` is not a number"),
         (&["orient2d", "0,0", "1,0", "1"], "point 2: 1 coordinates in `1`; write two or three"),
         (&["compare", "0,0", "1,0", "--queries", "a"], "--queries: `a` is no query"),

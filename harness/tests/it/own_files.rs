@@ -3,7 +3,7 @@
 use crate::common::{at, column, expect, read, write};
 use tempfile::{TempDir, tempdir};
 
-const POINTS: &str = "x,y\n0.1,0.5\n12,12\n24,24\n";
+const POINTS: &str = "x,y\n0.1000000000000000001,0.5\n12,12\n24,24\n";
 
 fn suite(folder: &TempDir, name: &str, more: &str) -> String {
     let text = format!(
@@ -17,13 +17,14 @@ fn fmt_does_for_csv_what_the_error_advises() {
     let folder = tempdir().unwrap();
     let (suite, points) = (suite(&folder, "s.toml", ""), write(&folder, "p.csv", POINTS));
     let told = expect(104, &["corpus", "verify", &suite]);
-    let advice =
-        format!("p.csv:2: decimal 0.1 is not exactly a double; run `predicament corpus fmt {points}`, or write");
+    let advice = format!(
+        "p.csv:2: decimal 0.1000000000000000001 has digits that no double holds; run `predicament corpus fmt {points}`, or write"
+    );
     assert!(told.stderr.contains(&advice), "{}", told.stderr);
     assert_eq!(expect(104, &["corpus", "fmt", "--check", &points]).stdout, format!("would change: {points}\n"));
     assert_eq!(std::fs::read_to_string(&points).unwrap(), POINTS, "to check is not to change");
     assert_eq!(expect(0, &["corpus", "fmt", &points]).stdout, format!("changed: {points}\n"));
-    let tidy = POINTS.replace("0.1,0.5", "# 0.1\n0x1.999999999999ap-4,0.5");
+    let tidy = POINTS.replace("0.1000000000000000001,0.5", "# 0.1000000000000000001\n0x1.999999999999ap-4,0.5");
     assert_eq!(std::fs::read_to_string(&points).unwrap(), tidy);
     expect(0, &["corpus", "fmt", "--check", &points]);
     expect(0, &["corpus", "verify", &suite]);
@@ -44,7 +45,7 @@ fn fmt_keeps_links_and_permissions() {
     symlink("real.csv", at(&folder, "p.csv")).unwrap();
     expect(0, &["corpus", "fmt", &at(&folder, "p.csv")]);
     assert!(std::fs::symlink_metadata(at(&folder, "p.csv")).unwrap().is_symlink());
-    assert!(std::fs::read_to_string(&points).unwrap().contains("# 0.1\n"));
+    assert!(std::fs::read_to_string(&points).unwrap().contains("# 0.1000000000000000001\n"));
     assert_eq!(std::fs::metadata(&points).unwrap().permissions().mode() & 0o777, 0o640);
 }
 

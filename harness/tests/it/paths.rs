@@ -64,7 +64,7 @@ fn a_task_is_solved_on_files_without_a_suite() {
     let tetrahedron =
         |apex: &str| format!("OFF\n4 4 0\n{apex}\n2 0 0\n0 2 0\n0 0 2\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
     let [a, b] = [("a.off", "0 0 0"), ("b.off", "1 1 1")].map(|(name, apex)| file(name, &tetrahedron(apex)));
-    let turns = file("turns.csv", "0,0\n1,0\n0,1\n0.1,1\n");
+    let turns = file("turns.csv", "0,0\n1,0\n0,1\n0.1000000000000000001,1\n");
     let out = at(&folder, "out");
     let solve = |code, words: &[&str]| expect(code, &[&["solve"], words, &["--out", &out]].concat());
 

@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use predicament_formats::{
-    CoordinateError, CorpusError, Document, Field, Fields, TableKind, exact_coordinate, hexfloat,
+    CoordinateError, CorpusError, Document, Field, Fields, TableKind, hexfloat, read_coordinate,
 };
 
 use crate::Vocabulary;
@@ -80,7 +80,7 @@ fn collect<'t>(field: &Field<'_, 't>, keys: &[&'static str], edits: &mut Vec<Edi
 
 fn edit<'t>(field: &Field<'_, 't>) -> Result<Option<Edit<'t>>, CorpusError> {
     let text = field.coordinate_text()?;
-    match exact_coordinate(text) {
+    match read_coordinate(text) {
         Ok(_) => Ok(None),
         Err(CoordinateError::Inexact { nearest }) => Ok(Some(Edit {
             span: field.span(),

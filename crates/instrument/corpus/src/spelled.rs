@@ -7,7 +7,7 @@
 
 use std::fmt::Write as _;
 
-use predicament_formats::{CorpusError, Manifest, exact_coordinate, hexfloat};
+use predicament_formats::{CorpusError, Manifest, hexfloat, is_exact};
 use predicament_predicates::{Construction, Vertex};
 
 use crate::{Level, LoadedScene, Suite, Vocabulary};
@@ -308,8 +308,11 @@ fn quoted(text: &str) -> String {
 pub fn coordinate(x: f64) -> String {
     let is_integer = x == x.trunc() && x.abs() <= 9_007_199_254_740_992.0;
     let decimal = if is_integer { format!("{x:.0}") } else { format!("{x:?}") };
-    let is_same = exact_coordinate(&decimal).is_ok_and(|read| read.to_bits() == x.to_bits());
-    if is_same && (is_integer || decimal.len() <= 12) { decimal } else { format!("\"{}\"", hexfloat::format(x)) }
+    if is_exact(&decimal) && (is_integer || decimal.len() <= 12) {
+        decimal
+    } else {
+        format!("\"{}\"", hexfloat::format(x))
+    }
 }
 
 fn row(coordinates: &[f64]) -> String {

@@ -1,9 +1,16 @@
 //! Coordinates as text: read without loss, or an error.
 //!
-//! A decimal such as `0.1` is no double. Rounding it in silence would make a
-//! scene something else than what its file says, so only decimals that *are*
-//! doubles are read; `corpus fmt` turns the others into hex floats, and
+//! A decimal means the double nearest to it, if that double is printed as the
+//! decimal: with all its digits, with as many as the decimal has (17 at most), or
+//! with as few as tell it from all other doubles. So `0.1` means a double, and so
+//! does whatever `repr`, `%.17g` and their like have written. Nothing is lost: to print the double again gives the
+//! decimal back. A decimal of at most 15 digits always comes back, if its double is not subnormal.
+//!
+//! Other decimals say more than a double can hold. Rounding them in silence would make a
+//! scene something else than what its file says, so they are refused; `corpus fmt` turns them into hex floats, and
 //! [`Decimals`](crate::Decimals) rounds them where a suite asks for it.
+
+use std::fmt::LowerExp;
 
 use crate::bits::lowest_bit;
 use crate::hexfloat::{self, HexError};
@@ -19,7 +26,7 @@ pub enum CoordinateError {
     Overflow,
     /// Not zero, but nearest to zero.
     Underflow,
-    /// Between two doubles; this is the nearer one.
+    /// Between two doubles, and neither is printed so.
     Inexact {
         /// The nearest double, ties to even.
         nearest: f64,
@@ -42,11 +49,11 @@ fn not_too_long(text: &str) -> Result<(), CoordinateError> {
     if text.len() > MOST_BYTES { Err(CoordinateError::TooLong { bytes: text.len() }) } else { Ok(()) }
 }
 
-/// The double that a decimal or hex float denotes.
+/// The double that a decimal or hex float means.
 ///
 /// # Errors
-/// [`CoordinateError`] where the text is no number or not exactly a double.
-pub fn exact(text: &str) -> Result<f64, CoordinateError> {
+/// [`CoordinateError`] where the text is no number, or is not how a double is printed.
+pub fn read(text: &str) -> Result<f64, CoordinateError> {
     not_too_long(text)?;
     if hexfloat::looks_like(text) {
         return hexfloat::parse(text).map_err(|error| match error {
@@ -55,32 +62,68 @@ pub fn exact(text: &str) -> Result<f64, CoordinateError> {
             HexError::Overflow => CoordinateError::Overflow,
         });
     }
-    if let Some(is_double) = short(text) {
-        let nearest = text.parse().map_err(|_| CoordinateError::Malformed)?;
-        return if is_double { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) };
+    if is_short(text) {
+        return text.parse().map_err(|_| CoordinateError::Malformed);
     }
-    let nearest = nearest(text)?;
-    let decimal = Decimal::read(text).ok_or(CoordinateError::Malformed)?;
-    if decimal == Decimal::of(nearest) { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) }
+    let (decimal, nearest) = nearest(text)?;
+    if decimal.is_print_of(nearest) { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) }
 }
 
-/// Whether a decimal of at most 15 digits, without an exponent, is a double; none for other texts. Nearly all texts are so short.
+/// Whether a text is exactly a double: a hex float, or a decimal that is equal to its double to the last digit.
+#[must_use]
+pub fn is_exact(text: &str) -> bool {
+    let is_equal = |x: f64| hexfloat::looks_like(text) || Decimal::read(text) == Some(Decimal::of(x));
+    read(text).is_ok_and(is_equal)
+}
+
+/// The single that a decimal means, as [`read`] has it for doubles, but with 9 digits in place of 17.
 ///
-/// With k of them behind the point, the digits are an integer m below 2^53, and m / 10^k is a double exactly where 5^k divides m.
-fn short(text: &str) -> Option<bool> {
+/// # Errors
+/// As [`read`]; and where a decimal is beyond the largest single, or nearest to zero.
+pub fn read_single(text: &str) -> Result<f32, CoordinateError> {
+    not_too_long(text)?;
+    if hexfloat::looks_like(text) {
+        let double = read(text)?;
+        let nearest = single(double);
+        return if f64::from(nearest).to_bits() == double.to_bits() {
+            Ok(nearest)
+        } else if nearest.is_infinite() {
+            Err(CoordinateError::Overflow)
+        } else {
+            Err(CoordinateError::Inexact { nearest: f64::from(nearest) })
+        };
+    }
+    let (decimal, _) = nearest(text)?;
+    let nearest: f32 = text.parse().map_err(|_| CoordinateError::Malformed)?;
+    if nearest.is_infinite() {
+        return Err(CoordinateError::Overflow);
+    }
+    if nearest == 0.0 && !decimal.digits.is_empty() {
+        return Err(CoordinateError::Underflow);
+    }
+    let is_print = decimal.is_print(nearest.abs(), 9) || decimal == Decimal::of(f64::from(nearest));
+    if is_print { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest: f64::from(nearest) }) }
+}
+
+/// The single nearest to a double.
+#[allow(clippy::cast_possible_truncation)] // the rounding that was asked for
+fn single(x: f64) -> f32 {
+    x as f32
+}
+
+/// Whether a text is a decimal of at most 15 digits, without an exponent. Nearly all texts are so short.
+///
+/// Such a decimal is zero or between 10^-15 and 10^15, where doubles are normal, and less than half a unit of its 15th digit
+/// lies between it and its double: the double, printed with 15 digits, is the decimal again.
+fn is_short(text: &str) -> bool {
     let text = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
-    let digits = || whole.bytes().chain(fraction.bytes());
-    if !(1..=15).contains(&(whole.len() + fraction.len())) || !digits().all(|byte| byte.is_ascii_digit()) {
-        return None;
-    }
-    let m = digits().fold(0, |m, digit| 10 * m + u64::from(digit - b'0'));
-    let fives = 5_u64.pow(u32::try_from(fraction.len()).ok()?);
-    Some(m % fives == 0)
+    let is_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+    (1..=15).contains(&(whole.len() + fraction.len())) && is_digits(whole) && is_digits(fraction)
 }
 
-/// The double nearest to a decimal.
-fn nearest(text: &str) -> Result<f64, CoordinateError> {
+/// A decimal, and the double nearest to it.
+fn nearest(text: &str) -> Result<(Decimal, f64), CoordinateError> {
     let bare = text.strip_prefix(['-', '+']).unwrap_or(text).to_ascii_lowercase();
     if matches!(bare.as_str(), "nan" | "inf" | "infinity") {
         return Err(CoordinateError::NotFinite);
@@ -93,7 +136,7 @@ fn nearest(text: &str) -> Result<f64, CoordinateError> {
     if nearest == 0.0 && !decimal.digits.is_empty() {
         return Err(CoordinateError::Underflow);
     }
-    Ok(nearest)
+    Ok((decimal, nearest))
 }
 
 /// The absolute value of a decimal: digits · 10^exponent, without leading or
@@ -119,6 +162,20 @@ impl Decimal {
         }
         let fraction = i64::try_from(fraction.len()).ok()?;
         Some(Decimal::normalised(&digits, exponent.checked_sub(fraction)?))
+    }
+
+    /// Whether a double is printed as this decimal: with all its digits, with as many as there are here, up to 17, or with as few as
+    /// tell it from all others.
+    fn is_print_of(&self, x: f64) -> bool {
+        self.is_print(x.abs(), 17) || *self == Decimal::of(x)
+    }
+
+    /// Whether a positive number is printed as this decimal with as many digits, up to these, or with as few as tell it from all
+    /// others of its type. The two differ next to a power of two, where the number of fewest digits that is nearest may be another's.
+    fn is_print(&self, x: impl LowerExp, most: usize) -> bool {
+        let is = |text: String| Decimal::read(&text).is_some_and(|printed| printed == *self);
+        let digits = self.digits.len();
+        digits > 0 && digits <= most && (is(format!("{x:.*e}", digits - 1)) || is(format!("{x:e}")))
     }
 
     /// The exact value of a finite double: Rust writes as many digits as it is
@@ -175,29 +232,80 @@ mod tests {
             ("9007199254740992", 9_007_199_254_740_992.0),
             ("0x1.8p+1", 3.0),
         ] {
-            assert_eq!(exact(text).map(f64::to_bits), Ok(x.to_bits()), "{text}");
+            assert!(is_exact(text), "{text}");
+            assert_eq!(read(text).map(f64::to_bits), Ok(x.to_bits()), "{text}");
         }
     }
 
     #[test]
-    fn what_is_no_double_is_refused_with_its_reason() {
-        assert_eq!(exact("0.1"), Err(CoordinateError::Inexact { nearest: 0.1 }));
-        assert_eq!(exact("9007199254740993"), Err(CoordinateError::Inexact { nearest: 9_007_199_254_740_992.0 }));
+    fn decimals_that_doubles_are_printed_as() {
+        for (text, x) in [
+            ("0.1", 0.1_f64),
+            ("-0.100", -0.1),
+            ("1e-1", 0.1),
+            ("0.10000000000000001", 0.1), // %.17g
+            ("0.30000000000000004", 0.1 + 0.2),
+            ("0.3", 0.3),
+            ("1e23", 1e23),
+            ("9.9999999999999992e22", 1e23), // %.17g
+            ("1.7976931348623157e308", f64::MAX),
+            ("5e-324", 5e-324),
+            ("4.9e-324", 5e-324),                // Java
+            ("4.9406564584124654e-324", 5e-324), // %.17g
+            ("2.2250738585072014e-308", f64::MIN_POSITIVE),
+            // The shortest decimal of 2^-44, and its nearest one of 17 digits. Its nearest one of 16 is another double's.
+            ("5.684341886080802e-14", 2.0_f64.powi(-44)),
+            ("5.6843418860808015e-14", 2.0_f64.powi(-44)),
+        ] {
+            assert_eq!(read(text).map(f64::to_bits), Ok(x.to_bits()), "{text}");
+            assert!(!is_exact(text), "{text}");
+        }
+        for text in ["0.1000000000000000001", "0.10000000000000004", "3e-324", "1.79769313486231575e308"] {
+            assert_eq!(read(text), Err(CoordinateError::Inexact { nearest: text.parse().unwrap() }), "{text}");
+        }
+    }
+
+    #[test]
+    fn singles_that_decimals_mean() {
+        for (text, x) in [
+            ("0.1", 0.1_f32),
+            ("0.100000001", 0.1),
+            ("16777217.0", 16_777_216.0),
+            ("1e-45", 1e-45),
+            ("3.4028235e38", f32::MAX),
+        ] {
+            let expected =
+                if text == "16777217.0" { Err(CoordinateError::Inexact { nearest: x.into() }) } else { Ok(x) };
+            assert_eq!(read_single(text), expected, "{text}");
+        }
+        assert_eq!(read_single("0x1p-3"), Ok(0.125));
+        assert_eq!(read_single("0x1.000001p0"), Err(CoordinateError::Inexact { nearest: 1.0 }));
+        assert_eq!(read_single("0.1000000001"), Err(CoordinateError::Inexact { nearest: 0.1_f32.into() }));
+        assert_eq!(
+            (read_single("1e39"), read_single("0x1p200")),
+            (Err(CoordinateError::Overflow), Err(CoordinateError::Overflow))
+        );
+        assert_eq!(read_single("1e-60"), Err(CoordinateError::Underflow));
+    }
+
+    #[test]
+    fn what_no_double_is_printed_as_is_refused_with_its_reason() {
+        assert_eq!(read("9007199254740993"), Err(CoordinateError::Inexact { nearest: 9_007_199_254_740_992.0 }));
         for text in ["NaN", "nan", "-inf", "Infinity"] {
-            assert_eq!(exact(text), Err(CoordinateError::NotFinite), "{text}");
+            assert_eq!(read(text), Err(CoordinateError::NotFinite), "{text}");
         }
         for text in ["", "-", ".", "e5", "1e", "1e+", "0,5", "1 2", "1_000", " 1", "--1", "½"] {
-            assert_eq!(exact(text), Err(CoordinateError::Malformed), "{text}");
+            assert_eq!(read(text), Err(CoordinateError::Malformed), "{text}");
         }
         for text in ["1e309", "-1e999999999999999999999999", "0x1p+1024"] {
-            assert_eq!(exact(text), Err(CoordinateError::Overflow), "{text}");
+            assert_eq!(read(text), Err(CoordinateError::Overflow), "{text}");
         }
-        assert_eq!(exact("1e-400"), Err(CoordinateError::Underflow));
-        assert_eq!(exact("0x1.00000000000008p+0"), Err(CoordinateError::TooManyBits));
+        assert_eq!(read("1e-400"), Err(CoordinateError::Underflow));
+        assert_eq!(read("0x1.00000000000008p+0"), Err(CoordinateError::TooManyBits));
         let long = "0".repeat(MOST_BYTES);
-        assert_eq!(exact(&long), Ok(0.0));
-        assert_eq!(exact(&format!("{long}0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 1 }));
-        assert_eq!(exact(&format!("0x{long}p0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 4 }));
+        assert_eq!(read(&long), Ok(0.0));
+        assert_eq!(read(&format!("{long}0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 1 }));
+        assert_eq!(read(&format!("0x{long}p0")), Err(CoordinateError::TooLong { bytes: MOST_BYTES + 4 }));
     }
 
     fn rational(digits: &str, exponent: i32) -> Rational {
@@ -218,7 +326,7 @@ mod tests {
             let text = format!("{}{digits}e{exponent}", if negative { "-" } else { "" });
             let x: f64 = text.parse().unwrap();
             let is_double = Rational::from_f64(x.abs()) == Some(truth);
-            prop_assert_eq!(exact(&text).is_ok(), is_double, "{}", text);
+            prop_assert_eq!(is_exact(&text), is_double, "{}", text);
         }
 
         /// Written without an exponent, on both sides of the length from which there is no shorter way.
@@ -234,24 +342,50 @@ mod tests {
             let text = format!("{sign}{whole}.{fraction}");
             let x: f64 = text.parse().unwrap();
             let is_double = Rational::from_f64(x.abs()) == Some(truth);
-            let expected = if is_double { Ok(x.to_bits()) } else { Err(CoordinateError::Inexact { nearest: x }) };
-            prop_assert_eq!(exact(&text).map(f64::to_bits), expected, "{}", text);
+            prop_assert_eq!(is_exact(&text), is_double, "{}", text);
+            // Printed with 15 digits, the double of a decimal of 15 is that decimal: always read.
+            let digits = digits.trim_matches('0').len();
+            prop_assert!(digits > 15 || read(&text) == Ok(x), "{}", text);
+        }
+
+        /// By C's `%.{n-1}e` and by the shortest form: a double is read as it was, and what is read is printed as the text.
+        #[test]
+        fn what_programs_print_is_read_as_it_was(bits: u64, digits in 1usize..=17) {
+            let x = f64::from_bits(bits);
+            prop_assume!(x.is_finite());
+            for text in [format!("{x:?}"), format!("{x:e}"), format!("{x:.16e}")] {
+                prop_assert_eq!(read(&text).map(f64::to_bits), Ok(bits), "{}", text);
+            }
+            let text = format!("{x:.*e}", digits - 1);
+            if let Ok(read) = read(&text) {
+                let again = format!("{read:.*e}", digits - 1);
+                prop_assert!(again == text || Decimal::read(&format!("{read:e}")) == Decimal::read(&text), "{}", text);
+            } else {
+                prop_assert!(digits == 16 || !x.is_normal(), "{} is refused", text);
+            }
+            // Where it is read as a single, the single is printed so.
+            if let Ok(single) = read_single(&text) {
+                let decimal = Decimal::read(&text).unwrap();
+                let places = decimal.digits.len().saturating_sub(1);
+                let printed = [format!("{single:.places$e}"), format!("{single:e}")].map(|text| Decimal::read(&text).unwrap());
+                prop_assert!(printed.contains(&decimal) || is_exact(&text), "{}", text);
+            }
         }
 
         #[test]
-        fn every_double_written_out_is_exact(bits: u64) {
+        fn every_double_written_out_is_read(bits: u64) {
             let x = f64::from_bits(bits);
             prop_assume!(x.is_finite());
             let written = format!("{x:.1074}");
-            prop_assert_eq!(exact(&written).map(f64::to_bits), Ok(bits));
+            prop_assert_eq!(read(&written).map(f64::to_bits), Ok(bits));
             // One unit in the last of so many places is never a double's.
             let off = format!("{x:.1074}1");
-            prop_assert!(exact(&off).is_err());
+            prop_assert!(read(&off).is_err());
         }
 
         #[test]
         fn no_text_panics(text in "\\PC{0,12}") {
-            let _ = exact(&text);
+            let _ = read(&text);
         }
     }
 }

@@ -115,7 +115,7 @@ impl Scanner {
 /// Whether a cell of the first row can be the name of a column.
 fn is_name(cell: &str) -> bool {
     let starts = cell.starts_with(|c: char| c.is_alphabetic() || c == '_');
-    starts && coordinate::exact(cell) == Err(CoordinateError::Malformed)
+    starts && coordinate::read(cell) == Err(CoordinateError::Malformed)
 }
 
 /// A column of another name among x, y and z, or these in another order, or a column that numbers the rows: what is
@@ -202,7 +202,7 @@ pub fn fmt_csv(file: &str, text: &str) -> Result<String, CorpusError> {
         usual_end = if end.is_empty() { usual_end } else { end };
         let (mut decimals, mut row, mut at) = (Vec::new(), String::new(), 0);
         for cell in cells {
-            match coordinate::exact(&body[cell.clone()]) {
+            match coordinate::read(&body[cell.clone()]) {
                 Ok(_) => {}
                 Err(CoordinateError::Inexact { nearest }) => {
                     row.extend([&body[at..cell.start], &hexfloat::format(nearest)]);

@@ -1,4 +1,4 @@
-//! How the decimals of a scene are read: exactly or not at all, or rounded where the suite says so.
+//! How the decimals of a scene are read: without loss or not at all, or rounded where the suite says so.
 
 use std::cell::Cell;
 
@@ -7,7 +7,7 @@ use crate::coordinate::{self, CoordinateError};
 /// The most coordinates that a scene may have: 2 GiB of doubles.
 pub const MOST_COORDINATES: usize = 1 << 28;
 
-/// How the decimals of one scene are read: refused where they are no doubles, or, with `round = true`, as
+/// How the decimals of one scene are read: refused where no double is printed so, or, with `round = true`, as
 /// their nearest doubles, which are counted.
 #[derive(Debug, Default)]
 pub struct Decimals {
@@ -17,7 +17,7 @@ pub struct Decimals {
 }
 
 impl Decimals {
-    /// Rounds decimals that are no doubles, or refuses them.
+    /// Rounds decimals that no double is printed as, or refuses them.
     #[must_use]
     pub fn new(round: bool) -> Decimals {
         Decimals { round, ..Decimals::default() }
@@ -38,11 +38,25 @@ impl Decimals {
     /// The double of a text.
     ///
     /// # Errors
-    /// [`CoordinateError`] where the text is no number, where it is no double and none is to be rounded, and
+    /// [`CoordinateError`] where the text is no number, where no double is printed so and none is to be rounded, and
     /// from the [`MOST_COORDINATES`]th on.
     pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
         self.count()?;
-        match coordinate::exact(text) {
+        self.told(coordinate::read(text))
+    }
+
+    /// The single, as a double, of a text that is declared as one.
+    ///
+    /// # Errors
+    /// As [`read`](Decimals::read).
+    pub fn read_single(&self, text: &str) -> Result<f64, CoordinateError> {
+        self.count()?;
+        self.told(coordinate::read_single(text).map(f64::from))
+    }
+
+    /// What was read, or its nearest where decimals are rounded.
+    fn told(&self, read: Result<f64, CoordinateError>) -> Result<f64, CoordinateError> {
+        match read {
             Err(CoordinateError::Inexact { nearest }) if self.round => {
                 self.rounded.set(self.rounded.get() + 1);
                 Ok(nearest)
@@ -51,43 +65,10 @@ impl Decimals {
         }
     }
 
-    /// The double of a text that is declared as a single: exactly one, or rounded to the nearest.
-    ///
-    /// # Errors
-    /// As [`read`](Decimals::read).
-    pub fn read_single(&self, text: &str) -> Result<f64, CoordinateError> {
-        self.count()?;
-        let exact = coordinate::exact(text);
-        let (Ok(nearest) | Err(CoordinateError::Inexact { nearest })) = exact else { return exact };
-        // A hex float is a double; a decimal is rounded once, from its text.
-        let single: f32 = text.parse().unwrap_or_else(|_| single(nearest));
-        let single = f64::from(single);
-        if single.is_infinite() {
-            return Err(CoordinateError::Overflow);
-        }
-        if single == 0.0 && nearest != 0.0 {
-            return Err(CoordinateError::Underflow);
-        }
-        if exact == Ok(single) {
-            return exact;
-        }
-        if !self.round {
-            return Err(CoordinateError::Inexact { nearest: single });
-        }
-        self.rounded.set(self.rounded.get() + 1);
-        Ok(single)
-    }
-
     fn count(&self) -> Result<(), CoordinateError> {
         self.read.set(self.read.get() + 1);
         if self.read.get() > MOST_COORDINATES { Err(CoordinateError::TooMany) } else { Ok(()) }
     }
-}
-
-/// The single nearest to a double.
-#[allow(clippy::cast_possible_truncation)] // the rounding that was asked for
-fn single(x: f64) -> f32 {
-    x as f32
 }
 
 /// Where a coordinate is written, for the cure of one that is no double.
@@ -133,7 +114,7 @@ pub fn explain(place: Place<'_>, text: &str, error: &CoordinateError) -> (String
                 }
                 Place::Data => "write `round = true` in the scene to read the nearest double".into(),
             };
-            (format!("decimal {text} is not exactly a double"), cure)
+            (format!("decimal {text} has digits that no double holds"), cure)
         }
     }
 }
@@ -172,11 +153,11 @@ mod tests {
     fn what_is_no_double_is_refused_or_counted() {
         let exact = Decimals::new(false);
         assert_eq!(exact.read("0.5"), Ok(0.5));
-        assert_eq!(exact.read("0.1"), Err(CoordinateError::Inexact { nearest: 0.1 }));
+        assert_eq!(exact.read("0.1000000000000000001"), Err(CoordinateError::Inexact { nearest: 0.1 }));
         assert_eq!(exact.rounded(), 0);
         let nearest = Decimals::new(true);
         assert_eq!((nearest.read("0.5"), nearest.rounded()), (Ok(0.5), 0));
-        assert_eq!((nearest.read("0.1"), nearest.rounded()), (Ok(0.1), 1));
+        assert_eq!((nearest.read("0.1000000000000000001"), nearest.rounded()), (Ok(0.1), 1));
         for (text, error) in [
             ("1e400", CoordinateError::Overflow),
             ("1e-400", CoordinateError::Underflow),
@@ -195,12 +176,12 @@ mod tests {
         assert_eq!(exact.read_single("0.5"), Ok(0.5));
         assert_eq!(exact.read_single("0x1p-3"), Ok(0.125));
         let tenth = f64::from(0.1_f32);
-        assert_eq!(exact.read_single("0.1"), Err(CoordinateError::Inexact { nearest: tenth }));
+        assert_eq!(exact.read_single("0.1"), Ok(tenth));
         // A double, and no single.
         let double = format!("{:.60}", 0.1_f64);
         assert_eq!(exact.read_single(&double), Err(CoordinateError::Inexact { nearest: tenth }));
         let nearest = Decimals::new(true);
-        assert_eq!((nearest.read_single("0.1"), nearest.read_single(&double)), (Ok(tenth), Ok(tenth)));
+        assert_eq!((nearest.read_single("0.1000000001"), nearest.read_single(&double)), (Ok(tenth), Ok(tenth)));
         assert_eq!(nearest.rounded(), 2);
         assert_eq!(nearest.read_single("1e39"), Err(CoordinateError::Overflow));
         assert_eq!(nearest.read_single("1e-60"), Err(CoordinateError::Underflow));

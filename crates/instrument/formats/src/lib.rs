@@ -6,7 +6,7 @@
 //! crate `tasks`.
 //!
 //! * [`Document`], [`Field`] and [`Fields`]: a TOML file that knows its lines.
-//! * [`exact_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
+//! * [`read_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
 //! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
 //! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.
 //! * [`write_mesh`]: meshes as OFF, OBJ, PLY and STL.
@@ -32,7 +32,7 @@ mod rows;
 mod tables;
 
 pub use cache::Cache;
-pub use coordinate::{CoordinateError, exact as exact_coordinate};
+pub use coordinate::{CoordinateError, is_exact, read as read_coordinate};
 pub use csv::{fmt_csv, skipped};
 pub use data::read_csv_rows;
 pub use decimals::{Decimals, MOST_COORDINATES, Place, explain, shown};

@@ -169,12 +169,12 @@ fn a_generated_scene_has_its_points_where_they_are_written() {
             "coordinates = [[5, 6, 7], [1, 2, 3]]\n",
             "s.toml:7: the family makes points of 2 coordinates, and these have 3",
         ),
-        ("coordinates = [[5, 0.1], [7, 8]]\n", "s.toml:7: "),
+        ("coordinates = [[5, 0.1000000000000000001], [7, 8]]\n", "s.toml:7: "),
     ] {
         let error = table(places).map(drop).unwrap_err().to_string();
         assert!(error.starts_with(message), "{error}");
     }
-    let text = "title = \"t\"\n[[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 1\ncoordinates = [[0.1, 1]]\n";
+    let text = "title = \"t\"\n[[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 1\ncoordinates = [[0.1000000000000000001, 1]]\n";
     assert!(fmt(&both(), "s.toml", text).unwrap().contains("coordinates = [[\"0x1.999999999999ap-4\", 1]]"));
 }
 
@@ -207,9 +207,10 @@ fn what_no_task_knows_is_refused() {
 
 #[test]
 fn only_a_task_s_coordinates_are_made_lossless() {
-    let text = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"first\"\npoints = [[0.1, 1]]\n\
+    let text = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"first\"\npoints = [[0.1000000000000000001, 1]]\n\
                 [[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 1\nheight = 1\n";
-    let expected = text.replace("[[0.1, 1]]", "[[\"0x1.999999999999ap-4\", 1]]  # 0.1");
+    let expected =
+        text.replace("[[0.1000000000000000001, 1]]", "[[\"0x1.999999999999ap-4\", 1]]  # 0.1000000000000000001");
     assert_eq!(fmt(&both(), "s.toml", text).unwrap(), expected);
     assert_eq!(fmt(&both(), "s.toml", &expected).unwrap(), expected);
 }

@@ -33,8 +33,8 @@ fn the_same_points_however_they_are_written() {
 fn errors_name_file_line_and_cure() {
     for (text, expected) in [
         (
-            "1,2\n\n# c\n3,0.1\n",
-            "p.csv:4: decimal 0.1 is not exactly a double; run `predicament corpus fmt p.csv`, or write `round = true` in the scene",
+            "1,2\n\n# c\n3,0.1000000000000000001\n",
+            "p.csv:4: decimal 0.1000000000000000001 has digits that no double holds; run `predicament corpus fmt p.csv`, or write `round = true` in the scene",
         ),
         ("1,2\r\r3,x\r", "p.csv:3: `x` is not a number; write"),
         ("1,2\n3\n", "p.csv:2: point 1 has 1 coordinates, the points before it 2; give all"),
@@ -69,19 +69,24 @@ fn errors_name_file_line_and_cure() {
 #[test]
 fn rounding_is_counted() {
     let decimals = Decimals::new(true);
-    let rows = read("p.csv", "0.1,0.5\n0.2,0.3\n", &POINT, &decimals).unwrap();
+    let rows =
+        read("p.csv", "0.1000000000000000001,0.5\n0.2000000000000000001,0.3000000000000000001\n", &POINT, &decimals)
+            .unwrap();
     assert_eq!((rows.numbers.as_slice(), decimals.rounded()), ([0.1, 0.5, 0.2, 0.3].as_slice(), 3));
 }
 
 #[test]
 fn only_inexact_decimals_are_rewritten() {
-    let text = "\u{feff}# points\r\nx;y\r\n\r\n 0.1 ;\"0.2\"\r\n0.5;0x1p+0\r\n7;1e-1";
-    let expected = "\u{feff}# points\r\nx;y\r\n\r\n# 0.1, 0.2\r\n 0x1.999999999999ap-4 ;\"0x1.999999999999ap-3\"\r\n\
-                    0.5;0x1p+0\r\n# 1e-1\r\n7;0x1.999999999999ap-4";
+    let text = "\u{feff}# points\r\nx;y\r\n\r\n 0.1000000000000000001 ;\"0.2000000000000000001\"\r\n0.5;0x1p+0\r\n7;0.1\r\n7;1.0000000000000000001e-1";
+    let expected = "\u{feff}# points\r\nx;y\r\n\r\n# 0.1000000000000000001, 0.2000000000000000001\r\n 0x1.999999999999ap-4 ;\"0x1.999999999999ap-3\"\r\n\
+                    0.5;0x1p+0\r\n7;0.1\r\n# 1.0000000000000000001e-1\r\n7;0x1.999999999999ap-4";
     let once = fmt_csv("p.csv", text).unwrap();
     assert_eq!(once, expected);
     assert_eq!(fmt_csv("p.csv", &once).unwrap(), once);
-    assert_eq!(fmt_csv("p.csv", "0.1 2\r").unwrap(), "# 0.1\r0x1.999999999999ap-4 2\r");
+    assert_eq!(
+        fmt_csv("p.csv", "0.1000000000000000001 2\r").unwrap(),
+        "# 0.1000000000000000001\r0x1.999999999999ap-4 2\r"
+    );
     for (bad, message) in [
         ("1,inf\n", "not finite"),
         ("1,2\n1e400,1\n", "beyond"),

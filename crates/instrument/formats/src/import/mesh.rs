@@ -118,7 +118,10 @@ mod tests {
             ),
             (read("m.3ds", "").unwrap_err().to_string(), "m.3ds: the file's name doesn't tell its format; name"),
             (read("m.wkt", "").unwrap_err().to_string(), "m.wkt: the file is no mesh; name"),
-            (obj("v 0.1 0 0\n"), "m.obj:4: decimal 0.1 is not exactly a double; write `round = true` in the scene"),
+            (
+                obj("v 0.1000000000000000001 0 0\n"),
+                "m.obj:4: decimal 0.1000000000000000001 has digits that no double holds; write `round = true` in the scene",
+            ),
             (off("99999999999 0 0\n0 0 0\n"), "m.off:3: the file ends after 1 of its 99999999999 vertices; correct"),
             (off("1 99999999999 0\n0 0 0\n"), "m.off:3: the file ends after 0 of its 99999999999 faces; correct"),
             (off("1 1 0\n0 0 0\n99999999999 0\n"), "m.off:4: a face is the number of its corners"),
@@ -130,7 +133,9 @@ mod tests {
     #[test]
     fn rounding_is_counted() {
         let decimals = Decimals::new(true);
-        let mesh = super::read("m.off", b"OFF 1 0 0\n0.1 0.5 0.3\n".into(), &decimals).unwrap();
+        let mesh =
+            super::read("m.off", b"OFF 1 0 0\n0.1000000000000000001 0.5 0.3000000000000000001\n".into(), &decimals)
+                .unwrap();
         assert_eq!((mesh.points[0], decimals.rounded()), ([0.1, 0.5, 0.3], 2));
     }
 

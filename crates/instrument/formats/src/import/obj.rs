@@ -9,7 +9,7 @@ use crate::{CorpusError, Decimals};
 
 /// What may follow the three coordinates of a vertex: a weight of 1, or a colour. What is wrong with it, and the cure.
 fn behind(words: &[&str]) -> Result<(), (String, &'static str)> {
-    let number = |word: &&str| match coordinate::exact(word) {
+    let number = |word: &&str| match coordinate::read(word) {
         Err(CoordinateError::Malformed) => Err((format!("`{}` is not a number", shown(word)), "write a number")),
         // Not read as a coordinate: it need not be a double.
         read => Ok(read),

@@ -145,9 +145,12 @@ mod tests {
 
     #[test]
     fn singles_and_doubles_as_they_are_declared() {
-        let vertices = "0 0 0 1\n0.1 0 0.1 2\n1 1 0 3\n0 1 0 4\n";
+        let vertices = "0 0 0 1\n0.1000000001 0 0.1000000000000000001 2\n1 1 0 3\n0 1 0 4\n";
         let error = ascii(vertices, "4 0 1 2 3\n3 3 2 1\n").unwrap_err().to_string();
-        assert!(error.starts_with("m.ply:15: decimal 0.1 is not exactly a double; write `round = true`"), "{error}");
+        assert!(
+            error.starts_with("m.ply:15: decimal 0.1000000001 has digits that no double holds; write `round = true`"),
+            "{error}"
+        );
         let decimals = Decimals::new(true);
         let text = format!("{HEADER}{vertices}4 0 1 2 3\n3 3 2 1\n1.5\n");
         let mesh = super::read("m.ply", text.as_bytes(), &decimals).unwrap();

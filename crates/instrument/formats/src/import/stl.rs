@@ -230,11 +230,11 @@ mod tests {
 
     #[test]
     fn decimals_follow_the_suite() {
-        let text = SQUARE.replace("1 1 0", "1 0.1 0");
+        let text = SQUARE.replace("1 1 0", "1 0.1000000000000000001 0");
         let error = of(text.as_str()).unwrap_err().to_string();
         assert_eq!(
             error,
-            "m.stl:6: decimal 0.1 is not exactly a double; write `round = true` in the scene to read the nearest double"
+            "m.stl:6: decimal 0.1000000000000000001 has digits that no double holds; write `round = true` in the scene to read the nearest double"
         );
         let decimals = Decimals::new(true);
         assert_eq!(read("m.stl", text.into(), &decimals).unwrap().points[2], [1.0, 0.1, 0.0]);

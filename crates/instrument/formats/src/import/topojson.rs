@@ -312,10 +312,12 @@ mod tests {
         assert_eq!(imported.points, [[0.5, 0.5], [2.5, 0.5], [2.5, 1.5]]);
         assert_eq!(imported.map.regions()[0].name, "region 0");
         assert_eq!(imported.notes, ImportNotes { extra_coordinates: 1, ..ImportNotes::default() });
-        let text = text.replace("[2.5, 1.5]", "\n[2.5, 0.1]");
+        let text = text.replace("[2.5, 1.5]", "\n[2.5, 0.1000000000000000001]");
         let error = read("a.json", &text, "o").unwrap_err().to_string();
         assert!(
-            error.starts_with("a.json:3: arc 0: decimal 0.1 is not exactly a double; write `round = true`"),
+            error.starts_with(
+                "a.json:3: arc 0: decimal 0.1000000000000000001 has digits that no double holds; write `round = true`"
+            ),
             "{error}"
         );
         let decimals = Decimals::new(true);

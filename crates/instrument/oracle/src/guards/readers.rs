@@ -2,7 +2,7 @@
 //! readers.
 
 use predicament_corpus::{Canon, Content, content_id};
-use predicament_formats::{Decimals, exact_coordinate, geometry, mesh, points};
+use predicament_formats::{Decimals, geometry, mesh, points, read_coordinate};
 use predicament_predicates::Scene;
 
 use super::{Facts, Guard, Guarded, Held};
@@ -19,7 +19,7 @@ type Chains = Vec<Vec<[f64; 2]>>;
 pub(super) trait Reading {
     /// A coordinate.
     fn coordinate(&self, text: &str) -> Option<f64> {
-        exact_coordinate(text).ok()
+        read_coordinate(text).ok()
     }
 
     /// The points of a file.
@@ -81,7 +81,7 @@ impl Reading for Real {}
 /// The guards of what reads.
 pub const GUARDS: &[Guard] = &[
     guard("hex floats", "a double written digit by digit from its bits is read as it was"),
-    guard("decimals", "a decimal is read if it is a double, and refused if it is none"),
+    guard("decimals", "a decimal is read if a double is printed so, and refused if none is"),
     guard("written points", "points written as CSV are read as they were, all of them, each coordinate in its place"),
     guard("written meshes", "faces written as OFF, OBJ, PLY and STL, in both forms, have the corners that they had"),
     guard("written rings", "rings written as GeoJSON and WKT have the corners that they had, each once"),
@@ -153,11 +153,27 @@ fn decimals(reading: &dyn Reading, facts: &mut Facts) {
         ("0.1000000000000000055511151231257827021181583404541015625", 0x3fb9_9999_9999_999a_u64),
         ("9007199254740991", 0x433f_ffff_ffff_ffff),
         ("16777217", 0x4170_0000_1000_0000),
+        ("0.1", 0x3fb9_9999_9999_999a),
+        ("0.10000000000000001", 0x3fb9_9999_9999_999a),
+        ("-5e-324", 0x8000_0000_0000_0001),
+        // 2^-44: the shortest decimal that tells it from others is not the nearest one of 16 digits.
+        ("5.684341886080802e-14", 0x3d30_0000_0000_0000),
     ] {
         let got = reading.coordinate(text);
         facts.hold(got.is_some_and(|got| got.to_bits() == bits), || format!("{text} is read as {got:?}"));
     }
-    for text in ["0.1", "9007199254740993", "1e400", "1e-400", "", "1,5", "0.1f", "nan", "inf"] {
+    for text in [
+        "0.1000000000000000001",
+        "0.10000000000000004",
+        "9007199254740993",
+        "1e400",
+        "1e-400",
+        "",
+        "1,5",
+        "0.1f",
+        "nan",
+        "inf",
+    ] {
         let got = reading.coordinate(text);
         facts.hold(got.is_none(), || format!("{text}, which is no double, is read as {got:?}"));
     }
@@ -365,7 +381,7 @@ faults! {
             Real.coordinate(text).map(as_single)
         }
     }
-    TakesNearest, "takes-nearest", "a decimal that is no double is taken for the nearest one", &["decimals"], {
+    TakesNearest, "takes-nearest", "a decimal that no double is printed as is taken for the nearest double", &["decimals"], {
         fn coordinate(&self, text: &str) -> Option<f64> {
             Real.coordinate(text).or_else(|| text.parse().ok().filter(|x: &f64| x.is_finite()))
         }

@@ -140,7 +140,7 @@ fn near_surfaces_are_near_vertices_and_triangles() {
 #[test]
 fn meshes_maps_and_copies_come_from_files() {
     let folder = tempfile::tempdir().unwrap();
-    let off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.1\n0 1 0\n4 0 1 2 3\n";
+    let off = "OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0.1000000000000000001\n0 1 0\n4 0 1 2 3\n";
     std::fs::write(folder.path().join("square.off"), off.replace("4 2 0", "4 1 0")).unwrap();
     std::fs::write(folder.path().join("line.obj"), "v 0.5 0.5 -1\nv 0.5 0.5 1\nl 1 2\n").unwrap();
     let loaded = load(

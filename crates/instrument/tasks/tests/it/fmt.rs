@@ -1,7 +1,7 @@
-//! Suites made lossless: only what is not exactly a double is rewritten.
+//! Suites made lossless: only decimals that mean no double are rewritten.
 
 use predicament_corpus::fmt;
-use predicament_formats::exact_coordinate;
+use predicament_formats::read_coordinate;
 use proptest::prelude::*;
 
 const SUITE: &str = r#"# a comment that stays
@@ -11,15 +11,15 @@ title = "t"   # and this one
 name = "a"
 task = "orient2d"
 points = [
-    ["0.1", 0.2],   # first
+    ["0.1000000000000000001", 0.2000000000000000001],   # first
     [8, "0x1.8p+1"],
-  ['-1e-1', "0.5"]]
+  ['-1.0000000000000000001e-1', "0.5"], [0.1, "-1e-1"]]
 
 [[generate]]
 family = "pixel-map"
 task = "orient2d"
 name = "b"
-p = [0.5, 0.30]
+p = [0.5, 0.3000000000000000001]
 q = [12, 12]
 r = ["24", "24"]"#;
 
@@ -27,11 +27,14 @@ r = ["24", "24"]"#;
 fn only_inexact_decimals_change_and_stay_as_comments() {
     let expected = SUITE
         .replace(
-            "[\"0.1\", 0.2],   # first",
-            "[\"0x1.999999999999ap-4\", \"0x1.999999999999ap-3\"],   # first  # 0.1, 0.2",
+            "[\"0.1000000000000000001\", 0.2000000000000000001],   # first",
+            "[\"0x1.999999999999ap-4\", \"0x1.999999999999ap-3\"],   # first  # 0.1000000000000000001, 0.2000000000000000001",
         )
-        .replace("['-1e-1', \"0.5\"]]", "[\"-0x1.999999999999ap-4\", \"0.5\"]]  # -1e-1")
-        .replace("[0.5, 0.30]", "[0.5, \"0x1.3333333333333p-2\"]  # 0.30");
+        .replace(
+            "['-1.0000000000000000001e-1', \"0.5\"], [0.1, \"-1e-1\"]]",
+            "[\"-0x1.999999999999ap-4\", \"0.5\"], [0.1, \"-1e-1\"]]  # -1.0000000000000000001e-1",
+        )
+        .replace("[0.5, 0.3000000000000000001]", "[0.5, \"0x1.3333333333333p-2\"]  # 0.3000000000000000001");
     let once = fmt(predicament_bundle::vocabulary(), "s.toml", SUITE).unwrap();
     assert_eq!(once, expected);
     assert_eq!(fmt(predicament_bundle::vocabulary(), "s.toml", &once).unwrap(), once);
@@ -44,7 +47,7 @@ fn what_no_double_is_near_to_is_refused() {
     for (bad, message) in
         [("inf", "not finite"), ("1e400", "beyond"), ("1e-400", "half the smallest"), ("\"x\"", "not a number")]
     {
-        let text = SUITE.replace("0.2]", &format!("{bad}]"));
+        let text = SUITE.replace("0.2000000000000000001]", &format!("{bad}]"));
         let error = fmt(predicament_bundle::vocabulary(), "s.toml", &text).unwrap_err().to_string();
         assert!(error.starts_with("s.toml:8: ") && error.contains(message), "{error}");
     }
@@ -54,8 +57,8 @@ proptest! {
     #[test]
     fn rewriting_keeps_the_nearest_doubles(points in proptest::collection::vec((-1e9..1e9f64, any::<f32>()), 1..20)) {
         let points: Vec<_> = points.into_iter().filter(|(_, y)| y.is_finite() && *y != 0.0).collect();
-        // Shortest decimals of doubles and of floats: most are not doubles.
-        let rows: String = points.iter().map(|(x, y)| format!("  [{x:?}, \"{y:?}\"],\n")).collect();
+        // Shortest decimals of doubles, which mean them, and of 20 digits, most of which mean none.
+        let rows: String = points.iter().map(|(x, y)| format!("  [{x:?}, \"{y:.19e}\"],\n")).collect();
         let text = format!("title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"compare\"\npoints = [\n{rows}]\n");
         let once = fmt(predicament_bundle::vocabulary(), "s.toml", &text).unwrap();
         prop_assert_eq!(&fmt(predicament_bundle::vocabulary(), "s.toml", &once).unwrap(), &once);
@@ -63,10 +66,10 @@ proptest! {
         for row in once.lines().filter(|line| line.starts_with("  [")) {
             let row = row.split_once(']').unwrap().0.trim_start_matches(['[', ' ']);
             for cell in row.split(", ") {
-                read.push(exact_coordinate(cell.trim_matches('"')).unwrap());
+                read.push(read_coordinate(cell.trim_matches('"')).unwrap());
             }
         }
-        let meant: Vec<f64> = points.iter().flat_map(|(x, y)| [*x, y.to_string().parse().unwrap()]).collect();
+        let meant: Vec<f64> = points.iter().flat_map(|(x, y)| [*x, format!("{y:.19e}").parse().unwrap()]).collect();
         prop_assert_eq!(read, meant);
     }
 }

@@ -243,16 +243,23 @@ fn complexes_come_from_shapes_and_surfaces() {
 #[test]
 fn rounding_is_asked_for_and_counted() {
     let folder = folder(&[
-        ("p.csv", "0.1,0.5\n0.2,1\n3,4\n"),
-        ("p.wkt", "LINESTRING (0.1 0.5, 0.2 1, 3 4)"),
-        ("c.csv", "0.1,0,0,1\n"),
+        ("p.csv", "0.1000000000000000001,0.5\n0.2000000000000000001,1\n3,4\n"),
+        ("p.wkt", "LINESTRING (0.1000000000000000001 0.5, 0.2000000000000000001 1, 3 4)"),
+        ("c.csv", "0.1000000000000000001,0,0,1\n"),
     ]);
     let orient = |points: &str| format!("task = \"orient2d\"\npoints = {points}");
-    let [inline, csv, wkt] =
-        ["[[0.1, 0.5], [0.2, 1], [3, 4]]", "{ path = \"p.csv\" }", "{ path = \"p.wkt\" }"].map(orient);
+    let [inline, csv, wkt] = [
+        "[[0.1000000000000000001, 0.5], [0.2000000000000000001, 1], [3, 4]]",
+        "{ path = \"p.csv\" }",
+        "{ path = \"p.wkt\" }",
+    ]
+    .map(orient);
     for (scene, place) in [(&inline, "s.toml:6"), (&csv, "p.csv:1"), (&wkt, "p.wkt:1")] {
         let error = refused(&folder, scene);
-        assert!(error.starts_with(&format!("{place}: decimal 0.1 is not exactly a double; ")), "{error}");
+        assert!(
+            error.starts_with(&format!("{place}: decimal 0.1000000000000000001 has digits that no double holds; ")),
+            "{error}"
+        );
         assert!(error.contains("write `round = true` in the scene"), "{error}");
         let rounded = load(&folder, &format!("round = true\n{scene}"));
         assert_eq!(rounded.notes, ImportNotes { rounded: 2, ..ImportNotes::default() });
@@ -262,10 +269,9 @@ fn rounding_is_asked_for_and_counted() {
         assert_eq!(by_suite(scene).unwrap().id, rounded.id);
         assert!(by_suite(&format!("round = false\n{scene}")).is_err());
     }
-    let mixed =
-        "round = true\ntask = \"contacts2d\"\npoints = [[0.3, 0]]\na = { path = \"p.wkt\" }\nb = { vertices = [0] }";
+    let mixed = "round = true\ntask = \"contacts2d\"\npoints = [[0.3000000000000000001, 0]]\na = { path = \"p.wkt\" }\nb = { vertices = [0] }";
     assert_eq!(load(&folder, mixed).notes.rounded, 3, "decimals of the suite and of its files");
-    let polygons = "round = true\ntask = \"polygon-locate\"\nmap = { polygons = [[[[0.1, 0], [1, 0], [0, 1]]]] }";
+    let polygons = "round = true\ntask = \"polygon-locate\"\nmap = { polygons = [[[[0.1000000000000000001, 0], [1, 0], [0, 1]]]] }";
     assert_eq!(load(&folder, polygons).notes.rounded, 1);
     // 0.1 + 1 is no double: rounding cures a decimal and nothing else.
     let cubes = refused(&folder, "round = true\ntask = \"cube-union\"\ncubes = { path = \"c.csv\" }");

@@ -80,7 +80,7 @@ impl Pairs {
         let integer = format!("write an integer from 0 to {MOST}");
         // To round it, as is the cure of a coordinate, is none here.
         let rows = read_csv_rows(&file, bytes, &PAIR, &Decimals::new(false)).map_err(|error| {
-            let is_decimal = error.message.contains("is not exactly a double");
+            let is_decimal = error.message.contains("has digits that no double holds");
             if is_decimal { CorpusError { cure: integer.clone(), ..error } } else { error }
         })?;
         let wrong = |line: usize, x: f64| {

@@ -44,7 +44,7 @@ fn bare_rings_are_one_polygon() {
 #[test]
 fn some_features_are_read_and_nothing_is_counted_of_the_others() {
     // The second has a decimal that is no double.
-    let text = SQUARES.replace("9.5", "9.1");
+    let text = SQUARES.replace("9.5", "9.1000000000000000001");
     let some = |decimals: &Decimals, wanted: &dyn Fn(usize, Option<&str>) -> bool| {
         let mut seen = Vec::new();
         let mut keeps = |number: usize, id: Option<&str>| {
@@ -60,7 +60,13 @@ fn some_features_are_read_and_nothing_is_counted_of_the_others() {
     let west = west.unwrap();
     assert_eq!((west.map.regions().len(), west.points.len(), west.notes), (1, 7, ImportNotes::default()));
     let of_id = |_: usize, id: Option<&str>| id == Some("7");
-    assert!(some(&strict, &of_id).0.unwrap_err().to_string().contains("9.1 is not exactly a double"));
+    assert!(
+        some(&strict, &of_id)
+            .0
+            .unwrap_err()
+            .to_string()
+            .contains("9.1000000000000000001 has digits that no double holds")
+    );
     let rounding = Decimals::new(true);
     assert_eq!(some(&rounding, &of_id).0.unwrap().map.regions()[0].name, "7");
     assert_eq!(rounding.rounded(), 1);
@@ -68,12 +74,12 @@ fn some_features_are_read_and_nothing_is_counted_of_the_others() {
 
 #[test]
 fn a_member_is_an_array_of_rings() {
-    let text = "{\"rule\": 1,\n \"first\": [[[0, 0], [4, 0], [4, 4]]],\n \"second\": [[[1, 1], [2, 1], [2, 0.1]]]}";
+    let text = "{\"rule\": 1,\n \"first\": [[[0, 0], [4, 0], [4, 4]]],\n \"second\": [[[1, 1], [2, 1], [2, 0.1000000000000000001]]]}";
     let member = |text: &str, name: &str| read_member("m.json", text, name, &Decimals::new(false), &mut |_, _| true);
     let first = member(text, "first").unwrap().map().unwrap();
     assert_eq!((first.points.as_slice(), first.map.regions().len()), ([[0., 0.], [4., 0.], [4., 4.]].as_slice(), 1));
     for (text, name, expected) in [
-        (text, "second", "m.json:3: second[0][2]: decimal 0.1 is not exactly a double"),
+        (text, "second", "m.json:3: second[0][2]: decimal 0.1000000000000000001 has digits that no double holds"),
         (text, "third", "m.json:1: the object has no member `third`; use one of `first`, `rule`, `second`"),
         (text, "rule", "m.json:1: rule: no array; give an array"),
         ("[[[0, 0], [4, 0], [4, 4]]]", "first", "m.json:1: no object; leave out `member`"),
@@ -122,7 +128,7 @@ fn errors_stay_short() {
     let long = "x".repeat(1 << 20);
     for (text, said) in [
         (
-            format!("{deep}{{\"type\": \"Point\", \"coordinates\": [0.1, 0]}}{}", "]}".repeat(32)),
+            format!("{deep}{{\"type\": \"Point\", \"coordinates\": [0.1000000000000000001, 0]}}{}", "]}".repeat(32)),
             "geometries[0].geometries[0]",
         ),
         (format!("{{\"type\": \"{long}\"}}"), "no geometry is of type `xxx"),
@@ -143,8 +149,8 @@ fn errors_say_where() {
     };
     for (got, expected) in [
         (
-            changed("[9.5, 9]", "[9.3, 9]"),
-            "m.geojson:7: features[1].geometry.coordinates[2][0][1]: decimal 9.3 is not exactly a double; \
+            changed("[9.5, 9]", "[9.3000000000000000001, 9]"),
+            "m.geojson:7: features[1].geometry.coordinates[2][0][1]: decimal 9.3000000000000000001 has digits that no double holds; \
              write `round = true` in the scene to read the nearest double",
         ),
         (
@@ -210,7 +216,7 @@ fn errors_say_where() {
 fn rounding_is_counted() {
     let decimals = Decimals::new(true);
     let read =
-        read("m.json", r#"{"type": "LineString", "coordinates": [[0.1, 0.5], [0.2, 0.3]]}"#, &decimals, &mut |_, _| {
+        read("m.json", r#"{"type": "LineString", "coordinates": [[0.1000000000000000001, 0.5], [0.2000000000000000001, 0.3000000000000000001]]}"#, &decimals, &mut |_, _| {
             true
         })
         .unwrap();

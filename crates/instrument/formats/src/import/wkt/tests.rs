@@ -49,8 +49,8 @@ fn heights_are_kept_and_measures_left_out() {
 fn errors_name_file_line_and_cure() {
     for (text, expected) in [
         (
-            "POINT (1 2)\nPOINT (1 0.1)",
-            "m.wkt:2: decimal 0.1 is not exactly a double; write `round = true` in the scene to",
+            "POINT (1 2)\nPOINT (1 0.1000000000000000001)",
+            "m.wkt:2: decimal 0.1000000000000000001 has digits that no double holds; write `round = true` in the scene to",
         ),
         ("POINT (1 x)", "m.wkt:1: `x` is not a number; write a decimal"),
         ("POINT (1 nan)", "m.wkt:1: coordinate `nan` is not finite"),
@@ -86,7 +86,7 @@ fn depth_is_bounded() {
 
 #[test]
 fn some_geometries_are_read_and_nothing_is_counted_of_the_others() {
-    let text = "POLYGON M ((0.1 0 1, 4 0 1, 4 4 1, 0.1 0 1));\nPOLYGON ((1 1, 2 1, 2 2, 1 1))";
+    let text = "POLYGON M ((0.1000000000000000001 0 1, 4 0 1, 4 4 1, 0.1000000000000000001 0 1));\nPOLYGON ((1 1, 2 1, 2 2, 1 1))";
     let some = |wanted: usize| {
         let decimals = Decimals::new(true);
         let geometry = read("m.wkt", text, &decimals, &mut |number, _| number == wanted).unwrap();
