@@ -44,7 +44,7 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
-    /// Rewrite coordinates losslessly: nearest doubles as hex floats, the decimal kept as a comment
+    /// Rewrite decimals with digits that no double holds: as hex floats of the nearest doubles, with the decimals as comments
     Fmt {
         /// TOML and CSV files, rewritten in place
         #[arg(required = true)]
