@@ -26,7 +26,7 @@ pub struct Failure {
     pub code: u8,
 }
 
-/// What a command gives back.
+/// The exit code of a command, or the failure that ended it.
 pub type Outcome = Result<u8, Failure>;
 
 impl Failure {

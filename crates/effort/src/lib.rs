@@ -42,7 +42,9 @@ pub fn whole() -> bool {
     divisor() == 1
 }
 
-/// The first of two amounts by default, the second if heavy tests are run whole: where a twentieth is too few, or not few enough.
+/// The first of two amounts by default, the second if heavy tests are run whole.
+///
+/// It is for tests of which a twentieth would be too few inputs, or still too many.
 #[must_use]
 pub fn some_or_all<T>(some: T, all: T) -> T {
     if whole() { all } else { some }

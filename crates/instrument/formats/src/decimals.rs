@@ -7,7 +7,7 @@ use crate::coordinate::{self, CoordinateError};
 /// The most coordinates that a scene may have: 2 GiB of doubles.
 pub const MOST_COORDINATES: usize = 1 << 28;
 
-/// How the decimals of one scene are read: refused where no double is printed so, or, with `round = true`, as
+/// The reader of the decimals of one scene: refused where no double is printed so, or, with `round = true`, as
 /// their nearest doubles, which are counted.
 #[derive(Debug, Default)]
 pub struct Decimals {
@@ -42,7 +42,7 @@ impl Decimals {
     /// from the [`MOST_COORDINATES`]th on.
     pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
         self.count()?;
-        self.told(coordinate::read(text))
+        self.or_nearest(coordinate::read(text))
     }
 
     /// The single, as a double, of a text that is declared as one.
@@ -51,11 +51,11 @@ impl Decimals {
     /// As [`read`](Decimals::read).
     pub fn read_single(&self, text: &str) -> Result<f64, CoordinateError> {
         self.count()?;
-        self.told(coordinate::read_single(text).map(f64::from))
+        self.or_nearest(coordinate::read_single(text).map(f64::from))
     }
 
-    /// What was read, or its nearest where decimals are rounded.
-    fn told(&self, read: Result<f64, CoordinateError>) -> Result<f64, CoordinateError> {
+    /// The number that was read; of a text that means none, the nearest number if decimals are rounded, which is counted.
+    fn or_nearest(&self, read: Result<f64, CoordinateError>) -> Result<f64, CoordinateError> {
         match read {
             Err(CoordinateError::Inexact { nearest }) if self.round => {
                 self.rounded.set(self.rounded.get() + 1);

@@ -68,7 +68,7 @@ impl Pattern {
         }
     }
 
-    /// What all names begin with that it matches.
+    /// The text with which every name begins that the pattern matches.
     #[must_use]
     pub fn prefix(&self) -> &str {
         self.text().split(SINGLE).next().and_then(|text| text.split(OTHERS).next()).unwrap_or_default()

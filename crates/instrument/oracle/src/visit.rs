@@ -8,7 +8,7 @@ use crate::boxed::Boxed;
 
 /// Work for one backend, whatever its type.
 pub trait Visit {
-    /// What comes out.
+    /// The result of the work.
     type Out;
 
     /// Does the work; `ties` is the independent judge of how the backend breaks ties, if it does.

@@ -49,7 +49,7 @@ const HIGHEST: i32 = 1023;
 /// The bits of a double.
 const PRECISION: i32 = 53;
 
-/// Where the bits of some non-zero doubles lie.
+/// The exponents of the lowest and the highest bit of some non-zero doubles.
 ///
 /// Every value x of the list is an integer multiple of 2^`lowest`, and
 /// |x| < 2^`highest`. Both are tight: some value has a bit set at `lowest`, and
@@ -289,8 +289,8 @@ pub fn units(x: f64, lowest: i32) -> i128 {
 
 /// |a − b|, rounded up; infinite where no double is large enough.
 ///
-/// What was rounded off a difference is a double, and Knuth's two-sum finds
-/// it; it is lost only if the difference itself overflows.
+/// The rounding error of a difference is a double, and Knuth's two-sum finds it.
+/// The error is lost only if the difference itself overflows.
 #[must_use]
 pub fn difference_up(a: f64, b: f64) -> f64 {
     let difference = (a - b).abs();

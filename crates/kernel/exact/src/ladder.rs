@@ -226,7 +226,7 @@ impl Flat {
 
 /// The plan of a scene of space.
 pub(crate) struct Solid {
-    /// By plane.
+    /// The rungs of the turn in each plane: xy, yz, zx.
     pub orient2d: [Prepared; 3],
     pub orient3d: Prepared,
     pub insphere: Prepared,

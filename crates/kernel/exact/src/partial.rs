@@ -82,7 +82,7 @@ pub struct PartialSession<'s, T> {
     last: usize,
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
-    /// By plane.
+    /// The rungs of the turn in each plane: xy, yz, zx.
     orient2d: [Prepared; 3],
     orient3d: Prepared,
     incircle: Prepared,

@@ -38,7 +38,7 @@ pub struct SceneDef {
 
 #[derive(Clone)]
 enum Where {
-    /// With its content id.
+    /// A scene that is written out in the suite, and its content id.
     Written(Arc<(Parts, String)>),
     Elsewhere(Arc<dyn Elsewhere>),
 }

@@ -38,13 +38,13 @@ pub enum Shape {
 pub struct Feature {
     /// The name, if the file has one.
     pub name: Option<String>,
-    /// Where it begins, from 1.
+    /// The line on which the feature begins, from 1.
     pub line: usize,
     /// Its parts in the order of the file.
     pub shapes: Vec<Shape>,
 }
 
-/// What is in a geometry file.
+/// The contents of a geometry file.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Geometry {
     /// The name of the file in errors.
@@ -64,7 +64,7 @@ pub struct ImportedEdges {
     pub vertices: Vec<Vertex>,
     /// The edges of lines and rings.
     pub edges: Vec<[Vertex; 2]>,
-    /// What was left out.
+    /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 

@@ -21,11 +21,11 @@ pub struct ImportedMesh {
     pub triangles: Vec<[Vertex; 3]>,
     /// Where the points and the faces are in the file.
     pub places: Places,
-    /// What was left out.
+    /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 
-/// What is left of a line without its comment, if anything.
+/// A line without its comment, or none if nothing else is on it.
 pub(super) fn content(line: &str) -> Option<&str> {
     let line = line.split('#').next().unwrap_or_default().trim();
     (!line.is_empty()).then_some(line)

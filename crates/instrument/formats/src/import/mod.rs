@@ -33,7 +33,7 @@ pub struct ImportedMap {
     pub points: Vec<[f64; 2]>,
     /// The regions.
     pub map: PolygonMap,
-    /// What was left out.
+    /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 
@@ -49,7 +49,7 @@ fn id_text(value: Option<&Value>) -> Option<String> {
     }
 }
 
-/// What reading a scene changed on the way in; never in silence.
+/// Counts of what a reader left out or changed; reports show them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct ImportNotes {
     /// Coordinates that are the nearest doubles of other decimals, by `round = true`.

@@ -16,7 +16,7 @@ pub struct ImportedPoints {
     pub coordinates: Vec<f64>,
     /// Where the points are in the file.
     pub places: Places,
-    /// What was left out.
+    /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 

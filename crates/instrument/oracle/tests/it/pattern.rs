@@ -16,7 +16,7 @@ proptest! {
         prop_assert_eq!(pattern.names(&suite, &scene), truth);
     }
 
-    /// Those that can't begin as it does are not looked at.
+    /// A search by pattern skips names with another prefix, and finds what a search over all names finds.
     #[test]
     fn a_pattern_of_one_of_several_scenes_is_found(
         text in "[ab]{0,2}([/*?,]|\\{a,b\\}|\\[ab\\]|\\\\a){0,2}[ab]{0,2}",

@@ -82,7 +82,7 @@ pub type Sides = Box<dyn Fn(&At) -> [Enclosure; 2]>;
 
 /// One constraint.
 pub struct Constraint {
-    /// Where it stands.
+    /// The section of the paper that states the constraint.
     pub section: &'static str,
     /// In the paper's words.
     pub text: String,
@@ -98,7 +98,7 @@ pub(super) enum Test {
     Same(bool),
 }
 
-/// What became of a constraint at one ε.
+/// The verdict about a constraint at one ε.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Decision {
     /// It holds.

@@ -36,7 +36,7 @@ pub(super) struct Stepped<'a> {
     pub turned: &'a dyn Fn() -> Option<usize>,
 }
 
-/// What is told of steps.
+/// The steps to measure, and the function that takes each measurement.
 pub(super) struct Then<'t> {
     pub samples: &'t [usize],
     pub note: &'t mut dyn FnMut(Stepped<'_>) -> Result<(), End>,

@@ -52,7 +52,7 @@ pub struct Cut {
 pub struct Row {
     /// The surface.
     pub shape: Shape,
-    /// How it lies.
+    /// The placement of the surface in the lattice.
     pub placement: Placement,
     /// The backend's name.
     pub backend: String,
@@ -66,7 +66,7 @@ pub struct Row {
     pub whole: f64,
     /// How many tetrahedra are near the surface: those checked are some of them.
     pub near: usize,
-    /// What came of it, or why the backend declined.
+    /// The result, or the reason why there is none.
     pub made: Result<Made, AnswerError>,
 }
 
@@ -79,11 +79,11 @@ pub struct Made {
     pub sides: Sides,
     /// The pieces.
     pub pieces: Pieces,
-    /// What the shares of single tetrahedra are off by.
+    /// The errors of the shares of single tetrahedra.
     pub deviation: Deviation,
-    /// What the contacts took.
+    /// The time that the contacts took.
     pub registering: Duration,
-    /// What sides and pieces took.
+    /// The time that sides and pieces took.
     pub cutting: Duration,
 }
 

@@ -49,8 +49,8 @@ pub type SpaceSearched = Searched<space::Census, space::Kind, Small<space::Surfa
 /// The finds in each precision.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Measured {
-    /// Of polygons.
+    /// The finds among polygons, by precision.
     Plane(Vec<PlaneSearched>),
-    /// Of surfaces.
+    /// The finds among surfaces, by precision.
     Space(Vec<SpaceSearched>),
 }
