@@ -74,18 +74,18 @@ pub fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
 ///
 /// # Errors
 /// If it does not start, or fails.
-pub fn step(what: &str, words: &[String], env: &[(&str, &str)]) -> Result<(), String> {
+pub fn step(what: &str, words: &[String], env: &[(&str, String)]) -> Result<(), String> {
     step_ending(what, words, env, &[0])
 }
 
 /// The same for a program that may end with any of these codes.
-pub fn step_ending(what: &str, words: &[String], env: &[(&str, &str)], fine: &[i32]) -> Result<(), String> {
+pub fn step_ending(what: &str, words: &[String], env: &[(&str, String)], fine: &[i32]) -> Result<(), String> {
     let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
     println!("\n== {what}: {name} {}", words[1..].join(" "));
     let (start, cpu) = (Instant::now(), cpu::of_children());
     let status = Command::new(&words[0])
         .args(&words[1..])
-        .envs(env.iter().copied())
+        .envs(env.iter().map(|(name, value)| (name, value)))
         .current_dir(root())
         .status()
         .map_err(|error| format!("{what}: {name} did not start: {error}"))?;

@@ -27,7 +27,7 @@ pub fn check() -> Result<(), String> {
     step("install what the page uses", &words(&install), &[])?;
     let test =
         ["cargo", "test", "--profile", "ci", "-p", "predicament", "--test", "it", "--", "--ignored", "page_of_data"];
-    step("blocks of the page about data", &words(&test), &[("PREDICAMENT_PYTHON", &python)])?;
+    step("blocks of the page about data", &words(&test), &[("PREDICAMENT_PYTHON", python)])?;
     if !answers("Rscript", &["-e", PACKAGES_OF_R]) {
         println!(
             "\n== R's block of the page about data: NOT RUN: there is no R with nanoparquet and dplyr here; type \

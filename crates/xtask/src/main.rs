@@ -10,6 +10,7 @@ mod advisories;
 mod browser;
 mod ci_page;
 mod command;
+mod compiler;
 mod cpu;
 mod data;
 mod deny;
@@ -20,7 +21,6 @@ mod mutants;
 mod pages;
 #[cfg(test)]
 mod recipes;
-mod rustdoc;
 mod sample;
 mod spread;
 mod steps;
@@ -34,9 +34,9 @@ Usage: cargo xtask <command>
 
 Commands:
   demo   build the tool, run the embedded corpora, leave a report to open
-  test   format, clippy, tests, doc tests, docs, the embedded corpora through the gate
+  test   format, clippy, docs, tests, doc tests, the embedded corpora through the gate
   test CRATE...
-         format, clippy and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
+         format, clippy, docs and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
   nightly
          heavy tests whole, the engines of crates, the benches with peers, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
@@ -74,8 +74,8 @@ Examples:
 ";
 
 fn main() -> ExitCode {
-    if let Some(real) = std::env::var_os(rustdoc::REAL) {
-        return rustdoc::run(&real, std::env::args_os().skip(1));
+    if let Some(code) = compiler::called(&std::env::args_os().skip(1).collect::<Vec<_>>()) {
+        return code;
     }
     let mut args = std::env::args().skip(1);
     let command = args.next().unwrap_or_else(|| "help".to_owned());

@@ -222,7 +222,7 @@ fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score,
     // A run has one copy of the tree, in which one function changes at a time: the profile compiles little more than that. The next run
     // has another copy, and still its dependencies.
     let built = root().join(BUILT).display().to_string();
-    step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built.as_str())], &FINE)?;
+    step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built)], &FINE)?;
     Score::read(out)
 }
 

@@ -135,7 +135,8 @@ impl Spread {
         let (parts, tool, one) = (PARTS.to_string(), shown(&self.tool), shown(&self.one));
         let more = [parts.as_str(), &folder].into_iter().chain(WHAT).chain(["--costs", &one]);
         let words: Vec<String> = start.iter().copied().chain(more).map(str::to_owned).collect();
-        let env: Vec<(&str, &str)> = env.iter().copied().chain([("PREDICAMENT", tool.as_str())]).collect();
+        let env = env.iter().map(|&(name, value)| (name, value.to_owned())).chain([("PREDICAMENT", tool.clone())]);
+        let env: Vec<_> = env.collect();
         let is_over = AtomicBool::new(false);
         let (done, killed) = std::thread::scope(|scope| {
             let killer = scope.spawn(|| once_begun(&Path::new(&folder).join(VICTIM.to_string()), &is_over, &lose));

@@ -2,9 +2,9 @@
 
 use std::ffi::OsStr;
 use std::path::Path;
-use std::process::Command;
 
 use crate::command::{answers, cargo, cargo_command, fresh, root, step, target_directory, words};
+use crate::compiler;
 
 /// Where `demo` leaves its work, beside the build.
 const DEMO: &str = "target/demo";
@@ -43,20 +43,17 @@ pub fn demo() -> Result<(), String> {
 
 /// Everything that has to pass before a change lands.
 ///
-/// One profile for all of it, and one build of the tool: the binary that the tests have used is the one that
-/// runs the corpora.
+/// One profile for all of it, and one build ([`compiler`]): the binary that the tests have used is the one that runs the
+/// corpora.
 pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
-    let clippy =
-        ["clippy", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--all-targets", "--", "-D", "warnings"];
-    cargo("clippy", &clippy)?;
-    run_tests(&[])?;
-    engine_examples()?;
-    docs()?;
+    let compiler = compiler::environment()?;
+    run_tests("clippy, docs and tests", &compiler)?;
+    engine_examples(&compiler)?;
     gate()
 }
 
-/// Format, clippy and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
+/// Format, clippy, docs and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
 pub fn test_of(crates: &[String]) -> Result<(), String> {
     let folders = ["kernel", "instrument", "systems", "lab"].map(|group| root().join("crates").join(group));
     let is_one = |name: &String| folders.iter().any(|group| group.join(name).join("Cargo.toml").is_file());
@@ -70,63 +67,28 @@ pub fn test_of(crates: &[String]) -> Result<(), String> {
         cargo_command(&words.chain(end.iter().map(|&word| word.to_owned())).collect::<Vec<_>>())
     };
     step("format", &with(&["fmt", "--check"], &[]), &[])?;
-    step("clippy", &with(&["clippy", "--profile", "ci", "--all-targets"], &["--", "-D", "warnings"]), &[])?;
-    step("tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &[])
-}
-
-/// The pages of all public items, as the documentation of what clippy has looked at.
-///
-/// Rustdoc needs the metadata of what a crate depends on, and clippy has left it, but for itself: it is taken where the compiler is
-/// the same one, with the same arguments. `--examples` has features be those of clippy, with dev-dependencies. Where any of this is not so,
-/// it is made again, which takes half a minute. Each crate has a folder of its own ([`rustdoc`](crate::rustdoc)).
-fn docs() -> Result<(), String> {
-    let docs = ["doc", "--profile", "ci", "--workspace", "--no-deps", "--lib", "--bins", "--examples"];
-    let left_out = EXAMPLES.into_iter().chain([BENCHES]).flat_map(|name| ["--exclude", name]);
-    let docs: Vec<&str> = docs.into_iter().chain(left_out).collect();
-    let driver = clippy_driver();
-    let own = std::env::current_exe().map_err(|error| format!("the path of xtask: {error}"))?.display().to_string();
-    let rustdoc = std::env::var("RUSTDOC").unwrap_or_else(|_| "rustdoc".to_owned());
-    let mut env = vec![("RUSTDOCFLAGS", "-D warnings"), ("RUSTDOC", &own), (crate::rustdoc::REAL, &rustdoc)];
-    if let Some(driver) = &driver {
-        env.extend([("RUSTC_WORKSPACE_WRAPPER", driver.as_str()), ("CLIPPY_ARGS", CLIPPY_ARGS)]);
-    }
-    step("docs", &cargo_command(&docs), &env)
-}
-
-/// What `cargo clippy -- -D warnings` gives to the driver.
-const CLIPPY_ARGS: &str = "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__";
-
-/// The compiler that `cargo clippy` runs, if it is where rustup puts it.
-fn clippy_driver() -> Option<String> {
-    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
-    let sysroot = Command::new(rustc).args(["--print", "sysroot"]).current_dir(root()).output().ok()?;
-    let bin = Path::new(String::from_utf8(sysroot.stdout).ok()?.trim()).join("bin");
-    let driver = bin.join("clippy-driver").with_extension(std::env::consts::EXE_EXTENSION);
-    driver.exists().then(|| driver.display().to_string())
+    step("clippy, docs, tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &compiler::environment()?)
 }
 
 /// The tests of engines, each where what its language needs is there; says which are not run.
-fn engine_examples() -> Result<(), String> {
+fn engine_examples(compiler: &[(&str, String)]) -> Result<(), String> {
     let helper = ["--locked", "--target-dir", "target/engine-helper", "--manifest-path", "engines/rust/Cargo.toml"];
     cargo("format of engines in Rust", &["fmt", "--manifest-path", "engines/rust/Cargo.toml", "--check"])?;
-    cargo(
-        "clippy of the helper in Rust",
-        &[&["clippy", "--all-targets"], &helper[..], &["--", "-D", "warnings"]].concat(),
-    )?;
-    cargo("tests of the helper in Rust", &[&["test"], &helper[..]].concat())?;
+    let tests = cargo_command(&[&["test"], &helper[..]].concat());
+    step("clippy, docs and tests of the helper in Rust", &tests, compiler)?;
     let languages = [("C++", "c++", "in_cpp"), ("Python", "python3", "in_python"), ("Rust", "cargo", "in_rust")];
     for (language, program, tests) in languages {
         if !answers(program, &["--version"]) {
             println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
             continue;
         }
-        ignored_tests(&format!("engine in {language}"), tests)?;
+        ignored_tests(&format!("engine in {language}"), tests, compiler)?;
     }
     Ok(())
 }
 
 /// The tests whose names have this in them and that do not run by default.
-fn ignored_tests(what: &str, tests: &str) -> Result<(), String> {
+fn ignored_tests(what: &str, tests: &str, env: &[(&str, String)]) -> Result<(), String> {
     // The same packages as before: one alone has other features, and GMP would be built again.
     let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
     let run = if has_nextest() {
@@ -135,7 +97,7 @@ fn ignored_tests(what: &str, tests: &str) -> Result<(), String> {
     } else {
         [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored", tests]].concat()
     };
-    cargo(what, &run)
+    step(what, &cargo_command(&run), env)
 }
 
 /// The engines of other people's crates: built, greeted, and held to the pages about them.
@@ -158,7 +120,7 @@ fn crates() -> Result<(), String> {
         let run = ["run", "--quiet", "--profile", "ci", "--", "engines", chore];
         cargo(&format!("{chore} engines of crates"), &[&run[..], &names].concat())?;
     }
-    ignored_tests("engines of crates", "of_crates")
+    ignored_tests("engines of crates", "of_crates", &[])
 }
 
 /// Installs and builds the engines that come with the project, by the clients of their registries; those that are
@@ -175,15 +137,15 @@ pub fn engines(names: &[String]) -> Result<(), String> {
 }
 
 /// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
-fn run_tests(env: &[(&str, &str)]) -> Result<(), String> {
+fn run_tests(what: &str, env: &[(&str, String)]) -> Result<(), String> {
     if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
-        step("tests", &cargo_command(&run), env)?;
+        step(what, &cargo_command(&run), env)?;
         let docs = ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"];
         step("doc tests", &cargo_command(&docs), env)
     } else {
         step(
-            "tests and doc tests",
+            &format!("{what}, doc tests"),
             &cargo_command(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"]),
             env,
         )
@@ -216,7 +178,7 @@ pub fn nightly() -> Result<(), String> {
         cargo("clippy, with the peers of benches", &lint),
         // The table about wrong answers of crates is held against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
-        run_tests(&[EFFORT]),
+        run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         // Into a folder of its own: packages are compiled as somebody else's.

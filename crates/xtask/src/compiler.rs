@@ -1,0 +1,122 @@
+//! The compiler of `cargo xtask test`: clippy's driver, and rustdoc after it.
+//!
+//! `cargo clippy`, `cargo test` and `cargo doc` each read every crate anew: two thirds of what the first and the last cost is
+//! to read what the tests have compiled anyway. Clippy's driver is the compiler itself, with lints: it makes the same libraries
+//! and tests. So cargo calls this program in the compiler's place (`RUSTC_WORKSPACE_WRAPPER`); this program calls the
+//! driver, and rustdoc for each library and program, with the same arguments. A crate that is compiled has neither a
+//! warning nor a bad link in its docs. Each crate has a folder of pages: a common one has an index for searching that
+//! each call of rustdoc would read and write.
+
+use std::ffi::{OsStr, OsString};
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use crate::command::root;
+
+/// The variable with the path of clippy's driver; where it is set, this program may be called as a compiler.
+const DRIVER: &str = "PREDICAMENT_XTASK_DRIVER";
+/// What `cargo clippy -- -D warnings` gives to the driver.
+const CLIPPY_ARGS: (&str, &str) = ("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__");
+
+/// What has cargo compile the workspace by this program.
+///
+/// # Errors
+/// If clippy is not installed.
+pub fn environment() -> Result<Vec<(&'static str, String)>, String> {
+    let own = std::env::current_exe().map_err(|error| format!("the path of xtask: {error}"))?;
+    let (name, value) = CLIPPY_ARGS;
+    Ok(vec![("RUSTC_WORKSPACE_WRAPPER", own.display().to_string()), (DRIVER, driver()?), (name, value.to_owned())])
+}
+
+/// The compiler that `cargo clippy` runs, where rustup puts it.
+fn driver() -> Result<String, String> {
+    let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
+    let sysroot = Command::new(&rustc).args(["--print", "sysroot"]).current_dir(root()).output();
+    let sysroot = sysroot.map_err(|error| format!("{rustc} did not start: {error}"))?.stdout;
+    let bin = Path::new(String::from_utf8_lossy(&sysroot).trim()).join("bin");
+    let driver = bin.join("clippy-driver").with_extension(std::env::consts::EXE_EXTENSION);
+    if driver.exists() {
+        Ok(driver.display().to_string())
+    } else {
+        Err(format!("clippy is not installed: {} is not there; type `rustup component add clippy`", driver.display()))
+    }
+}
+
+/// The exit code of the driver and of rustdoc, if cargo calls this program as a compiler with these arguments.
+pub fn called(arguments: &[OsString]) -> Option<ExitCode> {
+    let driver = std::env::var_os(DRIVER)?;
+    // Cargo gives the compiler's name, then options. A chore has neither.
+    let options = arguments.get(1)?.to_str()?.starts_with('-').then_some(&arguments[1..])?;
+    if !runs(&driver, arguments) {
+        return Some(ExitCode::FAILURE);
+    }
+    let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
+    let fine = of_rustdoc(options).is_none_or(|arguments| runs(&rustdoc, &arguments));
+    Some(if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// True if this program runs and ends well.
+fn runs(program: &OsStr, arguments: &[OsString]) -> bool {
+    match Command::new(program).args(arguments).status() {
+        Ok(status) => status.success(),
+        Err(error) => {
+            eprintln!("xtask: {}: {error}", Path::new(program).display());
+            false
+        }
+    }
+}
+
+/// The arguments of rustdoc for the crate that a compiler makes by these, if it is a library or a program.
+fn of_rustdoc(arguments: &[OsString]) -> Option<Vec<OsString>> {
+    let text: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
+    let after = |option: &str| text.iter().position(|&word| word == option).and_then(|at| text.get(at + 1)).copied();
+    let name = after("--crate-name")?;
+    let is_linked = text.iter().any(|word| word.starts_with("--emit=") && word.contains("link"));
+    let is_documented = after("--crate-type").is_some_and(|kind| ["lib", "bin"].contains(&kind));
+    if !is_linked || !is_documented || text.contains(&"--test") || name == "build_script_build" {
+        return None;
+    }
+    let pages = Path::new(after("--out-dir")?).with_file_name("pages").join(name);
+    let mut given = vec!["-o".into(), pages.into(), "-Dwarnings".into()];
+    let mut words = text.iter();
+    while let Some(&word) = words.next() {
+        if ["-C", "--out-dir"].contains(&word) {
+            words.next();
+        } else if !word.starts_with("-C") && !word.starts_with("--emit=") {
+            given.push(word.into());
+        }
+    }
+    Some(given)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(words: &str) -> Option<String> {
+        let words: Vec<OsString> = words.split(' ').map(OsString::from).collect();
+        let given = of_rustdoc(&words)?.join(OsStr::new(" "));
+        Some(given.to_str().expect("text").to_owned())
+    }
+
+    #[test]
+    fn rustdoc_is_called_as_the_compiler_was() {
+        let library = "--crate-name hull --edition=2024 src/lib.rs --crate-type lib --emit=dep-info,metadata,link -C \
+                       opt-level=1 -Cstrip=debuginfo --warn=missing_docs --out-dir target/ci/deps -L dependency=deps \
+                       --extern exact=deps/libexact.rmeta";
+        let expected = "-o target/ci/pages/hull -Dwarnings --crate-name hull --edition=2024 src/lib.rs --crate-type lib \
+                        --warn=missing_docs -L dependency=deps --extern exact=deps/libexact.rmeta";
+        assert_eq!(of(library).as_deref(), Some(expected));
+        assert!(of(&library.replace("lib --emit", "bin --emit")).is_some());
+        // Neither of these has pages: a test, what is not compiled to the end, a macro, a build script, a question.
+        for (from, to) in [
+            ("--crate-type lib", "--test"),
+            (",link", ""),
+            ("lib --emit", "proc-macro --emit"),
+            ("hull", "build_script_build"),
+            ("--out-dir", "--print"),
+        ] {
+            assert_eq!(of(&library.replace(from, to)), None, "{to}");
+        }
+    }
+}
