@@ -1,9 +1,9 @@
 //! The compiler of `cargo xtask test`: clippy's driver, and rustdoc after it.
 //!
-//! `cargo clippy`, `cargo test` and `cargo doc` each read every crate anew: two thirds of what the first and the last cost is
-//! to read what the tests have compiled anyway. Clippy's driver is the compiler itself, with lints: it makes the same libraries
+//! `cargo clippy`, `cargo test` and `cargo doc` each read every crate anew: most of what the
+//! first and the last cost is to read what the tests compile anyway. Clippy's driver is the compiler itself, with lints: it makes the same libraries
 //! and tests. So cargo calls this program in the compiler's place (`RUSTC_WORKSPACE_WRAPPER`); this program calls the
-//! driver, and rustdoc for each library and program, with the same arguments. A crate that is compiled has neither a
+//! driver, and rustdoc for each library, with the same arguments. A crate that is compiled has neither a
 //! warning nor a bad link in its docs. Each crate has a folder of pages: a common one has an index for searching that
 //! each call of rustdoc would read and write.
 
@@ -17,6 +17,9 @@ use crate::command::root;
 const DRIVER: &str = "PREDICAMENT_XTASK_DRIVER";
 /// What `cargo clippy -- -D warnings` gives to the driver.
 const CLIPPY_ARGS: (&str, &str) = ("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__");
+
+/// The packages whose integration tests compute for longer than it takes to optimise them.
+const OPTIMISED: [&str; 4] = ["predicament-cube-union", "predicament-exact", "predicament-grid", "predicament-sos"];
 
 /// What has cargo compile the workspace by this program.
 ///
@@ -47,7 +50,9 @@ pub fn called(arguments: &[OsString]) -> Option<ExitCode> {
     let driver = std::env::var_os(DRIVER)?;
     // Cargo gives the compiler's name, then options. A chore has neither.
     let options = arguments.get(1)?.to_str()?.starts_with('-').then_some(&arguments[1..])?;
-    if !runs(&driver, arguments) {
+    let package = std::env::var("CARGO_PKG_NAME").unwrap_or_default();
+    let unoptimised = is_unoptimised(options, &package).then(|| "-Copt-level=0".into());
+    if !runs(&driver, &arguments.iter().cloned().chain(unoptimised).collect::<Vec<_>>()) {
         return Some(ExitCode::FAILURE);
     }
     let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
@@ -66,14 +71,21 @@ fn runs(program: &OsStr, arguments: &[OsString]) -> bool {
     }
 }
 
-/// The arguments of rustdoc for the crate that a compiler makes by these, if it is a library or a program.
+/// True if these make the tests of a package that are faster compiled than optimised.
+///
+/// A profile of cargo has one level for a package: for a library that is to be optimised as for its tests.
+fn is_unoptimised(arguments: &[OsString], package: &str) -> bool {
+    let is_library = arguments.iter().any(|word| word.to_str().is_some_and(|word| word.ends_with("lib.rs")));
+    arguments.iter().any(|word| word == "--test") && (is_library || !OPTIMISED.contains(&package))
+}
+
+/// The arguments of rustdoc for the crate that a compiler makes by these, if it is a library.
 fn of_rustdoc(arguments: &[OsString]) -> Option<Vec<OsString>> {
     let text: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
     let after = |option: &str| text.iter().position(|&word| word == option).and_then(|at| text.get(at + 1)).copied();
     let name = after("--crate-name")?;
     let is_linked = text.iter().any(|word| word.starts_with("--emit=") && word.contains("link"));
-    let is_documented = after("--crate-type").is_some_and(|kind| ["lib", "bin"].contains(&kind));
-    if !is_linked || !is_documented || text.contains(&"--test") || name == "build_script_build" {
+    if !is_linked || after("--crate-type") != Some("lib") || text.contains(&"--test") {
         return None;
     }
     let pages = Path::new(after("--out-dir")?).with_file_name("pages").join(name);
@@ -100,6 +112,14 @@ mod tests {
     }
 
     #[test]
+    fn tests_are_compiled_fast_but_for_those_that_compute() {
+        let is =
+            |words: &str, package| is_unoptimised(&words.split(' ').map(OsString::from).collect::<Vec<_>>(), package);
+        assert!(is("--test src/lib.rs", "predicament-exact") && is("--test tests/it/main.rs", "predicament-hull"));
+        assert!(!is("--test tests/it/main.rs", "predicament-exact") && !is("src/lib.rs", "predicament-hull"));
+    }
+
+    #[test]
     fn rustdoc_is_called_as_the_compiler_was() {
         let library = "--crate-name hull --edition=2024 src/lib.rs --crate-type lib --emit=dep-info,metadata,link -C \
                        opt-level=1 -Cstrip=debuginfo --warn=missing_docs --out-dir target/ci/deps -L dependency=deps \
@@ -107,13 +127,12 @@ mod tests {
         let expected = "-o target/ci/pages/hull -Dwarnings --crate-name hull --edition=2024 src/lib.rs --crate-type lib \
                         --warn=missing_docs -L dependency=deps --extern exact=deps/libexact.rmeta";
         assert_eq!(of(library).as_deref(), Some(expected));
-        assert!(of(&library.replace("lib --emit", "bin --emit")).is_some());
-        // Neither of these has pages: a test, what is not compiled to the end, a macro, a build script, a question.
+        // Neither of these has pages: a test, what is not compiled to the end, a macro, a program, a question.
         for (from, to) in [
             ("--crate-type lib", "--test"),
             (",link", ""),
             ("lib --emit", "proc-macro --emit"),
-            ("hull", "build_script_build"),
+            ("lib --emit", "bin --emit"),
             ("--out-dir", "--print"),
         ] {
             assert_eq!(of(&library.replace(from, to)), None, "{to}");

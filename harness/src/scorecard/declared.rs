@@ -52,6 +52,11 @@ impl Declared {
         }
     }
 
+    /// Whether it is one of the checks of a task.
+    pub fn is_tried_in(&self, task: &str) -> bool {
+        matches!(self.of, Of::Judge(_)) && (self.tasks.is_empty() || self.tasks.contains(&task))
+    }
+
     /// Whether it is one of the relations that are tried with plenty of time only.
     pub fn is_thorough(&self) -> bool {
         matches!(self.of, Of::Judge(check) if check.thorough)

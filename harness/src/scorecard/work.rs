@@ -77,8 +77,11 @@ impl Work<'_> {
         entry.is_open() || self.how.everything && entry.is_fault() && !matches!(entry.kind, Kind::Part(_))
     }
 
+    /// Whether a backend with a fault is run on the next scene of a task: once something has found it, where a check
+    /// that has to find it is tried.
     fn is_open_in(&self, entry: &Entry, task: &str) -> bool {
-        entry.is_open_in(task)
+        let is_tried = |check: usize| self.checks.0[check].is_tried_in(task);
+        entry.is_open_in(task) && (entry.record.found.is_empty() || entry.missed().any(is_tried))
             || self.how.everything && matches!(entry.kind, Kind::Backend(fault) if fault.shows_in(task))
     }
 
@@ -176,7 +179,7 @@ impl Work<'_> {
         let task = case.task().name();
         let is_tried = |check: usize| {
             let declared = &self.checks.0[check];
-            declared.is_thorough() && declared.tasks.contains(&task)
+            declared.is_thorough() && declared.is_tried_in(task)
         };
         let is_wanted = match self.how.everything {
             true => entry.is_fault() && (0..self.checks.0.len()).any(is_tried),
