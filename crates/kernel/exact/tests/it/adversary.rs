@@ -98,18 +98,18 @@ const INSPHERE_NEAR: Recipe<3, 5> = Recipe {
 };
 
 /// Runs a recipe with these seeds: nothing errs beyond the constant, and something
-/// beyond this share of it, which is the planted fault. What is left of the seeds
-/// once that is found is run at whole effort.
+/// beyond this share of it, which is the planted fault. The first seed is one that finds it. What is left
+/// of the seeds once it is found is run at whole effort.
 fn hunt<const D: usize, const N: usize>(
     recipe: &Recipe<D, N>,
-    seeds: std::ops::Range<u64>,
+    (first, seeds): (u64, std::ops::Range<u64>),
     [constant, share]: [f64; 2],
     truth: fn(&[[f64; D]; N]) -> rational::Value,
 ) {
     let mut worst = 0f64;
     let mut caught = false;
     let whole = predicament_effort::whole();
-    for seed in seeds {
+    for seed in [first].into_iter().chain(seeds.filter(|&seed| seed != first)) {
         if caught && !whole {
             break;
         }
@@ -125,37 +125,37 @@ fn hunt<const D: usize, const N: usize>(
 
 #[test]
 fn two_percent_of_orient2d_are_caught() {
-    hunt(&ORIENT2D, 1..13, [bound::ORIENT2D, 0.98], |&[a, b, c]| rational::orient2d(a, b, c));
+    hunt(&ORIENT2D, (10, 1..13), [bound::ORIENT2D, 0.98], |&[a, b, c]| rational::orient2d(a, b, c));
 }
 
 #[test]
 fn two_percent_of_orient3d_are_caught() {
-    hunt(&ORIENT3D, 1..5, [bound::ORIENT3D, 0.98], |&[a, b, c, d]| rational::orient3d(a, b, c, d));
+    hunt(&ORIENT3D, (2, 1..5), [bound::ORIENT3D, 0.98], |&[a, b, c, d]| rational::orient3d(a, b, c, d));
 }
 
 #[test]
 fn two_percent_of_a_line_are_caught() {
-    hunt(&LINE, 1..13, [bound::ORIENT2D, 0.98], |&[c, b, a]| rational::orient2d(c, b, a));
+    hunt(&LINE, (10, 1..13), [bound::ORIENT2D, 0.98], |&[c, b, a]| rational::orient2d(c, b, a));
 }
 
 #[test]
 fn two_percent_of_a_plane_are_caught() {
-    hunt(&PLANE, 1..9, [bound::ORIENT3D, 0.98], |&[d, b, c, a]| rational::orient3d(d, b, c, a));
+    hunt(&PLANE, (7, 1..9), [bound::ORIENT3D, 0.98], |&[d, b, c, a]| rational::orient3d(d, b, c, a));
 }
 
 #[test]
 fn two_percent_of_incircle_are_caught() {
-    hunt(&INCIRCLE, 1..7, [bound::INCIRCLE, 0.98], |&[a, b, c, d]| rational::incircle(a, b, c, d));
+    hunt(&INCIRCLE, (4, 1..7), [bound::INCIRCLE, 0.98], |&[a, b, c, d]| rational::incircle(a, b, c, d));
 }
 
 #[test]
 fn two_percent_of_insphere_are_caught() {
-    hunt(&INSPHERE, 1..4, [bound::INSPHERE, 0.98], |&[a, b, c, d, e]| rational::insphere(a, b, c, d, e));
+    hunt(&INSPHERE, (3, 1..4), [bound::INSPHERE, 0.98], |&[a, b, c, d, e]| rational::insphere(a, b, c, d, e));
 }
 
 #[test]
 fn seven_percent_of_insphere_are_caught_at_near_ties() {
-    hunt(&INSPHERE_NEAR, 1..5, [bound::INSPHERE, 0.93], |&[a, b, c, d, e]| rational::insphere(a, b, c, d, e));
+    hunt(&INSPHERE_NEAR, (2, 1..5), [bound::INSPHERE, 0.93], |&[a, b, c, d, e]| rational::insphere(a, b, c, d, e));
 }
 
 /// The search is only as good as its view: it must see the estimates of the crate, bit by bit,

@@ -5,6 +5,7 @@ use crate::common::hierarchy::{Pair, brute_force};
 use crate::common::whim::Whim;
 use predicament_contacts::algorithm::pairs::{Contact, Contacts, contacts, contacts2d, contacts3d};
 use predicament_controls::Naive;
+use predicament_effort::some_or_all;
 use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplex, Simplices};
 use predicament_predicates::{Backend, Dimension, Off, Predicates, Scene, Vertex};
@@ -154,7 +155,7 @@ fn check_all(given: &Given, dimension: Dimension) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: predicament_effort::some_or_all(32, 96), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: some_or_all(32, 96), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn in_the_plane(given in given(2, 4, false)) {
@@ -175,13 +176,15 @@ proptest! {
 
 #[test]
 fn more_than_one_piece_of_work() {
-    let points: Vec<[f64; 2]> = (0..1200_u32).map(|i| [f64::from(i % 60), f64::from(i / 60 % 7)]).collect();
+    let half = some_or_all(310, 620);
+    let count = u32::try_from(2 * half - half / 15).unwrap();
+    let points: Vec<[f64; 2]> = (0..count).map(|i| [f64::from(i % 60), f64::from(i / 60 % 7)]).collect();
     let scene = Scene::from_points2(&points).unwrap();
     let path = |from: usize, to: usize| -> Simplices {
         let edges = (from..to - 1).map(|i| [i, i + 1].map(Vertex::input)).collect();
         Simplices { edges, ..Simplices::default() }
     };
-    let [a, b] = [path(0, 620), path(620, 1200)].map(|given| Complex::new(&scene, &given).unwrap());
+    let [a, b] = [path(0, half), path(half, points.len())].map(|given| Complex::new(&scene, &given).unwrap());
     let found = contacts2d(&Exact.prepare(&scene, Off).unwrap(), &a, &b);
     let (expected, _) = brute_force(&Exact.prepare(&scene, Off).unwrap(), &a, &b);
     assert_eq!(found.registered.iter().map(|c| pair([&a, &b], c)).collect::<Vec<_>>(), expected);
@@ -219,17 +222,17 @@ fn more_pairs_than_are_kept() {
 /// Each vertex belongs to many triangles, each edge to two, in different pieces of work.
 #[test]
 fn faces_of_many_are_looked_at_once() {
-    const SIDE: u32 = 13;
+    let side = some_or_all(9_u32, 13);
     let mut points: Vec<[f64; 3]> = Vec::new();
     let grids = [0_u32, 1].map(|which| {
         let first = points.len();
-        for i in 0..=SIDE * (SIDE + 1) + SIDE {
-            let [x, y] = [i % (SIDE + 1), i / (SIDE + 1)];
+        for i in 0..=side * (side + 1) + side {
+            let [x, y] = [i % (side + 1), i / (side + 1)];
             let z = f64::from((x * 7 + y * 3 + which * (x * 5 + y)) % 3);
             points.push([f64::from(x), f64::from(y), z]);
         }
-        let at = |x: u32, y: u32| Vertex::input(first + (y * (SIDE + 1) + x) as usize);
-        let cells = (0..SIDE).flat_map(|x| (0..SIDE).map(move |y| [x, y]));
+        let at = |x: u32, y: u32| Vertex::input(first + (y * (side + 1) + x) as usize);
+        let cells = (0..side).flat_map(|x| (0..side).map(move |y| [x, y]));
         let triangles = cells.flat_map(|[x, y]| {
             [[at(x, y), at(x + 1, y), at(x, y + 1)], [at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)]]
         });
