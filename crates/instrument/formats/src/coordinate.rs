@@ -314,7 +314,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(4_000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(1_000, 4_000)))]
 
         #[test]
         fn exactness_agrees_with_rationals(
@@ -361,7 +361,9 @@ mod tests {
                 let again = format!("{read:.*e}", digits - 1);
                 prop_assert!(again == text || Decimal::read(&format!("{read:e}")) == Decimal::read(&text), "{}", text);
             } else {
-                prop_assert!(digits == 16 || !x.is_normal(), "{} is refused", text);
+                // Few digits may round the largest doubles up to what none is.
+                let overflows = text.parse::<f64>().is_ok_and(f64::is_infinite);
+                prop_assert!(digits == 16 || !x.is_normal() || overflows, "{} is refused", text);
             }
             // Where it is read as a single, the single is printed so.
             if let Ok(single) = read_single(&text) {

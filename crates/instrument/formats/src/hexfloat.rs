@@ -160,7 +160,7 @@ mod tests {
     }
 
     proptest! {
-        #![proptest_config(ProptestConfig::with_cases(20_000))]
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(4_000, 20_000)))]
 
         #[test]
         fn every_bit_pattern_round_trips(bits: u64) {

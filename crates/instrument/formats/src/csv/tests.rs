@@ -108,6 +108,8 @@ fn written(x: f64, hex: bool) -> String {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(64, 256)))]
+
     #[test]
     fn every_bit_comes_back(
         rows in prop::collection::vec([finite(), finite(), finite()], 1..20),
@@ -126,7 +128,9 @@ proptest! {
         prop_assert_eq!(bits(&numbers), bits(rows.as_flattened()));
         prop_assert_eq!(fmt_csv("p.csv", &text).unwrap(), text);
     }
+}
 
+proptest! {
     #[test]
     fn what_is_rewritten_reads_as_the_nearest(rows in prop::collection::vec([-1e9..1e9_f64, -1.0..1.0_f64], 1..20)) {
         let text: String = rows.iter().map(|[x, y]| format!("{x:?}, {y:?}\n")).collect();

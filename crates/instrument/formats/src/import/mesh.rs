@@ -144,6 +144,8 @@ mod tests {
     }
 
     proptest! {
+        #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(64, 256)))]
+
         #[test]
         fn every_bit_comes_back(points in prop::collection::vec(prop::array::uniform3(finite()), 1..9), hex: bool) {
             let number = |x: &f64| if hex { hexfloat::format(*x) } else { format!("{x:.1074}") };
@@ -159,7 +161,9 @@ mod tests {
                 prop_assert_eq!(bits(&mesh.points), bits(&points));
             }
         }
+    }
 
+    proptest! {
         #[test]
         fn no_text_panics(text in "(OFF|v|f|ply)?[0-9 .\n/ vfl#-]{0,60}|\\PC{0,30}") {
             for file in ["m.off", "m.obj", "m.ply", "m.stl"] {

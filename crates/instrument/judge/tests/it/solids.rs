@@ -5,11 +5,12 @@
 
 use std::collections::BTreeMap;
 
+use predicament_effort::some_or_all;
 use predicament_judge::sign;
 use predicament_judge::solids::{Materials, Place};
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 
-use crate::random::{Grid, Random, effort};
+use crate::random::{Grid, Random};
 
 /// So many directions are tried for a point, the last of them among 2001³.
 const TRIES: usize = 8;
@@ -208,16 +209,16 @@ fn agree_about(meshes: usize, make: impl Fn(&mut Random, Grid) -> Chain) -> Coun
 
 #[test]
 fn tetrahedra_that_cross_and_share_corners() {
-    let meshes = 48 * effort();
+    let meshes = some_or_all(24, 480);
     let counts = agree_about(meshes, Chain::of_tetrahedra);
     println!("{counts:?}");
     assert!(counts.on > 10 * meshes && counts.windings > meshes && counts.again > meshes, "{counts:?}");
-    assert!((1..4).all(|region| counts.of_region[&region] > meshes / 2), "{counts:?}");
+    assert!((1..4).all(|region| counts.of_region[&region] > meshes / 4), "{counts:?}");
 }
 
 #[test]
 fn tori_that_cross_themselves() {
-    let meshes = 12 * effort();
+    let meshes = some_or_all(4, 120);
     let counts = agree_about(meshes, Chain::of_tori);
     println!("{counts:?}");
     assert!(counts.on > 10 * meshes && counts.windings > meshes && counts.again > meshes, "{counts:?}");

@@ -16,7 +16,7 @@ use crate::common::{definitions, loaded};
 
 /// Queries of a scene, at most.
 fn most() -> usize {
-    predicament_effort::scaled(3000)
+    predicament_effort::some_or_all(60, 3000)
 }
 
 /// The sign of the homogeneous determinant. Constructed vertices have a positive
@@ -168,6 +168,8 @@ fn construct(scene: &mut Scene, ids: &[usize]) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(64, 256)))]
+
     #[test]
     fn three_computations_agree_on_small_integers(points in prop::collection::vec(-3i8..=3, 15)) {
         agree_on(&points.iter().map(|&x| f64::from(x)).collect::<Vec<_>>());

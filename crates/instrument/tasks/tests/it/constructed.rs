@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_corpus::{Level, Library, LoadedScene, Suite, homogeneous};
 use predicament_formats::{Cache, Manifest};
-use predicament_predicates::{Construction, Vertex};
+use predicament_predicates::{Construction, QuerySet, Vertex};
 use predicament_tasks::signs::degeneracy;
 use rug::Rational;
 
@@ -112,11 +112,17 @@ fn every_place_has_its_turn() {
     assert_eq!(kinds.len(), 8, "{kinds:?}");
 }
 
+/// One in five queries by default.
+fn some(queries: &QuerySet) -> QuerySet {
+    let chosen = (0..queries.len()).step_by(predicament_effort::some_or_all(5, 1));
+    QuerySet::new(queries.question(), chosen.flat_map(|query| queries.args(query)).copied().collect::<Vec<_>>())
+}
+
 #[test]
 fn families_are_as_degenerate_as_they_say() {
     let mut seen = 0;
     for loaded in suite().iter().filter(|loaded| loaded.source == "generated") {
-        let histogram = degeneracy(&loaded.scene, queries(loaded));
+        let histogram = degeneracy(&loaded.scene, &some(queries(loaded)));
         let (zeros, total) = (histogram.zeros, histogram.total());
         let below = |exponent| zeros + histogram.buckets.range(..exponent).map(|(_, count)| count).sum::<usize>();
         match loaded.family.rsplit_once('-').unwrap().1 {

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::{Items, Level, Library, LoadedScene, Spelled, Suite};
+use predicament_effort::some_or_all;
 use predicament_formats::{Cache, Manifest};
 use predicament_oracle::run;
 use predicament_predicates::Vertex;
@@ -45,13 +46,17 @@ fn classes(loaded: &LoadedScene) -> BTreeMap<String, u64> {
 #[test]
 fn what_is_written_out_is_read_as_the_same_scene() {
     let (scenes, larger) = moderate();
-    println!("{} scenes written out, {larger} left out as they have more than {MOST} coordinates", scenes.len());
+    println!("{} scenes, {larger} left out as they have more than {MOST} coordinates", scenes.len());
     let marked: BTreeSet<String> =
         pinned().into_iter().filter(|(_, id)| id.is_other_once_written).map(|(name, _)| name).collect();
     let mut tasks = BTreeSet::new();
     let (mut others, mut judged) = (BTreeSet::new(), 0);
-    for loaded in &scenes {
+    for (at, loaded) in scenes.iter().enumerate() {
         let name = format!("{}/{}", loaded.suite, loaded.name);
+        // By default those that are marked, and one in three others.
+        if !at.is_multiple_of(some_or_all(3, 1)) && !marked.contains(&name) {
+            continue;
+        }
         let spelled = loaded.spelled().unwrap_or_else(|| panic!("{name} can't be written out"));
         let again = read(&spelled, &name);
         assert_eq!((again.task, again.count()), (loaded.task, loaded.count()), "{name}");

@@ -59,7 +59,7 @@ fn grids_are_full_of_ties() {
 fn every_exponent_with_every_other() {
     let mut random = Random(3);
     for dimension in DIMENSIONS {
-        for _ in 0..predicament_effort::some_or_all(15, 60) {
+        for _ in 0..predicament_effort::some_or_all(8, 60) {
             let mut scene = scene(&mut random, dimension, 10, |random| *random.pick(&WILD));
             construct(&mut random, &mut scene, 6);
             if !scene.constructions().is_empty() {
@@ -100,7 +100,7 @@ fn from_the_largest_to_the_least() {
     let mut random = Random(7);
     let extreme = [f64::MAX, -f64::MAX.next_down(), 5e-324, -1.5e-323, 1.0 + f64::EPSILON];
     let mut signs = [0; 3];
-    let rounds = predicament_effort::scaled(200);
+    let rounds = predicament_effort::some_or_all(4, 200);
     for _ in 0..rounds {
         let mut scene = scene(&mut random, Dimension::Three, 16, |random| *random.pick(&extreme));
         let judge = Judge::new(&scene);

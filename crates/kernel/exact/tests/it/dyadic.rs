@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use crate::common::{self, Random, every, nudge, points};
-use predicament_effort::scaled;
+use predicament_effort::{scaled, whole};
 use predicament_exact::dyadic;
 use predicament_predicates::Sign;
 use proptest::prelude::*;
@@ -93,6 +93,10 @@ fn mixed_exponents_of_every_span() {
     let mut seen = Seen::default();
     for round in 0..40_000 {
         let span = 1 + (round % 2045);
+        // By default every span five times, and the short ones always: only numbers that are alike have ties.
+        if !whole() && span > 8 && round / 2045 % 4 != 0 {
+            continue;
+        }
         let low = -1074 + i32::try_from(random.below(usize::try_from(2046 - span).unwrap())).unwrap();
         let bits = *random.pick(&[1, 2, 20, 52]);
         seen.check(&mut random, &mut |random| wide(random, bits, low..low + span).clamp(-f64::MAX, f64::MAX));

@@ -3,7 +3,7 @@
 //! Queries that differ by the order of their points or axes count as one here, and
 //! come in an order that is drawn. Signs and significands are drawn too. Nothing else
 //! is: each combination of exponents that a test names is there at whole effort,
-//! and one in ten, drawn, by default. Each query
+//! and one in fifty, drawn, by default. Each query
 //! goes through sessions, batches, raw predicates and each rung that may be
 //! asked by itself, against exact values.
 //!
@@ -117,7 +117,7 @@ fn every_point_and_axis<const D: usize, const N: usize>(exam: &mut Exam<D, N>, e
 
 /// Each sign so many times, and every rung; in proportion to the effort.
 fn assert_all(seen: &Seen, signs: usize) {
-    let [signs, each] = [signs, 500].map(predicament_effort::scaled);
+    let [signs, each] = [signs, 500].map(|count| count / exam::one_in());
     assert!(seen.signs.iter().all(|&n| n > signs), "{seen:?}");
     assert!([seen.filtered, seen.double, seen.integer, seen.wide_integer].iter().all(|&n| n > each), "{seen:?}");
 }

@@ -51,16 +51,23 @@ fn small_grids_exhaustively() {
 
 #[test]
 fn every_exponent_with_every_other() {
+    let mut effort = Random(9);
+    // One in five by default.
+    let mut is_left_out = || effort.below(predicament_effort::some_or_all(5, 1)) > 0;
     every::<3, 2>(&[5e-324, 0.0, 1e-160, 1.0, -1e155, f64::MAX], |p| {
-        check_orient2d(p);
+        if !is_left_out() {
+            check_orient2d(p);
+        }
     });
     every::<4, 2>(&[-5e-324, 1.1e-80, 1e308], |p| {
-        check_incircle(p);
+        if !is_left_out() {
+            check_incircle(p);
+        }
     });
     let mut random = Random(2);
     let mut signs = BTreeSet::new();
     let mut wild = |random: &mut Random| *random.pick(&WILD);
-    for _ in 0..scaled(10_000) {
+    for _ in 0..predicament_effort::some_or_all(200, 10_000) {
         signs.insert((0, check_orient2d(&random.points(&mut wild))));
         signs.insert((1, check_orient3d(&random.points(&mut wild))));
         signs.insert((2, check_incircle(&random.points(&mut wild))));

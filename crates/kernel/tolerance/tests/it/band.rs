@@ -8,7 +8,7 @@ use rug::{Integer, Rational};
 
 /// Fewer for circles and spheres, whose exact determinants take longer.
 fn queries(question: Question) -> usize {
-    if is_lifted(question) { 5_000 } else { 25_000 }
+    predicament_effort::some_or_all(1, 5) * if is_lifted(question) { 1_000 } else { 5_000 }
 }
 
 /// SplitMix64: a few lines, and the same numbers for ever.

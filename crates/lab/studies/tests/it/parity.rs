@@ -125,7 +125,7 @@ fn a_snap_takes_an_edge_across_a_vertex_that_was_out_of_reach() {
 fn the_search_counts_what_is_odd() {
     for (precision, name) in [(Precision::Double, "tolerance"), (Precision::Single, "tolerance:f32")] {
         let census = search(precision, 3, 0..400);
-        assert_ne!(search(precision, 4, 0..400), census);
+        assert_ne!(search(precision, 4, 0..40), search(precision, 3, 0..40));
         assert_eq!(census.pairs, 1200);
         let [exact, sos, tolerance] = &census.rows[..] else { panic!("three backends") };
         assert_eq!([&exact.backend, &sos.backend, &tolerance.backend], ["exact", "sos", name]);

@@ -155,7 +155,7 @@ fn check_all(given: &Given, dimension: Dimension) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: some_or_all(32, 96), failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: some_or_all(16, 96), failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn in_the_plane(given in given(2, 4, false)) {

@@ -91,7 +91,7 @@ fn parts_of_many_faces_are_stitched() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2000)))]
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(50, 2000)))]
 
     #[test]
     fn small_integers_have_the_hull_of_the_definition(

@@ -102,24 +102,30 @@ fn touched() -> Shape {
     body.and(&other.moved(by))
 }
 
+/// Both shapes, and whether they are overlaid as they are and the other way around; by default each in one of the ways.
+fn shapes() -> [(Shape, [bool; 2]); 2] {
+    [(sphere(), some_or_all([true, false], [true; 2])), (torus(), some_or_all([false, true], [true; 2]))]
+}
+
 #[test]
 fn a_mesh_with_itself() {
-    for shape in [sphere(), torus()] {
-        assert!(check(&shape, &shape) > 4, "most of it is set aside");
+    for (shape, is_turn) in shapes() {
+        assert!(!is_turn[0] || check(&shape, &shape) > 4, "most of it is set aside");
         let other = shuffled(&shape, &mut Random(1));
-        assert!(check(&shape, &other) > 4 && check(&other, &shape) > 4);
+        assert!(!is_turn[0] || check(&shape, &other) > 4);
+        assert!(!is_turn[1] || check(&other, &shape) > 4);
     }
 }
 
 #[test]
 fn a_mesh_with_itself_but_for_a_part() {
-    for (shape, by) in [(sphere(), [3.0, -2.0, 1.0]), (torus(), [-40.0, 30.0, 50.0])] {
+    for ((shape, is_turn), by) in shapes().into_iter().zip([[3.0, -2.0, 1.0], [-40.0, 30.0, 50.0]]) {
         let mut other = shape.clone();
         for p in other.points.iter_mut().filter(|p| p[0] + p[1] > 9_000.0) {
             *p = [0, 1, 2].map(|i: usize| p[i] + by[i]);
         }
-        assert!(check(&shape, &other) > 2, "half of it is set aside");
-        assert!(check(&other, &shape) > 2);
+        assert!(!is_turn[0] || check(&shape, &other) > 2, "half of it is set aside");
+        assert!(!is_turn[1] || check(&other, &shape) > 2);
     }
 }
 

@@ -436,6 +436,11 @@ proptest! {
         agrees(&solids, &queries);
     }
 
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(4, 500)))]
+
     /// Points of a lattice, moved by about as much as a tolerance.
     #[test]
     fn lattices_with_noise_are_answered_within_bands(size in prop::array::uniform3(1..3_usize), noise in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), 27), power in 30..54_i32) {

@@ -299,6 +299,15 @@ fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(8, 600)))]
+
+    #[test]
+    fn what_coordinates_force_need_not_be_asked_on_shaken_boards((map, scene) in shaken_board()) {
+        check_against_asking_everything(&map, &scene);
+    }
+}
+
+proptest! {
     #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(600)))]
 
     #[test]
@@ -313,11 +322,6 @@ proptest! {
         let (map, scene) = problem(&points, &regions);
         check_exact(&map, &scene);
         check_perturbed(&map, &scene);
-    }
-
-    #[test]
-    fn what_coordinates_force_need_not_be_asked_on_shaken_boards((map, scene) in shaken_board()) {
-        check_against_asking_everything(&map, &scene);
     }
 
     #[test]

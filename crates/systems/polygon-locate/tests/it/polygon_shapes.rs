@@ -188,7 +188,7 @@ fn a_perturbed_answer_is_that_of_the_map_that_has_moved() {
     ];
     let sos = Sos::default();
     let mut off_the_exact_answer = 0;
-    for (points, regions) in cases {
+    for (points, regions) in cases.into_iter().step_by(predicament_effort::some_or_all(2, 1)) {
         for place in grid(0., 4., predicament_effort::some_or_all(2., 1.)) {
             let probed = on(points, regions, &[place]);
             let session = sos.prepare(&probed.scene, Off).unwrap();
@@ -220,5 +220,5 @@ fn a_perturbed_answer_is_that_of_the_map_that_has_moved() {
             );
         }
     }
-    assert!(off_the_exact_answer > predicament_effort::some_or_all(30, 50), "ties were broken: {off_the_exact_answer}");
+    assert!(off_the_exact_answer > predicament_effort::some_or_all(15, 50), "ties were broken: {off_the_exact_answer}");
 }

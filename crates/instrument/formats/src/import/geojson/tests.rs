@@ -248,6 +248,8 @@ fn finite() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(64, 256)))]
+
     #[test]
     fn every_bit_comes_back(points in prop::collection::vec(prop::array::uniform3(finite()), 1..9)) {
         let position = |point: &[f64; 3]| format!("[{}]", point.map(|x| format!("{x:.1074}")).join(", "));
@@ -258,7 +260,9 @@ proptest! {
         let bits = |numbers: &[f64]| numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
         prop_assert_eq!(bits(&read), bits(points.as_flattened()));
     }
+}
 
+proptest! {
     #[test]
     fn no_text_panics(text in "\\PC{0,30}", at in 0..SQUARES.len(), length in 0..20_usize) {
         let _ = of(&text);

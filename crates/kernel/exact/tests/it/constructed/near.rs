@@ -107,7 +107,7 @@ fn what_rounding_has_turned_is_refused() {
 #[test]
 fn the_ends_of_the_range() {
     let mut random = Random(203);
-    let rounds = predicament_effort::scaled(4000);
+    let rounds = predicament_effort::some_or_all(80_usize, 4000);
     for dimension in DIMENSIONS {
         for construction in kinds(dimension) {
             let mut seen = [0; 2];
@@ -155,7 +155,7 @@ fn overflow_is_seen() {
 fn half_the_slack_is_caught() {
     let mut random = Random(205);
     let mut worst = [0.0_f64; 3];
-    for _ in 0..predicament_effort::scaled(100_000) {
+    for _ in 0..predicament_effort::some_or_all(1_500, 100_000) {
         for (kind, worst) in worst.iter_mut().enumerate() {
             let dimension = DIMENSIONS[usize::from(kind > 0)];
             let construction = kinds(dimension)[kind.saturating_sub(1)];

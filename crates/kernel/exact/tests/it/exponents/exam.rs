@@ -15,6 +15,11 @@ const AGAIN: usize = 16;
 /// Queries that share a scene.
 const CROWD: usize = 512;
 
+/// One of so many queries is asked.
+pub fn one_in() -> usize {
+    predicament_effort::some_or_all(50, 1)
+}
+
 /// A predicate, rung by rung.
 pub struct Predicate<const D: usize, const N: usize> {
     question: Question,
@@ -139,7 +144,7 @@ impl<const D: usize, const N: usize> Exam<D, N> {
 
     /// Judges these points, or leaves them out if the effort is less than the whole.
     pub fn check(&mut self, points: [[f64; D]; N]) {
-        if self.effort.below(predicament_effort::divisor()) == 0 {
+        if self.effort.below(one_in()) == 0 {
             self.judge(points);
         }
     }
