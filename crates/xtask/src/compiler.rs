@@ -17,13 +17,13 @@ use crate::command::root;
 const DRIVER: &str = "PREDICAMENT_XTASK_DRIVER";
 /// The variable with the path of rustdoc; where it is set, this program may be called as rustdoc.
 const RUSTDOC: &str = "PREDICAMENT_XTASK_RUSTDOC";
-/// What `cargo clippy -- -D warnings` gives to the driver.
+/// The variable by which `cargo clippy -- -D warnings` passes its arguments to the driver.
 const CLIPPY_ARGS: (&str, &str) = ("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__");
 
 /// The packages whose integration tests compute for longer than it takes to optimise them.
 const OPTIMISED: [&str; 4] = ["predicament-cube-union", "predicament-exact", "predicament-grid", "predicament-sos"];
 
-/// What has cargo compile the workspace by this program.
+/// The environment variables by which cargo calls this program as its compiler.
 ///
 /// # Errors
 /// If clippy is not installed.
@@ -100,7 +100,7 @@ fn runs(program: &OsStr, arguments: &[OsString]) -> bool {
     }
 }
 
-/// True if these make the tests of a package that are faster compiled than optimised.
+/// True if a compiler makes tests by these arguments that take longer to optimise than to run.
 ///
 /// A profile of cargo has one level for a package: for a library that is to be optimised as for its tests.
 fn is_unoptimised(arguments: &[OsString], package: &str) -> bool {
