@@ -15,8 +15,6 @@ use crate::command::root;
 
 /// The variable with the path of clippy's driver; where it is set, this program may be called as a compiler.
 const DRIVER: &str = "PREDICAMENT_XTASK_DRIVER";
-/// The variable with the path of rustdoc; where it is set, this program may be called as rustdoc.
-const RUSTDOC: &str = "PREDICAMENT_XTASK_RUSTDOC";
 /// The variable by which `cargo clippy -- -D warnings` passes its arguments to the driver.
 const CLIPPY_ARGS: (&str, &str) = ("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__");
 
@@ -31,21 +29,6 @@ pub fn environment() -> Result<Vec<(&'static str, String)>, String> {
     let own = std::env::current_exe().map_err(|error| format!("the path of xtask: {error}"))?;
     let (name, value) = CLIPPY_ARGS;
     Ok(vec![("RUSTC_WORKSPACE_WRAPPER", own.display().to_string()), (DRIVER, driver()?), (name, value.to_owned())])
-}
-
-/// The same for doc tests: cargo calls this program in rustdoc's place.
-///
-/// # Errors
-/// If clippy is not installed.
-pub fn environment_of_doc_tests() -> Result<Vec<(&'static str, String)>, String> {
-    let mut environment = environment()?;
-    let own = environment[0].1.clone();
-    environment.extend([(RUSTDOC, rustdoc()), ("RUSTDOC", own)]);
-    Ok(environment)
-}
-
-fn rustdoc() -> String {
-    [RUSTDOC, "RUSTDOC"].iter().find_map(|name| std::env::var(name).ok()).unwrap_or_else(|| "rustdoc".to_owned())
 }
 
 /// The compiler that `cargo clippy` runs, where rustup puts it.
@@ -65,10 +48,6 @@ fn driver() -> Result<String, String> {
 /// The exit code of the driver and of rustdoc, if cargo calls this program as a compiler with these arguments.
 pub fn called(arguments: &[OsString]) -> Option<ExitCode> {
     let driver = std::env::var_os(DRIVER)?;
-    if std::env::var_os(RUSTDOC).is_some() && arguments.first()?.to_str()?.starts_with('-') {
-        let fine = has_no_doc_tests(arguments) || runs(rustdoc().as_ref(), arguments);
-        return Some(if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE });
-    }
     // Cargo gives the compiler's name, then options. A chore has neither.
     let options = arguments.get(1)?.to_str()?.starts_with('-').then_some(&arguments[1..])?;
     let package = std::env::var("CARGO_PKG_NAME").unwrap_or_default();
@@ -78,15 +57,9 @@ pub fn called(arguments: &[OsString]) -> Option<ExitCode> {
     }
     // The examples are read as they are, and have no pages.
     let pages = if package.starts_with("predicament") { of_rustdoc(options) } else { None };
-    let fine = pages.is_none_or(|arguments| runs(rustdoc().as_ref(), &arguments));
+    let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
+    let fine = pages.is_none_or(|arguments| runs(&rustdoc, &arguments));
     Some(if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE })
-}
-
-/// True if these are for the doc tests of a library whose manifest says that it has none: `cargo test --doc` asks for them all the same.
-fn has_no_doc_tests(arguments: &[OsString]) -> bool {
-    let manifest = std::env::var_os("CARGO_MANIFEST_DIR").map(|folder| Path::new(&folder).join("Cargo.toml"));
-    let text = manifest.and_then(|manifest| std::fs::read_to_string(manifest).ok()).unwrap_or_default();
-    arguments.iter().any(|word| word == "--test") && text.lines().any(|line| line == "doctest = false")
 }
 
 /// True if this program runs and ends well.

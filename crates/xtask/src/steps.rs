@@ -48,7 +48,7 @@ pub fn demo() -> Result<(), String> {
 pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     let compiler = compiler::environment()?;
-    run_tests("clippy, docs and tests", &compiler, &compiler::environment_of_doc_tests()?)?;
+    run_tests("clippy, docs and tests", &compiler)?;
     engine_examples(&compiler)?;
     gate()
 }
@@ -137,12 +137,12 @@ pub fn engines(names: &[String]) -> Result<(), String> {
 }
 
 /// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
-fn run_tests(what: &str, env: &[(&str, String)], env_of_doc_tests: &[(&str, String)]) -> Result<(), String> {
+fn run_tests(what: &str, env: &[(&str, String)]) -> Result<(), String> {
     if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
         step(what, &cargo_command(&run), env)?;
         let docs = ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"];
-        step("doc tests", &cargo_command(&docs), env_of_doc_tests)
+        step("doc tests", &cargo_command(&docs), env)
     } else {
         step(
             &format!("{what}, doc tests"),
@@ -178,7 +178,7 @@ pub fn nightly() -> Result<(), String> {
         cargo("clippy, with the peers of benches", &lint),
         // The table about wrong answers of crates is held against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
-        run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())], &[]),
+        run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         // Into a folder of its own: packages are compiled as somebody else's.

@@ -209,11 +209,11 @@ fn agree_about(meshes: usize, make: impl Fn(&mut Random, Grid) -> Chain) -> Coun
 
 #[test]
 fn tetrahedra_that_cross_and_share_corners() {
-    let meshes = some_or_all(24, 480);
+    let meshes = some_or_all(48, 480);
     let counts = agree_about(meshes, Chain::of_tetrahedra);
     println!("{counts:?}");
     assert!(counts.on > 10 * meshes && counts.windings > meshes && counts.again > meshes, "{counts:?}");
-    assert!((1..4).all(|region| counts.of_region[&region] > meshes / 4), "{counts:?}");
+    assert!((1..4).all(|region| counts.of_region[&region] > meshes * 2 / 5), "{counts:?}");
 }
 
 #[test]

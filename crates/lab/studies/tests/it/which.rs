@@ -68,6 +68,7 @@ fn no_figure_is_written_by_hand() {
 #[test]
 fn a_figure_that_changes_and_a_file_that_is_missing_are_seen() {
     let (page, folder) = (page(), copy("changed"));
+    assert_eq!(made(&page, &folder).as_ref(), Ok(&page));
     // One scene of one backend in one input.
     let file = folder.join("compare/compare.csv");
     let text = std::fs::read_to_string(&file).unwrap();
