@@ -39,18 +39,28 @@ impl<'m> InIntegers<'m> {
         self.but_for(&[], q, direction)
     }
 
-    /// What is next to a point of triangles, on the side that a ray in this direction goes to: whether that is the front of the first of them, and
-    /// where that is by all other triangles. None where the ray touches the border of one, or runs in its plane or in that of the first.
+    /// The place next to a point of these triangles, a small step ahead in this direction, and whether the step leaves the first triangle
+    /// by its front.
+    ///
+    /// `None` where the ray runs in the plane of one of these triangles, touches the border of another one, or runs in that one's plane.
     ///
     /// # Panics
-    /// If the direction is zero, or there is no such triangle.
+    /// If the direction is zero, or a triangle does not exist.
     #[must_use]
     pub fn beside(&self, triangles: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<(bool, Place)> {
-        let [a, b, c] = &self.corners[*triangles.first()? as usize];
-        let less = |p: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &a[i]));
-        let ahead = dot(&direction.map(Integer::from), &cross(&less(b), &less(c)));
-        let place = self.but_for(triangles, q, direction)?;
-        ahead.cmp0().is_ne().then(|| (ahead.cmp0().is_gt(), place))
+        let towards = direction.map(Integer::from);
+        let ahead = |&at: &u32| {
+            let [a, b, c] = &self.corners[at as usize];
+            let less = |p: &Space| [0, 1, 2].map(|i: usize| Integer::from(&p[i] - &a[i]));
+            dot(&towards, &cross(&less(b), &less(c))).cmp0()
+        };
+        // The point can be where two triangles cross: a step within one of them is on a face, not beside it.
+        let sides: Vec<_> = triangles.iter().map(ahead).collect();
+        let is_front = sides.first()?.is_gt();
+        if sides.iter().any(|side| side.is_eq()) {
+            return None;
+        }
+        Some((is_front, self.but_for(triangles, q, direction)?))
     }
 
     fn but_for(&self, left_out: &[u32], q: &[Rational; 3], direction: [i32; 3]) -> Option<Place> {
