@@ -1,7 +1,8 @@
 //! A step is a command, shown as it starts, with the time that it took; and the folders that commands work in.
 
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::{Child, Command, Stdio};
 use std::time::Instant;
 
 use crate::cpu;
@@ -80,24 +81,85 @@ pub fn step(what: &str, words: &[String], env: &[(&str, String)]) -> Result<(), 
 
 /// The same for a program that may end with any of these codes.
 pub fn step_ending(what: &str, words: &[String], env: &[(&str, String)], fine: &[i32]) -> Result<(), String> {
-    let name = Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned();
-    println!("\n== {what}: {name} {}", words[1..].join(" "));
+    println!("\n{}", title(what, words));
     let (start, cpu) = (Instant::now(), cpu::of_children());
-    let status = Command::new(&words[0])
-        .args(&words[1..])
-        .envs(env.iter().map(|(name, value)| (name, value)))
-        .current_dir(root())
-        .status()
-        .map_err(|error| format!("{what}: {name} did not start: {error}"))?;
+    let status = command(words, env).status().map_err(not_started(what, words))?;
+    ended(what, status.code().is_some_and(|code| fine.contains(&code)), &status.to_string(), start, cpu)
+}
+
+/// A step that runs beside others. It writes into a file, which is printed when it has ended.
+pub struct Beside {
+    what: String,
+    title: String,
+    log: PathBuf,
+    child: Child,
+    start: Instant,
+}
+
+impl Beside {
+    /// Starts a command.
+    ///
+    /// # Errors
+    /// If it does not start, or its file can't be written.
+    pub fn start(what: &str, words: &[String], env: &[(&str, String)]) -> Result<Beside, String> {
+        let log = target_directory()?.join(format!("{}.log", what.replace(' ', "-")));
+        let file = File::create(&log).map_err(|error| format!("{}: {error}", log.display()))?;
+        let both = file.try_clone().map_err(|error| format!("{}: {error}", log.display()))?;
+        let child = command(words, env).stdin(Stdio::null()).stdout(file).stderr(both).spawn();
+        let child = child.map_err(not_started(what, words))?;
+        Ok(Beside { what: what.to_owned(), title: title(what, words), log, child, start: Instant::now() })
+    }
+
+    /// Waits for the command, prints what it wrote, and says how long it took.
+    ///
+    /// # Errors
+    /// If it failed.
+    pub fn finish(mut self) -> Result<(), String> {
+        let cpu = cpu::of_children();
+        let status = self.child.wait().map_err(|error| format!("{}: {error}", self.what))?;
+        let log = std::fs::read(&self.log).map_err(|error| format!("{}: {error}", self.log.display()))?;
+        println!("\n{}\n{}", self.title, String::from_utf8_lossy(&log));
+        ended(&self.what, status.success(), &status.to_string(), self.start, cpu)
+    }
+}
+
+/// Whatever fails first ends the chore, and leaves no process behind.
+impl Drop for Beside {
+    fn drop(&mut self) {
+        let _ = self.child.kill();
+        let _ = self.child.wait();
+    }
+}
+
+fn title(what: &str, words: &[String]) -> String {
+    format!("== {what}: {} {}", name(words), words[1..].join(" "))
+}
+
+fn name(words: &[String]) -> String {
+    Path::new(&words[0]).file_stem().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+fn command(words: &[String], env: &[(&str, String)]) -> Command {
+    let mut command = Command::new(&words[0]);
+    command.args(&words[1..]).envs(env.iter().map(|(name, value)| (name, value))).current_dir(root());
+    command
+}
+
+fn not_started(what: &str, words: &[String]) -> impl FnOnce(std::io::Error) -> String {
+    let text = format!("{what}: {} did not start", name(words));
+    move |error| format!("{text}: {error}")
+}
+
+/// Says that a step has ended, with its time and the processor time of children since `cpu`.
+fn ended(what: &str, is_fine: bool, status: &str, start: Instant, cpu: Option<f64>) -> Result<(), String> {
+    if !is_fine {
+        return Err(format!("{what} failed: {status}"));
+    }
     let spent = cpu::of_children()
         .zip(cpu)
         .map_or(String::new(), |(after, before)| format!(" ({:.0} s of processor time)", after - before));
-    if status.code().is_some_and(|code| fine.contains(&code)) {
-        println!("== {what}: ok, {:.0} s{spent}", start.elapsed().as_secs_f64());
-        Ok(())
-    } else {
-        Err(format!("{what} failed: {status}"))
-    }
+    println!("== {what}: ok, {:.0} s{spent}", start.elapsed().as_secs_f64());
+    Ok(())
 }
 
 #[cfg(test)]

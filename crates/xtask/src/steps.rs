@@ -3,7 +3,7 @@
 use std::ffi::OsStr;
 use std::path::Path;
 
-use crate::command::{answers, cargo, cargo_command, fresh, root, step, target_directory, words};
+use crate::command::{Beside, answers, cargo, cargo_command, fresh, root, step, target_directory, words};
 use crate::compiler;
 
 /// Where `demo` leaves its work, beside the build.
@@ -44,13 +44,16 @@ pub fn demo() -> Result<(), String> {
 /// Everything that has to pass before a change lands.
 ///
 /// One profile for all of it, and one build ([`compiler`]): the binary that the tests have used is the one that runs the
-/// corpora.
+/// corpora. Steps that leave cores idle run beside others.
 pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     let compiler = compiler::environment()?;
-    run_tests("clippy, docs and tests", &compiler)?;
+    let doc_tests = run_tests("clippy, docs and tests", &compiler)?;
+    let planted = selftest()?;
     engine_examples(&compiler)?;
-    gate()
+    gate()?;
+    planted.finish()?;
+    doc_tests.map_or(Ok(()), Beside::finish)
 }
 
 /// Format, clippy, docs and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
@@ -77,25 +80,24 @@ fn engine_examples(compiler: &[(&str, String)]) -> Result<(), String> {
     let tests = cargo_command(&[&["test"], &helper[..]].concat());
     step("clippy, docs and tests of the helper in Rust", &tests, compiler)?;
     let languages = [("C++", "c++", "in_cpp"), ("Python", "python3", "in_python"), ("Rust", "cargo", "in_rust")];
-    for (language, program, tests) in languages {
-        if !answers(program, &["--version"]) {
-            println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
-            continue;
-        }
-        ignored_tests(&format!("engine in {language}"), tests, compiler)?;
+    let (there, missing): (Vec<_>, Vec<_>) =
+        languages.into_iter().partition(|(_, program, _)| answers(program, &["--version"]));
+    for (language, program, _) in missing {
+        println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
     }
-    Ok(())
+    let tests: Vec<&str> = there.into_iter().map(|(_, _, tests)| tests).collect();
+    ignored_tests("engines in C++, Python and Rust", &tests, compiler)
 }
 
-/// The tests whose names have this in them and that do not run by default.
-fn ignored_tests(what: &str, tests: &str, env: &[(&str, String)]) -> Result<(), String> {
+/// The tests whose names have one of these words in them and that do not run by default.
+fn ignored_tests(what: &str, tests: &[&str], env: &[(&str, String)]) -> Result<(), String> {
     // The same packages as before: one alone has other features, and GMP would be built again.
     let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
     let run = if has_nextest() {
         // It starts those that it is asked for, and no test binary for nothing.
-        [&["nextest", "run", "--cargo-profile", "ci"][..], &packages, &["--run-ignored", "only", tests]].concat()
+        [&["nextest", "run", "--cargo-profile", "ci"][..], &packages, &["--run-ignored", "only"], tests].concat()
     } else {
-        [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored", tests]].concat()
+        [&["test", "--profile", "ci"][..], &packages, &["--", "--ignored"], tests].concat()
     };
     step(what, &cargo_command(&run), env)
 }
@@ -120,7 +122,7 @@ fn crates() -> Result<(), String> {
         let run = ["run", "--quiet", "--profile", "ci", "--", "engines", chore];
         cargo(&format!("{chore} engines of crates"), &[&run[..], &names].concat())?;
     }
-    ignored_tests("engines of crates", "of_crates", &[])
+    ignored_tests("engines of crates", &["of_crates"], &[])
 }
 
 /// Installs and builds the engines that come with the project, by the clients of their registries; those that are
@@ -136,19 +138,16 @@ pub fn engines(names: &[String]) -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
-/// The tests and doc tests, by nextest where it is installed: it starts the tests of all crates at once.
-fn run_tests(what: &str, env: &[(&str, String)]) -> Result<(), String> {
+/// The tests, by nextest where it is installed: it starts the tests of all crates at once. Its doc tests then run beside the next steps.
+fn run_tests(what: &str, env: &[(&str, String)]) -> Result<Option<Beside>, String> {
     if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
         step(what, &cargo_command(&run), env)?;
         let docs = ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--doc"];
-        step("doc tests", &cargo_command(&docs), env)
+        Beside::start("doc tests", &cargo_command(&docs), env).map(Some)
     } else {
-        step(
-            &format!("{what}, doc tests"),
-            &cargo_command(&["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"]),
-            env,
-        )
+        let test = ["test", "--profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];
+        step(&format!("{what}, doc tests"), &cargo_command(&test), env).map(|()| None)
     }
 }
 
@@ -156,17 +155,22 @@ fn has_nextest() -> bool {
     answers("cargo", &["nextest", "--version"])
 }
 
-/// The corpora, the embedded run against its expectations and the planted faults, by the binary that was tested.
+/// The command line of the tool that was tested.
+fn tool(args: &[&str]) -> Result<Vec<String>, String> {
+    Ok(words(&target_directory()?.join("ci").join("predicament").display().to_string(), args))
+}
+
+/// The planted faults.
+fn selftest() -> Result<Beside, String> {
+    Beside::start("see that planted faults are caught", &tool(&["selftest"])?, &[])
+}
+
+/// The corpora, and the embedded run against its expectations.
 fn gate() -> Result<(), String> {
     let run = fresh(GATE)?.join("run").display().to_string();
-    let tool = target_directory()?.join("ci").join("predicament").display().to_string();
-    let tool = |what: &str, args: &[&str]| {
-        step(what, &[tool.as_str()].iter().chain(args).map(|&word| word.to_owned()).collect::<Vec<_>>(), &[])
-    };
-    tool("verify the corpora", &["corpus", "verify"])?;
-    tool("run the embedded corpora", &["run", "--level", "quick", "--out", &run])?;
-    tool("hold the run against its expectations", &["gate", &run])?;
-    tool("see that planted faults are caught", &["selftest"])
+    step("verify the corpora", &tool(&["corpus", "verify"])?, &[])?;
+    step("run the embedded corpora", &tool(&["run", "--level", "quick", "--out", &run])?, &[])?;
+    step("hold the run against its expectations", &tool(&["gate", &run])?, &[])
 }
 
 /// What takes too long for every change, or needs more than a Rust toolchain. Goes on after a failure, and fails if
@@ -178,7 +182,7 @@ pub fn nightly() -> Result<(), String> {
         cargo("clippy, with the peers of benches", &lint),
         // The table about wrong answers of crates is held against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
-        run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]),
+        run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]).and_then(|docs| docs.map_or(Ok(()), Beside::finish)),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         // Into a folder of its own: packages are compiled as somebody else's.
