@@ -1,4 +1,4 @@
-//! Integers modulo the Mersenne prime 2^61 − 1, for guesses whether a polynomial is zero.
+//! Integers modulo the Mersenne prime 2^61 − 1, to guess whether a polynomial is zero.
 
 /// The exponent of the prime.
 const E: u32 = 61;
@@ -13,12 +13,12 @@ impl Residue {
     pub(super) const ZERO: Residue = Residue(0);
     pub(super) const ONE: Residue = Residue(1);
 
-    /// Any integer of 64 bits.
+    /// The residue of any integer of 64 bits.
     pub(super) const fn new(n: u64) -> Residue {
         Residue(n % Self::PRIME)
     }
 
-    /// m · 2^k.
+    /// The residue of m · 2^k.
     pub(super) fn scaled(m: i64, k: u32) -> Residue {
         let magnitude = Residue::new(m.unsigned_abs()).times(Residue(1 << (k % E)));
         if m < 0 { Residue::ZERO.minus(magnitude) } else { magnitude }
