@@ -1,11 +1,15 @@
 //! Studies: one question about predicates each, measured across backends.
 //!
-//! A study answers one question about backends by measuring many random or
-//! exhausted cases, and shows the answer as rows, tables and plots. It never
-//! judges the scenes of a suite (that is the crate `oracle`), never decides
-//! what is true by itself (that is the crate `judge`, and the checks of systems), and reads
-//! and writes no files: whoever starts it does. Go next to the trait [`Study`]
-//! for the common shape, to [`laws`] for the shortest example of it, and to
+//! A study answers one question about backends by measuring many random or exhausted cases, and shows the answer as
+//! rows, tables and plots. It never judges the scenes of a suite (the crate `oracle` does). It never decides the truth
+//! itself (the crate `judge` and the checks of systems do). It reads and writes no files: the program that starts it
+//! does. Read next the trait [`Study`] for the common structure, then [`laws`] for the shortest example, and
+//! `harness/src/cmd/study.rs` for the tool's use of a study.
+//!
+//! A study answers one question about backends by measuring many random or exhausted cases, and shows the answer as
+//! rows, tables and plots. It never judges the scenes of a suite (that is the crate `oracle`), never decides what is
+//! true by itself (that is the crate `judge`, and the checks of systems), and reads and writes no files: whoever starts
+//! it does. Go next to the trait [`Study`] for the common shape, to [`laws`] for the shortest example of it, and to
 //! `harness/src/cmd/study.rs` for how the tool runs one.
 //!
 //! * [`compare`]: when should one use which backend?
@@ -22,7 +26,8 @@
 //!
 //! # Adding a study
 //!
-//! A study is a type in anybody's crate that the tool is told of: `predicament::cli().study::<Order>()`. This is a whole study: is zero smaller than one?
+//! A study is a type in anybody's crate that the tool is told of: `predicament::cli().study::<Order>()`. This is a
+//! whole study: is zero smaller than one?
 //!
 //! ```
 //! use predicament_oracle::roster;

@@ -105,7 +105,7 @@ fn surfaces_are_embedded_and_either_precision_holds_them() {
     }
 }
 
-/// The counts fail where contacts are wrong: a broken tie, and a lost level.
+/// The counts fail if contacts are wrong: a broken tie, and a lost level.
 #[test]
 fn planted_faults_break_curves() {
     let broken = |name: &str| {
