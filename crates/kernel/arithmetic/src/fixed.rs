@@ -5,7 +5,7 @@
 //! products are one multiplication per pair of limbs.
 //!
 //! Two's complement, least significant limb first. Sums wrap: an intermediate may leave the range if the final value is
-//! in it. Products have room for every value.
+//! in it. Products fit every value.
 
 /// A signed integer of `L` limbs of 64 bits: −2^(64L−1) ..= 2^(64L−1) − 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -137,7 +137,7 @@ const fn unsigned(limb: u64) -> i128 {
 }
 
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation)] // the lower half is meant
+#[allow(clippy::cast_possible_truncation)] // keeps the lower half
 const fn low(wide: u128) -> u64 {
     wide as u64
 }
@@ -155,7 +155,7 @@ impl Fixed<1> {
     /// The double nearest to the number.
     #[inline(always)]
     #[must_use]
-    #[allow(clippy::cast_precision_loss)] // rounds to nearest, as said
+    #[allow(clippy::cast_precision_loss)] // rounds to nearest
     pub const fn to_double(self) -> f64 {
         self.0[0].cast_signed() as f64
     }

@@ -28,7 +28,7 @@
 //! measured.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "access/family.rs"]
 mod family;

@@ -10,7 +10,7 @@
 //! * *beside*: one line or plane and many points, relative to the batch of the same queries.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;

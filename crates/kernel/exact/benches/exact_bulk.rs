@@ -12,7 +12,7 @@
 //! that line is reliable.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;

@@ -7,10 +7,10 @@
 //! definitions, as a query without preparation must; `rational, prepared` has them ready, in lowest terms.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "../tests/it/constructed/judge.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod judge;
 
 use std::hint::black_box;

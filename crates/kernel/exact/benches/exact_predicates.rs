@@ -20,7 +20,7 @@
 //! `robust` and `raw` get coordinates; the others get vertices.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 mod turns;
 

@@ -48,7 +48,7 @@ pub(crate) fn rows<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Op
             let scaled = x * unit;
             let integer = to_integer(scaled);
             // (A coordinate that underflows in scaling is not an integer either. For any other the product is exact.)
-            #[allow(clippy::cast_precision_loss)] // that is what is compared
+            #[allow(clippy::cast_precision_loss)] // the comparison detects rounding
             let same = (integer as f64 == scaled) & ((scaled == 0.0) == (x == 0.0));
             whole &= same;
             all |= integer;

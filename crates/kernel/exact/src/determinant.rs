@@ -54,7 +54,7 @@ impl Determinant {
     /// 2.01·B·2^growth·M^degree, where the hundredth covers the terms of second order in u. This holds for both
     /// filters: B·p, for M larger than the differences of the query, and the static bound, for M larger than those of
     /// the scene.
-    #[inline(always)] // most of it is known when it is compiled
+    #[inline(always)] // most of it is known at compile time
     #[must_use]
     pub const fn limbs_left_open(&self, bits: i32) -> usize {
         let share = 2.01 * self.bound;

@@ -2,10 +2,10 @@
 //!
 //! Scenes are made so that every rung is needed, and the stages that queries report prove it. The test counts all
 //! allocations of Rust on the querying thread, and those of GMP, which bypass Rust's allocator.
-#![allow(unsafe_code)] // an allocator is
+#![allow(unsafe_code)] // an allocator needs it
 
 #[path = "it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};

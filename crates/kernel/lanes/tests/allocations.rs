@@ -1,5 +1,5 @@
 //! A test that no batch and no single query of a control or of tolerances allocates.
-#![allow(unsafe_code)] // an allocator is
+#![allow(unsafe_code)] // an allocator needs it
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

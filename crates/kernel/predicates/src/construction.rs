@@ -66,8 +66,8 @@ impl Construction {
 
     /// A hash that is the same on every machine and in every run.
     ///
-    /// Its low bits are as good as its high bits. It does not resist deliberate collisions, which only slow down
-    /// whoever makes them.
+    /// Its low bits are as good as its high bits. It does not resist deliberate collisions, but they only
+    /// slow down the caller that makes them.
     #[inline]
     pub(crate) fn hash(&self) -> u64 {
         /// The start value of the hash for each kind.

@@ -8,10 +8,6 @@
 /// statements of its own cases. It displays the description of the failure. After `or` come the contradictions of
 /// algorithms that this algorithm calls.
 ///
-/// The enum is `Copy`. Its `rule` is the statement, which is the name of the check in stored findings; `RULES` are the
-/// statements of its own cases; it displays what failed. After `or` come the contradictions of algorithms that this one
-/// calls.
-///
 /// ```
 /// use predicament_predicates::contradiction;
 ///

@@ -94,7 +94,7 @@ impl Interned {
     /// The slot where the search begins.
     #[inline]
     fn home(&self, construction: &Construction) -> usize {
-        #[allow(clippy::cast_possible_truncation)] // to fewer bits than the table has places
+        #[allow(clippy::cast_possible_truncation)] // the mask keeps fewer bits
         let bits = construction.hash() as usize;
         bits & (self.table.len() - 1)
     }

@@ -15,9 +15,9 @@ use crate::{Axis, Construction, ConstructionError, Declined, DefinitionError, Pl
 /// The number of coordinates of a point.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Dimension {
-    /// The plane.
+    /// Two coordinates: the plane.
     Two,
-    /// Space.
+    /// Three coordinates: space.
     Three,
 }
 

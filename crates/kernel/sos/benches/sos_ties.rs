@@ -16,7 +16,7 @@
 //! On a busy machine only that line is reliable.
 
 #[path = "../../exact/tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "../../exact/benches/turns.rs"]
 mod turns;

@@ -6,7 +6,7 @@
 //! `exact`.
 
 #[path = "../../exact/tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;

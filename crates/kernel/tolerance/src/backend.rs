@@ -45,7 +45,7 @@ pub struct Tolerance<F = f64> {
 }
 
 /// The backend in double precision.
-#[allow(non_upper_case_globals)] // it reads as the unit struct that it would be without its parameter
+#[allow(non_upper_case_globals)] // reads like the unit struct that it would be without its parameter
 pub const Tolerance: Tolerance = Tolerance::new();
 
 impl<F> Tolerance<F> {

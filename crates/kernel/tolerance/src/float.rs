@@ -66,7 +66,7 @@ impl Float for f32 {
     }
 
     #[inline]
-    #[allow(clippy::cast_possible_truncation)] // rounds to nearest, as it says
+    #[allow(clippy::cast_possible_truncation)] // rounds to nearest
     fn nearest(x: f64) -> f32 {
         x as f32
     }

@@ -9,7 +9,7 @@ pub enum Error {
     Stopped(Stop),
     /// An argument or a backend does not fit the study, in one line.
     Unfit(String),
-    /// A result cannot be written in the format asked for, in one line.
+    /// A result cannot be written in the requested format, in one line.
     Format(String),
 }
 

@@ -12,7 +12,7 @@ use crate::command::root;
 use database::{Advisory, Database, entries, strings};
 use version::Version;
 
-/// The checks that a database does not cover, and the other lock files.
+/// The message about everything that this check does not cover.
 const NOT_CHECKED: &str = "not checked: yanked versions, the toolchain, C code of crates (GMP), and the lists of npm and pip (package-lock.json, \
                            requirements.txt), for which `npm audit` and `pip-audit` ask the network";
 

@@ -126,7 +126,7 @@ proptest! {
         }
     }
 
-    /// The b here equals the paper's b where the paper's is right.
+    /// The second-order coefficient b of the calculus equals the paper's, where the paper's is right.
     #[test]
     fn small_errors_have_the_columns_of_the_paper(
         a1 in 0..20_i32, a2 in 0..20_i32, b1 in 0..300_i32, b2 in 0..300_i32, c1 in magnitudes(), c2 in magnitudes(),

@@ -284,7 +284,7 @@ mod tests {
 
     impl Sub for Counted {
         type Output = Counted;
-        #[allow(clippy::suspicious_arithmetic_impl)] // as many roundings, and magnitudes
+        #[allow(clippy::suspicious_arithmetic_impl)] // the same number of roundings, and magnitudes
         fn sub(self, other: Counted) -> Counted {
             self + other
         }

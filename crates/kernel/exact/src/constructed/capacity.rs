@@ -11,7 +11,7 @@
 pub(super) const LARGEST: usize = 1024;
 const _: () = assert!(4 * (7 * 32 + 7) < LARGEST && 3 * (7 * 32 + 7) + 3 * 33 < LARGEST);
 
-/// Evaluates the expression with the constant set to the least capacity for the number of limbs.
+/// Evaluates an expression with a capacity constant: the least capacity for the number of limbs.
 macro_rules! with_capacity {
     ($limbs:expr, $capacity:ident => $value:expr) => {
         match $limbs {

@@ -31,7 +31,7 @@ impl<'a> View<'a> {
         self.computed(index).unwrap_or_else(|| self.row_and_before(index))
     }
 
-    /// [`View::row`] for a row that is not computed yet.
+    /// Computes the row for [`View::row`], after the rows that it depends on.
     #[cold]
     #[inline(never)]
     fn row_and_before(self, index: usize) -> &'a Row {

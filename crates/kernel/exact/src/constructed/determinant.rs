@@ -58,7 +58,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
     if pivot.is_multiple_of(2) { -sign } else { sign }
 }
 
-#[inline(never)] // so that the stack frame is that of this capacity
+#[inline(never)] // so that the stack frame has the size of this capacity
 fn order<const CAP: usize>([a, b]: &[[Number; 2]; 2]) -> Sign {
     let mut limbs = [0; CAP];
     sign(Number::sum(&mut Space::new(&mut limbs), cross(*a, *b)))

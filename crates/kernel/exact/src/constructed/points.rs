@@ -69,7 +69,7 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, NoPoin
     }
 }
 
-#[inline(never)] // so that the stack frame is that of this capacity
+#[inline(never)] // so that the stack frame has the size of this capacity
 fn segments<const CAP: usize>(rows: View, lines: [[Point<2>; 2]; 2]) -> Result<Row, NoPoint> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());

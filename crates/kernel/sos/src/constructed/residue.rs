@@ -37,7 +37,7 @@ impl Residue {
         Residue(if self.0 >= other.0 { self.0 - other.0 } else { self.0 + Self::PRIME - other.0 })
     }
 
-    #[allow(clippy::cast_possible_truncation)] // E bits and no more than E bits
+    #[allow(clippy::cast_possible_truncation)] // halves of E bits
     pub(super) const fn times(self, other: Residue) -> Residue {
         let product = self.0 as u128 * other.0 as u128;
         let (low, high) = (product as u64 & Self::PRIME, (product >> E) as u64);

@@ -145,7 +145,7 @@ proptest! {
         rounded((plane, plane, plane), &flat.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
         rounded((space, space, space), &deep.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
         let epsilon = of_f32(f32::EPSILON);
-        #[allow(clippy::cast_possible_truncation)] // another float, taken as the input
+        #[allow(clippy::cast_possible_truncation)] // the rounded number is the input
         let narrow = |x: f64| (x * scale) as f32;
         rounded((plane, plane, plane), &flat.map(|p| p.map(narrow)), of_f32, &epsilon, &length);
         rounded((space, space, space), &deep.map(|p| p.map(narrow)), of_f32, &epsilon, &length);

@@ -1,4 +1,4 @@
-//! Do the tolerance paper's algorithms keep their guarantee at their thresholds?
+//! The audit of the tolerance paper's algorithms: whether they keep their guarantee at their thresholds.
 //!
 //! A tolerance scheme makes its promise at distances that random scenes never have. So the study makes pairs at the
 //! thresholds ([`ThresholdPairs`]). It queries each as the hierarchy would, its sub-pairs first, and judges each answer

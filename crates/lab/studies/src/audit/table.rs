@@ -35,7 +35,7 @@ fn whole_pairs(audited: &[Audited]) -> String {
         let Record { algorithm, pair, ranks, precision, variant, decisions, ended, registered, .. } = Record::of(row);
         let Record { not_registered, near, agree, in_band, overreach, missed, unguarded, .. } = Record::of(row);
         let Record { bad_weight, misread, weight_error, least_guard, .. } = Record::of(row);
-        #[allow(clippy::cast_precision_loss)] // a share to be read
+        #[allow(clippy::cast_precision_loss)] // a share for display
         let near = format!("{:.1} %", near as f64 / decisions as f64 * 100.0);
         let guard = least_guard.map_or_else(|| "-".to_owned(), |guard| format!("{guard:.3}"));
         let _ = writeln!(

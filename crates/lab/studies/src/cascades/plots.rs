@@ -11,7 +11,7 @@ type Plot<'m> = (&'static str, &'static str, &'m dyn Fn(&Followed, &Sample) -> O
 
 /// The plots that have a positive value.
 pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
-    #[allow(clippy::cast_precision_loss)] // few of anything
+    #[allow(clippy::cast_precision_loss)] // small counts
     let count = |n: usize| Some(n as f64);
     let plots: [Plot<'_>; 4] = [
         ("area", "area error, a part of the area", &|one, sample| measured.area_error(one.cascade, sample)),

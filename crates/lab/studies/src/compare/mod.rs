@@ -1,4 +1,4 @@
-//! When should one use which? Backends of all philosophies on the same scenes, in one table.
+//! The comparison of backends of all philosophies on the same scenes, in one table: when to use which.
 //!
 //! A suite shows which of its scenes a backend gets wrong. This study asks the same of many random scenes of each kind,
 //! for all tasks:

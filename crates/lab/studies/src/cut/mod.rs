@@ -1,4 +1,4 @@
-//! What is the cut of a tetrahedral mesh by a surface worth, by the contacts that each backend registers?
+//! The study of cuts: the quality of a tetrahedral mesh that a surface cuts, by the contacts of each backend.
 //!
 //! This is the purpose of the tolerance paper's scheme: a triangulated surface cuts a lattice of tetrahedra, and only
 //! the registered contacts determine the cut. They are vertices of the lattice on the surface, points where its edges

@@ -1,4 +1,4 @@
-//! Do answers about the same vertices fit each other, whatever the truth is?
+//! The study of laws: whether answers about the same vertices fit each other, whatever the truth is.
 //!
 //! Scenes of a corpus are made to expose errors; laws need ties. So this study has scenes of about a dozen vertices
 //! each, made to be degenerate in every way: small grids with repeated points, lines, planes, circles, spheres, far

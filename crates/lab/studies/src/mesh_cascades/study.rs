@@ -169,7 +169,7 @@ Examples:
     }
 
     fn plots(&self, measured: &Measured) -> Result<Vec<File>, Error> {
-        #[allow(clippy::cast_precision_loss)] // few of anything
+        #[allow(clippy::cast_precision_loss)] // small counts
         let plots: [Plot; 3] = [
             ("triangles", "triangles", |sample| sample.triangles as f64),
             ("wrong", "open sides, crossings and wrong points", |sample| {

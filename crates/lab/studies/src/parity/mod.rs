@@ -1,4 +1,4 @@
-//! How often do registrations make two closed curves cross an odd number of times?
+//! The study of parity: how often registrations make two closed curves cross an odd number of times.
 //!
 //! Closed curves can't, so if registrations say that they do, the registrations contradict each other. Neither
 //! perturbed nor exact signs ever do. A tolerance scheme decides each pair within its tolerance of the truth, and no

@@ -1,4 +1,4 @@
-//! How small can a feature be before tolerances lose it?
+//! The study of resolution: how small a feature can be before tolerances lose it.
 //!
 //! A scheme that registers near simplices as degenerate can't distinguish small features. On paper the tolerances
 //! determine the smallest size. Here the answers of the whole hierarchy determine it, for features of a known size in

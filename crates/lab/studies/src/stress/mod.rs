@@ -1,4 +1,4 @@
-//! Where do backends break? One knob at a time.
+//! The stress study: the position of each knob at which backends break, one knob at a time.
 //!
 //! A scene is made for a task, and its points are moved as a knob says: by noise, away from the origin, larger,
 //! flatter, rounded, turned. The content stays, so that only the moves change; the truth is computed again for each

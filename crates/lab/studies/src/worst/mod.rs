@@ -1,4 +1,4 @@
-//! How near do the worst inputs come to the bounds of the tolerance paper?
+//! The search for worst inputs: how near they come to the bounds of the tolerance paper.
 //!
 //! A bound that no input comes near is loose, and a bound that an input exceeds is wrong. Random inputs say little
 //! about either. So the study searches for inputs: from a random start it changes one thing at a time, and keeps

@@ -49,7 +49,7 @@ fn what_is_proved_keeps_every_law() {
     }
 }
 
-/// None of them is compared with the truth or a judge of ties here.
+/// This test does not compare the faults with the truth or a judge of ties.
 #[test]
 fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
     let zero = Law::NeverZero;

@@ -1,4 +1,4 @@
-//! Do registrations break the curves in which closed surfaces cross?
+//! The study of parity in space: whether registrations break the curves in which closed surfaces cross.
 //!
 //! Two closed surfaces cross in closed curves, and the boundary of a triangle of one passes through the other an even
 //! number of times. If registrations say otherwise, they contradict each other. Surfaces are embedded, decided exactly;
