@@ -1,4 +1,4 @@
-//! House rules that the compiler does not check, as tests.
+//! Project rules that the compiler does not check, as tests.
 
 mod truth;
 

@@ -155,7 +155,7 @@ fn parts<const N: usize>(of: [f64; N]) -> [f64; N] {
 
 /// The points divided by a power of two, so that no product of their differences overflows.
 ///
-/// It also prevents that all products underflow to zero if all points are near each other.
+/// Nor do all products underflow to zero if all points are near each other.
 fn scaled<const N: usize, const D: usize>(points: [[f64; D]; N]) -> [[f64; D]; N] {
     const SAFE: std::ops::Range<f64> = 1e-90..1e90;
     let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
