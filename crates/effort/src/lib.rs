@@ -1,23 +1,22 @@
-//! How much of a heavy test is run: a twentieth by default, all of it under `cargo xtask nightly`.
+//! The effort of heavy tests: a twentieth by default, all of it under `cargo xtask nightly`.
 //!
-//! A sweep over millions of inputs finds little on its hundredth run that it did
-//! not find on its first, so most runs make a twentieth of it. What a test asserts is
-//! the same at either effort, and one variable decides for all tests: [`VARIABLE`].
-//! Nothing but tests depends on this crate.
+//! The hundredth run of a sweep over millions of inputs finds little that the first did not, so most runs take a
+//! twentieth. A test asserts the same at either effort, and one variable decides for all tests: [`VARIABLE`]. Only
+//! tests depend on this crate.
 
 use std::sync::OnceLock;
 
 /// The environment variable: `whole`, or unset for a twentieth.
 pub const VARIABLE: &str = "PREDICAMENT_EFFORT";
 
-/// The part of each heavy test that is left out by default: 19 of 20 inputs.
+/// The divisor of heavy tests: by default one of 20 inputs runs.
 const DIVISOR: usize = 20;
 
-/// 1 if heavy tests are run whole, else 20: one of so many inputs is tried.
+/// The divisor of the number of inputs: 1 if heavy tests run in full, else 20.
 ///
 /// # Panics
 ///
-/// If [`VARIABLE`] is set to anything but `whole`: a misspelled word must not pass for the whole.
+/// If [`VARIABLE`] is set to anything but `whole`, so that a misspelled word is not mistaken for it.
 #[must_use]
 pub fn divisor() -> usize {
     static READ: OnceLock<usize> = OnceLock::new();
@@ -36,27 +35,27 @@ fn parse(word: Option<&str>) -> Result<usize, String> {
     }
 }
 
-/// True if heavy tests are run whole.
+/// Returns true if heavy tests run in full.
 #[must_use]
 pub fn whole() -> bool {
     divisor() == 1
 }
 
-/// The first of two amounts by default, the second if heavy tests are run whole.
+/// The first of two amounts by default, the second if heavy tests run in full.
 ///
-/// It is for tests of which a twentieth would be too few inputs, or still too many.
+/// It is for tests for which a twentieth would be too few inputs, or still too many.
 #[must_use]
 pub fn some_or_all<T>(some: T, all: T) -> T {
     if whole() { all } else { some }
 }
 
-/// How many of this many inputs a heavy test tries: a twentieth, rounded up, or all.
+/// The number of inputs that a heavy test tries: a twentieth of `all`, rounded up, or all.
 #[must_use]
 pub fn scaled(all: usize) -> usize {
     all.div_ceil(divisor())
 }
 
-/// As [`scaled`], for the cases of property tests.
+/// The same number as [`scaled`], for the cases of property tests.
 #[must_use]
 pub fn cases(all: u32) -> u32 {
     u32::try_from(scaled(all as usize)).expect("at most as many as given")

@@ -1,21 +1,23 @@
-//! The report in a real browser: opened, searched, printed and looked at, by Chromium where there is one.
+//! The report in a real browser: Chromium, if installed, opens, searches, prints and compares it.
 
 use std::path::Path;
 
 use crate::command::{answers, fresh, root, step, target_directory};
 
-/// Where the browser's work is.
+/// The folder of the browser's work.
 const FOLDER: &str = "target/browser";
-/// How many findings two more pages have.
+/// The number of findings of two more pages.
 const FEW: usize = 1_000;
 const MANY: usize = 100_000;
-/// Run folders that were written by hand.
+/// The hand-written run folders.
 const SMALL: [&str; 2] = ["crates/instrument/tasks/tests/data/checked", "crates/instrument/tasks/tests/data/timed"];
-/// Where Debian has it.
+/// Debian's path of Chromium.
 const CHROMIUM: &str = "/usr/bin/chromium";
 
-/// Makes a page of the embedded corpora and one of very many findings, and uses both in a browser. Says what is missing where there is
-/// no browser, which is an error only if one is needed. A small page is compared with pictures that were looked at; `accept` makes it the new ones.
+/// Makes a page of the embedded corpora and one of very many findings, and tests both in a browser.
+///
+/// Without a browser it reports what is missing, which is an error only if `is_needed`. It compares a small page with
+/// reviewed pictures; `accept` replaces these pictures.
 pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     let missing: Vec<&str> = [("node", "node"), ("npm", "npm"), (CHROMIUM, "chromium (Debian's package)")]
         .into_iter()
@@ -52,11 +54,11 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     step("run the embedded corpora", &words(&[&tool, "run", "--out", &run]), &[])?;
     multiplied(Path::new(&run), Path::new(&few), FEW)?;
     multiplied(Path::new(&run), Path::new(&many), MANY)?;
-    // Plots that answer to the pointer come from a study.
+    // Plots that react to the pointer come from a study.
     let stress = ["stress", "-q", "-t", "orient2d", "--knob", "scale", "--scenes", "1", "--out"];
     step("turn a knob", &words(&[&[&tool[..]], &stress[..], &[&format!("{run}/stress")]].concat()), &[])?;
     let script = path("check.mjs");
-    // A page of run folders that were written by hand looks the same everywhere.
+    // A page of hand-written run folders looks the same everywhere.
     let (out, shots) = (path("small"), path("small-screenshots"));
     step("write a small page", &words(&[&[&tool, "report"][..], &SMALL, &["--out", &out]].concat()), &[])?;
     let small = format!("{out}/report.html");
@@ -75,7 +77,7 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     step("plant faults", &words(&planted), &[])
 }
 
-/// A run folder with the same findings again and again, each with an id of its own, until there are so many.
+/// Writes a run folder that repeats the same findings up to `count`, each with a separate id.
 fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
     let failed = |path: &Path| {
         let path = path.display().to_string();
@@ -88,7 +90,7 @@ fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
             std::fs::copy(&path, many.join(name)).map_err(failed(&path))?;
         }
     }
-    // A run vouches for its pictures, too.
+    // A run's digests cover its pictures, too.
     let (maps, copies) = (run.join("maps"), many.join("maps"));
     std::fs::create_dir_all(&copies).map_err(failed(&copies))?;
     for entry in std::fs::read_dir(&maps).map_err(failed(&maps))? {
@@ -111,7 +113,7 @@ fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
         all += &format!("{number:012x},{rest}\n");
     }
     std::fs::write(&file, &all).map_err(failed(&file))?;
-    // A run folder knows the sizes and digests of its files.
+    // A run folder stores the sizes and digests of its files.
     let output = std::process::Command::new("sha256sum").arg(&file).output().map_err(failed(&file))?;
     let digest = String::from_utf8_lossy(&output.stdout).chars().take(64).collect::<String>();
     let state = many.join("state.json");
@@ -122,7 +124,7 @@ fn multiplied(run: &Path, many: &Path, count: usize) -> Result<(), String> {
     std::fs::write(&state, text).map_err(failed(&state))
 }
 
-/// A state with other values of `findings.csv`, in the order in which they come.
+/// A state with other values of `findings.csv`, in order.
 fn replaced(state: &str, values: &[String]) -> String {
     const KEY: &str = "\"findings.csv\": ";
     let mut parts = state.split(KEY);

@@ -1,14 +1,14 @@
-//! The recipes of docs/CI.md: who has a token runs no code of strangers, and what is installed is fixed.
+//! The recipes of docs/CI.md: jobs with a token run no foreign code, and installed versions are fixed.
 
 use std::process::{Command, Stdio};
 
 use crate::command::{answers, root};
 
-/// Reads YAML from stdin and says whether it is a table of jobs.
+/// A Python program that reads YAML from stdin and checks that it is a table of jobs.
 const PARSE: &str = "import sys, yaml\nof = yaml.safe_load(sys.stdin)\njobs = of.get('jobs', of)\n\
                      assert jobs and all('steps' in job or 'script' in job for job in jobs.values()), 'a job without steps'";
 
-/// Parses each recipe by Python's yaml; says so where there is none.
+/// Parses each recipe with Python's yaml, or reports that it is missing.
 ///
 /// # Errors
 /// If a recipe is not YAML, or is not a table of jobs.
@@ -72,7 +72,7 @@ mod tests {
         jobs
     }
 
-    /// What is wrong with a job.
+    /// The error of a job, if any.
     fn wrong(job: &str) -> Option<&'static str> {
         let has = |word: &str| job.contains(word);
         let runs_strangers = has("gate.sh") && !has("branches: [main]");

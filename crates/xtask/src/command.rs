@@ -1,4 +1,4 @@
-//! A step is a command, shown as it starts, with the time that it took; and the folders that commands work in.
+//! Steps, which are commands shown with their duration, and the folders of commands.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// A folder under that of the workspace, made anew; returned as it was named.
+/// Makes a new, empty folder under the workspace's folder; returns the path as given.
 pub fn fresh(dir: &str) -> Result<PathBuf, String> {
     let full = root().join(dir);
     if full.exists() {
@@ -23,7 +23,7 @@ pub fn fresh(dir: &str) -> Result<PathBuf, String> {
     Ok(PathBuf::from(dir))
 }
 
-/// Where cargo builds: wherever the environment or a configuration file says.
+/// Cargo's target directory, from the environment or a configuration file.
 pub fn target_directory() -> Result<PathBuf, String> {
     let output = Command::new(cargo_path())
         .args(["metadata", "--format-version", "1", "--no-deps"])
@@ -45,7 +45,7 @@ fn cargo_path() -> String {
     std::env::var("CARGO").unwrap_or_else(|_| "cargo".to_owned())
 }
 
-/// True if this can be run, and ends well.
+/// Returns true if the program can be run, and succeeds.
 pub fn answers(program: &str, args: &[&str]) -> bool {
     let program = if program == "cargo" { cargo_path() } else { program.to_owned() };
     let ran =
@@ -71,7 +71,7 @@ pub fn cargo(what: &str, args: &[&str]) -> Result<(), String> {
     step(what, &cargo_command(args), &[])
 }
 
-/// Runs a command, says what it is for and how long it took.
+/// Runs a command; prints its purpose and duration.
 ///
 /// # Errors
 /// If it does not start, or fails.
@@ -79,7 +79,7 @@ pub fn step(what: &str, words: &[String], env: &[(&str, String)]) -> Result<(), 
     step_ending(what, words, env, &[0])
 }
 
-/// The same for a program that may end with any of these codes.
+/// Runs a command as [`step`] does, and accepts these exit codes.
 pub fn step_ending(what: &str, words: &[String], env: &[(&str, String)], fine: &[i32]) -> Result<(), String> {
     println!("\n{}", title(what, words));
     let (start, cpu) = (Instant::now(), cpu::of_children());

@@ -1,11 +1,11 @@
 //! The compiler of `cargo xtask test`: clippy's driver, and rustdoc after it.
 //!
-//! `cargo clippy`, `cargo test` and `cargo doc` each read every crate anew: most of what the
-//! first and the last cost is to read what the tests compile anyway. Clippy's driver is the compiler itself, with lints: it makes the same libraries
-//! and tests. So cargo calls this program in the compiler's place (`RUSTC_WORKSPACE_WRAPPER`); this program calls the
-//! driver, and rustdoc for each library, with the same arguments. A crate that is compiled has neither a
-//! warning nor a bad link in its docs. Each crate has a folder of pages: a common one has an index for searching that
-//! each call of rustdoc would read and write.
+//! `cargo clippy`, `cargo test` and `cargo doc` each read every crate again: most of the cost of the first and the last
+//! is to read what the tests compile anyway. Clippy's driver is the compiler itself, with lints: it makes the same
+//! libraries and tests. So cargo calls this program in the compiler's place (`RUSTC_WORKSPACE_WRAPPER`); this program
+//! calls the driver, and rustdoc for each library, with the same arguments. A crate that compiles has neither a warning
+//! nor a bad link in its docs. Each crate has a folder of pages, because every call of rustdoc would read and write the
+//! search index of a common folder.
 
 use std::ffi::{OsStr, OsString};
 use std::path::Path;
@@ -13,15 +13,15 @@ use std::process::{Command, ExitCode};
 
 use crate::command::root;
 
-/// The variable with the path of clippy's driver; where it is set, this program may be called as a compiler.
+/// The variable with the path of clippy's driver; if it is set, cargo may call this program as a compiler.
 const DRIVER: &str = "PREDICAMENT_XTASK_DRIVER";
 /// The variable by which `cargo clippy -- -D warnings` passes its arguments to the driver.
 const CLIPPY_ARGS: (&str, &str) = ("CLIPPY_ARGS", "-D__CLIPPY_HACKERY__warnings__CLIPPY_HACKERY__");
 
-/// The packages whose integration tests compute for longer than it takes to optimise them.
+/// The packages whose integration tests run longer than their optimisation takes.
 const OPTIMISED: [&str; 4] = ["predicament-cube-union", "predicament-exact", "predicament-grid", "predicament-sos"];
 
-/// The environment variables by which cargo calls this program as its compiler.
+/// The environment variables that make cargo call this program as its compiler.
 ///
 /// # Errors
 /// If clippy is not installed.
@@ -31,7 +31,7 @@ pub fn environment() -> Result<Vec<(&'static str, String)>, String> {
     Ok(vec![("RUSTC_WORKSPACE_WRAPPER", own.display().to_string()), (DRIVER, driver()?), (name, value.to_owned())])
 }
 
-/// The compiler that `cargo clippy` runs, where rustup puts it.
+/// The path of the compiler that `cargo clippy` runs, in rustup's folder.
 fn driver() -> Result<String, String> {
     let rustc = std::env::var("RUSTC").unwrap_or_else(|_| "rustc".to_owned());
     let sysroot = Command::new(&rustc).args(["--print", "sysroot"]).current_dir(root()).output();
@@ -55,14 +55,14 @@ pub fn called(arguments: &[OsString]) -> Option<ExitCode> {
     if !runs(&driver, &arguments.iter().cloned().chain(unoptimised).collect::<Vec<_>>()) {
         return Some(ExitCode::FAILURE);
     }
-    // The examples are read as they are, and have no pages.
+    // The examples are read in source form, and have no pages.
     let pages = if package.starts_with("predicament") { of_rustdoc(options) } else { None };
     let rustdoc = std::env::var_os("RUSTDOC").unwrap_or_else(|| "rustdoc".into());
     let fine = pages.is_none_or(|arguments| runs(&rustdoc, &arguments));
     Some(if fine { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// True if this program runs and ends well.
+/// Returns true if this program runs and succeeds.
 fn runs(program: &OsStr, arguments: &[OsString]) -> bool {
     match Command::new(program).args(arguments).status() {
         Ok(status) => status.success(),
@@ -73,15 +73,15 @@ fn runs(program: &OsStr, arguments: &[OsString]) -> bool {
     }
 }
 
-/// True if a compiler makes tests by these arguments that take longer to optimise than to run.
+/// Returns true if these compiler arguments make tests that take longer to optimise than to run.
 ///
-/// A profile of cargo has one level for a package: for a library that is to be optimised as for its tests.
+/// A cargo profile has one level per package: for a library that needs optimisation and for its tests.
 fn is_unoptimised(arguments: &[OsString], package: &str) -> bool {
     let is_library = arguments.iter().any(|word| word.to_str().is_some_and(|word| word.ends_with("lib.rs")));
     arguments.iter().any(|word| word == "--test") && (is_library || !OPTIMISED.contains(&package))
 }
 
-/// The arguments of rustdoc for the crate that a compiler makes by these, if it is a library.
+/// The rustdoc arguments for the crate of these compiler arguments, if it is a library.
 fn of_rustdoc(arguments: &[OsString]) -> Option<Vec<OsString>> {
     let text: Vec<&str> = arguments.iter().map(|word| word.to_str()).collect::<Option<_>>()?;
     let after = |option: &str| text.iter().position(|&word| word == option).and_then(|at| text.get(at + 1)).copied();
@@ -129,7 +129,7 @@ mod tests {
         let expected = "-o target/ci/pages/hull -Dwarnings --crate-name hull --edition=2024 src/lib.rs --crate-type lib \
                         --warn=missing_docs -L dependency=deps --extern exact=deps/libexact.rmeta";
         assert_eq!(of(library).as_deref(), Some(expected));
-        // Neither of these has pages: a test, what is not compiled to the end, a macro, a program, a question.
+        // These have no pages: a test, an incomplete compilation, a macro, a program, a query of the compiler.
         for (from, to) in [
             ("--crate-type lib", "--test"),
             (",link", ""),

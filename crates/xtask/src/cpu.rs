@@ -1,12 +1,13 @@
-//! Processor time: what a step costs, whatever else the machine does.
+//! Processor time: the cost of a step, independent of other load.
 
-/// Seconds that all children which have ended took, with their own children; Linux only.
+/// The seconds of processor time of all ended children and their children; Linux only.
 pub fn of_children() -> Option<f64> {
     parse(&std::fs::read_to_string("/proc/self/stat").ok()?)
 }
 
-/// Fields 16 and 17 of `/proc/self/stat`, in hundredths of a second. The second field is the command, in brackets,
-/// and may hold anything.
+/// Sums fields 16 and 17 of `/proc/self/stat`, in hundredths of a second.
+///
+/// The second field is the command, in brackets, and may contain anything.
 fn parse(stat: &str) -> Option<f64> {
     let (_, rest) = stat.rsplit_once(')')?;
     let mut fields = rest.split_ascii_whitespace().skip(13);

@@ -1,13 +1,14 @@
-//! The page about results as data: its blocks are run by DuckDB and pandas, in an environment of their own, and by R where it has the packages.
+//! The page about results as data: DuckDB and pandas, in a separate environment, run its blocks, and R does if it has
+//! the packages.
 
 use crate::command::{answers, fresh, root, step};
 
-/// Where the environment of Python is.
+/// The folder of the Python environment.
 const FOLDER: &str = "target/data";
-/// What is installed in it: DuckDB, pandas and pyarrow, with digests.
+/// The packages of the environment: DuckDB, pandas and pyarrow, with digests.
 pub const REQUIREMENTS: &str = "crates/xtask/python/requirements.txt";
 
-/// Fails in R where a package of the page is not installed.
+/// An R program that fails if a package of the page is not installed.
 const PACKAGES_OF_R: &str = "library(nanoparquet); library(dplyr)";
 
 /// Makes the environment and runs the tests that need it.

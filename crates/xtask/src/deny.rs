@@ -1,14 +1,14 @@
-//! Licences and sources of dependencies, by cargo-deny where it is installed, as `deny.toml` says.
+//! Licences and sources of dependencies, checked by cargo-deny, if installed, with `deny.toml`.
 
 use crate::advisories::locks;
 use crate::command::{answers, cargo, root};
 
-/// Holds licences, sources and bans of all workspaces against `deny.toml`; says so where cargo-deny is not installed.
+/// Checks licences, sources and bans of all workspaces against `deny.toml`; reports if cargo-deny is not installed.
 ///
-/// Advisories are not among them: cargo-deny would fetch a database. [`advisories`](crate::advisories) takes the one that is there.
+/// Advisories are not included: cargo-deny would fetch a database. [`advisories`](crate::advisories) uses a local one.
 ///
 /// # Errors
-/// If a dependency has another licence or comes from elsewhere than the registry.
+/// If a dependency has another licence or does not come from the registry.
 pub fn check() -> Result<(), String> {
     if !answers("cargo", &["deny", "--version"]) {
         println!(
@@ -18,7 +18,7 @@ pub fn check() -> Result<(), String> {
         return Ok(());
     }
     let checks = ["licenses", "sources", "bans"];
-    // The smaller ones do not have every licence of the list, and only one has fuzz targets.
+    // The smaller ones do not use every licence of the list, and only one has fuzz targets.
     for (at, lock) in locks(&root())?.iter().enumerate() {
         let manifest = lock.replace("Cargo.lock", "Cargo.toml");
         let graph = ["deny", "--locked", "--manifest-path", &manifest, "--config", "deny.toml"];

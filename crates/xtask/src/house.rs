@@ -1,4 +1,4 @@
-//! House rules that the compiler does not check, as tests.
+//! Project rules that the compiler does not check, as tests.
 
 mod truth;
 
@@ -25,8 +25,9 @@ fn without_feature(manifest: &str) -> Vec<&str> {
     sections.map(|section| section.lines().next().unwrap_or_default().trim_end_matches(']')).collect()
 }
 
-/// GMP is built once for each set of its features. A crate that names only `rug` makes a second one, with GMP's own
-/// tests, as soon as it is built by itself: five minutes.
+/// GMP is built once for each set of its features.
+///
+/// A crate that names only `rug` makes a second build, with GMP's own tests, when it is built alone: five minutes.
 #[test]
 fn whoever_names_rug_names_the_feature_of_gmp() {
     let manifests = manifests();
@@ -37,7 +38,7 @@ fn whoever_names_rug_names_the_feature_of_gmp() {
     }
 }
 
-/// The groups of crates, from the one that imports nothing of the others to the one that may import all.
+/// The groups of crates, from the one without imports of other groups to the one that may import all.
 const GROUPS: [&str; 4] = ["kernel", "instrument", "systems", "lab"];
 
 /// The packages of this workspace that a manifest names in its section of dependencies.
@@ -47,7 +48,8 @@ fn dependencies(manifest: &str) -> Vec<&str> {
     lines.map(|line| line.split(['.', ' ', '=']).next().unwrap_or_default()).collect()
 }
 
-/// Kernel, instrument, systems, lab: a crate imports its own group and those before it. Tests may import anything.
+/// A crate imports its own group and earlier ones, in the order kernel, instrument, systems, lab; tests import
+/// anything.
 #[test]
 fn dependencies_point_one_way() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
@@ -77,7 +79,7 @@ fn dependencies_point_one_way() {
     assert!(group("predicament-hull") > group("predicament-judge"));
 }
 
-/// The Rust files in a folder, and in those in it.
+/// The Rust files in a folder and its subfolders.
 fn sources(folder: &Path) -> Vec<PathBuf> {
     let entries = std::fs::read_dir(folder).unwrap_or_else(|why| panic!("{}: {why}", folder.display()));
     let paths = entries.map(|entry| entry.expect("an entry").path());
@@ -85,7 +87,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
     paths.flat_map(of).filter(|path| path.extension().is_some_and(|end| end == "rs")).collect()
 }
 
-/// True for a file of a library with tests that are never compiled.
+/// Returns true for a library file with tests that are never compiled.
 fn has_lost_tests(manifest: &str, source: &str) -> bool {
     let library = manifest.split("\n[").find(|section| section.starts_with("lib]"));
     let says = |wanted: &str| library.is_some_and(|section| section.lines().any(|line| line == wanted));
@@ -93,7 +95,7 @@ fn has_lost_tests(manifest: &str, source: &str) -> bool {
         || says("doctest = false") && has_example(source)
 }
 
-/// True for a file whose documentation has a block of code; one that is called text is none.
+/// Returns true for a file whose documentation has a code block; a block marked as text does not count.
 fn has_example(source: &str) -> bool {
     let text = source.lines().map(str::trim_start);
     let docs = text.filter_map(|line| line.strip_prefix("///").or_else(|| line.strip_prefix("//!")));
@@ -125,7 +127,7 @@ fn a_lost_test_is_seen() {
     assert!(!has_lost_tests(no_examples, &example.replacen("```", "```text", 1)), "a figure");
 }
 
-/// What tells where a page was written, or where its packages came from.
+/// The marks in a line that reveal a page's machine or the source of its packages.
 fn names_a_host(line: &str) -> bool {
     // In pieces, so that this file passes.
     let marks =
@@ -133,7 +135,7 @@ fn names_a_host(line: &str) -> bool {
     marks.iter().any(|mark| line.contains(&mark.concat()))
 }
 
-/// The tracked files are those outside of what is built: pages, sources, corpora, manifests.
+/// The tracked files are those outside of build folders: pages, sources, corpora, manifests.
 #[test]
 fn no_file_names_a_host_or_somebodys_folders() {
     fn check(path: &Path, seen: &mut usize) {
@@ -169,7 +171,7 @@ fn no_file_names_a_host_or_somebodys_folders() {
     assert!(names_a_host(&["see ", "do", "cs.rs/rug"].concat()));
 }
 
-/// Whether a system has a page of its own, which its package shows.
+/// Returns true if a system has its own page and its package shows it.
 fn has_a_page(manifest: &str, page: &str) -> bool {
     let lines = page.lines().count();
     let says = ["## What it asks", "## What is true", "## Checks", "## Scenes", "## Run it"];
@@ -178,7 +180,7 @@ fn has_a_page(manifest: &str, page: &str) -> bool {
         && says.iter().all(|heading| page.contains(heading))
 }
 
-/// The folders of all systems: of all crates beside them but their common base.
+/// The folders of all systems: all crates next to them, without their common base.
 fn systems() -> Vec<PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../systems");
     let folders = std::fs::read_dir(root).expect("the systems").map(|entry| entry.expect("an entry").path());
@@ -202,7 +204,7 @@ fn each_system_has_a_page() {
     assert!(!has_a_page("\nreadme = \"README.md\"\n", &page), "without headings");
 }
 
-/// A command is a leaf: what two of them need is not in either.
+/// A command is a leaf: code that two commands need is in neither.
 #[test]
 fn nothing_imports_a_command() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../harness/src");
@@ -228,13 +230,15 @@ fn unknown<'p>(page: &'p str, files: &[String]) -> Vec<&'p str> {
     rust_blocks(page).into_iter().filter(|block| !files.iter().any(|file| file.contains(block))).collect()
 }
 
-/// The text of a file without what a page does not repeat of it: the lines about itself and the path of the tool.
+/// The text of a file without the parts that a page omits: the lines about itself and the path of the tool.
 fn shown(file: &str) -> String {
     let own = file.lines().skip_while(|line| line.starts_with("//!")).collect::<Vec<_>>().join("\n");
     own.trim().replace("../../harness", "../predicament/harness")
 }
 
-/// The pages of a backend and of a task can be followed to the letter: each of these files is a block of the page, whole.
+/// The pages of a backend and of a task are complete instructions.
+///
+/// Each of these files is a block of the page, unshortened.
 #[test]
 fn a_page_has_every_file_of_its_example() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

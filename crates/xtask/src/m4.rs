@@ -1,9 +1,9 @@
-//! `m4`, a C compiler and make: what building GMP takes besides Rust.
+//! `m4`, a C compiler and make: the requirements of GMP besides Rust.
 
 use std::io::{IsTerminal, Write};
 use std::process::{Command, Stdio};
 
-/// The package managers we know, with the command that installs m4.
+/// The known package managers, with the command that installs m4.
 const INSTALLERS: &[(&str, &[&[&str]])] = &[
     ("apt-get", &[&["apt-get", "update", "-qq"], &["apt-get", "install", "-y", "-qq", "m4"]]),
     ("dnf", &[&["dnf", "install", "-y", "-q", "m4"]]),
@@ -11,18 +11,18 @@ const INSTALLERS: &[(&str, &[&[&str]])] = &[
     ("brew", &[&["brew", "install", "--quiet", "m4"]]),
 ];
 
-/// What is done about a missing package.
+/// The action for a missing package.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Way {
-    /// Install it: root needs no leave, and in a container there is nobody to ask.
+    /// Install it: root needs no permission, and in a container there is nobody to ask.
     Install,
-    /// Ask whoever is at the terminal first.
+    /// Ask the user at the terminal first.
     Ask,
-    /// Say what to type.
+    /// Print the command to type.
     Print,
 }
 
-/// Nothing is installed for a user who has not said yes.
+/// The action for this user; nothing is installed without a yes, except by root.
 fn way(is_root: bool, is_terminal: bool) -> Way {
     match (is_root, is_terminal) {
         (true, _) => Way::Install,
@@ -31,7 +31,7 @@ fn way(is_root: bool, is_terminal: bool) -> Way {
     }
 }
 
-/// Makes sure that GMP can be built, and offers to install m4 where it is missing.
+/// Checks that GMP can be built, and offers to install m4 if it is missing.
 pub fn ensure() -> Result<(), String> {
     for (tool, names) in [("a C compiler", &["cc", "gcc", "clang"][..]), ("make", &["make", "gmake"][..])] {
         if !names.iter().any(|name| on_path(name)) {
@@ -66,7 +66,7 @@ pub fn ensure() -> Result<(), String> {
             .env("DEBIAN_FRONTEND", "noninteractive")
             .stdout(Stdio::null())
             .status();
-        // A stale package list is no reason to stop: only the last command counts.
+        // An outdated package list must not stop the installation: only the last command counts.
         let last = Some(command) == commands.last();
         match ran {
             Ok(status) if status.success() => {}
@@ -82,7 +82,7 @@ pub fn ensure() -> Result<(), String> {
     }
 }
 
-/// True if the user says yes to this command.
+/// Returns true if the user says yes to this command.
 fn agrees(command: &str) -> Result<bool, String> {
     eprint!("xtask: m4 is missing, GMP needs it to build. Run `{command}` now? [y/N] ");
     std::io::stderr().flush().map_err(|error| error.to_string())?;

@@ -1,10 +1,10 @@
-//! The chores: `cargo xtask demo` runs the main job and leaves a report to
-//! open, `cargo xtask test` is everything that CI runs, and `cargo xtask nightly`
-//! what takes longer than every change can wait for.
+//! The chores of the project.
 //!
-//! No dependencies, so that it starts before anything else is built. It has to
-//! look after one thing that cargo can't: `rug` builds GMP, and GMP's
-//! configure needs `m4`.
+//! `cargo xtask demo` runs the main job and leaves a report to open. `cargo xtask test` is everything that CI runs.
+//! `cargo xtask nightly` runs the checks that take too long for every change.
+//!
+//! There are no dependencies, so that it starts before anything else is built. It also handles one requirement that
+//! cargo can't: `rug` builds GMP, and GMP's configure needs `m4`.
 
 mod advisories;
 mod browser;

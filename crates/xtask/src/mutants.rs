@@ -1,12 +1,13 @@
-//! The mutation score: small changes to the code that decides what is true, each of which a test has to notice.
+//! The mutation score: small changes to the code that decides the truth, each of which a test must detect.
 //!
-//! Planted faults show that checks see the faults somebody thought of; cargo-mutants makes thousands nobody did. All of them take days, so
-//! a sample is taken: every n-th in the order of the code, begun at another one each time if `--from` says so.
+//! Planted faults show that checks detect known kinds of faults; cargo-mutants makes thousands of others. All of them
+//! take days, so the command takes a sample: every n-th in the order of the code, beginning at another one if `--from`
+//! says so.
 //!
-//! A crate's own tests are the quick ones. What they miss is tried once more, if `--all-tests` says so, by the tests of the crates
-//! above: these compare backends, judges and checks with each other.
+//! A crate's own tests are the quick ones. With `--all-tests`, mutants that they miss run again with the tests of the
+//! crates above, which compare backends, judges and checks with each other.
 //!
-//! `--planted` tries the faults that somebody did think of, in algorithms ([`planted`]).
+//! `--planted` tries the known faults, in algorithms ([`planted`]).
 
 mod planted;
 
@@ -15,17 +16,19 @@ use std::path::Path;
 
 use crate::command::{answers, cargo_command, fresh, root, step_ending};
 
-/// The packages whose mistakes would be taken for truth.
+/// The packages whose errors would be taken for truth.
 const PACKAGES: [&str; 6] = ["arithmetic", "exact", "sos", "tolerance", "laws", "judge"];
-/// Where the results are.
+/// The folder of the results.
 const FOLDER: &str = "target/mutants";
-/// Where they are compiled.
+/// The folder of the builds.
 const BUILT: &str = "target/mutants-build";
-/// The packages whose tests are run after those of a mutant's own: all systems, and these.
+/// The packages whose tests run after those of a mutant's own package: all systems, and these.
 const ABOVE: [&str; 4] = ["tasks", "oracle", "studies", "search"];
-/// Seconds for these, all together. (By itself cargo-mutants would allow them what a mutant's own tests take.)
+/// The time limit for the tests of these packages together, in seconds.
+///
+/// By default cargo-mutants would allow them only the time of a mutant's own tests.
 const SECONDS_ABOVE: &str = "1800";
-/// What cargo-mutants ends with where mutants were missed, or ran out of time: that is what is counted.
+/// The exit codes of cargo-mutants with missed or timed-out mutants, which are counted and are not errors.
 const FINE: [i32; 3] = [0, 2, 3];
 
 /// The packages of the systems: the folders of their group.
@@ -38,11 +41,11 @@ fn systems() -> Result<Vec<String>, String> {
     Ok(names)
 }
 
-/// What became of the mutants of one package.
+/// The results of one package's mutants.
 #[derive(Default)]
 struct Score {
     caught: Vec<String>,
-    /// By the tests of crates above alone.
+    /// The mutants that only tests of crates above detect.
     above: Vec<String>,
     missed: Vec<String>,
     timeout: Vec<String>,
@@ -50,7 +53,7 @@ struct Score {
 }
 
 impl Score {
-    /// Reads the folder that cargo-mutants leaves.
+    /// Reads the output folder of cargo-mutants.
     fn read(folder: &Path) -> Result<Score, String> {
         let lines = |name: &str| -> Result<Vec<String>, String> {
             let path = folder.join("mutants.out").join(name);
@@ -67,11 +70,12 @@ impl Score {
         })
     }
 
-    /// Takes what those that were missed have come to in a second run. (cargo-mutants tries mutants that delete a field of a file
-    /// whether they are asked for or not: they are of no matter here.)
+    /// Adds the results of a second run with the missed mutants.
+    ///
+    /// (cargo-mutants always tries mutants that delete a field of a file, even if not selected: they are ignored here.)
     ///
     /// # Errors
-    /// If one that was missed was not tried again.
+    /// If a missed mutant was not tried again.
     fn tried_again(&mut self, again: &Score) -> Result<(), String> {
         let missed = std::mem::take(&mut self.missed);
         for mutant in missed {
@@ -96,7 +100,7 @@ impl Score {
         self.unviable += other.unviable;
     }
 
-    /// A mutant that never ends is noticed: no test passes.
+    /// The row of a package in the table; a mutant that never ends counts as detected, since no test passes.
     fn row(&self, name: &str) -> String {
         let noticed = self.caught.len() + self.above.len() + self.timeout.len();
         let all = noticed + self.missed.len();
@@ -115,7 +119,7 @@ impl Score {
     }
 }
 
-/// What is asked for.
+/// The command's arguments.
 struct Asked {
     every: u32,
     from: u32,
@@ -155,7 +159,7 @@ impl Asked {
 
 /// Tries every n-th mutant of the packages, from the k-th on, and prints the score and the survivors.
 ///
-/// With `--planted`, the faults that are known by name instead.
+/// With `--planted` it tries the known faults instead.
 pub fn score(args: &[String]) -> Result<(), String> {
     if let [first, names @ ..] = args
         && first == "--planted"
@@ -200,7 +204,7 @@ pub fn score(args: &[String]) -> Result<(), String> {
     Ok(())
 }
 
-/// Runs cargo-mutants on some mutants of a package, and reads what it leaves in a folder.
+/// Runs cargo-mutants on some mutants of a package, and reads its output folder.
 fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score, String> {
     std::fs::create_dir_all(out).map_err(|error| format!("{}: {error}", out.display()))?;
     let mut args: Vec<String> = ["mutants", "--package", &format!("predicament-{package}")].map(str::to_owned).into();
@@ -219,8 +223,8 @@ fn run(what: &str, package: &str, which: &[String], out: &Path) -> Result<Score,
         "never",
     ];
     args.extend(always.map(str::to_owned));
-    // A run has one copy of the tree, in which one function changes at a time: the profile compiles little more than that. The next run
-    // has another copy, and still its dependencies.
+    // A run has one copy of the tree, in which one function changes at a time: the profile compiles little more than
+    // that. The next run has another copy, and keeps the compiled dependencies.
     let built = root().join(BUILT).display().to_string();
     step_ending(what, &cargo_command(&args), &[("CARGO_TARGET_DIR", built)], &FINE)?;
     Score::read(out)
@@ -231,7 +235,7 @@ fn files(mutants: &[String]) -> BTreeSet<String> {
     mutants.iter().filter_map(|name| name.split_once(':')).map(|(file, _)| file.to_owned()).collect()
 }
 
-/// A regular expression that is the name of one mutant.
+/// A regular expression that matches the name of one mutant.
 fn whole(name: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || " _/:,'<>&;=\"".contains(c) || !c.is_ascii();
     let escaped: String = name.chars().map(|c| if plain(c) { c.to_string() } else { format!("\\{c}") }).collect();
@@ -277,7 +281,7 @@ mod tests {
         assert_eq!(score.row("x"), "| x | 4 | 3 | 0 | 0 | 1 | 1 | 75.0 % (30.1 to 95.4) |");
         let mut lost = Score { missed: vec!["d".to_owned()], ..Score::default() };
         assert!(lost.tried_again(&Score::default()).unwrap_err().ends_with("again: d"));
-        // One that was not asked for is in no column.
+        // One that was not selected is in no column.
         let again =
             Score { caught: vec!["d".to_owned(), "f".to_owned()], missed: vec!["g".to_owned()], ..Score::default() };
         score.tried_again(&again).unwrap();

@@ -1,10 +1,12 @@
-//! The pages that commands of the tool print, written anew. Tests of the tool hold each page to its command.
+//! A command that regenerates the pages which commands of the tool print.
+//!
+//! Tests of the tool compare each page with its command.
 
 use std::process::{Command, Stdio};
 
 use crate::command::{cargo, root, target_directory};
 
-/// Where the part of BOUNDS begins that a search has found: it is not derived, and stays.
+/// The start of the part of BOUNDS that a search has found: it is not derived, and stays.
 const FOUND: &str = "\n## Worst cases\n";
 
 /// Writes `docs/CHECKS.md`, `docs/BOUNDS.md` and the schema in `docs/DATA.md`.
@@ -22,7 +24,7 @@ pub fn write() -> Result<(), String> {
     Ok(())
 }
 
-/// What the tool prints.
+/// The output of the tool.
 fn printed(words: &[&str]) -> Result<String, String> {
     let tool = target_directory()?.join("ci").join("predicament");
     let ran = Command::new(&tool).args(words).current_dir(root()).stderr(Stdio::inherit()).output();
@@ -36,7 +38,7 @@ fn read(name: &str) -> Result<String, String> {
     std::fs::read_to_string(root().join(name)).map_err(|error| format!("{name}: {error}"))
 }
 
-/// Writes a page, and says whether it is another one than before.
+/// Writes a page, and prints whether it changed.
 fn page(name: &str, text: &str) -> Result<(), String> {
     let changed = read(name)? != text;
     println!("{name}{}", if changed { ": changed" } else { "" });

@@ -1,12 +1,13 @@
-//! What `engines install`, `engines build` and the chores install, held to the rules of the house: versions fixed, digests known,
-//! scripts off.
+//! The packages that `engines install`, `engines build` and the chores install, checked against the project's rules:
+//! versions fixed, digests known, scripts off.
 
 use std::path::{Path, PathBuf};
 
 use crate::command::root;
 
-/// The commands of `install` in an `engine.toml`, which has them in one line, and those of `build` that are cargo's: it
-/// fetches what is not there.
+/// The commands of `install` in an `engine.toml`, and the cargo commands of `build`.
+///
+/// Each of them is on one line. Cargo's `build` fetches missing packages.
 fn commands(config: &str) -> Vec<Vec<String>> {
     let of = |key: &str| {
         let line = config.lines().find_map(|line| line.strip_prefix(key)).unwrap_or_default();
@@ -16,7 +17,7 @@ fn commands(config: &str) -> Vec<Vec<String>> {
     of("install").into_iter().chain(of("build").into_iter().filter(|words| words[0] == "cargo")).collect()
 }
 
-/// What is wrong with a command in a folder; `None` if its packages are fixed.
+/// The error of a command in a folder; `None` if its packages are fixed.
 fn wrong(folder: &Path, command: &[String]) -> Option<String> {
     let has = |word: &str| command.iter().any(|other| other == word);
     let shown = command.join(" ");
@@ -54,7 +55,7 @@ fn wrong(folder: &Path, command: &[String]) -> Option<String> {
     (!has("venv")).then(|| format!("{shown}: a client that this test does not know"))
 }
 
-/// What is wrong with the lock file of npm: each package has a digest and none has an address.
+/// The error of npm's lock file: each package must have a digest and none an address.
 fn unlocked(lock: &str) -> Option<String> {
     let packages = lock.matches("\n    \"node_modules/").count();
     let digests = lock.matches("\"integrity\": \"sha512-").count();
@@ -65,7 +66,9 @@ fn unlocked(lock: &str) -> Option<String> {
         .then(|| "package-lock.json names a host; make it with --omit-lockfile-registry-resolved".to_owned())
 }
 
-/// What is wrong with the lock file of cargo: each package is of this repository, or has a digest and comes from the registry.
+/// The error of cargo's lock file.
+///
+/// Each package must be of this repository, or have a digest and come from the registry.
 fn unsummed(lock: &str) -> Option<String> {
     let packages: Vec<&str> = lock.split("[[package]]").skip(1).filter(|one| one.contains("\nsource = ")).collect();
     if packages.is_empty() {
@@ -76,7 +79,7 @@ fn unsummed(lock: &str) -> Option<String> {
     Some(format!("a package without a digest, or of another source: {}", loose.trim().replace('\n', ", ")))
 }
 
-/// What is wrong with a list of requirements: each has a fixed version and a digest.
+/// The error of a list of requirements: each must have a fixed version and a digest.
 fn unhashed(list: &str) -> Option<String> {
     let joined = list.replace("\\\n", " ");
     let mut requirements =
@@ -88,7 +91,7 @@ fn unhashed(list: &str) -> Option<String> {
     requirements.find(bad).map(|line| format!("`{line}` has no fixed version, no digest or an address"))
 }
 
-/// The engines that come with the project, by their folders.
+/// The folders of the engines that come with the project.
 fn engines() -> Vec<PathBuf> {
     let entries = std::fs::read_dir(root().join("engines")).expect("the engines");
     let folders = entries.map(|entry| entry.expect("an engine").path());

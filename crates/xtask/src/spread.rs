@@ -1,8 +1,8 @@
 //! A run in parts by engines that start commands: GNU parallel, HyperQueue and Slurm, each for real, on this machine.
 //!
-//! Of each, one part is killed while it runs, from outside and without a warning; of Slurm with two nodes, all that runs on one of them. The
-//! engine has to start it again, and what is merged has to be the run of one process, byte for byte. An engine that is not there is a failure
-//! that says so.
+//! For each engine, one running part is killed from outside without a warning; for Slurm with two nodes, all processes
+//! of one node. The engine must start it again, and the merged result must equal the run of one process, byte for byte.
+//! A missing engine is a failure that says so.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -13,33 +13,33 @@ use std::time::{Duration, Instant};
 
 use crate::command::{answers, cargo, fresh, root, step, target_directory};
 
-/// Where the work is left, beside the build.
+/// The folder of the work, beside the build.
 const SPREAD: &str = "target/spread";
-/// Where HyperQueue is installed if Python does not have it.
+/// The folder for HyperQueue if Python does not have it.
 const PYTHON: &str = "target/hyperqueue";
-/// What is run: some seconds a part, so that one can be killed while it runs.
+/// The arguments of the run: some seconds per part, so that one can be killed while it runs.
 const WHAT: [&str; 5] = ["classics", "families", "constructed", "-b", "exact,sos,naive"];
 const PARTS: u32 = 5;
 /// The part that is killed.
 const VICTIM: u32 = 2;
-/// The files of a run that tell where and how long, and may differ.
+/// The files of a run that record machine and duration, and may differ.
 const DIFFER: [&str; 2] = ["env.json", "costs.csv"];
-/// What is killed.
+/// The processes that are killed.
 #[derive(Clone, Copy)]
 enum Loss {
     /// The process that runs a part.
     Process,
-    /// All processes of the node that runs a part: the folder has a file with the process that holds its namespace.
+    /// All processes of the node that runs a part; the folder has a file with the process that holds its namespace.
     Node,
 }
 
-/// How long Slurm may take: it keeps a job that was put back for two minutes.
+/// The time limit for Slurm: it holds a requeued job for two minutes.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 /// Runs the embedded scenes in parts by each engine.
 ///
 /// # Errors
-/// Of each engine, that it is not there, or that something was lost, doubled or not started again.
+/// For each engine, that it is missing, or that something was lost, duplicated or not started again.
 pub fn check() -> Result<(), String> {
     cargo("build the tool", &["build", "--profile", "ci"])?;
     let folder = root().join(fresh(SPREAD)?);
@@ -58,7 +58,7 @@ pub fn check() -> Result<(), String> {
 struct Spread {
     folder: PathBuf,
     tool: PathBuf,
-    /// The run of one process.
+    /// The folder of the run of one process.
     one: PathBuf,
 }
 
@@ -85,7 +85,7 @@ impl Spread {
     }
 
     fn slurm(&self, loss: Loss) -> Result<(), String> {
-        // Without a configuration its programs do not even tell their version.
+        // Without a configuration its programs do not even print their version.
         if !answers(
             "sh",
             &["-c", "PATH=$PATH:/usr/sbin; command -v sbatch && command -v slurmd && command -v slurmctld"],
@@ -121,7 +121,7 @@ impl Spread {
         done.and(step(&format!("stop {engine}"), &stop, &[]))
     }
 
-    /// Starts the parts by an engine, kills what is to be lost, waits for the rest, and holds what was merged against the run of one process.
+    /// Runs the parts by an engine, kills the victim, and compares the merged result with the run of one process.
     fn by(
         &self,
         engine: &str,
@@ -168,7 +168,8 @@ impl Spread {
     }
 }
 
-/// Kills what runs a part once it has committed something; what that was, or nothing if it was over before.
+/// Kills the process of a part once it has committed something; returns what was killed, or `None` if the part had
+/// ended.
 fn once_begun(part: &Path, is_over: &AtomicBool, lose: impl Fn(&Path) -> Option<String>) -> Option<String> {
     while !is_over.load(Ordering::Relaxed) {
         let rows = std::fs::read_to_string(part.join("segments.csv")).unwrap_or_default();
@@ -213,7 +214,7 @@ fn writer_of(part: &Path) -> Option<u32> {
     None
 }
 
-/// Whether two run folders have the same files, but for those that may differ.
+/// Checks that two run folders have the same files, except those that may differ.
 fn same(one: &Path, other: &Path) -> Result<(), String> {
     let (ours, theirs) = (files(one, one)?, files(other, other)?);
     if ours != theirs {
@@ -229,7 +230,7 @@ fn same(one: &Path, other: &Path) -> Result<(), String> {
     Ok(())
 }
 
-/// The files of a folder by name, but for those that may differ.
+/// The files of a folder by name, without those that may differ.
 fn files(folder: &Path, here: &Path) -> Result<BTreeSet<String>, String> {
     let mut all = BTreeSet::new();
     for entry in std::fs::read_dir(here).map_err(|error| format!("{}: {error}", here.display()))?.flatten() {

@@ -6,17 +6,21 @@ use std::path::Path;
 use crate::command::{Beside, answers, cargo, cargo_command, fresh, root, step, target_directory, words};
 use crate::compiler;
 
-/// Where `demo` leaves its work, beside the build.
+/// The folder of `demo`, beside the build.
 const DEMO: &str = "target/demo";
-/// Where `test` leaves its run.
+/// The folder of the run of `test`.
 const GATE: &str = "target/gate";
-/// The crates that use the tool as a library. In the workspace they share its builds; `nightly` builds them outside, as somebody else's.
+/// The crates that use the tool as a library.
+///
+/// In the workspace they share its builds; `nightly` builds them outside, as a user would.
 const EXAMPLES: [&str; 3] = ["leftmost", "convexity", "mine"];
-/// The package of benches. It has no tests, and what it depends on would be compiled for them, or checked: the nightly looks at it.
+/// The package of benches.
+///
+/// It has no tests, and its dependencies would be compiled or checked for them: `nightly` does that.
 const BENCHES: &str = "predicament-benches";
-/// The variable that says how much of heavy tests is run, as the crate `effort` reads it.
+/// The variable that sets the effort of heavy tests, as the crate `effort` reads it.
 const EFFORT: (&str, &str) = ("PREDICAMENT_EFFORT", "whole");
-/// Seconds of each fuzz target, on one core.
+/// The duration of each fuzz target in seconds, on one core.
 const FUZZ_SECONDS: u32 = 600;
 
 /// Builds the tool, runs and times the embedded corpora, writes the report.
@@ -41,7 +45,7 @@ pub fn demo() -> Result<(), String> {
     Ok(())
 }
 
-/// Everything that has to pass before a change lands.
+/// Runs everything that must pass before a change lands.
 ///
 /// One profile for all of it, and one build ([`compiler`]): the binary that the tests have used is the one that runs the
 /// corpora. Steps that leave cores idle run beside others.
@@ -56,7 +60,7 @@ pub fn test() -> Result<(), String> {
     doc_tests.map_or(Ok(()), Beside::finish)
 }
 
-/// Format, clippy, docs and the tests of these crates alone, named as their folders are: `delaunay`, `exact`.
+/// Runs format, clippy, docs and the tests of these crates alone, named by folder: `delaunay`, `exact`.
 pub fn test_of(crates: &[String]) -> Result<(), String> {
     let folders = ["kernel", "instrument", "systems", "lab"].map(|group| root().join("crates").join(group));
     let is_one = |name: &String| folders.iter().any(|group| group.join(name).join("Cargo.toml").is_file());
@@ -73,7 +77,7 @@ pub fn test_of(crates: &[String]) -> Result<(), String> {
     step("clippy, docs, tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &compiler::environment()?)
 }
 
-/// The tests of engines, each where what its language needs is there; says which are not run.
+/// Runs the tests of engines for each installed language; prints which do not run.
 fn engine_examples(compiler: &[(&str, String)]) -> Result<(), String> {
     let helper = ["--locked", "--target-dir", "target/engine-helper", "--manifest-path", "engines/rust/Cargo.toml"];
     cargo("format of engines in Rust", &["fmt", "--manifest-path", "engines/rust/Cargo.toml", "--check"])?;
@@ -102,7 +106,7 @@ fn ignored_tests(what: &str, tests: &[&str], env: &[(&str, String)]) -> Result<(
     step(what, &cargo_command(&run), env)
 }
 
-/// The engines of other people's crates: built, greeted, and held to the pages about them.
+/// Builds the engines of published crates, starts them, and checks the pages about them.
 fn crates() -> Result<(), String> {
     let locks = crate::advisories::locks(&root())?;
     let folders = locks.iter().filter_map(|lock| lock.strip_prefix("engines/")?.strip_suffix("/Cargo.lock"));
@@ -125,8 +129,9 @@ fn crates() -> Result<(), String> {
     ignored_tests("engines of crates", &["of_crates"], &[])
 }
 
-/// Installs and builds the engines that come with the project, by the clients of their registries; those that are
-/// named, or all.
+/// Installs and builds the engines that come with the project, by the clients of their registries.
+///
+/// It takes the named engines, or all.
 pub fn engines(names: &[String]) -> Result<(), String> {
     cargo("build the tool", &["build", "--release"])?;
     let mut failed = Vec::new();
@@ -173,19 +178,20 @@ fn gate() -> Result<(), String> {
     step("hold the run against its expectations", &tool(&["gate", &run])?, &[])
 }
 
-/// What takes too long for every change, or needs more than a Rust toolchain. Goes on after a failure, and fails if
-/// anything did, or was not there to be run.
+/// Runs the checks that take too long for every change, or need more than a Rust toolchain.
+///
+/// It continues after a failure, and fails if a check failed or could not run.
 pub fn nightly() -> Result<(), String> {
     let with_peers = ["--profile", "ci", "--workspace", "--features", "predicament-benches/peers"];
     let lint = [&["clippy", "--all-targets"], &with_peers[..], &["--", "-D", "warnings"]].concat();
     let done = [
         cargo("clippy, with the peers of benches", &lint),
-        // The table about wrong answers of crates is held against the published fixtures.
+        // The table about wrong answers of crates is checked against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
         run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]).and_then(|docs| docs.map_or(Ok(()), Beside::finish)),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
-        // Into a folder of its own: packages are compiled as somebody else's.
+        // Into a separate folder: packages are compiled as for a user.
         cargo(
             "packages",
             &[
@@ -216,7 +222,7 @@ pub fn nightly() -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\nxtask: ")) }
 }
 
-/// Checks the workspace by the oldest compiler that it promises to build with.
+/// Checks the workspace with the oldest compiler that it promises to support.
 fn minimum_version() -> Result<(), String> {
     let version = env!("CARGO_PKG_RUST_VERSION");
     if !answers("rustup", &["run", version, "cargo", "--version"]) {
@@ -228,7 +234,7 @@ fn minimum_version() -> Result<(), String> {
     step(&format!("check with Rust {version}"), &words("rustup", &check), &[])
 }
 
-/// The examples in folders of their own, each a workspace by itself as in anybody's repository: their tests.
+/// Runs the tests of the examples in separate folders, each a workspace as in a user's repository.
 fn strangers() -> Result<(), String> {
     let folder = fresh("target/strangers")?;
     let harness = format!("\"{}\"", root().join("harness").display());
@@ -242,7 +248,7 @@ fn strangers() -> Result<(), String> {
             + "\n[workspace]\n\n[profile.dev.package.\"*\"]\nopt-level = 1\n";
         std::fs::write(&manifest, alone).map_err(|error| format!("{}: {error}", manifest.display()))?;
         let manifest = manifest.display().to_string();
-        // One folder for the three: what they build on is the same.
+        // One folder for the three, since their dependencies are the same.
         let target = root().join(&folder).join("target").display().to_string();
         let test = ["test", "--manifest-path", &manifest, "--target-dir", &target];
         failed.extend(cargo(&format!("tests of {name} as a crate of its own"), &test).err());
@@ -250,7 +256,7 @@ fn strangers() -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
-/// Copies a folder with all that is in it.
+/// Copies a folder with its contents.
 fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
     std::fs::create_dir_all(to)?;
     for entry in std::fs::read_dir(from)? {
@@ -261,7 +267,7 @@ fn copy(from: &Path, to: &Path) -> std::io::Result<()> {
     Ok(())
 }
 
-/// Every fuzz target for a while, beginning with the scenes of the embedded suites.
+/// Runs every fuzz target for a while, starting from the scenes of the embedded suites.
 fn fuzz() -> Result<(), String> {
     if !answers("rustup", &["run", "nightly", "cargo", "fuzz", "--version"]) {
         return Err("fuzzing needs a nightly toolchain and cargo-fuzz, so nothing was fuzzed; type `rustup toolchain \
@@ -297,7 +303,7 @@ fn fuzz() -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
-/// Writes what fuzzing starts from, of the embedded suites, into `fuzz/corpus`.
+/// Writes the seeds of fuzzing, from the embedded suites, into `fuzz/corpus`.
 pub fn fuzz_seeds() -> Result<(), String> {
     let run = ["run", "--quiet", "--release", "--manifest-path", "fuzz/Cargo.toml", "--example", "seeds"];
     cargo("seeds of the fuzz targets", &run)

@@ -4,7 +4,7 @@ use rug::{Integer, Rational};
 
 use crate::{ExponentRange, Parts};
 
-/// The value of a double; none for NaN and infinity.
+/// The value of a double as a rational; `None` for NaN and infinity.
 #[must_use]
 pub fn rational(x: f64) -> Option<Rational> {
     Rational::from_f64(x)
@@ -12,8 +12,8 @@ pub fn rational(x: f64) -> Option<Rational> {
 
 /// Points over one common denominator: the integers x·2^−`exponent`.
 ///
-/// Signs of homogeneous polynomials don't see the scaling, and integers spare
-/// the greatest common divisors that rationals take at every step.
+/// The scaling does not change signs of homogeneous polynomials, and integers need no greatest common divisors at every
+/// step, as rationals do.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Scaled<const D: usize, const N: usize> {
     /// The integers, point after point.
@@ -23,7 +23,7 @@ pub struct Scaled<const D: usize, const N: usize> {
 }
 
 impl<const D: usize, const N: usize> Scaled<D, N> {
-    /// The points over their largest common power of two; none if a value is not finite.
+    /// The points over their largest common power of two; `None` if a value is not finite.
     #[must_use]
     pub fn new(points: [[f64; D]; N]) -> Option<Scaled<D, N>> {
         if points.as_flattened().iter().any(|x| !x.is_finite()) {
@@ -34,7 +34,7 @@ impl<const D: usize, const N: usize> Scaled<D, N> {
     }
 }
 
-/// x·2^−`exponent`, for an x that is a multiple of 2^`exponent`.
+/// The integer x·2^−`exponent`, for an x that is a multiple of 2^`exponent`.
 fn multiple(x: f64, exponent: i32) -> Integer {
     let Parts { negative, significand, exponent: own } = Parts::of_any(x);
     // A shift to the right drops zeros only: x has no bit below 2^exponent.
@@ -64,7 +64,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against rug's own conversion.
+        /// Compares with rug's own conversion.
         #[test]
         fn scaled_integers_are_the_values(bits in any::<[u64; 3]>()) {
             let values = bits.map(f64::from_bits);

@@ -1,21 +1,18 @@
 //! Integers of a fixed number of limbs, on the stack.
 //!
-//! A scene whose coordinates span few bits needs no more than a few machine
-//! words for any determinant, and which number of words is known before the
-//! first query. So there is nothing to allocate and nothing to branch on:
-//! additions are carry chains, products are as many multiplications as there
-//! are pairs of limbs.
+//! A scene whose coordinates span few bits needs only a few machine words for any determinant, and the number of words
+//! is known before the first query. So nothing is allocated and there are no branches: additions are carry chains,
+//! products are one multiplication per pair of limbs.
 //!
-//! Two's complement, least significant limb first. Sums wrap: an intermediate
-//! may leave the range as long as the final value is back in it. Products have
-//! room for every value.
+//! Two's complement, least significant limb first. Sums wrap: an intermediate may leave the range if the final value is
+//! in it. Products fit every value.
 
 /// A signed integer of `L` limbs of 64 bits: −2^(64L−1) ..= 2^(64L−1) − 1.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Fixed<const L: usize>([u64; L]);
 
 impl<const L: usize> Fixed<L> {
-    /// Zero.
+    /// The number zero.
     pub const ZERO: Fixed<L> = Fixed([0; L]);
 
     /// The number with these limbs, least significant first.
@@ -31,21 +28,21 @@ impl<const L: usize> Fixed<L> {
         &self.0
     }
 
-    /// Whether it is below zero.
+    /// Returns true if the number is below zero.
     #[inline(always)]
     #[must_use]
     pub const fn is_negative(self) -> bool {
         self.0[L - 1] >> 63 == 1
     }
 
-    /// Whether it is zero.
+    /// Returns true if the number is zero.
     #[inline(always)]
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.0.iter().fold(0, |any, limb| any | limb) == 0
     }
 
-    /// The same number in as many limbs or more. Fewer do not compile.
+    /// The same number in `M` ≥ `L` limbs; a smaller `M` does not compile.
     #[inline(always)]
     #[must_use]
     pub fn extended<const M: usize>(self) -> Fixed<M> {
@@ -87,14 +84,13 @@ impl<const L: usize> Fixed<L> {
 
     /// The product, modulo 2^(64P).
     ///
-    /// With `P` = `L + M` there is room for all of it; with less, the upper
-    /// limbs are not computed. More does not compile.
+    /// With `P` = `L` + `M` the product fits completely. With a smaller `P` the upper limbs are not computed. A larger
+    /// `P` does not compile.
     #[inline(always)]
     #[must_use]
     pub fn times<const M: usize, const P: usize>(self, other: Fixed<M>) -> Fixed<P> {
         const { assert!(P <= L + M, "a product has the limbs of both factors at most") };
-        // Row by row, the top limbs as signed numbers: after row i the lowest
-        // i + M + 1 limbs hold a signed number.
+        // Row by row, the top limbs as signed numbers: after row i the lowest i + M + 1 limbs hold a signed number.
         let mut product = [0; P];
         for i in 0..L {
             let row = self.0[i];
@@ -141,7 +137,7 @@ const fn unsigned(limb: u64) -> i128 {
 }
 
 #[inline(always)]
-#[allow(clippy::cast_possible_truncation)] // the lower half is meant
+#[allow(clippy::cast_possible_truncation)] // keeps the lower half
 const fn low(wide: u128) -> u64 {
     wide as u64
 }
@@ -156,10 +152,10 @@ impl Fixed<1> {
         Fixed::from(integer)
     }
 
-    /// The nearest double.
+    /// The double nearest to the number.
     #[inline(always)]
     #[must_use]
-    #[allow(clippy::cast_precision_loss)] // rounds to nearest, as said
+    #[allow(clippy::cast_precision_loss)] // rounds to nearest
     pub const fn to_double(self) -> f64 {
         self.0[0].cast_signed() as f64
     }
@@ -192,7 +188,7 @@ mod tests {
         if x.is_negative() { unsigned - (Integer::from(1) << (64 * u32::try_from(L).unwrap())) } else { unsigned }
     }
 
-    /// Limbs that are often all zeros, all ones or a lone bit.
+    /// Limbs that are often all zeros, all ones or a single bit.
     fn limb() -> impl Strategy<Value = u64> {
         prop_oneof![any::<u64>(), Just(0), Just(u64::MAX), (0..64_u32).prop_map(|bit| 1 << bit)]
     }
@@ -203,7 +199,7 @@ mod tests {
 
     fn check<const A: usize, const B: usize, const P: usize>(a: Fixed<A>, b: Fixed<B>) {
         let product: Fixed<P> = a.times(b);
-        // (Whole if P = A + B, and else modulo 2^(64P).)
+        // (The full product if P = A + B, else modulo 2^(64P).)
         let bits = 64 * u32::try_from(P.min(A + B)).unwrap();
         assert_eq!(value(product), (value(a) * value(b)).keep_signed_bits(bits));
         assert!(P < A + B || value(product) == value(a) * value(b));

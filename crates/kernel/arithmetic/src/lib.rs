@@ -1,18 +1,17 @@
 //! Exact arithmetic on doubles: exponent ranges, filter constants, integers, rationals.
 //!
-//! This crate knows numbers and not geometry: it says which computations on a
-//! given list of doubles make no error, and holds exact arithmetic for the
-//! others. Geometry comes in as a [`Form`]: the degree of a polynomial in
-//! differences of coordinates, and how far its intermediates grow.
+//! This crate has no geometry: it determines which computations on a given list of doubles make no error, and holds
+//! exact arithmetic for the others. A [`Form`] describes the geometry: the degree of a polynomial in differences of
+//! coordinates, and the growth of its intermediates.
 //!
 //! * [`ExponentRange`]: the lowest bit and the highest exponent of a list.
-//! * [`Plan`]: what that range proves about a [`Form`]; the proof is in its docs.
-//! * [`bound`]: the constants of semi-static filters, and where they come from.
+//! * [`Plan`]: the consequences of that range for a [`Form`]; the proof is in its docs.
+//! * [`bound`]: the constants of semi-static filters, and their derivation.
 //! * [`Parts`]: a double as an integer times a power of two.
-//! * [`Fixed`]: integers of a fixed size; [`dyadic`]: exact numbers, limbs times a
-//!   power of two; [`Ball`]: doubles with a proved radius. All on the stack.
+//! * [`Fixed`]: integers of a fixed size; [`dyadic`]: exact numbers, limbs times a power of two; [`Ball`]: doubles with
+//!   a proved radius. All on the stack.
 //! * [`rational`], [`Scaled`]: doubles as exact numbers.
-//! * [`difference_up`]: a length that bounds others.
+//! * [`difference_up`]: a difference rounded up, for lengths that bound others.
 
 mod ball;
 pub mod bound;

@@ -1,23 +1,22 @@
 //! Doubles as integers times powers of two.
 //!
-//! Exact arithmetic starts from the significand and the exponent of a double,
-//! and each of its representations once read them from the bits by itself. Here
-//! they are read in one place, subnormals and all, and put together again.
+//! Exact arithmetic starts from the significand and the exponent of a double. This module reads them from the bits,
+//! including subnormals, for every representation, and assembles them again.
 
-/// The bits of a double's fraction.
+/// The number of bits of a double's fraction.
 const FRACTION_BITS: u32 = 52;
-/// What an exponent field of 1 means in units of the lowest bit: the exponent of all subnormals.
+/// The exponent of the lowest bit for exponent field 1, and the exponent of all subnormals.
 const LOWEST: i32 = -1074;
-/// The field of exponents that infinities and NaN have.
+/// The exponent field of infinities and NaN.
 const NOT_FINITE: i32 = 0x7ff;
 
 /// A finite double: ± significand · 2^exponent.
 ///
-/// [`Parts::of`] leaves the significand as it lies in the double: of 53 bits for
-/// normal numbers, shorter for subnormals, with the exponent of its lowest place.
+/// [`Parts::of`] does not normalize the significand: it has 53 bits for normal numbers and fewer for subnormals, with
+/// the exponent of its lowest place.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Parts {
-    /// Whether the sign bit is set, be it that of −0.
+    /// True if the sign bit is set, also for −0.
     pub negative: bool,
     /// The magnitude in units of 2^`exponent`.
     pub significand: u64,
@@ -26,15 +25,16 @@ pub struct Parts {
 }
 
 impl Parts {
-    /// The parts of a double; none for infinities and NaN.
+    /// The parts of a double; `None` for infinities and NaN.
     #[inline(always)]
     #[must_use]
     pub const fn of(x: f64) -> Option<Parts> {
         if field(x) == NOT_FINITE { None } else { Some(Parts::of_any(x)) }
     }
 
-    /// The parts of a finite double. Infinities and NaN count as if they were some
-    /// number of 2^1024 or more.
+    /// The parts of a finite double.
+    ///
+    /// Infinities and NaN count as an unspecified number of 2^1024 or more.
     #[inline(always)]
     #[must_use]
     pub(crate) const fn of_any(x: f64) -> Parts {
@@ -45,10 +45,11 @@ impl Parts {
         Parts { negative: x.is_sign_negative(), significand, exponent: field - 1 + LOWEST }
     }
 
-    /// The double with this value; none where no double has it.
+    /// The double with this value; `None` if no double has it.
     #[must_use]
     pub const fn join(self) -> Option<f64> {
-        // No bit of 64 is in reach of any double, and further out the ends' exponents don't fit their type.
+        // Outside these limits none of the 64 bits is in the range of doubles, and further exponents would overflow
+        // their type.
         if self.significand != 0 && (self.exponent < LOWEST - 63 || self.exponent > 1023) {
             return None;
         }
@@ -57,14 +58,14 @@ impl Parts {
                 if lowest < LOWEST || highest > 1024 || highest - lowest > 53 {
                     return None;
                 }
-                // In units of the lowest place that a double of this size has. The shifts drop zeros only.
+                // In units of the lowest place of a double of this size. The shifts drop only zeros.
                 let place = if highest - 53 > LOWEST { highest - 53 } else { LOWEST };
                 let significand = if self.exponent >= place {
                     self.significand << (self.exponent - place)
                 } else {
                     self.significand >> (place - self.exponent)
                 };
-                // A hidden bit adds one to the field, which is what subnormals lack.
+                // A hidden bit adds one to the field; subnormals have no hidden bit.
                 let field = (place - LOWEST).cast_unsigned() as u64;
                 f64::from_bits((field << FRACTION_BITS) + significand)
             }
@@ -73,14 +74,14 @@ impl Parts {
         Some(if self.negative { -magnitude } else { magnitude })
     }
 
-    /// The exponent of the lowest bit that is set; none for zero.
+    /// The exponent of the lowest bit that is set; `None` for zero.
     #[inline(always)]
     #[must_use]
     pub const fn lowest(self) -> Option<i32> {
         if self.significand == 0 { None } else { Some(self.exponent + self.significand.trailing_zeros().cast_signed()) }
     }
 
-    /// The least e with |x| < 2^e; none for zero.
+    /// The least e with |x| < 2^e; `None` for zero.
     #[inline(always)]
     #[must_use]
     pub const fn highest(self) -> Option<i32> {
@@ -91,7 +92,7 @@ impl Parts {
         }
     }
 
-    /// The same value with an odd significand; zero stays what it is.
+    /// The same value with an odd significand; zero is unchanged.
     #[inline]
     #[must_use]
     pub const fn odd(self) -> Parts {
@@ -105,7 +106,7 @@ impl Parts {
     }
 }
 
-/// 2^`exponent`, for −1022 ..= 1023: a normal double.
+/// The normal double 2^`exponent`, for −1022 ..= 1023.
 ///
 /// # Panics
 /// In builds with overflow checks, if there is no such normal double.
@@ -117,8 +118,9 @@ pub const fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << FRACTION_BITS)
 }
 
-/// The eleven bits of the exponent: of a normal double the exponent of its
-/// highest bit and 1023, zero for zeros and subnormals.
+/// The eleven bits of the exponent.
+///
+/// For a normal double it is the exponent of the highest bit plus 1023, for zeros and subnormals zero.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation)] // eleven bits
 pub(crate) const fn field(x: f64) -> i32 {
@@ -137,7 +139,7 @@ mod tests {
         if parts.negative { -magnitude } else { magnitude }
     }
 
-    /// That the parts of these bits are the number, and give the bits again.
+    /// Checks that the parts of these bits have the number's value, and give the bits again.
     fn splits_and_joins(bits: u64) {
         let x = f64::from_bits(bits);
         let Some(parts) = Parts::of(x) else {
@@ -169,7 +171,7 @@ mod tests {
         #[test]
         fn every_bit_pattern_splits_and_joins(
             bits in any::<u64>(),
-            // Exponents at both ends, fractions of few bits: subnormals, −0, infinities and NaN among them.
+            // Exponents at both ends, fractions of few bits; subnormals, −0, infinities and NaN occur.
             field in prop_oneof![0..3_u64, 0x7fc..=0x7ff_u64, 0..=0x7ff_u64],
             bit in 0..=52_u32,
             negative: bool,
@@ -182,7 +184,7 @@ mod tests {
             }
         }
 
-        /// Whatever is joined is the value, and what is not joined is no double.
+        /// A joined double has the value, and if joining fails, no double has it.
         #[test]
         fn what_joins_is_exact(
             negative: bool,

@@ -1,60 +1,48 @@
-//! What the exponents of a scene prove about arithmetic on it.
+//! The consequences of a scene's exponents for arithmetic on it.
 //!
-//! Floating-point filters are right as long as nothing overflows and nothing
-//! underflows, plain floating point is exact as long as nothing has more than
-//! 53 bits, and integers of a fixed size are exact as long as everything fits.
-//! All of this is known in advance, from two exponents and the degree of what
-//! will be computed.
+//! Floating-point filters are right if nothing overflows and nothing underflows. Plain floating point is exact if
+//! nothing has more than 53 bits. Integers of a fixed size are exact if everything fits. All of this is known in
+//! advance, from two exponents and the degree of the computation.
 //!
 //! # The proof
-//! Let every coordinate be a multiple of 2^l, and every difference of two
-//! coordinates of the same axis less than M = 2^s in magnitude. Let an
-//! algorithm take differences first and then only sums, differences and
-//! products, so that each of its intermediates is homogeneous of some degree
-//! 1 ≤ j ≤ k in the differences.
+//! Let every coordinate be a multiple of 2^l, and every difference of two coordinates of the same axis less than M =
+//! 2^s in magnitude. Let an algorithm take differences first and then only sums, differences and products, so that each
+//! of its intermediates is homogeneous of some degree 1 ≤ j ≤ k in the differences.
 //!
-//! **Granularity.** Sums and differences of multiples of 2^g are multiples of
-//! 2^g; products of multiples of 2^g and 2^g′ are multiples of 2^(g+g′). A
-//! double nearest to a multiple of 2^g is a multiple of 2^g itself: either the
-//! value is representable, or the doubles around it lie on a coarser grid. By
-//! induction each intermediate of degree j, *rounded or not*, is a multiple of
-//! 2^(j·l). The subnormal grid is 2^-1074, so as long as j·l ≥ -1074 for all
-//! j, tiny results are exact.
+//! **Granularity.** Sums and differences of multiples of 2^g are multiples of 2^g; products of multiples of 2^g and
+//! 2^g′ are multiples of 2^(g+g′). A double nearest to a multiple of 2^g is a multiple of 2^g itself: either the value
+//! is representable, or the doubles around it lie on a coarser grid. By induction each intermediate of degree j,
+//! *rounded or not*, is a multiple of 2^(j·l). The subnormal grid is 2^-1074, so if j·l ≥ -1074 for all j, tiny results
+//! are exact.
 //!
-//! **Bounds.** Filters multiply a sum of degree k by a constant of at least
-//! u = 2^-53. For this product to be rounded as usual it must not be subnormal,
-//! unless zero: **k·l ≥ -969**, which implies the above. (For l > 0 there's
-//! nothing to lose.)
+//! **Bounds.** Filters multiply a sum of degree k by a constant of at least u = 2^-53. For this product to be rounded
+//! as usual it must not be subnormal, unless zero: **k·l ≥ -969**, which implies the condition above. (For l > 0
+//! nothing can be lost.)
 //!
-//! **Magnitude.** If every intermediate of degree j is less than
-//! 2^growth · M^j, then none overflows when **max(k·s, 0) + growth ≤ 1023**
-//! (the roundings of sums, a relative u each, are covered by the step from
-//! 2^1023 to the largest double).
+//! **Magnitude.** If every intermediate of degree j is less than 2^growth · M^j, then none overflows if **max(k·s, 0) +
+//! growth ≤ 1023** (the step from 2^1023 to the largest double covers the roundings of sums, a relative u each).
 //!
-//! **Exactness.** An intermediate of degree j is a multiple of 2^(j·l) and less
-//! than 2^(j·s + growth). If **k·(s − l) + growth ≤ 53** it has 53 bits at
-//! most, for each j (since s > l), and plain floating point makes no error.
-//! For k = 1 this says that differences are exact if s − l ≤ 53.
+//! **Exactness.** An intermediate of degree j is a multiple of 2^(j·l) and less than 2^(j·s + growth). If **k·(s − l) +
+//! growth ≤ 53** it has 53 bits at most, for each j (since s > l), and plain floating point makes no error. For k = 1
+//! this says that differences are exact if s − l ≤ 53.
 //!
-//! **Integers.** Differences over 2^l are integers of s − l bits. What else
-//! fits into how many limbs is counted where the determinants are; a [`Form`]
-//! carries the result.
+//! **Integers.** Differences over 2^l are integers of s − l bits. The modules of the determinants count how many limbs
+//! the other values need; a [`Form`] carries the result.
 
 use crate::{Parts, power_of_two};
 
-/// The lowest exponent that a non-zero sum may have for its product with u to be normal.
+/// The lowest exponent of a nonzero sum whose product with u is still normal.
 const LOWEST: i32 = -1022 + 53;
-/// The exponent that no intermediate may reach.
+/// The exponent that every intermediate must stay below.
 const HIGHEST: i32 = 1023;
-/// The bits of a double.
+/// The number of significand bits of a double.
 const PRECISION: i32 = 53;
 
-/// The exponents of the lowest and the highest bit of some non-zero doubles.
+/// The exponents of the lowest and the highest bit of some nonzero doubles.
 ///
-/// Every value x of the list is an integer multiple of 2^`lowest`, and
-/// |x| < 2^`highest`. Both are tight: some value has a bit set at `lowest`, and
-/// some |x| ≥ 2^(`highest` − 1). So `lowest` < `highest`, and for finite values
-/// both lie within −1074 ..= 1024.
+/// Every value x of the list is an integer multiple of 2^`lowest`, and |x| < 2^`highest`. Both are tight: some value
+/// has a bit set at `lowest`, and some |x| ≥ 2^(`highest` − 1). So `lowest` < `highest`, and for finite values both lie
+/// within −1074 ..= 1024.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct ExponentRange {
     /// The exponent of the lowest bit that is set in any value.
@@ -64,17 +52,16 @@ pub struct ExponentRange {
 }
 
 impl ExponentRange {
-    /// The range of all values that are not zero; none if there is none.
+    /// The range of all nonzero values; `None` if all are zero.
     ///
-    /// Meant for finite values. Infinities and NaN count as if they were some
-    /// number of 2^1024 or more, for which no [`Plan`](crate::Plan) proves
-    /// anything.
+    /// It is for finite values. Infinities and NaN count as an unspecified number of 2^1024 or more, for which no
+    /// [`Plan`](crate::Plan) proves anything.
     #[must_use]
     pub fn of<'a>(values: impl IntoIterator<Item = &'a f64>) -> Option<ExponentRange> {
         values.into_iter().filter_map(|&x| ExponentRange::of_one(x)).reduce(ExponentRange::and)
     }
 
-    /// The range that covers both.
+    /// The smallest range that contains both.
     #[must_use]
     pub fn and(self, other: ExponentRange) -> ExponentRange {
         ExponentRange { lowest: self.lowest.min(other.lowest), highest: self.highest.max(other.highest) }
@@ -87,38 +74,38 @@ impl ExponentRange {
     }
 }
 
-/// A polynomial in differences of coordinates, as far as ranges are concerned.
+/// A polynomial in differences of coordinates, described by degree and growth.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Form {
-    /// The degree: how many differences each term multiplies.
+    /// The degree: the number of differences in each term.
     pub degree: i32,
-    /// How far sums grow: an intermediate of degree j is less than
-    /// 2^`growth` · M^j, if all differences are less than M.
+    /// The growth of sums.
+    ///
+    /// An intermediate of degree j is less than 2^`growth` · M^j, if all differences are less than M.
     pub growth: i32,
-    /// The bits of a difference up to which integers do, with differences of
-    /// one limb and of two.
+    /// The largest bit lengths of a difference for fixed-size integers, with differences of one limb and of two.
     pub integer_bits: [i32; 2],
 }
 
 /// The cheapest arithmetic that makes no error.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Arithmetic {
-    /// Doubles: every intermediate is one.
+    /// Doubles, if every intermediate is representable.
     Double,
-    /// Integers of a fixed size, differences of one limb.
+    /// Integers of a fixed size, with differences of one limb.
     Integer,
-    /// Integers of a fixed size, differences of two limbs.
+    /// Integers of a fixed size, with differences of two limbs.
     WideInteger,
     /// Exact dyadic numbers: limbs times a power of two.
     Dyadic,
 }
 
 impl Arithmetic {
-    /// All of them, cheapest first.
+    /// All arithmetics, cheapest first.
     pub const ALL: [Arithmetic; 4] =
         [Arithmetic::Double, Arithmetic::Integer, Arithmetic::WideInteger, Arithmetic::Dyadic];
 
-    /// The name in lists.
+    /// The arithmetic's name in lists.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -130,10 +117,10 @@ impl Arithmetic {
     }
 }
 
-/// What one axis of some points spans.
+/// The coordinate range of some points along one axis.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Span {
-    /// The exponents of the coordinates; none if all are zero.
+    /// The exponents of the coordinates; `None` if all are zero.
     pub range: Option<ExponentRange>,
     /// The least coordinate.
     pub min: f64,
@@ -142,16 +129,17 @@ pub struct Span {
 }
 
 impl Span {
-    /// The least double that is not less than any difference of two
-    /// coordinates; infinite where that is no double.
+    /// The least double that is not less than any difference of two coordinates.
+    ///
+    /// It is infinite if no double is large enough.
     #[must_use]
     pub fn extent(&self) -> f64 {
-        // (Of no points at all, it is the other way round.)
+        // (Without points, the maximum is less than the minimum.)
         if self.max < self.min { 0.0 } else { difference_up(self.max, self.min) }
     }
 }
 
-/// What a − b loses in rounding to `difference`, exactly (Knuth).
+/// The exact error of a − b rounded to `difference` (Knuth).
 #[inline(always)]
 #[must_use]
 pub fn exact_tail(a: f64, b: f64, difference: f64) -> f64 {
@@ -160,7 +148,7 @@ pub fn exact_tail(a: f64, b: f64, difference: f64) -> f64 {
     (a - virtual_a) + (virtual_b - b)
 }
 
-/// What the exponents of some points prove about arithmetic on them.
+/// The consequences of some points' exponents for arithmetic on them.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Plan<const D: usize> {
     axes: [Span; D],
@@ -186,11 +174,11 @@ impl<const D: usize> Plan<D> {
         let lowest = axes.iter().filter_map(|axis| axis.range).map(|range| range.lowest).min().unwrap_or(0);
         let extents: [f64; D] = axes.map(|axis| axis.extent());
         let span = ExponentRange::of(&extents).map(|range| range.highest);
-        // Without any difference all determinants are zero, in any arithmetic.
+        // Without any nonzero difference all determinants are zero, in any arithmetic.
         Plan { axes, lowest, span: span.unwrap_or(lowest + 1) }
     }
 
-    /// The plan for the same points, seen along some of their axes.
+    /// The plan for the same points, projected to some of their axes.
     ///
     /// # Panics
     /// If there is no such axis.
@@ -199,7 +187,7 @@ impl<const D: usize> Plan<D> {
         Plan::of_axes(axes.map(|axis| self.axes[axis]))
     }
 
-    /// What each axis spans.
+    /// The coordinate range of each axis.
     #[must_use]
     pub fn axes(&self) -> &[Span; D] {
         &self.axes
@@ -211,26 +199,25 @@ impl<const D: usize> Plan<D> {
         self.lowest
     }
 
-    /// The bits of the largest difference, in units of the lowest bit.
+    /// The bit length of the largest difference, in units of the lowest bit.
     #[must_use]
     pub fn bits(&self) -> i32 {
         self.span - self.lowest
     }
 
-    /// Whether differences are doubles.
+    /// Returns true if all differences are representable doubles.
     #[must_use]
     pub fn has_exact_differences(&self) -> bool {
         self.bits() <= PRECISION
     }
 
-    /// Whether differences overflow nowhere.
+    /// Returns true if no difference overflows.
     #[must_use]
     pub fn has_finite_differences(&self) -> bool {
         self.span <= HIGHEST
     }
 
-    /// Whether floating-point filters are valid: nothing overflows, nothing
-    /// underflows.
+    /// Returns true if floating-point filters are valid: nothing overflows or underflows.
     #[must_use]
     pub fn allows_filters(&self, form: Form) -> bool {
         form.degree * self.lowest >= LOWEST && (form.degree * self.span).max(0) + form.growth <= HIGHEST
@@ -253,15 +240,18 @@ impl<const D: usize> Plan<D> {
         }
     }
 
-    /// The power of two by which all coordinates are integers less than 2^63 in magnitude, if there is one that is a normal double.
+    /// The power of two that scales all coordinates to integers less than 2^63 in magnitude.
+    ///
+    /// `None` if there is no such power that is a normal double.
     #[must_use]
     pub fn scale(&self) -> Option<f64> {
         let fits = |axis: &Span| axis.range.is_none_or(|range| range.highest - self.lowest <= 63);
         (self.axes.iter().all(fits) && (-1022..=1022).contains(&self.lowest)).then(|| power_of_two(-self.lowest))
     }
 
-    /// All points in units of their lowest bit, modulo 2^64: differences are
-    /// right if they have 63 bits at most.
+    /// All points in units of their lowest bit, modulo 2^64.
+    ///
+    /// Differences are right if they have 63 bits at most.
     #[must_use]
     pub fn low_units(&self, points: &[[f64; D]]) -> Vec<[i64; D]> {
         #[allow(clippy::cast_possible_truncation)] // modulo 2^64
@@ -269,14 +259,14 @@ impl<const D: usize> Plan<D> {
     }
 }
 
-/// A multiple of 2^`lowest` in units of that, modulo 2^128: differences are
-/// right if they have 127 bits at most, however far from the origin the points
-/// are.
+/// A multiple of 2^`lowest` in units of 2^`lowest`, modulo 2^128.
+///
+/// Differences are right if they have 127 bits at most, however far from the origin the points are.
 #[inline]
 #[must_use]
 pub fn units(x: f64, lowest: i32) -> i128 {
     let Parts { negative, significand, exponent } = Parts::of_any(x);
-    // To the right nothing but zeros is shifted out; those of zero may be any number.
+    // A right shift drops only zeros; for zero any shift is right.
     let shift = (exponent - lowest).unsigned_abs();
     let magnitude = if exponent >= lowest {
         u128::from(significand).checked_shl(shift).unwrap_or(0)
@@ -287,14 +277,14 @@ pub fn units(x: f64, lowest: i32) -> i128 {
     if negative { units.wrapping_neg() } else { units }
 }
 
-/// |a − b|, rounded up; infinite where no double is large enough.
+/// The distance |a − b|, rounded up; infinite if no double is large enough.
 ///
-/// The rounding error of a difference is a double, and Knuth's two-sum finds it.
-/// The error is lost only if the difference itself overflows.
+/// The rounding error of a difference is a double, and Knuth's two-sum finds it. The error is lost only if the
+/// difference itself overflows.
 #[must_use]
 pub fn difference_up(a: f64, b: f64) -> f64 {
     let difference = (a - b).abs();
-    // (Where the difference overflows, the tail is no number.)
+    // (If the difference overflows, the tail is NaN.)
     if exact_tail(a.max(b), a.min(b), difference) > 0.0 { difference.next_up() } else { difference }
 }
 

@@ -1,11 +1,10 @@
 //! Differences of coordinates that need fewer bits than the coordinates.
 //!
-//! A scene may span more bits than a limb holds while each of its queries
-//! spans few: clusters far from each other, figures of many sizes. Nothing is
-//! known about such a query in advance; it is tried in one limb, and seen
-//! whether that went well. Any doubles may be asked about.
+//! A scene may span more bits than a limb holds while each of its queries spans few: clusters far from each other,
+//! figures of many sizes. Nothing is known about such a query in advance; the code tries one limb and checks that it
+//! succeeded. Any doubles are allowed.
 
-// Loops over indices stay in registers, where `map` on arrays goes through memory.
+// Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use crate::{
@@ -13,14 +12,15 @@ use crate::{
     parts::{field, power_of_two},
 };
 
-/// The differences to the last point in units of some power of two, if they
-/// are doubles and span no more than 61 bits.
+/// The differences to the last point, as integers in units of some power of two.
+///
+/// `None` if a difference is not a double, or if they span more than 61 bits.
 #[inline(always)]
 #[must_use]
 pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Option<[[Fixed<1>; D]; N]> {
     let differences = exact_differences(points)?;
     let largest = largest(&differences);
-    // Of the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
+    // With the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
     let exponent = field(largest);
     if !(60..2047).contains(&exponent) {
         return None;
@@ -32,7 +32,7 @@ pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Opti
         for axis in 0..D {
             let scaled = differences[row][axis] * unit;
             let integer = Fixed::<1>::from_double(scaled);
-            // (A difference that is lost in scaling is no integer either.)
+            // (A difference that underflows in scaling is not an integer either.)
             whole &= (integer.to_double() == scaled) & ((scaled == 0.0) == (differences[row][axis] == 0.0));
             rows[row][axis] = integer;
         }
@@ -40,7 +40,7 @@ pub fn short_rows<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Opti
     whole.then_some(rows)
 }
 
-/// The largest magnitude, pair by pair: a chain of maxima would wait for each of them.
+/// The largest magnitude, found pair by pair: a chain of maxima would have a long latency.
 #[inline(always)]
 fn largest<const D: usize, const N: usize>(entries: &[[f64; D]; N]) -> f64 {
     let max = |x: f64, y: f64| if x > y { x } else { y };
@@ -59,7 +59,7 @@ fn largest<const D: usize, const N: usize>(entries: &[[f64; D]; N]) -> f64 {
     sizes[0]
 }
 
-/// The differences to the last point, if all of them are doubles.
+/// The differences to the last point; `None` if one of them is not a double.
 #[inline(always)]
 #[must_use]
 pub fn exact_differences<const D: usize, const N: usize>(points: [[f64; D]; N]) -> Option<[[f64; D]; N]> {
@@ -69,8 +69,8 @@ pub fn exact_differences<const D: usize, const N: usize>(points: [[f64; D]; N]) 
         for axis in 0..D {
             let (a, b) = (points[row][axis], points[N - 1][axis]);
             let difference = a - b;
-            // Of the larger one of a and b the other is recovered without rounding (Dekker): if both
-            // come out right, nothing was lost.
+            // From the larger of a and b the other is recovered without rounding (Dekker): if both come out right,
+            // nothing was lost.
             exact &= (a - difference == b) & (difference + b == a);
             differences[row][axis] = difference;
         }
@@ -104,7 +104,7 @@ mod tests {
             prop_assert_eq!(exact_differences([[a], [b]]).is_none(), lost);
         }
 
-        /// All entries are their differences in one and the same unit.
+        /// All entries are the differences, in one common unit.
         #[test]
         fn rows_are_proportional_to_differences(p in prop::array::uniform3(prop::array::uniform2(double()))) {
             if let Some(rows) = short_rows(p) {

@@ -1,33 +1,35 @@
-//! Rational numbers, and intervals of them where a root is irrational.
+//! Rational numbers, and intervals of them for irrational roots.
 
 use std::ops::{Add, Mul, Sub};
 
 use rug::{Integer, Rational};
 
-/// Binary digits of a root beyond those of its integer part.
+/// The number of binary digits of a root after the point.
 const DIGITS: u32 = 192;
 
-/// An interval with rational ends: the only thing that rounds is [`Enclosure::sqrt`],
-/// outward. What such an interval decides is decided for the number in it.
+/// An interval with rational ends that contains a number.
+///
+/// Only [`Enclosure::sqrt`] rounds, and it rounds outward. A decision about the whole interval holds for the number in
+/// it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Enclosure {
-    /// Not above the number.
+    /// A lower bound of the number.
     pub lower: Rational,
-    /// Not below the number.
+    /// An upper bound of the number.
     pub upper: Rational,
 }
 
 impl Enclosure {
-    /// A rational number itself.
+    /// The enclosure of a rational number, without width.
     #[must_use]
     pub fn exact(value: Rational) -> Enclosure {
         Enclosure { lower: value.clone(), upper: value }
     }
 
-    /// The square root: exact where it is rational, else enclosed to 2⁻¹⁹².
+    /// The square root: exact if it is rational, else enclosed to 2⁻¹⁹².
     ///
     /// # Panics
-    /// Where the number may be negative.
+    /// If the number may be negative.
     #[must_use]
     pub fn sqrt(&self) -> Enclosure {
         Enclosure { lower: root(&self.lower).0, upper: root(&self.upper).1 }
@@ -42,7 +44,7 @@ impl Enclosure {
     /// One over the number.
     ///
     /// # Panics
-    /// Where the number may be zero or negative.
+    /// If the number may be zero or negative.
     #[must_use]
     pub fn reciprocal(&self) -> Enclosure {
         assert!(self.lower > 0, "no reciprocal of what may not be positive");
@@ -91,7 +93,7 @@ impl Mul for Enclosure {
     }
 }
 
-/// √x between two rationals, which are equal where it is one.
+/// Two rationals with √x between them, equal if √x is rational.
 fn root(x: &Rational) -> (Rational, Rational) {
     assert!(x.cmp0() != std::cmp::Ordering::Less, "no real root of {x}");
     let (numerator, denominator) = (x.numer(), x.denom());
@@ -106,12 +108,12 @@ fn root(x: &Rational) -> (Rational, Rational) {
     (Rational::from((below, scale.clone())), Rational::from((above, scale)))
 }
 
-/// A rational number that is not below √x, and is it where √x is rational.
+/// A rational upper bound of √x, equal to √x if it is rational.
 pub(crate) fn root_up(x: &Rational) -> Rational {
     root(x).1
 }
 
-/// A rational number that is not above √x, and is it where √x is rational.
+/// A rational lower bound of √x, equal to √x if it is rational.
 #[cfg(test)]
 fn root_down(x: &Rational) -> Rational {
     root(x).0

@@ -1,14 +1,14 @@
-//! Floating-point error bounds by rules (Wang, Jiang, Schroeder and Teran,
-//! section 2): ordinary code is written once, over [`Ring`] and [`Root`], and
-//! runs on doubles, on rationals, and on numbers that carry their own error
-//! bound.
+//! Floating-point error bounds by rules (Wang, Jiang, Schroeder and Teran, section 2).
 //!
-//! * [`Ring`], [`Field`], [`Root`]: what such code may do with a number.
+//! Ordinary code is written once, over [`Ring`] and [`Root`]. It runs on doubles, on rationals, and on numbers that
+//! carry their own error bound.
+//!
+//! * [`Ring`], [`Field`], [`Root`]: the operations that such code may use.
 //! * [`vector`]: differences, products and norms in a stated order of evaluation.
 //! * [`Quantity`]: the number that carries (s, c, p, n, a, b, r, v).
-//! * [`rules`]: what rules A to H do with a and b, and where the paper misprints.
-//! * [`Perturbed`]: arithmetic as bad as the rules allow, to test them with.
-//! * [`Enclosure`]: intervals of rationals, to decide what has roots in it.
+//! * [`rules`]: the effect of rules A to H on a and b, and the paper's misprints.
+//! * [`Perturbed`]: arithmetic with the largest errors that the rules allow, for tests.
+//! * [`Enclosure`]: intervals of rationals, to decide statements with roots.
 
 mod enclosure;
 mod magnitude;

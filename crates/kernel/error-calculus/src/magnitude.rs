@@ -1,4 +1,4 @@
-//! How large a quantity can be.
+//! The largest possible size of a quantity.
 
 use rug::Rational;
 
@@ -6,12 +6,11 @@ use crate::enclosure::root_up;
 
 /// The magnitude c ε^e L^p, an upper bound of |x|.
 ///
-/// The paper's is c L^p. The power of ε is ours and zero for everything but the
-/// tolerances, which are multiples of √ε, ε^¼, ε^¾ and ε. Powers are counted in
-/// quarters, which two square roots of an integer power need.
+/// The paper's magnitude is c L^p. The power of ε is ours. It is zero except for the tolerances, which are multiples of
+/// √ε, ε^¼, ε^¾ and ε. Powers are counted in quarters, because two square roots of an integer power give quarters.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Magnitude {
-    /// c.
+    /// The coefficient c.
     pub c: Rational,
     /// 4p, for L^p.
     pub length_quarters: i32,
@@ -20,25 +19,25 @@ pub struct Magnitude {
 }
 
 impl Magnitude {
-    /// c L^p.
+    /// The magnitude c L^p.
     #[must_use]
     pub fn new(c: impl Into<Rational>, p: i32) -> Magnitude {
         Magnitude { c: c.into(), length_quarters: 4 * p, epsilon_quarters: 0 }
     }
 
-    /// ε, of no length.
+    /// The magnitude ε, without a length.
     #[must_use]
     pub fn epsilon() -> Magnitude {
         Magnitude { c: 1.into(), length_quarters: 0, epsilon_quarters: 4 }
     }
 
-    /// p.
+    /// The power p of L.
     #[must_use]
     pub fn p(&self) -> Rational {
         Rational::from((self.length_quarters, 4))
     }
 
-    /// e.
+    /// The power e of ε.
     #[must_use]
     pub fn e(&self) -> Rational {
         Rational::from((self.epsilon_quarters, 4))
@@ -52,7 +51,7 @@ impl Magnitude {
         }
     }
 
-    /// Rule H: the root, with that of c rounded up; none for an eighth of a power.
+    /// Rule H: the square root, with the root of c rounded up; `None` if a power would be an eighth.
     pub(crate) fn root(&self) -> Option<Magnitude> {
         let even = self.length_quarters % 2 == 0 && self.epsilon_quarters % 2 == 0;
         even.then(|| Magnitude {
@@ -62,8 +61,9 @@ impl Magnitude {
         })
     }
 
-    /// The two c of magnitudes with the same p, for a sum: the higher power of ε
-    /// becomes the lower one.
+    /// The coefficients c of two magnitudes with the same p, for a sum.
+    ///
+    /// The higher power of ε is converted to the lower one.
     pub(crate) fn common(&self, other: &Magnitude) -> Option<[Rational; 2]> {
         (self.length_quarters == other.length_quarters).then(|| {
             let at = self.epsilon_quarters.min(other.epsilon_quarters);
@@ -71,7 +71,7 @@ impl Magnitude {
         })
     }
 
-    /// c for ε^e with a lower e: times the largest ε to the rest, rounded up.
+    /// The coefficient c for a lower power e: c times the largest ε to the difference, rounded up.
     fn lowered_to(&self, epsilon_quarters: i32) -> Rational {
         let fourth = root_up(&root_up(&crate::rules::largest_epsilon()));
         (epsilon_quarters..self.epsilon_quarters).fold(self.c.clone(), |c, _| c * &fourth)

@@ -1,14 +1,13 @@
-//! The operations of numbers that generic code is written over.
+//! The number traits that generic code is written over.
 //!
-//! Three traits, by what rationals can follow: they are a [`Field`], and have
-//! no square root. Nothing compares: a formula that branches is not one
-//! quantity but several.
+//! There are three traits because rationals are a [`Field`] without square roots. The traits have no comparison: a
+//! formula that branches is not one quantity but several.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use rug::{Integer, Rational};
 
-/// Sums, differences and products.
+/// Numbers with sums, differences and products.
 pub trait Ring:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self> + Sized
 {
@@ -16,21 +15,21 @@ pub trait Ring:
     #[must_use]
     fn abs(self) -> Self;
 
-    /// The product with itself. The error calculus knows that it isn't negative.
+    /// The product of the number with itself, which the error calculus knows to be nonnegative.
     #[must_use]
     fn square(self) -> Self {
         self.clone() * self
     }
 }
 
-/// Quotients as well.
+/// Ring numbers with quotients.
 pub trait Field: Ring + Div<Output = Self> {
-    /// One, without an error.
+    /// The number one, without an error.
     #[must_use]
     fn one() -> Self;
 }
 
-/// Square roots as well.
+/// Field numbers with square roots.
 pub trait Root: Field {
     /// The square root.
     #[must_use]

@@ -1,8 +1,7 @@
-//! Arithmetic with chosen errors: every operation may be off by ε, either way.
+//! Arithmetic with chosen errors: every operation may be off by ε in either direction.
 //!
-//! The bounds of the calculus hold for any arithmetic of that kind. Errors of real
-//! floating point stay far below them; errors chosen at random come nearer. The
-//! exact value is kept beside.
+//! The bounds of the calculus hold for all such arithmetic. Errors of real floating point stay far below the bounds;
+//! errors chosen at random come nearer. The exact value is stored beside the perturbed one.
 
 use std::cell::RefCell;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -17,18 +16,18 @@ use crate::{Enclosure, Field, Ring, Root};
 pub struct Perturbed {
     /// The exact value; its roots are enclosed to 2⁻¹⁹².
     pub exact: Rational,
-    /// What came out of operations that were each off by up to ε of their result.
+    /// The result of operations that were each off by up to ε of their result.
     pub computed: Rational,
-    /// None for a constant, which leaves it to the other operand's.
+    /// The adversary; `None` for a constant, which uses the other operand's.
     adversary: Option<Adversary>,
 }
 
-/// What chooses each relative error.
+/// A function that chooses each relative error.
 #[derive(Clone)]
 pub struct Adversary(Rc<RefCell<dyn FnMut() -> Rational>>);
 
 impl Adversary {
-    /// Calls `error` for the relative error of every operation.
+    /// An adversary that calls `error` for the relative error of every operation.
     pub fn new(error: impl FnMut() -> Rational + 'static) -> Adversary {
         Adversary(Rc::new(RefCell::new(error)))
     }

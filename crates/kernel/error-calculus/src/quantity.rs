@@ -1,4 +1,4 @@
-//! Quantities: the bound of a number and of its error, in place of its value.
+//! Quantities: bounds of a number and of its error, instead of its value.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::sync::Arc;
@@ -9,63 +9,61 @@ use crate::magnitude::Magnitude;
 use crate::rules::{self, Error, largest_epsilon};
 use crate::{Field, Ring, Root};
 
-/// A quantity in the sense of section 2: generic code that runs on it derives
-/// the error bound of what it would compute in floating point.
+/// A quantity in the sense of section 2, which generic code runs on to derive its floating-point error bound.
 ///
-/// Each operation applies the most restricted of the rules A to K that fits (C
-/// before B, E before D), and is invalid where an operand is or where no rule
-/// fits. Everything is exact but the root of a c, which is rounded up.
+/// Each operation applies the most restricted of the rules A to K that fits (C before B, E before D). The result is
+/// invalid if an operand is invalid or no rule fits. Everything is exact except the root of a c, which is rounded up.
 ///
 /// # Which ε
-/// The machine epsilon, 2⁻⁵² for doubles: every operation is charged with it,
-/// which is twice what rounding to nearest can lose.
+/// The machine epsilon, 2⁻⁵² for doubles: every operation is charged with it, which is twice the largest error of
+/// rounding to nearest.
 ///
 /// # Powers of two
-/// A product with a power of two rounds nothing, as nothing underflows. Constants
-/// know what they are, and ε is 2^−k; it is one for every binary format.
+/// A product with a power of two has no rounding error, as nothing underflows. Constants know whether they are powers
+/// of two. ε is 2^−k, a power of two for every binary format.
 ///
 /// # Rule G
-/// Its c is 1 and that is no bound of |x₁/x₂|. It is one of what the paper
-/// divides for, the coordinates of a unit vector; of 1/m it is not, but of
-/// û · (1/m) it is again, where û has c ≥ 1 as every edge has. Only the
-/// quotient's own error is safe for other uses, as that is relative to itself.
+/// Its c is 1, which is not a bound of |x₁/x₂| in general. It is a bound in the paper's use, the coordinates of a unit
+/// vector. It is not a bound of 1/m, but it is again a bound of û · (1/m), if û has c ≥ 1 as every edge has. For other
+/// uses only the quotient's own error is safe, as that error is relative to the quotient.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Quantity {
     expression: Arc<str>,
     state: Option<State>,
 }
 
-/// Everything but s; there where v is.
+/// Everything except s; present if v is true.
 #[derive(Clone, PartialEq, Eq, Debug)]
 struct State {
     magnitude: Magnitude,
     nonnegative: bool,
     error: Error,
     relative: bool,
-    /// 2^k with a whole k, or ε times such: a factor that costs no rounding.
+    /// True for 2^k with integer k, and ε times that: a factor that causes no rounding error.
     power_of_two: bool,
-    /// Of a sum or difference by rule B or D: its error but for its own rounding.
+    /// The error of a sum or difference by rule B or D, without its own rounding error.
     inherited: Option<Error>,
 }
 
-/// A bound of an error: aε + bε², with L or the magnitude left out.
+/// A bound of an error: aε + bε², without the factor L or the magnitude.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Bound {
-    /// The coefficient of ε.
+    /// The coefficient a of ε.
     pub first: Rational,
-    /// The coefficient of ε².
+    /// The coefficient b of ε².
     pub second: Rational,
 }
 
 impl Bound {
-    /// The bound as the paper states it, a whole number times ε: not less than
-    /// first·ε + second·ε² for any ε < 10⁻⁵.
+    /// The bound as the paper states it, an integer times ε.
+    ///
+    /// It is at least first·ε + second·ε² for every ε < 10⁻⁵.
     #[must_use]
     pub fn rounded_up(&self) -> Integer {
         ((&self.second * largest_epsilon()) + &self.first).ceil().numer().clone()
     }
 
-    /// first·ε + second·ε².
+    /// The value first·ε + second·ε².
     #[must_use]
     pub fn at(&self, epsilon: &Rational) -> Rational {
         (Rational::from(&self.second * epsilon) + &self.first) * epsilon
@@ -73,13 +71,13 @@ impl Bound {
 }
 
 impl Quantity {
-    /// Rule K: an exact coordinate, which shifting the scene makes at most L/2.
+    /// Rule K: an exact coordinate, at most L/2 after the scene is shifted.
     #[must_use]
     pub fn coordinate(name: &str) -> Quantity {
         Quantity::exact(name, Magnitude::new((1, 2), 1), false)
     }
 
-    /// Rule J: a constant, which has to be one of the floating-point numbers.
+    /// Rule J: a constant, which must be a floating-point number.
     #[must_use]
     pub fn constant(value: impl Into<Rational>) -> Quantity {
         let value = value.into();
@@ -89,21 +87,21 @@ impl Quantity {
         Quantity::exact(&name, Magnitude::new(value.abs(), 0), nonnegative).power_of_two(power)
     }
 
-    /// ε: a constant by rule J, and a power of two.
+    /// The number ε: a constant by rule J, and a power of two.
     #[must_use]
     pub fn epsilon() -> Quantity {
         Quantity::exact("ε", Magnitude::epsilon(), true).power_of_two(true)
     }
 
-    /// L, as the number that the tolerances are computed from: c = 1, p = 1, and
-    /// no error, as the bounds are in terms of this very number.
+    /// The number L, from which the tolerances are computed: c = 1, p = 1.
+    ///
+    /// It has no error, as the bounds are in terms of this very number.
     #[must_use]
     pub fn length() -> Quantity {
         Quantity::given("L")
     }
 
-    /// A length that is given as a number, not negative and at most L, without an
-    /// error: c = 1, p = 1.
+    /// A given length, nonnegative and at most L, without an error: c = 1, p = 1.
     #[must_use]
     pub fn given(name: &str) -> Quantity {
         Quantity::exact(name, Magnitude::new(1, 1), true)
@@ -130,43 +128,43 @@ impl Quantity {
         self
     }
 
-    /// s: how it is computed, with a pair of brackets for every operation.
+    /// The expression s, with a pair of brackets for every operation.
     #[must_use]
     pub fn expression(&self) -> &str {
         &self.expression
     }
 
-    /// v: whether there is a bound.
+    /// The flag v: true if there is a bound.
     #[must_use]
     pub fn is_valid(&self) -> bool {
         self.state.is_some()
     }
 
-    /// c and p (and our e).
+    /// The magnitude: c and p (and our e).
     #[must_use]
     pub fn magnitude(&self) -> Option<&Magnitude> {
         self.state.as_ref().map(|state| &state.magnitude)
     }
 
-    /// n: whether it is never negative.
+    /// The flag n: true if the quantity is never negative.
     #[must_use]
     pub fn is_nonnegative(&self) -> bool {
         self.state.as_ref().is_some_and(|state| state.nonnegative)
     }
 
-    /// a and b.
+    /// The error coefficients a and b.
     #[must_use]
     pub fn error(&self) -> Option<&Error> {
         self.state.as_ref().map(|state| &state.error)
     }
 
-    /// r: whether the error is relative to the quantity, and not to c L^p.
+    /// The flag r: true if the error is relative to the quantity, not to c L^p.
     #[must_use]
     pub fn is_relative(&self) -> bool {
         self.state.as_ref().is_some_and(|state| state.relative)
     }
 
-    /// E\[x\] over ε^e L^p; none where it is not valid.
+    /// The absolute error E\[x\] over ε^e L^p; `None` if the quantity is invalid.
     #[must_use]
     pub fn absolute(&self) -> Option<Bound> {
         self.state.as_ref().map(|State { magnitude: Magnitude { c, .. }, error, .. }| Bound {
@@ -175,7 +173,7 @@ impl Quantity {
         })
     }
 
-    /// R\[x\]; none where the error isn't relative to the quantity.
+    /// The relative error R\[x\]; `None` if the error is not relative to the quantity.
     #[must_use]
     pub fn relative(&self) -> Option<Bound> {
         self.state
@@ -184,15 +182,15 @@ impl Quantity {
             .map(|State { error, .. }| Bound { first: error.a.clone(), second: error.b.clone() })
     }
 
-    /// The same, its error relative to itself because |x| is known to be at least
-    /// `smallest` times ε^e L^p. Not one of the paper's rules, but its reasoning
-    /// in 4.1 and 5.4.4.
+    /// The same quantity with a relative error, because |x| is known to be at least `smallest` times ε^e L^p.
     ///
-    /// Of a sum or difference only what its operands bring grows by that: its own
-    /// rounding is relative to it ([`rules::bounded_below`]).
+    /// This is not one of the paper's rules, but its reasoning in 4.1 and 5.4.4.
+    ///
+    /// For a sum or difference the factor applies only to the operands' errors: its own rounding error is already
+    /// relative to it ([`rules::bounded_below`]).
     ///
     /// # Panics
-    /// Where `smallest` isn't positive.
+    /// If `smallest` isn't positive.
     #[must_use]
     pub fn at_least(mut self, smallest: &Rational) -> Quantity {
         assert!(*smallest > 0, "a lower bound of {} has to be positive", self.expression);
@@ -212,7 +210,7 @@ impl Quantity {
         self
     }
 
-    /// The same, known not to be negative.
+    /// The same quantity, known to be nonnegative.
     #[must_use]
     pub fn nonnegative(mut self) -> Quantity {
         if let Some(state) = &mut self.state {
@@ -245,7 +243,7 @@ fn total(x: &State, y: &State, c1: &Rational, c2: &Rational) -> Magnitude {
 impl Add for Quantity {
     type Output = Quantity;
 
-    /// Rule C, else B.
+    /// Rule C if it fits, else B.
     fn add(self, other: Quantity) -> Quantity {
         self.binary('+', other, |x, y, _| {
             let nonnegative = x.nonnegative && y.nonnegative;
@@ -263,7 +261,7 @@ impl Add for Quantity {
 impl Sub for Quantity {
     type Output = Quantity;
 
-    /// Rule E, else D.
+    /// Rule E if it fits, else D.
     fn sub(self, other: Quantity) -> Quantity {
         self.binary('-', other, |x, y, _| {
             let state = rule_b(x, y, false)?;
@@ -277,7 +275,7 @@ impl Sub for Quantity {
 impl Mul for Quantity {
     type Output = Quantity;
 
-    /// Rule F; without a rounding where a factor is a power of two.
+    /// Rule F, without a rounding error if a factor is a power of two.
     fn mul(self, other: Quantity) -> Quantity {
         self.binary('*', other, |x, y, same| {
             Some(State {

@@ -1,27 +1,25 @@
 //! The columns a and b of rules A to H, as functions of numbers.
 //!
-//! An [`Error`] says that a computed value is off by at most aε + bε² of what it
-//! is relative to, for every ε < 10⁻⁵. In each rule a is the sum of the
-//! first-order terms; b is those of second order, and a 1 more that pays for all
-//! the higher ones. That is enough while they are small: where b passes some
-//! 10⁵ it is not. So b here is the larger of the paper's and of what is needed
-//! at the largest ε: everywhere that the paper's is right it is the paper's, and
-//! elsewhere it is right. All of it is exact, in rationals.
+//! An [`Error`] says that a computed value is off by at most aε + bε² of a reference magnitude, for every ε < 10⁻⁵. In
+//! each rule a is the sum of the first-order terms. b is the sum of the second-order terms, plus 1 to cover all higher
+//! orders. That 1 suffices while the terms are small, but not if b exceeds about 10⁵. So b here is the larger of the
+//! paper's b and the b needed at the largest ε: it equals the paper's b everywhere that the paper's is right, and
+//! elsewhere it is right. Everything is exact, in rationals.
 //!
 //! Rules A and I change nothing, J and K start with [`Error::none`].
 //!
 //! # What is not as printed
-//! B and D: the 1 stands outside the fraction, 1 + (c₁(a₁+b₁) + c₂(a₂+b₂))/(c₁+c₂).
-//! The printed form is in [`as_printed`].
+//! B and D: the 1 stands outside the fraction, 1 + (c₁(a₁+b₁) + c₂(a₂+b₂))/(c₁+c₂). The printed form is in
+//! [`as_printed`].
 //!
 //! # What is ours
-//! * A product with a power of two rounds nothing ([`Quantity`](crate::Quantity)).
-//! * A sum or difference that is known to be large enough is off by its own rounding,
-//!   which is relative to it, and by what its operands bring ([`bounded_below`]).
+//! * A product with a power of two has no rounding error ([`Quantity`](crate::Quantity)).
+//! * A sum or difference with a known lower bound is off by its own rounding error, which is relative to it, and by the
+//!   errors of its operands ([`bounded_below`]).
 
 use rug::Rational;
 
-/// ε is less than this, section 2. All that is said holds up to it.
+/// The upper limit of ε, section 2; all statements hold up to it.
 #[must_use]
 pub fn largest_epsilon() -> Rational {
     Rational::from((1, 100_000))
@@ -30,9 +28,9 @@ pub fn largest_epsilon() -> Rational {
 /// The error aε + bε².
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Error {
-    /// Of first order.
+    /// The first-order coefficient.
     pub a: Rational,
-    /// Of second order.
+    /// The second-order coefficient.
     pub b: Rational,
 }
 
@@ -43,38 +41,38 @@ impl Error {
         Error { a: Rational::new(), b: Rational::new() }
     }
 
-    /// aε + bε².
+    /// The value aε + bε².
     #[must_use]
     pub fn at(&self, epsilon: &Rational) -> Rational {
         (Rational::from(&self.b * epsilon) + &self.a) * epsilon
     }
 
-    /// Whether nothing is lost.
+    /// Returns true if the error is zero.
     #[must_use]
     pub fn is_none(&self) -> bool {
         self.a == 0 && self.b == 0
     }
 }
 
-/// a, and b: the larger of the paper's and what keeps aε + bε² above the
-/// `deviation` at the largest ε.
+/// An error with this a, and with the larger of the paper's b and the b needed at the largest ε.
 ///
-/// Right for a deviation that is a power series in ε with no negative
-/// coefficient after the first order: then (deviation − aε)/ε² never decreases.
+/// The needed b keeps aε + bε² above the `deviation` at the largest ε. This is right for a deviation that is a power
+/// series in ε with no negative coefficient after the first order: then (deviation − aε)/ε² never decreases.
 fn second_order(a: Rational, papers: Rational, deviation: &Rational) -> Error {
     let epsilon = largest_epsilon();
     let needed = (deviation - Rational::from(&a * &epsilon)) / epsilon.square();
     Error { a, b: papers.max(needed) }
 }
 
-/// The weighted mean of the errors, with weights that are magnitudes; plain
-/// where both are zero, as there is nothing to be relative to.
+/// The mean of the errors, weighted by magnitudes.
+///
+/// It is unweighted if both magnitudes are zero, as there is nothing to be relative to.
 fn mean(c1: &Rational, x1: &Rational, c2: &Rational, x2: &Rational) -> Rational {
     let sum = Rational::from(c1 + c2);
     if sum == 0 { Rational::from(x1.max(x2)) } else { (Rational::from(c1 * x1) + Rational::from(c2 * x2)) / sum }
 }
 
-/// 1 + x with one more rounding: (1 + x)(1 + ε) − 1.
+/// The error of 1 + x with one more rounding: (1 + x)(1 + ε) − 1.
 fn rounded(x: Rational) -> Rational {
     let epsilon = largest_epsilon();
     Rational::from(&x * &epsilon) + x + epsilon
@@ -90,18 +88,16 @@ pub fn sum(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
     second_order(a, b, &rounded(inherited.at(&epsilon)))
 }
 
-/// What a sum or difference has from its operands, without its own rounding:
-/// relative to c₁ + c₂.
+/// The error that a sum or difference inherits from its operands, without its own rounding: relative to c₁ + c₂.
 #[must_use]
 pub fn inherited(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
     Error { a: mean(c1, &e1.a, c2, &e2.a), b: mean(c1, &e1.b, c2, &e2.b) }
 }
 
-/// A sum or difference that is at least 1/`factor` of what its inherited error is
-/// relative to, relative to itself.
+/// The error, relative to itself, of a sum or difference with a lower bound.
 ///
-/// Its own rounding is relative to it already. Only what is inherited grows by the
-/// factor, so that a number near 1 is little worse than rounded.
+/// The bound is 1/`factor` of the magnitude that the inherited error is relative to. Its own rounding error is relative
+/// to it already. Only the inherited error grows by the factor, so a number near 1 is little worse than rounded.
 #[must_use]
 pub fn bounded_below(inherited: &Error, factor: &Rational) -> Error {
     let [a, b] = [&inherited.a, &inherited.b].map(|x| Rational::from(x * factor));
@@ -110,7 +106,7 @@ pub fn bounded_below(inherited: &Error, factor: &Rational) -> Error {
     second_order(Rational::from(&grown.a + 1), b, &rounded(grown.at(&largest_epsilon())))
 }
 
-/// Rule C: a sum of two that aren't negative, relative to itself.
+/// Rule C: a sum of two nonnegative values, relative to itself.
 #[must_use]
 pub fn sum_of_same_sign(e1: &Error, e2: &Error) -> Error {
     let epsilon = largest_epsilon();
@@ -119,7 +115,7 @@ pub fn sum_of_same_sign(e1: &Error, e2: &Error) -> Error {
     second_order(a, b, &rounded(e1.at(&epsilon).max(e2.at(&epsilon))))
 }
 
-/// Whether a number is 2^k with a whole k, or minus that.
+/// Returns true for ±2^k with an integer k.
 #[must_use]
 pub fn is_power_of_two(x: &Rational) -> bool {
     x.numer().clone().abs().is_power_of_two() && x.denom().is_power_of_two()
@@ -147,8 +143,7 @@ fn product_b(e1: &Error, e2: &Error) -> Rational {
     Rational::from(&e1.a + 1) * Rational::from(&e2.a + 1) + &e1.b + &e2.b
 }
 
-/// Rule G: a quotient, both relative to themselves; none where the divisor's
-/// error may be all of it.
+/// Rule G: a quotient, relative to itself, of relative errors; `None` if the divisor's relative error may reach 1.
 #[must_use]
 pub fn quotient(e1: &Error, e2: &Error) -> Option<Error> {
     let epsilon = largest_epsilon();
@@ -159,14 +154,13 @@ pub fn quotient(e1: &Error, e2: &Error) -> Option<Error> {
     })
 }
 
-/// Rule H: a square root, relative to itself; none where the operand's error may
-/// be all of it.
+/// Rule H: a square root, relative to itself; `None` if the operand's relative error may reach 1.
 ///
-/// Its b is 1 + b₁/2 + |a₁/2 − a₁²/8|: a value that is too large needs a₁/2 − a₁²/8
-/// of the last, one that is too small a₁²/8 − a₁/2.
+/// Its b is 1 + b₁/2 + |a₁/2 − a₁²/8|: a value that is too large needs a₁/2 − a₁²/8 of the last term, a value that is
+/// too small needs a₁²/8 − a₁/2.
 ///
-/// Above: √(1 + x) ≤ 1 + x/2 − x²/8 + x³/16. Below: 1 − √(1 − x) ≤ x/2 + x²/8 +
-/// x³/(16(1 − x)), of which (1 − ε) is left.
+/// Above: √(1 + x) ≤ 1 + x/2 − x²/8 + x³/16. Below: 1 − √(1 − x) ≤ x/2 + x²/8 + x³/(16(1 − x)), of which (1 − ε) is
+/// left.
 #[must_use]
 pub fn root(e: &Error) -> Option<Error> {
     let epsilon = largest_epsilon();
@@ -180,7 +174,7 @@ pub fn root(e: &Error) -> Option<Error> {
         let bars = Rational::from(&half_a - &eighth).abs();
         let papers = Rational::from(&half_b + &bars) + 1;
         let square = Rational::from(epsilon.square_ref());
-        // terms of third order and more, without those that are negative
+        // terms of third order and higher, without the negative ones
         let above = Rational::from(&half_b * &epsilon) + (&cube * Rational::from(&epsilon + 1)) / &square;
         let above = Rational::from(&half_b + &half_a) - &eighth + above;
         let below = Rational::from(&e.a * &e.b) * &epsilon / 4
@@ -191,13 +185,13 @@ pub fn root(e: &Error) -> Option<Error> {
     })
 }
 
-/// The column as the paper prints it, where that is not sound.
+/// The columns as the paper prints them, where the printed form is not sound.
 pub mod as_printed {
     use rug::Rational;
 
     use super::Error;
 
-    /// Rules B and D: the 1 is in the fraction.
+    /// Rules B and D as printed: the 1 is inside the fraction.
     #[must_use]
     pub fn sum(c1: &Rational, e1: &Error, c2: &Rational, e2: &Error) -> Error {
         let weighted = |x1: Rational, x2: Rational| (c1 * x1) + (c2 * x2);

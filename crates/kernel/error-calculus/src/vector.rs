@@ -1,11 +1,10 @@
-//! Vectors as arrays, with a fixed order of every sum: an error bound holds for one
-//! order of evaluation.
+//! Vectors as arrays, with a fixed order of every sum, because an error bound holds for one order of evaluation.
 //!
 //! Sums run from the first coordinate to the last, without a zero to start from.
 
 use crate::{Ring, Root};
 
-/// a − b.
+/// The difference a − b.
 #[inline(always)]
 #[must_use]
 pub fn minus<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> [N; D] {
@@ -19,42 +18,42 @@ pub fn scaled<N: Ring, const D: usize>(a: &[N; D], factor: &N) -> [N; D] {
     std::array::from_fn(|i| a[i].clone() * factor.clone())
 }
 
-/// −a.
+/// The negated vector −a.
 #[inline]
 #[must_use]
 pub fn negated<N: Ring, const D: usize>(a: &[N; D]) -> [N; D] {
     std::array::from_fn(|i| -a[i].clone())
 }
 
-/// a · b = (a₀b₀ + a₁b₁) + a₂b₂.
+/// The dot product a · b = (a₀b₀ + a₁b₁) + a₂b₂.
 #[inline(always)]
 #[must_use]
 pub fn dot<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
     sum(|i| a[i].clone() * b[i].clone(), D)
 }
 
-/// ‖a‖² = (a₀² + a₁²) + a₂².
+/// The squared norm ‖a‖² = (a₀² + a₁²) + a₂².
 #[inline(always)]
 #[must_use]
 pub fn norm_squared<N: Ring, const D: usize>(a: &[N; D]) -> N {
     sum(|i| a[i].clone().square(), D)
 }
 
-/// ‖a‖.
+/// The norm ‖a‖.
 #[inline]
 #[must_use]
 pub fn norm<N: Root, const D: usize>(a: &[N; D]) -> N {
     norm_squared(a).sqrt()
 }
 
-/// a × b in the plane, a number: a₀b₁ − a₁b₀.
+/// The cross product a × b in the plane, a number: a₀b₁ − a₁b₀.
 #[inline(always)]
 #[must_use]
 pub fn perp<N: Ring>(a: &[N; 2], b: &[N; 2]) -> N {
     a[0].clone() * b[1].clone() - a[1].clone() * b[0].clone()
 }
 
-/// a × b in space.
+/// The cross product a × b in space.
 #[inline(always)]
 #[must_use]
 pub fn cross<N: Ring>(a: &[N; 3], b: &[N; 3]) -> [N; 3] {

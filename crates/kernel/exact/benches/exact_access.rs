@@ -1,30 +1,34 @@
-//! The exact backend the way users meet it: vertices by random ids, scenes of every size, preparing in and out.
+//! The exact backend in realistic use: vertices by random ids, scenes of every size, with and without preparation time.
 //!
-//! * *random*: ids at random from a scene of 10⁶ vertices, so that points come from the third-level cache or from memory;
-//!   *in cache*: the same family in a scene that fits in the first two levels.
-//! * *prepared in*: a scene of as many vertices as its queries have, prepared and asked once, from 10 queries on.
+//! * *random*: ids at random from a scene of 10⁶ vertices, so that points come from the third-level cache or from
+//!   memory; *in cache*: the same family in a scene that fits in the first two levels.
+//! * *prepared in*: a scene with as many vertices as its queries need, prepared and queried once, from 10 queries on.
 //! * *projected*: orient2d of the projections of a scene in space.
-//! * *sizes*: 2¹⁶ random queries of prepared scenes of 10 to 10⁷ vertices, as a picture too.
+//! * *sizes*: 2¹⁶ random queries of prepared scenes of 10 to 10⁷ vertices, also as a plot.
 //!
-//! Every query of a pass is a new one, so that branches are not known by heart. Engines take turns pass by pass; a line
-//! has their medians in relation to `robust`'s. All are given ids, and read the same points:
+//! Every query of a pass is new, so branch predictors cannot learn the queries. Engines alternate pass by pass; a line
+//! has their medians relative to `robust`'s. All get ids, and read the same points:
 //!
-//! * `naive`: the determinant in doubles, the floor;
+//! * `naive`: the determinant in doubles, the lower limit;
 //! * `robust`: the crate;
-//! * `fpg`: the filters that CGAL and Attene's predicates use, with their published constants (Meyer and Pion, FPG: a code
-//!   generator for fast and certified geometric predicates, 2008; CGAL's static filters), and `robust` where they fail;
+//! * `fpg`: the filters that CGAL and Attene's predicates use, with their published constants (Meyer and Pion, FPG: a
+//!   code generator for fast and certified geometric predicates, 2008; CGAL's static filters), and `robust` where they
+//!   fail;
 //! * `single`, `batch`: a session of the exact backend; `raw`: its predicates on coordinates.
 //!
-//! Families: *uniform* in the unit cube; *near*: of one line, plane, circle or sphere up to two ulps; *mixed*: an exponent of its own for
-//! each coordinate; *large near*: as *near* a million times larger, so that many scenes span more bits than a limb; *ties*: integers of
-//! one line, plane, circle or sphere; *lattice*: integers from 0 to 15; *mesh*: neighbours on a terrain over a jittered grid, whose vertices lie row after row.
+//! Families: *uniform* in the unit cube; *near*: of one line, plane, circle or sphere up to two ulps; *mixed*: a
+//! separate exponent for each coordinate; *large near*: as *near* a million times larger, so that many scenes span more
+//! bits than a limb; *ties*: integers of one line, plane, circle or sphere; *lattice*: integers from 0 to 15; *mesh*:
+//! neighbours on a terrain over a jittered grid, whose vertices lie row after row.
 //!
-//! * *signs*: 10⁷ random queries of each predicate and family, each answered by all and compared; not timed, and not done unless asked for.
+//! * *signs*: 10⁷ random queries of each predicate and family, answered by all engines and compared; not timed, and
+//!   only on request.
 //!
-//! Words after `--` select: what is measured, and predicates, as in `-- random orient2d`. Without any, all is measured.
+//! Words after `--` select measurements and predicates, as in `-- random orient2d`. Without words, everything is
+//! measured.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "access/family.rs"]
 mod family;
@@ -51,19 +55,19 @@ const SMALL: usize = 1 << 11;
 const QUERIES: usize = 1 << 16;
 const PASS: usize = 1 << 11;
 const ENGINES: [&str; 6] = ["robust", "naive", "fpg", "single", "batch", "raw"];
-/// Queries whose signs are compared.
+/// The number of queries whose signs are compared.
 const MANY: usize = 10_000_000;
-/// Sizes of scenes that are prepared for their queries: queries.
+/// Sizes, in queries, of scenes that are prepared for their queries.
 const ONCE: [usize; 4] = [10, 100, 1_000, 10_000];
-/// Sizes of scenes that are asked at random: vertices.
+/// Sizes, in vertices, of scenes with random queries.
 const SIZES: [usize; 7] = [10, 100, 1_000, 10_000, 100_000, 1_000_000, 10_000_000];
 
-/// Answers a pass of queries from one on.
+/// A function that answers a pass of queries from a first query on.
 type Answer<'a> = &'a dyn Fn(usize, &mut [Sign]);
 type Session<'s> = predicament_exact::Session<'s, Off>;
 type Doubles<'s> = <Naive as Backend>::Session<'s, Off>;
 
-/// A predicate in all the ways there are to ask for it.
+/// A predicate in all forms that the benchmark can call.
 struct Contest<N, S, B, W, R, F> {
     name: &'static str,
     round: bool,
@@ -135,7 +139,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         }
     }
 
-    /// Random queries of a prepared scene of so many vertices: each engine's median time for a pass, in seconds.
+    /// The median time of each engine for a pass of random queries of a prepared scene, in seconds.
     fn places<const D: usize, const N: usize>(
         &self,
         what: &str,
@@ -158,7 +162,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         let session = Exact.prepare(&scene, Off).expect("prepared");
         let naive = black_box(Naive::default());
         let doubles = naive.prepare(&scene, Off).expect("prepared");
-        // All read the points of the scene.
+        // All engines read the points of the scene.
         let points: &[[f64; D]] = scene.coordinates().as_chunks().0;
         // (Number by number, so that they stay in registers.)
         #[allow(clippy::manual_memcpy)]
@@ -207,7 +211,9 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         medians
     }
 
-    /// Compares the signs of very many random queries with those of `robust`, which is exact where nothing underflows or overflows.
+    /// Compares the signs of 10⁷ random queries with those of `robust`.
+    ///
+    /// `robust` is exact if nothing underflows or overflows.
     fn signs<const D: usize, const N: usize>(&self, family: Family, name: &str)
     where
         S: Fn(&Session, [Vertex; N]) -> Sign,
@@ -236,7 +242,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         println!("signs    {:8} {name:10} {MANY:8} queries: {wrong} wrong, {zeros} zeros", self.name);
     }
 
-    /// Scenes with the points of so many queries, each prepared and asked once; `robust` gets the coordinates.
+    /// Scenes with the points of this many queries, each prepared and queried once; `robust` gets the coordinates.
     fn once<const D: usize, const N: usize>(&self, queries: usize)
     where
         S: Fn(&Session, [Vertex; N]) -> Sign,
@@ -288,7 +294,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
         );
     }
 
-    /// What preparing costs, and what the first query does.
+    /// The times of preparing a scene and of the first query.
     fn prepare<const D: usize, const N: usize>(&self, family: Family, name: &str)
     where
         S: Fn(&Session, [Vertex; N]) -> Sign,
@@ -316,7 +322,7 @@ impl<A, S, B, W, R, F> Contest<A, S, B, W, R, F> {
     }
 }
 
-/// Turns of points of space, seen along an axis; with points of a plane, all of them ties.
+/// Turns of points in space, projected along an axis; if the points are coplanar, all are ties.
 fn projected(words: &[String]) {
     let predicates = ["orient3d", "incircle", "insphere"];
     if words.iter().any(|w| predicates.contains(&w.as_str()) || Family::ALL.iter().any(|f| f.1 == w))
@@ -368,7 +374,7 @@ fn projected(words: &[String]) {
     }
 }
 
-/// Prints the median of the first engine, and those of the others in relation to it.
+/// Prints the median of the first engine, and the other medians relative to it.
 fn line(engines: &[Engine; 6], medians: &[f64; 6], zeros: usize) {
     #[allow(clippy::cast_precision_loss)] // small numbers
     let (nanoseconds, zeros) = (medians[0] * 1e9 / PASS as f64, zeros as f64 * 100.0 / (4 * QUERIES) as f64);

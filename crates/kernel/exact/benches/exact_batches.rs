@@ -1,19 +1,16 @@
 //! Batches: from the cache, from memory, and beside one line or plane.
 //!
-//! Every query has points of its own, uniform in a unit cube, so that the filter
-//! settles nearly all. Engines take turns, pass by pass, and medians are printed:
+//! Every query has separate points, uniform in a unit cube, so that the filter settles nearly all. Engines alternate,
+//! pass by pass, and the benchmark prints medians:
 //!
-//! * *in cache*: a pass of queries that the engine has just been asked, in
-//!   relation to `robust`'s time for the same (asked for the first time, as its
-//!   branches must not be known by heart; it reads its points in order);
-//! * *from memory*: all queries, more than caches hold, in relation to reading
-//!   the same vertices and points and doing nothing with them: 1 is the bandwidth
-//!   that such a loop gets from the machine;
-//! * *beside*: one line or plane and many points, in relation to the batch of
-//!   the same queries.
+//! * *in cache*: a pass of queries that the engine has just answered, relative to `robust`'s time for the same pass
+//!   (its first time, as its branch predictor must not have learned the queries; it reads its points in order);
+//! * *from memory*: all queries, more than caches hold, relative to a loop that only reads the same vertices and
+//!   points: 1 is the memory bandwidth that such a loop reaches;
+//! * *beside*: one line or plane and many points, relative to the batch of the same queries.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;
@@ -25,10 +22,10 @@ use predicament_exact::{Exact, Session};
 use predicament_predicates::{Backend, Dimension, Off, Plane, Predicates, Scene, Sign, Vertex};
 use robust::{Coord, Coord3D};
 
-/// Queries of a pass in cache, and of one beside.
+/// The number of queries of a pass in cache, and of a pass beside a line or plane.
 const PASS: usize = 1 << 12;
 const PASSES: usize = 64;
-/// Queries from memory, and how often they're asked.
+/// The number of queries from memory, and of their repetitions.
 const MANY: usize = 5_000_000;
 const ROUNDS: usize = 7;
 
@@ -95,7 +92,7 @@ impl<B, R> Contest<B, R> {
     }
 }
 
-/// Reads everything, and does next to nothing with it.
+/// Reads everything, and computes almost nothing from it.
 fn read<const N: usize>(coordinates: &[f64], queries: &[[Vertex; N]]) -> (u64, Vertex) {
     let bits = coordinates.iter().fold(0, |all, x| all ^ x.to_bits());
     let largest =
@@ -103,7 +100,7 @@ fn read<const N: usize>(coordinates: &[f64], queries: &[[Vertex; N]]) -> (u64, V
     (bits, largest)
 }
 
-/// One line and one plane beside which all points lie.
+/// Times one line and one plane with many points.
 fn beside(_: &mut Criterion) {
     let mut random = Random(43);
     let (mut signs, mut expected) = (vec![Sign::Zero; PASS], vec![Sign::Zero; PASS]);

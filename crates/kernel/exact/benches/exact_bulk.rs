@@ -1,19 +1,18 @@
-//! Constructing 10⁵ vertices while a session runs, beside preparing from scratch.
+//! Construction of 10⁵ vertices in a running session, compared with preparing from scratch.
 //!
-//! * `at once`: one call of `construct` on a session that is prepared.
+//! * `at once`: one call of `construct` on a prepared session.
 //! * `one by one`: 10⁵ calls.
 //! * `ten phases`: ten calls of 10⁴, and a tie about the last vertex of each.
-//! * `from scratch`: the scene gets all definitions and is prepared with them.
-//! * `ten times from scratch`: what ten phases cost without constructing: after
-//!   each, the scene is prepared again with all vertices so far.
+//! * `from scratch`: the scene gets all definitions and is then prepared.
+//! * `ten times from scratch`: the cost of ten phases without `construct`: after each, the scene is prepared again with
+//!   all vertices so far.
 //!
-//! Each ends with an exact tie about the last vertex, on its own line or plane.
-//! Before Criterion times them one after another, they take turns, and a line is
-//! printed with their times in relation to `from scratch`. On a machine that
-//! does other things as well, believe that line.
+//! Each ends with an exact tie about the last vertex, on its own line or plane. Before Criterion times them one after
+//! another, they alternate, and a line is printed with their times relative to `from scratch`. On a busy machine only
+//! that line is reliable.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;
@@ -26,16 +25,16 @@ use predicament_predicates::{Backend, Construction, Dimension, Off, Plane, Predi
 
 const VERTICES: usize = 100_000;
 const PHASES: usize = 10;
-/// Rounds of taking turns.
+/// The number of alternating rounds.
 const ROUNDS: usize = 5;
 
-/// As many points as vertices that are constructed from them.
+/// A scene with as many points as constructed vertices.
 fn base(dimension: Dimension) -> Scene {
     let mut random = Random(23);
     Scene::new(dimension, (0..VERTICES * dimension.count()).map(|_| random.unit()).collect()).expect("finite")
 }
 
-/// Lines and planes through points that are next to each other in the list.
+/// Lines and planes through points that are adjacent in the list.
 fn definitions(dimension: Dimension) -> Vec<Construction> {
     let at = |index: usize| Vertex::input(index % VERTICES);
     let definition = |i: usize| match dimension {
@@ -45,7 +44,7 @@ fn definitions(dimension: Dimension) -> Vec<Construction> {
     (0..VERTICES).map(definition).collect()
 }
 
-/// Whether the vertex is on what defines it.
+/// Checks that the vertex is on its defining line or plane.
 fn tie(session: &Session<'_, Off>, x: Vertex) {
     let sign = match *session.scene().construction(x).expect("constructed") {
         Construction::Ssi([[a, b], _]) => session.orient2d(Plane::Xy, a, b, black_box(x)),
@@ -81,7 +80,7 @@ fn ten_times_from_scratch(mut scene: Scene, definitions: &[Construction]) {
     }
 }
 
-/// The time of each way, fresh sessions not counted, in relation to the last but one.
+/// Prints the time of each way, without making the sessions, relative to `from scratch`.
 fn turns(name: &str, scene: &Scene, definitions: &[Construction]) {
     let fresh = || Exact.prepare(scene, Off).expect("prepared");
     let mut times: [Vec<Duration>; 5] = Default::default();

@@ -1,17 +1,16 @@
-//! Constructed vertices: the exact backend beside rug's rationals.
+//! Constructed vertices: the exact backend compared with rug's rationals.
 //!
 //! * `uniform`: random points; the filter settles all.
-//! * `degenerate`: every answer is zero, and no filter can say so.
+//! * `degenerate`: every answer is zero, which no filter can prove.
 //!
-//! Each with one constructed vertex and with all arguments constructed; `rational`
-//! makes the points from their definitions, as a query without preparation has to,
-//! `rational, prepared` has them ready, in lowest terms.
+//! Each with one constructed vertex and with all arguments constructed. `rational` computes the points from their
+//! definitions, as a query without preparation must; `rational, prepared` has them ready, in lowest terms.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "../tests/it/constructed/judge.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod judge;
 
 use std::hint::black_box;
@@ -22,7 +21,7 @@ use judge::{Judge, Point};
 use predicament_exact::constructed::Constructed;
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Scene, Sign, Vertex};
 
-/// Groups of vertices in a scene, and of questions asked.
+/// The number of groups of vertices in a scene, and of queries.
 const GROUPS: usize = 256;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -32,12 +31,12 @@ enum Kind {
     Tpi,
 }
 
-/// What the four constructed vertices of a group have in common.
+/// The geometry that the four constructed vertices of a group share.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Shared {
     /// A line (2D) or a plane (3D) through the group's first vertices.
     Flat,
-    /// The same, and x is constant on it.
+    /// The same as `Flat`, with constant x on it.
     Upright,
     /// A line through the group's first two vertices.
     Line,
@@ -46,7 +45,7 @@ enum Shared {
 impl Kind {
     const ALL: [(Kind, &str); 3] = [(Kind::Ssi, "ssi"), (Kind::Lpi, "lpi"), (Kind::Tpi, "tpi")];
 
-    /// Input vertices of a group: as many as the largest kind of sharing takes.
+    /// The number of input vertices of a group: as many as the largest kind of sharing takes.
     fn inputs(self) -> usize {
         match self {
             Kind::Ssi => 2 + 4 * 2,
@@ -90,8 +89,9 @@ fn scene(kind: Kind, shared: Shared) -> Scene {
     scene
 }
 
-/// A predicate's arguments for every group: the group's first constructed
-/// vertex, then others of its own, of other groups, or input vertices.
+/// A predicate's arguments for every group.
+///
+/// They are the group's first constructed vertex, then others of the same group, of other groups, or input vertices.
 fn queries<const N: usize>(kind: Kind, degenerate: bool, all: bool) -> Vec<[Vertex; N]> {
     let query = |group: usize| {
         std::array::from_fn(|i| match (i, all, degenerate) {
@@ -104,7 +104,7 @@ fn queries<const N: usize>(kind: Kind, degenerate: bool, all: bool) -> Vec<[Vert
     (0..GROUPS).map(query).collect()
 }
 
-/// Times three ways to answer the same questions, after comparing the answers.
+/// Compares the answers of three ways to answer the same queries, then times them.
 fn duel<const N: usize>(
     criterion: &mut Criterion,
     (name, kind, kind_name): (&str, Kind, &str),

@@ -1,12 +1,12 @@
-//! Exact signs in dyadic numbers, in integers over a common power of two
-//! (`rational`, GMP), and by the crate `robust`, on the same raw coordinates.
+//! Exact signs in dyadic numbers, in integers over a common power of two (`rational`, GMP), and by the crate `robust`,
+//! on the same raw coordinates.
 //!
 //! * `uniform`: in a unit cube.
 //! * `near`: collinear, coplanar, cocircular or cospherical up to rounding.
 //! * `degenerate`: corners of a box with long coordinates; every answer is zero.
 //! * `mixed`: exponents from −90 to 90, too far apart for fixed-width integers.
-//! * `wide`: exponents from −1000 to 1000. `robust` overflows and underflows
-//!   here, so its time is that of answers some of which are wrong.
+//! * `wide`: exponents from −1000 to 1000. `robust` overflows and underflows here, so some of its timed answers are
+//!   wrong.
 //! * `mixed-tie`, `wide-tie`: `degenerate` with such exponents.
 
 use std::hint::black_box;
@@ -33,7 +33,7 @@ impl Random {
         ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Any exponent in −`largest` .. `largest`.
+    /// A random exponent in −`largest` .. `largest`.
     fn exponents(&mut self, largest: f64) -> f64 {
         let exponent = (self.next() * 2.0 * largest).floor() - largest;
         let sign = if self.next() < 0.5 { -1.0 } else { 1.0 };
@@ -41,7 +41,7 @@ impl Random {
     }
 }
 
-/// Queries of N points; `round` for those about circles and spheres.
+/// Queries of N points; `round` selects points for circles and spheres.
 fn queries<const N: usize, const D: usize>(family: &str, round: bool) -> Vec<[[f64; D]; N]> {
     let mut random = Random(1);
     let mut coordinate = || match family {
@@ -66,7 +66,7 @@ fn queries<const N: usize, const D: usize>(family: &str, round: bool) -> Vec<[[f
                     centered.map(|x| x / length)
                 }),
                 "near" => free.map(|mut p| {
-                    // The last coordinate from the others: on a line, or a plane.
+                    // The last coordinate from the others: on a line or a plane.
                     p[D - 1] = 0.1 + p[..D - 1].iter().sum::<f64>() / 3.0;
                     p
                 }),
@@ -76,7 +76,7 @@ fn queries<const N: usize, const D: usize>(family: &str, round: bool) -> Vec<[[f
         .collect()
 }
 
-/// A way to answer a query.
+/// A function that answers a query.
 type Answer<const N: usize, const D: usize> = fn([[f64; D]; N]) -> Sign;
 
 fn compete<const N: usize, const D: usize>(

@@ -1,29 +1,26 @@
-//! The exact backend beside the crate `robust`, on the same queries.
+//! The exact backend compared with the crate `robust`, on the same queries.
 //!
 //! * `uniform`: points of a unit cube. Filters settle all.
 //! * `near`: collinear, coplanar, cocircular or cospherical up to rounding.
 //! * `ties`: exactly degenerate integers of up to 41 bits: every answer is zero.
-//! * `scaled ties`: the same, with a power of two of its own for each query.
-//! * `degenerate`: a small grid with long significands, on one scale: exact ties
-//!   that are hidden from floating point, and plain signs, one as often as the other.
-//! * `many scales`: the same, with a power of two of its own for each query.
-//! * `mixed scales`: exact ties, and what is one ulp beside them, in coordinates
-//!   of different exponents: hardly a difference is a double.
+//! * `scaled ties`: the same, with a separate power of two for each query.
+//! * `degenerate`: a small grid with long significands, on one scale: exact ties that floating point cannot recognize,
+//!   and clear signs, equally often.
+//! * `many scales`: the same, with a separate power of two for each query.
+//! * `mixed scales`: exact ties, and points one ulp beside them, in coordinates of different exponents: hardly any
+//!   difference is a double.
 //!
-//! Every query has points of its own, and there are more queries than a branch
-//! predictor learns by heart, but so few that what each engine reads (points, or
-//! vertices and the session's lists) comes from caches and not from memory, which
-//! `batches` is about; a pass takes the next two thousand of them. Before
-//! Criterion times the engines one after another, they take turns pass by
-//! pass, through all queries once untimed and then three times: their answers are
-//! compared, and a line is printed with their times in relation to `robust`'s and
-//! the shares of the rungs. On a machine that does other things as well, believe
-//! that line.
+//! Every query has separate points. There are more queries than a branch predictor can learn, but so few that each
+//! engine reads its data (points, or vertices and the session's lists) from caches and not from memory, which `batches`
+//! is about. A pass takes the next two thousand queries. Before Criterion times the engines one after another, they
+//! alternate pass by pass, through all queries once untimed and then three times. The benchmark compares their answers,
+//! and prints a line with their times relative to `robust`'s and the shares of the rungs. On a busy machine only that
+//! line is reliable.
 //!
-//! `robust` and `raw` are given coordinates; the others are given vertices.
+//! `robust` and `raw` get coordinates; the others get vertices.
 
 #[path = "../tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 mod turns;
 
@@ -38,10 +35,10 @@ use predicament_predicates::{Backend, Counts, Dimension, Off, Plane, PredicateKi
 use robust::{Coord, Coord3D};
 use turns::{Engine, Turns};
 
-/// Queries of a family, and of a pass.
+/// The number of queries of a family, and of a pass.
 const QUERIES: usize = 1 << 15;
 const PASS: usize = 1 << 11;
-/// Vertices of the scenes that are prepared.
+/// The number of vertices of the scenes whose preparation is timed.
 const VERTICES: usize = 1_000_000;
 
 #[derive(Clone, Copy)]
@@ -66,7 +63,7 @@ impl Family {
         (Family::MixedScales, "mixed scales"),
     ];
 
-    /// The points of a query: of a circle or a sphere if `round`, else of a line or a plane.
+    /// The points of a query: on a circle or a sphere if `round`, else on a line or a plane.
     fn query<const D: usize, const N: usize>(self, random: &mut Random, round: bool) -> [[f64; D]; N] {
         match self {
             Family::Uniform => random.points(Random::unit),
@@ -103,7 +100,7 @@ impl Family {
     }
 }
 
-/// The last coordinate from the others: on a line, or a plane.
+/// The point with its last coordinate computed from the others: on a line or a plane.
 fn flat<const D: usize>(mut p: [f64; D]) -> [f64; D] {
     p[D - 1] = 0.1 + p[..D - 1].iter().sum::<f64>() / 3.0;
     p
@@ -125,12 +122,12 @@ fn tie<const D: usize, const N: usize>(random: &mut Random, round: bool) -> [[f6
     })
 }
 
-/// Corners of a box that are on one circle or sphere: a bit for each axis.
+/// Corners of a box that are on one circle or sphere, with one bit per axis.
 fn corners<const D: usize>() -> &'static [usize] {
     if D == 2 { &[0b00, 0b01, 0b11, 0b10] } else { &[0, 1, 2, 4, 7] }
 }
 
-/// 0, 1 or 2, and what 53 bits add to it.
+/// A coordinate 0, 1 or 2 plus a multiple of a 53-bit step.
 fn grid(random: &mut Random) -> f64 {
     *random.pick(&[0.0, 1.0, 2.0]) * (1.0 + f64::EPSILON)
 }
@@ -145,7 +142,7 @@ fn scene<const D: usize>(points: &[[f64; D]]) -> Scene {
     Scene::new(dimension, points.as_flattened().to_vec()).expect("finite")
 }
 
-/// A predicate in all the ways there are to ask for it.
+/// A predicate in all forms that the benchmark can call.
 struct Contest<S, T, B, R, C> {
     kind: PredicateKind,
     round: bool,
@@ -177,7 +174,7 @@ impl<S, T, B, R, C> Contest<S, T, B, R, C> {
             let session = Exact.prepare(&scene, Off).expect("prepared");
             let counted = Exact.prepare(&scene, &counts).expect("prepared");
 
-            // Monomorphic loops: each engine may be inlined into its own.
+            // Monomorphic loops: each engine may be inlined into its own loop.
             let robust = |at: usize, out: &mut [Sign]| {
                 for (&query, out) in black_box(&points)[at..].iter().zip(out) {
                     *out = Sign::of((self.robust)(query));
@@ -226,7 +223,7 @@ impl<S, T, B, R, C> Contest<S, T, B, R, C> {
     }
 }
 
-/// Compares answers, and times. Prints the median of the first engine, and those of the others in relation to it.
+/// Compares answers and times; prints the first engine's median, and the other medians relative to it.
 fn compare(engines: &[Engine; 5]) {
     let turns = Turns { queries: QUERIES, pass: PASS, rounds: 3, warm_up: 1 };
     let (mut zeros, mut all) = (0, 0);
@@ -246,7 +243,7 @@ fn compare(engines: &[Engine; 5]) {
     print!(" zeros {zeros:.0} %,");
 }
 
-/// Prints what each rung has settled.
+/// Prints the number of queries that each rung settled.
 fn shares(kind: PredicateKind, counts: &Counts) {
     let settled = |stage: usize| counts.get(kind, stage);
     let all: u64 = (0..stage::NAMES.len()).map(settled).sum();
@@ -309,7 +306,7 @@ fn predicates(criterion: &mut Criterion) {
     .run::<3, 5>(criterion);
 }
 
-/// Per vertex of a uniform scene.
+/// Times preparation per vertex of a uniform scene.
 fn prepare(criterion: &mut Criterion) {
     let mut random = Random(29);
     let flat: Vec<[f64; 2]> = (0..VERTICES).map(|_| random.points::<1, 2>(Random::unit)[0]).collect();

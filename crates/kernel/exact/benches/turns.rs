@@ -1,26 +1,28 @@
-//! Engines that answer the same queries, timed in turns: whatever else the machine does is shared by all.
+//! Timing of several engines in turns on the same queries, so that other load on the machine affects all alike.
 
 use std::time::{Duration, Instant};
 
 use predicament_predicates::Sign;
 
-/// A name, and a way to answer a pass of queries, from this one on.
+/// A name, and a function that answers a pass of queries from a first query on.
 pub type Engine<'a> = (&'a str, &'a dyn Fn(usize, &mut [Sign]));
 
-/// How engines take turns.
+/// The parameters of alternating timings.
 pub struct Turns {
-    /// Queries that there are.
+    /// The number of queries.
     pub queries: usize,
-    /// Queries that an engine answers before the next one's turn.
+    /// The number of queries that an engine answers before the next engine's turn.
     pub pass: usize,
-    /// How often all queries are answered and timed.
+    /// The number of timed rounds over all queries.
     pub rounds: usize,
-    /// How often all queries are answered before that, without being timed: memory is new to the processor then.
+    /// The number of untimed rounds before, in which memory is still new to the processor.
     pub warm_up: usize,
 }
 
 impl Turns {
-    /// Each engine's median time for a pass, in seconds. `check` sees the signs of all engines after each pass.
+    /// The median time of each engine for a pass, in seconds.
+    ///
+    /// After each pass, `check` gets the signs of all engines.
     pub fn medians<const N: usize>(&self, engines: &[Engine; N], mut check: impl FnMut(&[Vec<Sign>; N])) -> [f64; N] {
         let mut times = [const { Vec::new() }; N];
         let mut signs = [(); N].map(|()| vec![Sign::Zero; self.pass]);
@@ -40,7 +42,7 @@ impl Turns {
     }
 }
 
-/// The middle of some times, in seconds.
+/// The median of some times, in seconds.
 pub fn median(mut times: Vec<Duration>) -> f64 {
     times.sort_unstable();
     times[times.len() / 2].as_secs_f64()

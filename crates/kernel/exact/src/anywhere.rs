@@ -1,8 +1,8 @@
 //! The filter for any finite doubles: no scene, no plan, one comparison.
 //!
-//! [`filter`](crate::filter) answers if |d| ≥ B·p, provided that nothing underflows or
-//! overflows. Here a slack is added to B·p that pays for underflow, and the comparison is strict,
-//! so that what is infinite on both sides is not certain: **d has the sign of D if |d| > fl(fl(B·p) + s)**, with
+//! [`filter`](crate::filter) answers if |d| ≥ B·p, provided that nothing underflows or overflows. Here a slack that
+//! covers underflow is added to B·p. The comparison is strict, so that an infinity on both sides is not certain: **d
+//! has the sign of D if |d| > fl(fl(B·p) + s)**, with
 //!
 //! | | s |
 //! |---|---|
@@ -13,29 +13,30 @@
 //!
 //! and σ = 2⁻⁹⁶⁰. Entries are differences to the last point.
 //!
-//! **Underflow.** Sums and differences of doubles are exact where they are subnormal. A product is off by
-//! η ≤ 2⁻¹⁰⁷⁵ instead of a relative u. What η is multiplied with later are factors of its term: so the two
-//! products of orient2d are off by 2⁻¹⁰⁷⁴ together; a minor by 2⁻¹⁰⁷⁴, which
-//! orient3d multiplies with a last coordinate, and the three products of that are off by η each: together no more
-//! than 2⁻¹⁰⁷³·(Z + 1). A lift is off by 2η or 3η, which is multiplied with a minor. The minors of incircle
-//! are |xy′| + |x′y| ≤ (l + l′)/2, all three together at most L: 2⁻¹⁰⁷²·(L + 1) in all. Those of insphere, of
-//! three columns, take each last coordinate at most three times, with a minor that is at most L: 3·Z·L in all, and
-//! a minor is off by Z·2⁻¹⁰⁷⁴ + 3η; 2⁻¹⁰⁷⁰·(L·(Z + 1) + 1) in all. The permanent falls short by no more.
-//! So d and p together are off by at most t = 2⁻¹⁰⁶⁹·s/σ, that is s·2⁻¹⁰⁹.
+//! **Underflow.** Sums and differences of doubles are exact where they are subnormal. A product is off by η ≤ 2⁻¹⁰⁷⁵
+//! instead of a relative u. Later only factors of its term multiply η. So the two products of orient2d are off by
+//! 2⁻¹⁰⁷⁴ together. A minor is off by 2⁻¹⁰⁷⁴, which orient3d multiplies with a last coordinate, and its three products
+//! are off by η each: together no more than 2⁻¹⁰⁷³·(Z + 1). A lift is off by 2η or 3η, which is multiplied with a
+//! minor. The minors of incircle are |xy′| + |x′y| ≤ (l + l′)/2, all three together at most L: 2⁻¹⁰⁷²·(L + 1) in all.
+//! The minors of insphere, of three columns, take each last coordinate at most three times, with a minor that is at
+//! most L: 3·Z·L in all, and a minor is off by Z·2⁻¹⁰⁷⁴ + 3η; 2⁻¹⁰⁷⁰·(L·(Z + 1) + 1) in all. The permanent falls short
+//! by no more. So d and p together are off by at most t = 2⁻¹⁰⁶⁹·s/σ, that is s·2⁻¹⁰⁹.
 //!
-//! **It is paid for.** What has to be exceeded is B′·p + t, with B′ the requirement for B without the excess that
-//! [`bound`] gives it, of at least u² (of orient3d and incircle: 2⁻⁴⁰·u). Let b = fl(B·p); s is
-//! right to a relative 6u, and no s is subnormal. If s ≥ 4u·b, then fl(b + s) ≥ (b + s)(1 − u) ≥ b + s/2 > b + 2t,
-//! and if b is subnormal, it is off by η < t besides. Else fl(b + s) ≥ b, since rounding keeps the order and b is a double; then
-//! t = s·2⁻¹⁰⁹ < 2⁻¹⁰⁷·u·b, far less than the excess.
+//! **The slack suffices.** The magnitude must exceed B′·p + t, with B′ the requirement for B without the excess that
+//! [`bound`] gives it, of at least u² (of orient3d and incircle: 2⁻⁴⁰·u). Let b = fl(B·p); s is right to a relative 6u,
+//! and no s is subnormal. If s ≥ 4u·b, then fl(b + s) ≥ (b + s)(1 − u) ≥ b + s/2 > b + 2t, and if b is subnormal, it is
+//! off by η < t besides. Otherwise fl(b + s) ≥ b, since rounding is monotone and b is a double; then t = s·2⁻¹⁰⁹ <
+//! 2⁻¹⁰⁷·u·b, far less than the excess.
 //!
-//! **Overflow.** The permanent is a sum of the magnitudes of all products. If one of them, or a difference, is infinite or
-//! NaN, then p is, and so is the bound: no d is larger. If p is finite, every partial sum of d is, as it is no larger than that of p.
+//! **Overflow.** The permanent is a sum of the magnitudes of all products. If a product or a difference is infinite or
+//! NaN, then p is, and so is the bound: no d is larger. If p is finite, every partial sum of d is finite, as it is no
+//! larger than that of p.
 //!
-//! **orient2d** has p = |l + r| of its two products l and r, which is as large only where these have one sign. Where they have not, d = l − r is a
-//! difference of numbers with two signs: it has the sign of both l and −r, whatever has been rounded, has underflowed or is infinite, unless both
-//! are zero. Differences of coordinates have the right sign as well, and so has d if it is not zero. (Then p may be finite and d infinite.) Where l and r have one
-//! sign, the above holds; an infinite product makes p infinite, and infinity times zero makes it NaN.
+//! **orient2d** has p = |l + r| of its two products l and r, which equals the permanent only if they have one sign. If
+//! they do not, d = l − r is a difference of numbers with two signs: it has the sign of both l and −r, whatever has
+//! been rounded, has underflowed or is infinite, unless both are zero. Differences of coordinates have the right sign
+//! as well, and so has d if it is not zero. (Then p may be finite and d infinite.) If l and r have one sign, the proof
+//! above holds; an infinite product makes p infinite, and infinity times zero makes it NaN.
 //!
 //! A determinant of zero is never certain: its sign comes from the rungs above.
 
@@ -51,7 +52,7 @@ const SLACK: f64 = power_of_two(-960);
 pub struct Bounded {
     /// The determinant in doubles.
     pub determinant: f64,
-    /// Its sign is certain if it is beyond this; NaN or infinite where that is unknown.
+    /// The sign is certain if the magnitude exceeds this bound; NaN or infinite if the bound is unknown.
     pub bound: f64,
 }
 
@@ -65,8 +66,8 @@ impl Bounded {
     #[inline(always)]
     #[must_use]
     pub fn certain(self) -> Option<Sign> {
-        // By the sign bit (it is not zero if it is certain): signs are as good as random, and a branch on them mispredicts every
-        // other time.
+        // By the sign bit (a certain determinant is not zero): signs are as good as random, and a branch on them
+        // mispredicts every other time.
         const SIGNS: [Sign; 2] = [Sign::Positive, Sign::Negative];
         let sign = SIGNS[usize::from(self.determinant.is_sign_negative())];
         (self.determinant.abs() > self.bound).then_some(sign)
@@ -88,7 +89,7 @@ pub fn orient3d([a, b, c, d]: [[f64; 3]; 4]) -> Bounded {
     Bounded::new(estimate, bound::ORIENT3D, SLACK * (heights + 1.0))
 }
 
-/// d in the circle of a, b, c.
+/// The position of d relative to the circle of a, b, c.
 #[inline(always)]
 #[must_use]
 pub fn incircle([a, b, c, d]: [[f64; 2]; 4]) -> Bounded {
@@ -96,7 +97,7 @@ pub fn incircle([a, b, c, d]: [[f64; 2]; 4]) -> Bounded {
     Bounded::new(estimate, bound::INCIRCLE, SLACK * (lifts + 1.0))
 }
 
-/// e in the sphere of a, b, c, d.
+/// The position of e relative to the sphere of a, b, c, d.
 #[inline(always)]
 #[must_use]
 pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Bounded {

@@ -6,7 +6,7 @@ use predicament_predicates::{
 
 use crate::{Session, stage};
 
-/// The exact backend. Its promise is proved: the sign of the real determinant.
+/// The exact backend: it is proved to return the sign of the real determinant.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Exact;
 

@@ -1,9 +1,10 @@
-//! Integers of one limb for a query of which nothing is known: its coordinates in a unit of their own.
+//! Integers of one limb for a query without a plan, with its coordinates in a unit of the query.
 //!
-//! A scene may span more bits than a limb holds while each of its queries spans few: clusters far from each other, figures of many sizes, a
-//! few coordinates with long tails. Whether a query does is seen when it is tried, from its points alone.
+//! A scene may span more bits than a limb holds while each of its queries spans few: clusters far from each other,
+//! figures of many sizes, a few coordinates with long tails. The code finds out by trying, from the query's points
+//! alone.
 
-// Loops over indices stay in registers, where `map` on arrays goes through memory.
+// Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use predicament_arithmetic::{Fixed, power_of_two};
@@ -12,7 +13,7 @@ use crate::truncate::to_integer;
 
 /// Differences of one limb.
 pub(crate) struct Short<const D: usize, const N: usize> {
-    /// In units of 2^`low`.
+    /// The differences in units of 2^`low`.
     pub rows: [[Fixed<1>; D]; N],
     /// An upper bound on their bits.
     pub bits: i32,
@@ -20,11 +21,12 @@ pub(crate) struct Short<const D: usize, const N: usize> {
     pub low: i32,
 }
 
-/// The differences to the last point in units of some power of two, if all coordinates
-/// together span no more than 61 bits.
+/// The differences to the last point as integers in units of some power of two.
+///
+/// `None` if all coordinates together span more than 61 bits.
 #[inline(always)]
 pub(crate) fn rows<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Option<Short<D, N>> {
-    // Magnitudes are in the order of their bits.
+    // The order of magnitudes is the order of their bits.
     let mut largest = 0;
     for row in 0..N {
         for axis in 0..D {
@@ -34,7 +36,7 @@ pub(crate) fn rows<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Op
     }
     #[allow(clippy::cast_possible_truncation)] // 11 bits
     let exponent = (largest >> 52) as i32;
-    // Of the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
+    // With the biased exponent e, it is less than 2^(e - 1022); scaled it is less than 2^61.
     if !(61..2047).contains(&exponent) {
         return None;
     }
@@ -45,8 +47,8 @@ pub(crate) fn rows<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Op
             let x = points[row][axis];
             let scaled = x * unit;
             let integer = to_integer(scaled);
-            // (A coordinate that is lost in scaling is no integer either. Of any other the product is exact.)
-            #[allow(clippy::cast_precision_loss)] // that is what is compared
+            // (A coordinate that underflows in scaling is not an integer either. For any other the product is exact.)
+            #[allow(clippy::cast_precision_loss)] // the comparison detects rounding
             let same = (integer as f64 == scaled) & ((scaled == 0.0) == (x == 0.0));
             whole &= same;
             all |= integer;
@@ -56,7 +58,7 @@ pub(crate) fn rows<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Op
     if !whole {
         return None;
     }
-    // As many zeros are below all of them, and differences are below 2^62.
+    // All of them have at least this many trailing zeros, and differences are below 2^62.
     let zeros = all.trailing_zeros() & 63;
     let mut rows = [[Fixed::ZERO; D]; N];
     for row in 0..N - 1 {
@@ -89,7 +91,7 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(20_000)))]
 
-        /// All entries are their differences in the unit, and have no more bits than is said.
+        /// All entries are the differences in the unit, and `bits` bounds their length.
         #[test]
         fn rows_are_proportional_to_differences(p in prop::array::uniform3(prop::array::uniform2(double()))) {
             if let Some(Short { rows, bits, low }) = rows(&p) {

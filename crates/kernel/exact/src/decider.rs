@@ -1,11 +1,11 @@
-//! A scene, prepared: the bounds of its filters, and what else its queries turn out to need.
+//! A prepared scene: the bounds of its filters, and data that its queries need later.
 //!
-//! A decider says which stage has settled a query, and counts nothing: it is of one type, compiled once, here, whoever listens to a
-//! [`Session`](crate::Session).
+//! A decider returns the stage that settled a query, and counts nothing. It is one type, compiled once in this crate
+//! for all tallies of a [`Session`](crate::Session).
 //!
-//! Preparing takes one pass over the points, for their extents. A filter reads the points of its vertices and one bound, nothing else. What
-//! it leaves open asks for the scene's plan, which is made when it is first asked for: a scene whose filters decide everything
-//! never makes one.
+//! Preparing takes one pass over the points, for their extents. A filter reads only the points of its vertices and one
+//! bound. A query that the filter leaves open needs the scene's plan, which is made on first use: a scene whose filters
+//! decide everything never makes one.
 
 mod batches;
 mod open;
@@ -25,25 +25,25 @@ use crate::stage;
 
 /// The exact backend, prepared for one scene, without a tally.
 pub(crate) struct Decider<'s> {
-    /// The scene's points, in the view of its dimension; the other one is empty.
+    /// The scene's points, in the view of its dimension; the other view is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
-    /// By what turns become integers, where that comes before any filter; else zero. By plane.
+    /// The scale that turns coordinates into integers, if integers come before any filter; else zero. By plane.
     turn_scale: [f64; 3],
-    /// The bounds of static filters; NaN where there is none.
+    /// The bounds of static filters; NaN if there is none.
     incircle: f64,
     orient3d: f64,
     insphere: f64,
-    /// Whether queries ask their own filters first.
+    /// True if queries run their own filters first.
     incircle_by_query: bool,
     orient3d_by_query: bool,
     insphere_by_query: bool,
-    /// How far the scene extends along each of its axes.
+    /// The extent of the scene along each of its axes.
     extent2: [f64; 2],
     extent3: [f64; 3],
     flat: OnceLock<Box<Flat>>,
     solid: OnceLock<Box<Solid>>,
-    /// With the scene, and the vertices that were constructed since.
+    /// The scene, including the vertices constructed since.
     constructed: Constructed,
 }
 
@@ -80,7 +80,7 @@ impl<'s> Decider<'s> {
         self.extent2 = extents(self.points2);
         self.incircle = first::bound(self.extent2, bound::static_incircle);
         self.incircle_by_query = first::choose::<Incircle, 2, 4>(self.points2, self.incircle) == First::Query;
-        // A filter that leaves much open is mispredicted often. Two products of integers are not.
+        // A filter that leaves much open causes many branch mispredictions. Two products of integers do not.
         if first::leaves_much::<Orient2d, 2, 3>(self.points2.len(), |at| self.points2[at]) {
             self.turn_scale[Plane::Xy as usize] = self.flat().orient2d.scale;
         }
@@ -110,7 +110,7 @@ impl<'s> Decider<'s> {
         self.constructed.construct_where(definitions, accepts)
     }
 
-    /// The scene, with what was constructed.
+    /// The scene, with its constructed vertices.
     #[inline]
     pub fn scene(&self) -> &Scene {
         self.constructed.scene()
@@ -142,7 +142,7 @@ impl<'s> Decider<'s> {
             Dimension::Three => self.points3.get(v.index()).map(|p| p[axis.index()]),
         };
         let (Some(x), Some(y)) = (at(a), at(b)) else { return self.compare_constructed(axis, [a, b]) };
-        // The coordinates of a scene are finite: there's always an order, in which -0 equals 0.
+        // The coordinates of a scene are finite, so there is always an order, in which -0 equals 0.
         const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
         (SIGNS[usize::from(x >= y) + usize::from(x > y)], stage::COMPARE)
     }
@@ -162,7 +162,7 @@ impl<'s> Decider<'s> {
                 return (sign, stage::SEMI_STATIC);
             }
         }
-        // A projection: where the plane is a constant, so are the places of coordinates.
+        // A projection: where the plane is a constant, so are the indices of coordinates.
         let at = |v: Vertex| self.points3.get(v.index());
         if let (Some(a), Some(b), Some(c)) = (at(a), at(b), at(c)) {
             let [i, j] = plane.axes().map(Axis::index);

@@ -1,16 +1,14 @@
 //! The determinants: as polynomials (degree, growth, filter constant, bits), and in integers of a fixed size.
 //!
 //! # As polynomials
-//! With all differences less than M, the sum of the magnitudes of all terms is
-//! at most 2M² for orient2d, 6M³ for orient3d, 3·2·2 M⁴ = 12M⁴ for incircle
-//! and 4·6·3 M⁵ = 72M⁵ for insphere: `growth` is the next logarithm to base
-//! two. The bits for integers are counted below.
+//! With all differences less than M, the sum of the magnitudes of all terms is at most 2M² for orient2d, 6M³ for
+//! orient3d, 3·2·2 M⁴ = 12M⁴ for incircle and 4·6·3 M⁵ = 72M⁵ for insphere: `growth` is the next logarithm to base two.
+//! The bits for integers are counted below.
 //!
 //! # In integers
-//! The arguments are differences of coordinates in units of the scene's lowest
-//! bit. `D` is the number of limbs of a difference; a product of k of them
-//! takes k·D. Sums wrap, which harms nobody as long as the determinant itself
-//! fits: for differences less than M = 2^b in magnitude,
+//! The arguments are differences of coordinates in units of the scene's lowest bit. `D` is the number of limbs of a
+//! difference; a product of k of them takes k·D. Sums wrap, which is harmless if the determinant itself fits: for
+//! differences less than M = 2^b in magnitude,
 //!
 //! | predicate | largest determinant | limbs | b up to, for D = 1 | for D = 2 |
 //! |---|---|---|---|---|
@@ -19,28 +17,25 @@
 //! | incircle | 8M⁴ | 4D | 63 | 127 |
 //! | insphere | 48M⁵ | 5D | 62 | 126 |
 //!
-//! since 2b + 1 ≤ 127, 3b + 2 ≤ 191 and 4b + 3 ≤ 255 at b = 63, and
-//! 5b + log₂48 ≤ 319 at b = 62; the same for D = 2. (4M³ is what a 3 × 3
-//! determinant with entries up to M can reach, 16M⁴ a 4 × 4 one: Hadamard.
-//! Lifts scale one column, by 2M or 3M.) What is multiplied on the way has to
-//! fit as well: lifts are less than 2M² or 3M² and get 2D limbs, minors less
-//! than 2M² and 4M³ and get 2D and 3D.
+//! since 2b + 1 ≤ 127, 3b + 2 ≤ 191 and 4b + 3 ≤ 255 at b = 63, and 5b + log₂48 ≤ 319 at b = 62; the same for D = 2.
+//! (4M³ is the maximum of a 3 × 3 determinant with entries up to M, 16M⁴ of a 4 × 4 one: Hadamard. Lifts scale one
+//! column, by 2M or 3M.) Intermediate factors must fit as well: lifts are less than 2M² or 3M² and get 2D limbs, minors
+//! less than 2M² and 4M³ and get 2D and 3D.
 //!
-//! All predicates stop one bit earlier, at 62 and 126, so that one number does for all.
+//! All predicates stop one bit earlier, at 62 and 126, so that one number serves all.
 //!
-//! # What a filter leaves open is small
-//! Where a filter has been asked and could not tell, the determinant is at most
-//! about twice the filter's bound, some 2^-48 of what it could be: it is
-//! known but for multiples of a power of two, and so it is computed modulo
-//! that. The upper limbs are left out; see [`Determinant::limbs_left_open`].
+//! # Fewer limbs after a filter
+//! If a filter has run and could not decide, the determinant is at most about twice the filter's bound, some 2^-48 of
+//! its possible maximum. So it is known up to multiples of a power of two, and the code computes it modulo that power.
+//! The upper limbs are omitted; see [`Determinant::limbs_left_open`].
 
 use predicament_arithmetic::{Fixed, Form, Parts, bound};
 use predicament_predicates::Sign;
 
-/// A determinant: what a plan needs to know, and the constant of its filter.
+/// The data of a determinant for a plan, and the constant of its filter.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Determinant {
-    /// Degree, growth and bits.
+    /// The degree, growth and bits.
     pub form: Form,
     /// The constant of the semi-static filter, to be multiplied with the permanent.
     pub bound: f64,
@@ -53,14 +48,13 @@ impl Determinant {
         limbs(self.form.degree * bits + self.form.growth)
     }
 
-    /// The limbs that hold one which a filter has left open.
+    /// The limbs that hold any determinant which a filter has left open.
     ///
-    /// The filter has found |d| < B·p, and d errs by no more than a determinant
-    /// must to have the wrong sign: so |D| < 2.01·B·2^growth·M^degree, where what is
-    /// of second order in u is paid for by the hundredth. Both filters are meant:
-    /// B·p, for M larger than the differences of the query, and the static bound,
-    /// for M larger than those of the scene.
-    #[inline(always)] // most of it is known when it is compiled
+    /// The filter has found |d| < B·p, and d errs by no more than a determinant must to have the wrong sign. So |D| <
+    /// 2.01·B·2^growth·M^degree, where the hundredth covers the terms of second order in u. This holds for both
+    /// filters: B·p, for M larger than the differences of the query, and the static bound, for M larger than those of
+    /// the scene.
+    #[inline(always)] // most of it is known at compile time
     #[must_use]
     pub const fn limbs_left_open(&self, bits: i32) -> usize {
         let share = 2.01 * self.bound;
@@ -69,7 +63,7 @@ impl Determinant {
     }
 }
 
-/// The limbs of integers less than 2^`bits`, and their signs.
+/// The limbs of integers less than 2^`bits`, with their signs.
 #[inline(always)]
 const fn limbs(bits: i32) -> usize {
     if bits < 0 { 1 } else { (bits.cast_unsigned() + 1).div_ceil(64) as usize }
@@ -83,31 +77,31 @@ const fn determinant(degree: i32, growth: i32, bound: f64) -> Determinant {
 pub const ORIENT2D: Determinant = determinant(2, 1, bound::ORIENT2D);
 /// The side of a point on a plane.
 pub const ORIENT3D: Determinant = determinant(3, 3, bound::ORIENT3D);
-/// A point in a circle.
+/// The position of a point relative to a circle.
 pub const INCIRCLE: Determinant = determinant(4, 4, bound::INCIRCLE);
-/// A point in a sphere.
+/// The position of a point relative to a sphere.
 pub const INSPHERE: Determinant = determinant(5, 7, bound::INSPHERE);
 
 /// The largest b for differences of one and of two limbs.
 pub const BITS: [i32; 2] = [62, 126];
 
-// D is the number of limbs of a difference, D2 and so on those of products; the
-// last is that of the determinant. Fewer than all are right modulo what they hold.
+// D is the number of limbs of a difference, D2 and so on those of products; the last is that of the determinant. A
+// smaller number of limbs gives the right value modulo its range.
 
-/// p × q.
+/// The sign of p × q.
 #[inline(always)]
 pub fn orient2d<const D: usize, const D2: usize>([p, q]: [[Fixed<D>; 2]; 2]) -> Sign {
     sign(cross::<D, D2>(p, q))
 }
 
-/// det(p, q, r).
+/// The sign of det(p, q, r).
 #[inline(always)]
 pub fn orient3d<const D: usize, const D2: usize, const D3: usize>(rows: [[Fixed<D>; 3]; 3]) -> Sign {
     let [p, q, r] = rows;
     sign(triple::<D, D2, D3>([[p[0], p[1]], [q[0], q[1]], [r[0], r[1]]], [p[2], q[2], r[2]]))
 }
 
-/// det(p, q, r), each with its squared length.
+/// The sign of det(p, q, r), each with its squared length.
 #[inline(always)]
 pub fn incircle<const D: usize, const D2: usize, const D4: usize>(rows: [[Fixed<D>; 2]; 3]) -> Sign {
     let [p, q, r] = rows;
@@ -115,7 +109,7 @@ pub fn incircle<const D: usize, const D2: usize, const D4: usize>(rows: [[Fixed<
     sign(term(q, r, p).plus(term(r, p, q)).plus(term(p, q, r)))
 }
 
-/// det(p, q, r, s), each with its squared length.
+/// The sign of det(p, q, r, s), each with its squared length.
 #[inline(always)]
 pub fn insphere<const D: usize, const D2: usize, const D3: usize, const D5: usize>(rows: [[Fixed<D>; 3]; 4]) -> Sign {
     let [p, q, r, s] = rows.map(|[x, y, _]| [x, y]);

@@ -1,21 +1,17 @@
 //! Exact signs for any finite doubles, without allocation.
 //!
-//! Where the coordinates of a query span at most 253 bits, integers of a fixed
-//! size ([`determinant`]) answer. Where they span more, exact numbers are long, and
-//! most signs are plain: [`Ball`]s, floating point with proved errors and
-//! an exponent of its own, come first, and dyadic [`Number`]s compute exactly what those
-//! leave open. None of them can overflow, underflow or run out of digits.
+//! If the coordinates of a query span at most 253 bits, integers of a fixed size ([`determinant`]) answer. If they span
+//! more, exact numbers are long, and most signs are clear. So [`Ball`]s come first: floating point with proved errors
+//! and a separate exponent. Dyadic [`Number`]s then compute exactly what balls leave open. None of them can overflow,
+//! underflow or run out of digits.
 //!
-//! For balls, the point nearest to the origin is made the one that is
-//! subtracted from the others (exchanging two points changes the sign, and
-//! nothing else). Next to a far smaller number, a coordinate stays what it is; next to
-//! a far larger one it is lost in the rounding of the difference, and
-//! if this happens to all of them, so is the sign.
+//! For balls, the point nearest to the origin is the one that is subtracted from the others (exchanging two points only
+//! changes the sign). Subtracting a far smaller number leaves a coordinate unchanged. Subtracting a far larger one
+//! loses the coordinate in the rounding of the difference, and if all coordinates are lost, so is the sign.
 //!
 //! # Space of the dyadic numbers
-//! In units of the lowest bit of the query, its coordinates are integers below 2^w,
-//! w ≤ 2098 as all finite doubles are multiples of 2^−1074 below 2^1024. A sum of N
-//! products takes their bits, the logarithm of N rounded up, and a sign:
+//! In units of the lowest bit of the query, its coordinates are integers below 2^w, w ≤ 2098 as all finite doubles are
+//! multiples of 2^−1074 below 2^1024. A sum of N products takes their bits, the logarithm of N rounded up, and a sign:
 //!
 //! | | degree | terms | below 2^ | bits of the sum |
 //! |---|---|---|---|---|
@@ -26,11 +22,10 @@
 //! | incircle | 4 | 3 | | 4w + 9 |
 //! | insphere | 5 | 4 | | 5w + 13 |
 //!
-//! Each is at most j(w + 3) for degree j, so with n limbs for w + 3 bits a number of degree j
-//! takes jn limbs at most: n = 33 is enough for everything. Coordinates take two limbs each.
+//! Each is at most j(w + 3) for degree j, so with n limbs for w + 3 bits a number of degree j takes jn limbs at most:
+//! n = 33 is enough for everything. Coordinates take two limbs each.
 //!
-//! Coordinates must be finite, as those of a scene are; others make the
-//! functions panic.
+//! Coordinates must be finite, as those of a scene are; the functions panic otherwise.
 
 use predicament_arithmetic::{
     Ball, ExponentRange, Fixed, Parts,
@@ -67,9 +62,10 @@ pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3])
     alternating([a, b, c, d, e], insphere_ball, determinant::insphere::<4, 8, 12, 20>, insphere_dyadic)
 }
 
-/// The sign of a determinant that changes its sign when two points change places:
-/// by integers of a fixed size from differences to the last point, by balls, or by
-/// dyadic numbers, told the exponent of the lowest bit.
+/// The sign of a determinant that changes its sign when two points change places.
+///
+/// It tries integers of a fixed size from differences to the last point, then balls, then dyadic numbers, which get the
+/// exponent of the lowest bit.
 #[inline(always)]
 fn alternating<const D: usize, const N: usize, const R: usize>(
     mut points: [[f64; D]; N],
@@ -100,20 +96,21 @@ fn alternating<const D: usize, const N: usize, const R: usize>(
     }
 }
 
-/// Limbs of a difference in integers of a fixed size.
+/// The number of limbs of a difference in integers of a fixed size.
 const FIXED: usize = 4;
-/// The bits that coordinates may span for them: differences are below 2^254,
-/// and the table in [`determinant`] wants b ≤ 64·4 − 2.
+/// The largest span of coordinates, in bits, for integers of a fixed size.
+///
+/// Differences are below 2^254, and the table in [`determinant`] requires b ≤ 64·4 − 2.
 const FIXED_SPAN: i32 = 64 * 4 - 3;
 
-/// x·2^−`exponent`, an integer below 2^[`FIXED_SPAN`].
+/// The integer x·2^−`exponent`, below 2^[`FIXED_SPAN`].
 #[inline(always)]
 fn fixed_width(x: f64, exponent: i32) -> Fixed<FIXED> {
     if x == 0.0 {
         return Fixed::ZERO;
     }
     let Parts { negative, significand, exponent: own } = Parts::of(x).expect("the coordinates of a scene are finite");
-    // Nothing but zeros is shifted out.
+    // The shift drops only zeros.
     let (significand, shift) = match usize::try_from(own - exponent) {
         Ok(shift) => (significand, shift),
         Err(_) => (significand >> (exponent - own), 0),
@@ -121,21 +118,21 @@ fn fixed_width(x: f64, exponent: i32) -> Fixed<FIXED> {
     let mut limbs = [0; FIXED];
     limbs[shift / 64] = significand << (shift % 64);
     if let Some(above) = limbs.get_mut(shift / 64 + 1) {
-        // In two steps, as a shift by 64 is none.
+        // In two steps, because a shift by 64 would do nothing.
         *above = significand >> 1 >> (63 - shift % 64);
     }
     let magnitude = Fixed::from_limbs(limbs);
     if negative { Fixed::ZERO.minus(magnitude) } else { magnitude }
 }
 
-/// The point whose largest coordinate is the smallest; of equals the last.
+/// The index of the point whose largest coordinate is the smallest; the last one if several are equal.
 #[inline(always)]
 fn nearest_to_origin<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> usize {
     let largest = points.map(|p| p.iter().fold(0.0, |largest: f64, x| largest.max(x.abs())));
     (0..N - 1).rev().fold(N - 1, |least, i| if largest[i] < largest[least] { i } else { least })
 }
 
-/// Limbs for each degree.
+/// The number of limbs for each degree.
 const DEGREE: usize = 33;
 const _: () = assert!(DEGREE * 64 >= 2098 + 3);
 
@@ -189,7 +186,7 @@ fn insphere_dyadic([a, b, c, d, e]: [[f64; 3]; 5], exponent: i32) -> Sign {
     Sign::from(Number::sum(space, terms).cmp0())
 }
 
-/// The points less the origin, in units of 2^`exponent`.
+/// The points minus the origin, in units of 2^`exponent`.
 #[inline(always)]
 fn rows<'a, const D: usize, const R: usize>(
     space: &mut Space<'a>,

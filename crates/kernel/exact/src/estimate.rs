@@ -1,35 +1,36 @@
 //! Determinants in plain floating point, each with its permanent.
 //!
-//! The permanent is the same sum with every term taken by magnitude: the
-//! measure of how much a determinant can cancel, and of how far rounding can
-//! carry it.
+//! The permanent is the same sum with the magnitude of every term. It measures how much a determinant can cancel, and
+//! how far rounding can move it.
 
 use predicament_predicates::Sign;
 
-/// A determinant and its permanent, as plain floating point finds them.
+/// A determinant and its permanent, computed in plain floating point.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Estimate {
     /// The determinant.
     pub determinant: f64,
-    /// The permanent; for [`orient2d`] see there.
+    /// The permanent; [`orient2d`] defines it differently.
     pub permanent: f64,
 }
 
 impl Estimate {
-    /// The sign of the determinant if its magnitude is at least `bound` times
-    /// the permanent. With a bound that is NaN there is none.
+    /// The sign of the determinant if its magnitude is at least `bound` times the permanent.
+    ///
+    /// `None` otherwise, and if the bound is NaN.
     #[inline(always)]
     #[must_use]
     pub fn certain(self, bound: f64) -> Option<Sign> {
         self.above(bound * self.permanent)
     }
 
-    /// The sign of the determinant if its magnitude is at least `bound`. With
-    /// a bound that is NaN there is none.
+    /// The sign of the determinant if its magnitude is at least `bound`.
+    ///
+    /// `None` otherwise, and if the bound is NaN.
     #[inline(always)]
     #[must_use]
     pub fn above(self, bound: f64) -> Option<Sign> {
-        // A table by the bits: signs are as good as random, and a branch on them mispredicts every other time.
+        // A table lookup by the bits: signs are as good as random, and a branch on them mispredicts every other time.
         const SIGNS: [Sign; 4] = [Sign::Positive, Sign::Negative, Sign::Zero, Sign::Zero];
         let is_zero = self.determinant.to_bits() << 1 == 0;
         let sign = SIGNS[usize::from(self.determinant.is_sign_negative()) + 2 * usize::from(is_zero)];
@@ -37,10 +38,10 @@ impl Estimate {
     }
 }
 
-/// (a − c) × (b − c) = l − r, with |l + r| for the permanent |l| + |r|.
+/// The estimate of (a − c) × (b − c) = l − r, with |l + r| in place of the permanent |l| + |r|.
 ///
-/// The two differ when l and r have opposite signs, but then no rounding can
-/// change the sign of l − r (Ozaki, Bünger, Ogita, Oishi and Rump 2016).
+/// The two differ if l and r have opposite signs, but then no rounding can change the sign of l − r (Ozaki, Bünger,
+/// Ogita, Oishi and Rump 2016).
 #[inline(always)]
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
@@ -51,14 +52,14 @@ pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
     Estimate { determinant: left - right, permanent: (left + right).abs() }
 }
 
-/// det(a − d, b − d, c − d).
+/// The estimate of det(a − d, b − d, c − d).
 #[inline(always)]
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Estimate {
     orient3d_sized(a, b, c, d).0
 }
 
-/// [`orient3d`], and the magnitudes of the last coordinates' differences, together.
+/// The result of [`orient3d`], and the sum of the magnitudes of the last coordinates' differences.
 #[inline(always)]
 pub(crate) fn orient3d_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> (Estimate, f64) {
     let [adx, ady, adz] = minus3(a, d);
@@ -73,14 +74,14 @@ pub(crate) fn orient3d_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3])
     (Estimate { determinant, permanent }, adz + bdz + cdz)
 }
 
-/// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
+/// The estimate of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 #[inline(always)]
 #[must_use]
 pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Estimate {
     incircle_sized(a, b, c, d).0
 }
 
-/// [`incircle`], and the squared lengths of the differences, together.
+/// The result of [`incircle`], and the sum of the squared lengths of the differences.
 #[inline(always)]
 pub(crate) fn incircle_sized(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> (Estimate, f64) {
     let [adx, ady] = minus2(a, d);
@@ -99,14 +100,15 @@ pub(crate) fn incircle_sized(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2])
     (estimate, a_lift + b_lift + c_lift)
 }
 
-/// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
+/// The estimate of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 #[inline(always)]
 #[must_use]
 pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Estimate {
     insphere_sized(a, b, c, d, e).0
 }
 
-/// [`insphere`], the magnitudes of the last coordinates' differences, together, and the squared lengths of the differences, together.
+/// The result of [`insphere`], the sum of the magnitudes of the last coordinates' differences, and the sum of the
+/// squared lengths of the differences.
 #[inline(always)]
 pub(crate) fn insphere_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> (Estimate, [f64; 2]) {
     let a = minus3(a, e);
@@ -133,7 +135,7 @@ pub(crate) fn insphere_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3],
     (Estimate { determinant, permanent }, [(az + bz) + (cz + dz), (al + bl) + (cl + dl)])
 }
 
-/// A 2 × 2 determinant, and the same with its terms taken by magnitude.
+/// A 2 × 2 determinant, and its permanent.
 #[derive(Clone, Copy)]
 struct Minor {
     value: f64,

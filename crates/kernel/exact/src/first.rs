@@ -1,32 +1,33 @@
-//! What a session knows before any query: the bounds of the static filters, from one pass over the points.
+//! The data of a session before any query: the bounds of the static filters, from one pass over the points.
 //!
-//! A static bound is made of the extents of the scene's axes ([`bound`](predicament_arithmetic::bound)). It holds where nothing
-//! underflows or overflows. For that a [`Plan`](predicament_arithmetic::Plan) looks for the lowest bit of all coordinates, which
-//! costs several times as much as extents do. Extents alone prove it where each of them is zero or from 2⁻¹⁴⁰ to 2²⁰⁰:
+//! A static bound is computed from the extents of the scene's axes ([`bound`](predicament_arithmetic::bound)). It holds
+//! if nothing underflows or overflows. To prove that, a [`Plan`](predicament_arithmetic::Plan) finds the lowest bit of
+//! all coordinates, which costs several times as much as extents do. Extents alone prove it if each of them is zero or
+//! from 2⁻¹⁴⁰ to 2²⁰⁰:
 //!
 //! * Nothing overflows: 5·200 + 7 ≤ 1023.
-//! * A product that underflows is off by 2⁻¹⁰⁷⁵ at most, instead of by a relative u, and what it is multiplied with
-//!   later are entries within their extents: where E is the product of a term's extents, the error is at most 2⁻¹⁰⁷⁵·E/F with F
-//!   a product of at least two extents, F ≥ 2⁻²⁸⁰ (with a lift, F ≥ 2⁻⁷⁰⁰). A hundred such errors are less than 2⁻³⁰⁰·E,
-//!   nothing beside the 2⁻⁵⁰·u·E by which [`MARGIN`] exceeds what roundings need.
-//! * Where an extent is zero, all differences along it are, and every product of every term has a factor of zero: the determinant is zero
-//!   in doubles as it is in truth, and so is the bound.
+//! * A product that underflows is off by 2⁻¹⁰⁷⁵ at most, instead of by a relative u. Its later factors are entries
+//!   within their extents. With E the product of a term's extents, the error is at most 2⁻¹⁰⁷⁵·E/F with F a product of
+//!   at least two extents, F ≥ 2⁻²⁸⁰ (with a lift, F ≥ 2⁻⁷⁰⁰). A hundred such errors are less than 2⁻³⁰⁰·E, negligible
+//!   beside the 2⁻⁵⁰·u·E by which [`MARGIN`] exceeds the need of roundings.
+//! * If an extent is zero, all differences along it are, and every product of every term has a factor of zero: the
+//!   determinant is exactly zero in doubles, and so is the bound.
 //!
-//! Elsewhere there are no static bounds: queries go on to filters of their own.
+//! Otherwise there are no static bounds: queries use their own filters.
 
 use predicament_arithmetic::{difference_up, power_of_two};
 
 use crate::predicate::Predicate;
 
-/// The extents other than zero for which filters are proved.
+/// The least nonzero extent for which filters are proved.
 const LOWEST: f64 = power_of_two(-140);
 const HIGHEST: f64 = power_of_two(200);
-/// Pays for underflow: 2⁻⁵⁰ of the bound.
+/// The factor that covers underflow: 2⁻⁵⁰ of the bound.
 const MARGIN: f64 = 1.0 + 4.0 * f64::EPSILON;
 
-/// How far points extend along each axis; rounded up.
+/// The extent of the points along each axis, rounded up.
 pub(crate) fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
-    // Four points at a time, so that no minimum waits for the one before.
+    // Four points at a time, so that no minimum waits for the previous one.
     let mut low = [[f64::INFINITY; D]; 4];
     let mut high = [[f64::NEG_INFINITY; D]; 4];
     let mut widen = |lane: usize, point: &[f64; D]| {
@@ -37,7 +38,7 @@ pub(crate) fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
         }
     };
     let (fours, rest) = points.as_chunks::<4>();
-    // (Of no points at all, the lowest is above the highest.)
+    // (Without points, the lowest is above the highest.)
     for four in fours {
         four.iter().enumerate().for_each(|(lane, point)| widen(lane, point));
     }
@@ -51,39 +52,40 @@ pub(crate) fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
     })
 }
 
-/// The static bound of a determinant, where extents prove it; NaN elsewhere.
+/// The static bound of a determinant, if extents prove it; else NaN.
 pub(crate) fn bound<const D: usize>(extent: [f64; D], of: impl Fn([f64; D]) -> f64) -> f64 {
     let is_safe = extent.iter().all(|x| *x == 0.0 || (LOWEST..=HIGHEST).contains(x));
     if is_safe { of(extent) * MARGIN } else { f64::NAN }
 }
 
-/// The bound for determinants that are expanded along one line or plane ([`side`](crate::side)), with what pays for underflow.
+/// The bound for determinants that are expanded along one line or plane ([`side`](crate::side)), with a margin for
+/// underflow.
 ///
-/// With extents of at most 2²⁰⁰, a minor of the normal is off by 2⁻¹⁰⁷⁴ and multiplied with an extent, and each product is off by
-/// 2⁻¹⁰⁷⁵: together less than 2⁻⁸⁷⁰. Let b be the bound without it. If b ≤ 2⁻⁸¹⁰, adding 2⁻⁸⁶⁰ and rounding makes it larger by
-/// 2⁻⁸⁶¹ at least. Else 2⁻⁸⁷⁰ is less than 2⁻⁶⁰·b, for which there is [`MARGIN`].
+/// With extents of at most 2²⁰⁰, a minor of the normal is off by 2⁻¹⁰⁷⁴ and multiplied with an extent, and each product
+/// is off by 2⁻¹⁰⁷⁵: together less than 2⁻⁸⁷⁰. Let b be the bound without the margin. If b ≤ 2⁻⁸¹⁰, adding 2⁻⁸⁶⁰ and
+/// rounding makes it larger by 2⁻⁸⁶¹ at least. Otherwise 2⁻⁸⁷⁰ is less than 2⁻⁶⁰·b, which [`MARGIN`] covers.
 pub(crate) fn beside(bound: f64) -> f64 {
     const SLACK: f64 = power_of_two(-860);
     bound * MARGIN + SLACK
 }
 
-/// Which filter a predicate asks first.
+/// The filter that a predicate runs first.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum First {
-    /// The static one, with the scene's bound.
+    /// The static filter, with the scene's bound.
     Scene,
-    /// The query's own: the scene has no bound, or one that is too large for most of its figures.
+    /// The query's own filter: the scene has no bound, or one that is too large for most of its figures.
     Query,
 }
 
-/// The least points that are worth a look at some of them.
+/// The least number of points for which sampling pays off.
 const LOOKED_AT_FROM: usize = 1 << 11;
-/// How many queries are looked at.
+/// The number of sampled queries.
 const LOOKS: usize = 24;
 
-/// The filter that decides most of some queries of these points, by a few of them.
+/// The filter that decides most queries of these points, estimated from a sample.
 ///
-/// It only chooses an order: any order gives the same signs. It is the same for the same points.
+/// It only chooses an order: any order gives the same signs. The result depends only on the points.
 pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
     points: &[[f64; D]],
     static_bound: f64,
@@ -94,7 +96,7 @@ pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
     if points.len() < LOOKED_AT_FROM {
         return First::Scene;
     }
-    // By what is anywhere, and by neighbours in the list.
+    // Samples of random vertices, and of neighbours in the list.
     let mut decided = [[0; 2]; 2];
     for look in 0..LOOKS {
         for (among, [by_scene, by_query]) in decided.iter_mut().enumerate() {
@@ -103,12 +105,14 @@ pub(crate) fn choose<P: Predicate<D, N>, const D: usize, const N: usize>(
             *by_query += usize::from(P::anywhere(query).certain().is_some());
         }
     }
-    // A filter that fails now and then is mispredicted as often, which costs more than the permanent.
+    // A filter that fails sometimes causes as many mispredictions, which cost more than the permanent.
     let is_worse = |[by_scene, by_query]: [usize; 2]| by_scene * 8 < by_query * 7;
     if decided.into_iter().any(is_worse) { First::Query } else { First::Scene }
 }
 
-/// Whether a predicate's own filter leaves much open, by a few queries. As [`choose`], it only chooses an order.
+/// Returns true if a predicate's own filter leaves many queries of a sample open.
+///
+/// Like [`choose`], it only chooses an order.
 pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
     count: usize,
     point: impl Fn(usize) -> [f64; D],
@@ -126,9 +130,9 @@ pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
     open.into_iter().any(|open| open * 8 >= LOOKS)
 }
 
-/// The places of a query that is looked at: anywhere, or neighbours in the list.
+/// The vertices of a sampled query: anywhere, or neighbours in the list.
 ///
-/// Queries ask about what is near, and what is near in space is often near in the list.
+/// Typical queries are about near points, and points near in space are often near in the list.
 fn looked_at<const N: usize>(look: usize, are_neighbours: bool, count: usize) -> [usize; N] {
     if are_neighbours {
         let first = place(look, count / N) * N;
@@ -138,7 +142,7 @@ fn looked_at<const N: usize>(look: usize, are_neighbours: bool, count: usize) ->
     }
 }
 
-/// The k-th of some places that are spread over all, in no order.
+/// The k-th of some indices that are spread over the whole list, in no order.
 #[allow(clippy::cast_possible_truncation)] // less than the length
 fn place(k: usize, length: usize) -> usize {
     let spread = (k as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -174,7 +178,7 @@ mod tests {
         }
     }
 
-    /// Coordinates from 0 to 1 without order.
+    /// A pseudo-random coordinate from 0 to 1.
     fn noise(at: usize) -> f64 {
         let mixed = (at as u64 + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         f64::from(u32::try_from((mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 32).unwrap())
@@ -194,7 +198,7 @@ mod tests {
         let mut points = scattered(LOOKED_AT_FROM);
         assert_eq!(chosen(&points), First::Scene);
         assert_eq!(choose::<Orient3d, 3, 4>(&points, f64::NAN), First::Query, "no bound");
-        // A point far away makes the bound of the scene too large for all others.
+        // One far point makes the scene's bound too large for all other points.
         points[0] = [1e9; 3];
         assert_eq!(chosen(&points), First::Query);
         points.pop();
@@ -203,7 +207,7 @@ mod tests {
         let clustered = |at: usize| [0, 1, 2].map(|axis| noise(3 * (at / 4) + axis) + 1e-7 * noise(3 * at + axis));
         let clusters: Vec<[f64; 3]> = (0..LOOKED_AT_FROM).map(clustered).collect();
         assert_eq!(chosen(&clusters), First::Query);
-        // In one plane neither decides anything.
+        // In one plane neither filter decides anything.
         let flat: Vec<[f64; 3]> = scattered(LOOKED_AT_FROM).into_iter().map(|[x, y, _]| [x, y, 1.0]).collect();
         assert_eq!(chosen(&flat), First::Scene);
     }
@@ -235,7 +239,7 @@ mod tests {
                 assert!(anywhere.iter().all(|&at| at < count));
                 anywhere.into_iter().chain([a]).for_each(|at| seen[at * 8 / count] += 1);
             }
-            // 15 each.
+            // Expected: 15 each.
             assert!(seen.iter().all(|seen| (8..=22).contains(seen)), "{seen:?}");
         }
     }

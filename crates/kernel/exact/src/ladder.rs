@@ -1,6 +1,6 @@
-//! The rungs of the ladder above the filters, and what a session plans when a query first climbs to them.
+//! The rungs of the ladder above the filters, and the plan that a session makes when a query first climbs to them.
 
-// Loops over indices stay in registers, where `map` on arrays goes through memory.
+// Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use predicament_arithmetic::{Arithmetic, Fixed, Plan};
@@ -11,34 +11,39 @@ use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::scene_integers::{Integers, Rows, scaled};
 use crate::stage;
 
-/// What a plan proves for one predicate.
+/// The consequences of a plan for one predicate.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Prepared {
-    /// The bound of the static filter: zero where doubles make no error, NaN
-    /// (with which no filter ever answers) where filters are not allowed.
+    /// The bound of the static filter.
+    ///
+    /// Zero if doubles make no error; NaN, with which no filter ever answers, if filters are not allowed.
     pub static_bound: f64,
-    /// The stage that the static bound stands for.
+    /// The stage that counts queries settled by the static bound.
     pub static_stage: usize,
     /// The bound of the semi-static filter, or NaN.
     pub semi_static_bound: f64,
-    /// Whether what a filter has left open is small, and needs fewer limbs.
+    /// True if a query that a filter has left open has a small determinant and needs fewer limbs.
     leaves_little: bool,
-    /// The limbs of what a filter has left open, in integers of the scene's unit.
+    /// The limbs for a query that a filter has left open, in integers of the scene's unit.
     limbs: usize,
-    /// Times this, every coordinate along these axes is an integer less than 2^63 in magnitude, and differences have one limb; zero if there
-    /// is no such power of two.
+    /// The scale that makes every coordinate along these axes an integer less than 2^63 in magnitude.
+    ///
+    /// Differences then have one limb. Zero if there is no such power of two.
     pub scale: f64,
-    /// Every coordinate is a multiple of two to this, and differences over it
-    /// have two limbs at most.
+    /// The exponent of a unit in which differences have two limbs at most.
+    ///
+    /// Every coordinate is a multiple of two to this power.
     two_limbs: Option<i32>,
 }
 
-/// The exponent that the lowest bit of determinants must have for the slack of [`anywhere`](crate::anywhere) to be less than that bit.
+/// The lowest bit of determinants for which the slack of [`anywhere`](crate::anywhere) is less than that bit, as an
+/// exponent.
 ///
-/// A determinant of degree k is a multiple of 2^(k·l). With differences below 2^(l + b), b ≤ 126, the slack is less than
-/// 2^-960 · (4·2^(l + b) + 1) for orient3d, 2^-960 · (6·4^(l + b) + 1) for incircle, 2^-960 · (12·4^(l + b)·(4·2^(l + b) + 1) + 1) for
-/// insphere. Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows, k·(l + b) ≤ 1023: the largest is insphere's, at
-/// 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 + 360 + 378), less than 1.
+/// A determinant of degree k is a multiple of 2^(k·l). With differences below 2^(l + b), b ≤ 126, the slack is less
+/// than 2^-960 · (4·2^(l + b) + 1) for orient3d, 2^-960 · (6·4^(l + b) + 1) for incircle, 2^-960 · (12·4^(l +
+/// b)·(4·2^(l + b) + 1) + 1) for insphere. Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows, k·(l + b) ≤
+/// 1023: the largest is insphere's, at 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 + 360 + 378),
+/// less than 1.
 const SLACK_IS_LESS: i32 = -900;
 
 impl Prepared {
@@ -61,14 +66,15 @@ impl Prepared {
         Prepared { static_bound, static_stage, semi_static_bound, leaves_little, limbs, scale, two_limbs }
     }
 
-    /// Whether doubles make no error.
+    /// Returns true if doubles make no error.
     #[inline(always)]
     pub fn is_double(&self) -> bool {
         self.static_stage == stage::DOUBLE
     }
 
-    /// The sign of a query that a filter has left open; `points` are those
-    /// of the vertices, seen along these axes of the integers.
+    /// The sign of a query that a filter has left open.
+    ///
+    /// `points` are those of the vertices, seen along these axes of the integers.
     #[inline(always)]
     pub fn exactly<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
@@ -95,7 +101,7 @@ impl Prepared {
         self.rest::<P, D, N>(points)
     }
 
-    /// The sign of a query by the stages up to `last`, in their order; none where they leave it open.
+    /// The sign of a query by the stages up to `last`, in their order; `None` if they leave it open.
     #[inline(always)]
     pub fn decide_to<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
@@ -117,7 +123,7 @@ impl Prepared {
         if last >= stage::INTEGER { self.exactly_to::<P, D, N, E>(points, integers, last) } else { None }
     }
 
-    /// The sign of what both filters have left open, by the exact stages up to `last`.
+    /// The sign of a query that both filters have left open, by the exact stages up to `last`.
     #[inline(never)]
     fn exactly_to<P: Predicate<D, N>, const D: usize, const N: usize, const E: usize>(
         &self,
@@ -150,8 +156,9 @@ impl Prepared {
         }
     }
 
-    /// What fits in one limb neither in units of the scene nor, as it is, in
-    /// units of the query. (Not inlined, so that the rest needs no stack.)
+    /// The sign of a query that fits in one limb neither in units of the scene nor in units of the query.
+    ///
+    /// Not inlined, so that the other rungs need no stack.
     #[inline(never)]
     fn rest<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: &[[f64; D]; N]) -> (Sign, usize) {
         let Some(lowest) = self.two_limbs else {
@@ -165,7 +172,7 @@ impl Prepared {
         }
     }
 
-    /// The limbs of what the filter for a query leaves open, in integers of so many bits.
+    /// The limbs for a query that the query's own filter leaves open, in integers of this many bits.
     #[inline(always)]
     fn limbs_of<P: Predicate<D, N>, const D: usize, const N: usize>(&self, bits: i32) -> usize {
         if self.leaves_little { P::DETERMINANT.limbs_left_open(bits) } else { P::DETERMINANT.limbs(bits) }
@@ -177,13 +184,13 @@ fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixe
     P::wide_integer(rows, limbs)
 }
 
-/// A query without a scene that its own filter has left open.
+/// The sign of a query without a scene that its own filter has left open.
 #[inline(always)]
 pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
     if let Some(sign) = P::products(*points) {
         return (sign, stage::INTEGER);
     }
-    // Two equal rows. (A point that is named twice is the tie that random queries meet most.)
+    // Two equal rows. (A point that is named twice is the most frequent tie of random queries.)
     for row in 1..N {
         if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
             return (Sign::Zero, stage::DOUBLE);
@@ -191,7 +198,7 @@ pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: 
     }
     if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
         let (determinant, form) = (P::DETERMINANT, P::DETERMINANT.form);
-        // Where nothing overflows and the slack is less than a unit, the filter has said something.
+        // If nothing overflows and the slack is less than a unit, the filter has bounded the determinant.
         let leaves_little = (form.degree * low >= SLACK_IS_LESS) & (form.degree * (low + bits) + form.growth <= 1023);
         let limbs = if leaves_little { determinant.limbs_left_open(bits) } else { determinant.limbs(bits) };
         return (P::integer(rows, limbs), stage::INTEGER);
@@ -218,7 +225,7 @@ impl Flat {
     pub fn new(points: &[[f64; 2]]) -> Flat {
         let plan = Plan::of(points);
         let incircle = Prepared::new::<Incircle, 2, 4>(&plan);
-        // If doubles do for the predicate of the highest degree, they do for all.
+        // If doubles suffice for the predicate of the highest degree, they suffice for all.
         let integers = if incircle.is_double() { Integers::None } else { Integers::new(&plan, points) };
         Flat { orient2d: Prepared::new::<Orient2d, 2, 3>(&plan), incircle, integers }
     }

@@ -1,27 +1,25 @@
 //! The exact backend: the sign of the real determinant, for every finite input.
 //!
-//! A query climbs a ladder until a rung can prove its answer ([`stage`]):
+//! A query climbs a ladder until a rung proves its answer ([`stage`]):
 //!
-//! 1. the static filter: plain floating point with one bound on its error
-//!    for the whole scene;
+//! 1. the static filter: plain floating point with one bound on its error for the whole scene;
 //! 2. the semi-static filter, with a bound for the query, for any doubles ([`anywhere`]);
-//! 3. plain floating point as it is, where every intermediate is a double anyway;
+//! 3. plain floating point, if every intermediate is representable;
 //! 4. integers of a fixed size ([`determinant`]), over one power of two for the scene or the query;
 //! 5. [`dyadic`]: exact dyadic numbers, limbs times a power of two.
 //!
-//! A session knows how far its scene extends, which is all that filters need. Which of the other rungs apply is proved by a
-//! [`Plan`](predicament_arithmetic::Plan), made when a query first climbs to them. [`Precision`] says what
-//! was chosen. A scene pays only for the rungs that it needs. A session allocates its plan, and nothing else for input vertices.
-//! `docs/EXACT.md` has the conditions and the bits of each.
+//! A session stores the extents of its scene; filters need nothing else. A [`Plan`](predicament_arithmetic::Plan), made
+//! when a query first climbs beyond the filters, proves which of the other rungs apply. [`Precision`] reports the
+//! choice. A scene pays only for the rungs that it needs. A session allocates its plan, and nothing else for input
+//! vertices. `docs/EXACT.md` has the conditions and the bits of each.
 //!
-//! [`constructed`] vertices have a ladder of their own, of two rungs. [`raw`]
-//! predicates take coordinates and no scene. [`rational`] is not on the ladder: it
-//! returns the exact values of determinants.
+//! [`constructed`] vertices have a separate ladder of two rungs. [`raw`] predicates take coordinates and no scene.
+//! [`rational`] is not on the ladder: it returns the exact values of determinants.
 //!
-//! [`Partial`] is a control: the first rungs alone.
+//! [`Partial`] is a control that uses the first rungs alone.
 //!
-//! [`Session`] also decides without tallying (`decide_…`), for backends that
-//! stand on this one and count their own stages.
+//! [`Session`] also decides without tallying (`decide_…`), for backends that build on this one and count their own
+//! stages.
 
 pub mod anywhere;
 mod backend;

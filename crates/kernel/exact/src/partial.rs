@@ -1,8 +1,8 @@
-//! A control: the first stages of the ladder, and what they leave open by the sign of the estimate.
+//! A control: the first stages of the ladder, then the sign of the estimate.
 //!
-//! It says what each stage is worth: without the exact stages it is plain floating point that knows where it may be wrong and
-//! does not act on it. Stages are tried in the order of [`stage`], each without the shortcuts of [`Session`]: with all of them the
-//! signs are those of [`Exact`](crate::Exact).
+//! It measures the value of each stage. Without the exact stages it is plain floating point that detects doubtful
+//! answers and returns them anyway. Stages run in the order of [`stage`], without the shortcuts of [`Session`]: with
+//! all of them the signs are those of [`Exact`](crate::Exact).
 
 use predicament_arithmetic::Plan;
 use predicament_predicates::{
@@ -15,15 +15,15 @@ use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::scene_integers::Integers;
 use crate::{Session, stage};
 
-/// The exact backend's stages up to one of them, then the sign of the double determinant. Nothing about it is proved.
+/// The exact backend's stages up to one of them, then the sign of the double determinant.
 ///
-/// Vertices that are constructed, and comparisons, are decided as `exact` decides them.
+/// Nothing about it is proved. It decides constructed vertices and comparisons as `exact` does.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Partial {
     last: usize,
 }
 
-/// The exact backend's stages, and what is left open by all that are tried.
+/// The exact backend's stages, and a last stage for queries that all others leave open.
 const NAMES: [&str; stage::NAMES.len() + 1] = {
     let mut all = ["estimate"; stage::NAMES.len() + 1];
     let mut at = 0;
@@ -36,10 +36,10 @@ const NAMES: [&str; stage::NAMES.len() + 1] = {
 const ESTIMATE: usize = stage::NAMES.len();
 
 impl Partial {
-    /// How many stages there are.
+    /// The number of stages.
     pub const STAGES: usize = stage::DYADIC;
 
-    /// So many stages; none if there are fewer, or if it is none.
+    /// The backend with the first `stages` stages, or `None` if `stages` is 0 or too large.
     #[must_use]
     pub const fn new(stages: usize) -> Option<Partial> {
         if stages >= stage::DOUBLE && stages <= Partial::STAGES { Some(Partial { last: stages }) } else { None }
@@ -49,7 +49,7 @@ impl Partial {
 impl Backend for Partial {
     type Session<'s, T: Tally + 's> = PartialSession<'s, T>;
 
-    /// `exact:stages=` and how many.
+    /// The name `exact:stages=` with the number of stages.
     fn name(&self) -> String {
         format!("exact:stages={}", self.last)
     }
@@ -73,12 +73,12 @@ impl Backend for Partial {
     predicament_predicates::boxed_here!();
 }
 
-/// The first stages, prepared for one scene.
+/// A session of the first stages, prepared for one scene.
 pub struct PartialSession<'s, T> {
-    /// For comparisons and constructed vertices.
+    /// An exact session, for comparisons and constructed vertices.
     exact: Session<'s, Off>,
     tally: T,
-    /// The last stage that is tried.
+    /// The last stage that runs.
     last: usize,
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
@@ -103,7 +103,7 @@ impl<'s, T: Tally> PartialSession<'s, T> {
             Dimension::Three => [Plane::Xy, Plane::Yz, Plane::Zx]
                 .map(|plane| Prepared::new::<Orient2d, 2, 3>(&solid.project(plane.axes().map(Axis::index)))),
         };
-        // Where no integers are asked, none are made.
+        // If no integer stage runs, no integers are computed.
         let has_integers = last >= stage::INTEGER;
         Ok(PartialSession {
             exact: Session::new(scene, Off)?,
@@ -149,7 +149,7 @@ impl<'s, T: Tally> PartialSession<'s, T> {
     }
 }
 
-/// The points of these vertices; none where one is constructed.
+/// The points of these vertices; `None` if one is constructed.
 fn points<const D: usize, const N: usize>(of: &[[f64; D]], vertices: [Vertex; N]) -> Option<[[f64; D]; N]> {
     let mut points = [[0.0; D]; N];
     for (point, vertex) in points.iter_mut().zip(vertices) {

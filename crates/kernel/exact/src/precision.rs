@@ -1,5 +1,6 @@
-//! The precision plan of a scene, for reports: what its coordinates need, and the
-//! arithmetic chosen for each predicate.
+//! The precision plan of a scene, for reports.
+//!
+//! It describes the scene's coordinates and the arithmetic chosen for each predicate.
 
 use predicament_arithmetic::{Arithmetic, Plan, Span};
 use predicament_predicates::{Dimension, PredicateKind, Scene};
@@ -7,34 +8,36 @@ use predicament_predicates::{Dimension, PredicateKind, Scene};
 use crate::determinant::{self, Determinant};
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
-/// What the coordinates of a scene need.
+/// The precision that the coordinates of a scene need.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Precision {
-    /// What each axis spans: x, y and, in space, z.
+    /// The coordinate range of each axis: x, y and, in space, z.
     pub axes: Vec<Span>,
-    /// Every coordinate is a multiple of two to this.
+    /// The exponent of the lowest bit: every coordinate is a multiple of two to this power.
     pub lowest: i32,
-    /// The bits of the largest difference of two coordinates of an axis, in units of the lowest bit.
+    /// The bit length of the largest difference of two coordinates of an axis, in units of the lowest bit.
     pub bits: i32,
-    /// What was chosen for each predicate that the scene has (in space `orient2d` is that of
-    /// the widest pair of axes; a projection may need less).
+    /// The choice for each predicate that the scene has.
+    ///
+    /// In space `orient2d` is that of the widest pair of axes; a projection may need less.
     pub choices: Vec<Choice>,
 }
 
-/// What was chosen for one predicate.
+/// The arithmetic and static bound chosen for one predicate.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Choice {
     /// The predicate.
     pub predicate: PredicateKind,
-    /// The magnitude from which on plain floating point has the right sign, in units of the
-    /// determinant; none where filters are not allowed, zero where doubles make no error.
+    /// The magnitude from which on plain floating point has the right sign, in units of the determinant.
+    ///
+    /// `None` if filters are not allowed, zero if doubles make no error.
     pub static_bound: Option<f64>,
     /// The cheapest arithmetic that makes no error.
     pub arithmetic: Arithmetic,
 }
 
 impl Precision {
-    /// The plan of a scene.
+    /// The precision plan of a scene.
     #[must_use]
     pub fn of(scene: &Scene) -> Precision {
         match scene.dimension() {

@@ -1,7 +1,7 @@
-//! What the ladder has to know about each predicate of the determinant kind.
+//! The interface of a determinant predicate to the ladder.
 //!
-//! The four differ in their formulas, and in nothing that concerns the ladder:
-//! so the ladder is written once, generic over this.
+//! The four predicates differ only in their formulas, not in the ladder, so the ladder is written once, generic over
+//! this trait.
 
 use predicament_arithmetic::{Fixed, bound, short_rows};
 use predicament_predicates::{PredicateKind, Sign};
@@ -13,40 +13,44 @@ use crate::{dyadic, products};
 
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
-    /// Its name.
+    /// The kind of the predicate.
     const KIND: PredicateKind;
-    /// As a polynomial.
+    /// The determinant as a polynomial.
     const DETERMINANT: Determinant;
 
     /// The bound of the static filter, from the extents of the scene's axes.
     fn static_bound(extent: [f64; D]) -> f64;
 
-    /// In plain floating point.
+    /// The estimate in plain floating point.
     fn estimate(points: [[f64; D]; N]) -> Estimate;
 
-    /// In plain floating point, with the magnitude from which on the sign is certain, whatever underflows or overflows.
+    /// The determinant in plain floating point, with the magnitude from which on the sign is certain.
+    ///
+    /// The bound holds whatever underflows or overflows.
     fn anywhere(points: [[f64; D]; N]) -> Bounded;
 
-    /// In integers, where that many limbs hold the determinant; the rows are
-    /// the differences to the last point, and the last row is zero.
+    /// The sign in integers of this many limbs.
+    ///
+    /// The rows are the differences to the last point, and the last row is zero.
     fn integer(rows: [[Fixed<1>; D]; N], limbs: usize) -> Sign;
 
-    /// In integers, differences of two limbs.
+    /// The sign in integers, with differences of two limbs.
     fn wide_integer(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign;
 
-    /// For points whose differences span few bits; none if they don't.
+    /// The sign for points whose differences span few bits; `None` otherwise.
     #[inline(always)]
     fn short(points: [[f64; D]; N]) -> Option<Sign> {
         short_rows(points).map(|rows| Self::integer(rows, Self::DETERMINANT.limbs(determinant::BITS[0])))
     }
 
-    /// In floating point, for points whose differences are doubles; none if they aren't, or if there is no such way.
+    /// The sign in floating point for points whose differences are doubles; `None` otherwise, or if there is no such
+    /// method.
     #[inline(always)]
     fn products(_: [[f64; D]; N]) -> Option<Sign> {
         None
     }
 
-    /// For any finite points.
+    /// The sign for any finite points.
     fn dyadic(points: [[f64; D]; N]) -> Sign;
 }
 
@@ -127,7 +131,7 @@ impl Predicate<3, 4> for Orient3d {
     }
 }
 
-/// A point in a circle.
+/// The position of a point relative to a circle.
 pub(crate) struct Incircle;
 
 impl Predicate<2, 4> for Incircle {
@@ -162,7 +166,7 @@ impl Predicate<2, 4> for Incircle {
     }
 }
 
-/// A point in a sphere.
+/// The position of a point relative to a sphere.
 pub(crate) struct Insphere;
 
 impl Predicate<3, 5> for Insphere {
@@ -216,13 +220,13 @@ mod tests {
             (x ^ x >> 31) % bound
         }
 
-        /// An integer of at most so many bits in magnitude, often as large as there is, or one of a few.
+        /// A random integer of at most `bits` bits in magnitude, often with the maximum length or with few bits.
         fn coordinate(&mut self, bits: i32) -> f64 {
             let most = 2f64.powi(bits) - 2f64.powi((bits - 53).max(0));
             let magnitude = match self.below(4) {
                 0 => most,
                 1 => f64::from(u32::try_from(self.below(3)).unwrap()),
-                // So many digits of 31, or as many as there are, at the upper end.
+                // Up to 31 digits, at the upper end.
                 _ => {
                     let digits = bits.min(31);
                     let number = u32::try_from(self.below(1 << digits)).unwrap();
@@ -233,7 +237,8 @@ mod tests {
         }
     }
 
-    /// Holds every way that a predicate has against the exact value; how many were ties, and how many by `short`.
+    /// Compares every method of a predicate with the exact value; returns the numbers of ties and of answers by
+    /// `short`.
     fn check<P: Predicate<D, N>, const D: usize, const N: usize>(
         truth: impl Fn([[f64; D]; N]) -> Sign,
         most_limbs: usize,

@@ -1,18 +1,19 @@
-//! Turns whose differences are doubles: which of two products is larger.
+//! Turns whose differences are doubles: the comparison of two products.
 //!
-//! With differences that are doubles, the turn of three points is the sign of L − R for two products of doubles.
+//! If the differences are doubles, the turn of three points is the sign of L − R for two products of doubles.
 //!
-//! **In floating point.** Let l and r be the rounded products, and L = l + e, R = r + f exactly (Dekker 1971, after Veltkamp's splitting). Rounding to the nearest keeps
-//! the order: if l > r, then L > R, since L ≤ R would make l ≤ r. If l = r, the sign is that of e − f. The errors are doubles where factors
-//! are below 2⁵⁰⁰ and products are above 2⁻⁹⁰⁰ in magnitude, or zero for a factor of zero: the last bits of two factors multiply to 2⁻¹⁰⁰⁶ or more,
-//! of which everything on the way is a multiple, and a subnormal factor is split as any other.
+//! **In floating point.** Let l and r be the rounded products, and L = l + e, R = r + f exactly (Dekker 1971, after
+//! Veltkamp's splitting). Rounding to nearest is monotone: if l > r, then L > R, since L ≤ R would make l ≤ r. If l =
+//! r, the sign is that of e − f. The errors are doubles if factors are below 2⁵⁰⁰ and products are above 2⁻⁹⁰⁰ in
+//! magnitude, or zero for a factor of zero: the last bits of two factors multiply to 2⁻¹⁰⁰⁶ or more, every intermediate
+//! is a multiple of that, and a subnormal factor is split as any other.
 //!
-//! **In integers**, what is not in this range: two products of 106 bits each, and their exponents.
+//! **In integers**, for products outside this range: two products of 106 bits each, and their exponents.
 
 use predicament_arithmetic::{Parts, exact_differences, power_of_two};
 use predicament_predicates::Sign;
 
-/// The turn of three points, if their differences are doubles and their products in range: in floating point.
+/// The turn of three points in floating point, if their differences are doubles and their products in range.
 #[inline(always)]
 pub(crate) fn turn(points: [[f64; 2]; 3]) -> Option<Sign> {
     const LEAST: f64 = power_of_two(-900);
@@ -32,7 +33,7 @@ pub(crate) fn turn(points: [[f64; 2]; 3]) -> Option<Sign> {
     Some(Sign::of(if difference == 0.0 { errors } else { difference }))
 }
 
-/// The error of a rounded product.
+/// The rounding error of a product.
 #[inline(always)]
 fn error(product: f64, x: f64, y: f64) -> f64 {
     let ([x, x_rest], [y, y_rest]) = (split(x), split(y));
@@ -48,7 +49,7 @@ fn split(x: f64) -> [f64; 2] {
     [high, x - high]
 }
 
-/// The turn of three points, if their differences are doubles: in integers.
+/// The turn of three points in integers, if their differences are doubles.
 #[inline(always)]
 pub(crate) fn orient2d(points: [[f64; 2]; 3]) -> Option<Sign> {
     let [[ax, ay], [bx, by], _] = exact_differences(points)?;
@@ -56,7 +57,7 @@ pub(crate) fn orient2d(points: [[f64; 2]; 3]) -> Option<Sign> {
     Some(left.compare(right))
 }
 
-/// significand · 2^exponent, with the sign of the significand.
+/// A product significand · 2^exponent, with the sign in the significand.
 #[derive(Clone, Copy)]
 struct Product {
     significand: i128,
@@ -70,7 +71,7 @@ impl Product {
     /// The exact product of two doubles that are zero or normal.
     #[inline(always)]
     fn new(x: f64, y: f64) -> Option<Product> {
-        // (Infinite differences are not exact, so they don't come here.)
+        // (Infinite differences are not exact, so they are excluded already.)
         let (x, y) = (Parts::of(x)?, Parts::of(y)?);
         if (x.significand == 0) | (y.significand == 0) {
             return Some(Product { significand: 0, exponent: 0 });
@@ -86,8 +87,8 @@ impl Product {
     /// The sign of self − other.
     #[inline(always)]
     fn compare(self, other: Product) -> Sign {
-        // Significands have 105 or 106 bits: from 2^3 on the larger exponent decides, and shifts
-        // by 3 keep that so.
+        // Significands have 105 or 106 bits: if exponents differ by 3 or more the larger exponent decides, and shifts
+        // by 3 do not change that.
         let shift = |mine: i32, theirs: i32| (mine - theirs).clamp(0, 3);
         let left = self.significand << shift(self.exponent, other.exponent);
         let right = other.significand << shift(other.exponent, self.exponent);
@@ -121,7 +122,9 @@ mod tests {
             prop_assert!(turn(p).is_none_or(|sign| sign == truth));
         }
 
-        /// Differences p and q, or beside them by an ulp, times numbers of few bits: products that are equal, or nearly, at all scales.
+        /// Differences p and q, or an ulp beside them, times numbers of few bits.
+        ///
+        /// The products are equal, or nearly, at all scales.
         #[test]
         fn nearly_equal_products_are_told_apart(
             (x, y) in (1.0..2.0, 1.0..2.0_f64),
@@ -146,7 +149,7 @@ mod tests {
     fn what_is_answered_and_what_is_not() {
         let tie = [[0.1, 0.1], [0.3, 0.3], [0.2, 0.2]];
         assert_eq!([orient2d(tie), turn(tie)], [Some(Sign::Zero); 2]);
-        // Differences that are rounded: the turn of the rounded ones is another.
+        // Rounded differences: the turn of the rounded differences is different.
         let rounded = [[1.0, 1.0 + f64::EPSILON], [1.0 + f64::EPSILON, 1.0], [power_of_two(-60), power_of_two(-61)]];
         assert_eq!([orient2d(rounded), turn(rounded)], [None; 2]);
         // Products that underflow, and factors that are too large to be split.

@@ -1,11 +1,9 @@
-//! Exact values of the determinants. Not on the ladder, which needs signs only.
+//! Exact values of the determinants; not part of the ladder, which needs signs only.
 //!
-//! The coordinates of a query are integers times one power of two; the
-//! determinant is computed in those integers, and scaled back only where its
-//! value is asked for. No exponent is too wide: doubles span 2100 bits.
+//! The coordinates of a query are integers times one power of two. The determinant is computed in those integers, and
+//! scaled back only if its value is needed. No exponent is too wide: doubles span 2100 bits.
 //!
-//! Coordinates must be finite, as those of a scene are; others make the
-//! functions panic.
+//! Coordinates must be finite, as those of a scene are; the functions panic otherwise.
 
 use std::cmp::Ordering;
 
@@ -23,22 +21,21 @@ pub struct Value {
 }
 
 impl Value {
-    /// The sign.
+    /// The sign of the value.
     #[must_use]
     pub fn sign(&self) -> Sign {
         Sign::from(self.integer.cmp0())
     }
 
-    /// The value itself.
+    /// The value as a rational.
     #[must_use]
     pub fn to_rational(&self) -> Rational {
         Rational::from(&self.integer) << self.exponent
     }
 
-    /// log2 of the magnitude, within 2^-38; negative infinity for zero.
+    /// The binary logarithm of the magnitude, within 2^-38; negative infinity for zero.
     ///
-    /// For plots: it is finite for every determinant that is not zero, also
-    /// where the determinant is no double.
+    /// It is for plots: it is finite for every nonzero determinant, also if the determinant is not a double.
     #[must_use]
     pub fn log2(&self) -> f64 {
         let (mantissa, exponent) = self.integer.to_f64_exp();
@@ -49,21 +46,21 @@ impl Value {
     }
 }
 
-/// (a − c) × (b − c).
+/// The exact value of (a − c) × (b − c).
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Value {
     let ([a, b, c], exponent) = scale([a, b, c]);
     value(cross(&minus(&a, &c), &minus(&b, &c)), determinant::ORIENT2D, exponent)
 }
 
-/// det(a − d, b − d, c − d).
+/// The exact value of det(a − d, b − d, c − d).
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Value {
     let ([a, b, c, d], exponent) = scale([a, b, c, d]);
     value(triple(&minus(&a, &d), &minus(&b, &d), &minus(&c, &d)), determinant::ORIENT3D, exponent)
 }
 
-/// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
+/// The exact value of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 #[must_use]
 pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Value {
     let ([a, b, c, d], exponent) = scale([a, b, c, d]);
@@ -75,7 +72,7 @@ pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Value {
     value(triple(&lifted(&a), &lifted(&b), &lifted(&c)), determinant::INCIRCLE, exponent)
 }
 
-/// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
+/// The exact value of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 #[must_use]
 pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Value {
     let ([a, b, c, d, e], exponent) = scale([a, b, c, d, e]);

@@ -1,19 +1,19 @@
-//! Predicates on bare coordinates, without a scene that was prepared.
+//! Predicates on bare coordinates, without a prepared scene.
 //!
-//! For callers that have points and no scene. The filter is the one for any finite doubles ([`anywhere`](crate::anywhere)): one comparison, and no
-//! branch before it. What it leaves open takes integers of one limb where the differences are doubles that span few bits, else
-//! dyadic numbers.
+//! They are for callers that have points and no scene. The filter is the one for any finite doubles
+//! ([`anywhere`](crate::anywhere)): one comparison, and no branch before it. Queries that it leaves open use integers
+//! of one limb if the differences are doubles that span few bits, else dyadic numbers.
 //!
-//! Coordinates must be finite; others make the functions panic.
+//! Coordinates must be finite; the functions panic otherwise.
 
 use predicament_predicates::Sign;
 
 use crate::ladder::alone;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
-// What is left open is handed on number by number: an array that is needed in memory there would have to be put together in memory
-// before the filter, and every query wait for it. (So would what a closure captures, if it is not inlined, and the points that a caller picks from a list:
-// that is why filters are always inlined.)
+// Open queries are passed on number by number: an array that must be in memory there would be built in memory before
+// the filter, and every query would wait for it. (The same holds for values that a closure captures, if it is not
+// inlined, and for points that a caller picks from a list: that is why filters are always inlined.)
 
 /// The sign of (a − c) × (b − c): positive if a, b, c turn counterclockwise.
 #[inline(always)]
@@ -59,7 +59,7 @@ pub fn orient3d([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]: [[f64;
     }
 }
 
-/// Positive if d is in the circle of a counterclockwise a, b, c.
+/// The sign of the circle test: positive if d is in the circle of a counterclockwise a, b, c.
 #[inline(always)]
 #[must_use]
 pub fn incircle([[ax, ay], [bx, by], [cx, cy], [dx, dy]]: [[f64; 2]; 4]) -> Sign {
@@ -75,7 +75,7 @@ pub fn incircle([[ax, ay], [bx, by], [cx, cy], [dx, dy]]: [[f64; 2]; 4]) -> Sign
     }
 }
 
-/// Positive if e is in the sphere of a positively oriented a, b, c, d.
+/// The sign of the sphere test: positive if e is in the sphere of a positively oriented a, b, c, d.
 #[inline(always)]
 #[must_use]
 pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {

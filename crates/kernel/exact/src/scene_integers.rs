@@ -1,12 +1,12 @@
 //! The coordinates of a scene as integers.
 //!
-//! Where differences fit in one limb, so do coordinates, scaled by one power of two for the scene: a query converts the points that
-//! its filters have just read, and touches nothing else. Coordinates that are too far from the origin for that, with differences that are
-//! not, are kept as integers modulo 2^64, 8 bytes each.
+//! If differences fit in one limb, coordinates scaled by one power of two for the scene usually fit as well: a query
+//! converts the points that its filters have just read, and needs no other memory. If coordinates are too far from the
+//! origin for that, but their differences are not, they are stored as integers modulo 2^64, 8 bytes each.
 //!
-//! Scenes that need more have none: each query tries a [unit of its own](crate::common_unit).
+//! Scenes that need more bits store none: each query tries a [unit of its own](crate::common_unit).
 
-// Loops over indices stay in registers, where `map` on arrays goes through memory.
+// Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use predicament_arithmetic::{Fixed, Plan, units};
@@ -15,15 +15,19 @@ use predicament_predicates::Vertex;
 use crate::determinant::BITS;
 use crate::truncate::to_integer;
 
-/// The coordinates of a scene as integers, where they are kept.
+/// The stored integer coordinates of a scene, if any.
 pub(crate) enum Integers<const D: usize> {
-    /// They are not: doubles do for all predicates, points are scaled when they are asked for, or differences have too many bits.
+    /// No integers are stored.
+    ///
+    /// Doubles suffice for all predicates, points are scaled per query, or differences have too many bits.
     None,
     /// In units of the scene, modulo 2^64.
     Units(Vec<[i64; D]>),
 }
 
-/// The differences to the last point, where all coordinates times this are integers less than 2^63 in magnitude.
+/// The differences to the last point, as integers.
+///
+/// All coordinates times `scale` must be integers less than 2^63 in magnitude.
 #[inline(always)]
 pub(crate) fn scaled<const D: usize, const N: usize>(points: &[[f64; D]; N], scale: f64) -> [[Fixed<1>; D]; N] {
     let mut rows = [[Fixed::ZERO; D]; N];
@@ -37,14 +41,15 @@ pub(crate) fn scaled<const D: usize, const N: usize>(points: &[[f64; D]; N], sca
 }
 
 impl<const D: usize> Integers<D> {
-    /// Those of coordinates that are too far from the origin to be scaled, with differences that are not.
+    /// The integers of coordinates that are too far from the origin to be scaled, while their differences are not.
     pub fn new(plan: &Plan<D>, points: &[[f64; D]]) -> Integers<D> {
         let is_far = plan.has_finite_differences() && plan.bits() <= BITS[0] && plan.scale().is_none();
         if is_far { Integers::Units(plan.low_units(points)) } else { Integers::None }
     }
 
-    /// The differences to the last of some vertices along some axes, in units of
-    /// the scene; none if these are not kept.
+    /// The differences to the last of some vertices along some axes, in units of the scene.
+    ///
+    /// `None` if these integers are not stored.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -84,7 +89,7 @@ impl<const D: usize, const N: usize> Rows<D, N> {
         Rows(rows)
     }
 
-    /// The rows in some larger unit and the bits that they have, if one limb is enough.
+    /// The rows in some larger unit and their bit length, if one limb is enough.
     #[inline(always)]
     pub fn shortened(&self) -> Option<([[Fixed<1>; D]; N], i32)> {
         let (mut bits, mut size) = (0, 0);
@@ -96,13 +101,13 @@ impl<const D: usize, const N: usize> Rows<D, N> {
                 size |= x ^ (x >> 127);
             }
         }
-        // At most that many zeros below, and no more than two to that in magnitude.
+        // At most that many trailing zeros, and a magnitude of at most two to that power.
         let low = bits.trailing_zeros() & 127;
         let bits = (129 - size.leading_zeros()).saturating_sub(low).cast_signed();
         (bits <= BITS[0]).then(|| (self.shifted(low), bits))
     }
 
-    /// The rows as they are.
+    /// The rows with two limbs.
     #[inline(always)]
     pub fn whole(&self) -> [[Fixed<2>; D]; N] {
         let mut rows = [[Fixed::ZERO; D]; N];
@@ -142,7 +147,7 @@ mod tests {
         let rows = kept.of_scene([1, 0], [2, 0, 3].map(Vertex::input)).expect("kept");
         let whole = [[7, -11 << 18], [-4, -9 << 18], [0, 0]];
         assert_eq!(rows, whole.map(|row| row.map(|x: i64| Fixed::from(x))));
-        // Near the origin they are scaled when they are asked for, and with long differences they have no unit.
+        // Near the origin they are scaled per query, and with long differences they have no unit.
         for points in
             [[[1.0, 2.0], [3.0, 5.0]], [[1.0, 2f64.powi(70)], [3.0, 5.0]], [[1.0, f64::MAX], [1.0, -f64::MAX]]]
         {

@@ -1,6 +1,6 @@
-//! The backend's session: what a [`Decider`] decides, tallied.
+//! The backend's session: the answers of a [`Decider`], tallied.
 //!
-//! Nothing else is generic over the tally, so that whoever has a tally of its own compiles no more than this.
+//! Nothing else is generic over the tally, so a crate with its own tally compiles only this type.
 
 use predicament_predicates::{
     Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign,
@@ -12,7 +12,7 @@ use crate::batch::Settled;
 use crate::constructed::Constructed;
 use crate::decider::Decider;
 
-/// The exact backend, prepared for one scene.
+/// The exact backend's session, prepared for one scene.
 pub struct Session<'s, T> {
     decider: Decider<'s>,
     tally: T,
@@ -23,11 +23,12 @@ impl<'s, T: Tally> Session<'s, T> {
         Ok(Session { decider: Decider::new(scene)?, tally })
     }
 
-    /// [`Predicates::construct`], where a session that stands on this one has conditions of its own: each definition that is new, in
-    /// canonical form, has to be one that it `accepts`.
+    /// The method [`Predicates::construct`] with an additional condition, for sessions that build on this one.
+    ///
+    /// The session `accepts` each new definition in canonical form, or refuses it.
     ///
     /// # Errors
-    /// As [`Predicates::construct`], with what `accepts` says for a reason.
+    /// As [`Predicates::construct`], or with the reason from `accepts`.
     pub fn construct_where(
         &mut self,
         definitions: &[Construction],
@@ -36,8 +37,9 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.construct_where(definitions, &accepts)
     }
 
-    /// Whether doubles make no error in this predicate's determinant, nor in anything on the way there, about any input vertices. Has the
-    /// scene planned.
+    /// Returns true if doubles make no error in this predicate's determinant and its intermediates.
+    ///
+    /// This holds for any input vertices. The call makes the scene's plan.
     #[inline]
     #[must_use]
     pub fn is_double(&self, kind: PredicateKind) -> bool {
@@ -50,7 +52,7 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.constructed()
     }
 
-    /// [`Predicates::compare`] and the stage that settled it, not tallied.
+    /// The answer of [`Predicates::compare`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or axis.
@@ -60,7 +62,7 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.decide_compare(axis, a, b)
     }
 
-    /// [`Predicates::orient2d`] and the stage that settled it, not tallied.
+    /// The answer of [`Predicates::orient2d`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex, or lacks an axis of the plane.
@@ -70,7 +72,7 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.decide_orient2d(plane, a, b, c)
     }
 
-    /// [`Predicates::orient3d`] and the stage that settled it, not tallied.
+    /// The answer of [`Predicates::orient3d`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 2D.
@@ -80,7 +82,7 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.decide_orient3d(a, b, c, d)
     }
 
-    /// [`Session::decide_orient3d`] where the static filter decides; else none.
+    /// The answer of [`Session::decide_orient3d`] if the static filter decides; else `None`.
     ///
     /// # Panics
     /// If the scene is 2D.
@@ -90,7 +92,7 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.filter_orient3d(a, b, c, d)
     }
 
-    /// [`Predicates::incircle`] and the stage that settled it, not tallied.
+    /// The answer of [`Predicates::incircle`] and the stage that settled it, not tallied.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 3D.
@@ -100,10 +102,10 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.decide_incircle(a, b, c, d)
     }
 
-    /// [`Predicates::insphere`] and the stage that settled it, not tallied.
+    /// The answer of [`Predicates::insphere`] and the stage that settled it, not tallied.
     ///
     /// # Panics
-    /// If the scene has no such vertex or is 2D, or if one is constructed.
+    /// If the scene has no such vertex or is 2D, or if a vertex is constructed.
     #[inline(always)]
     #[must_use]
     pub fn decide_insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> (Sign, usize) {

@@ -1,20 +1,16 @@
-//! Many points against one line or plane: what all the queries have in common is
-//! computed once.
+//! Many points against one line or plane: their common terms are computed once.
 //!
-//! With rows relative to the first point of the line or plane instead of the
-//! last of the query, all but one row of the determinant belong to the line or
-//! plane alone. Expanded along the one that is left, the determinant is the
-//! product of a normal with a difference.
+//! With rows relative to the first point of the line or plane instead of the last of the query, all but one row of the
+//! determinant belong to the line or plane alone. Expanded along the remaining row, the determinant is the product of a
+//! normal with a difference.
 //!
 //! # The filter
-//! Terms go through as many roundings as those of `estimate::orient2d` and
-//! `orient3d`, so their constants hold here too: three terms of seven
-//! roundings, of which the last sum is free and the one before counts half.
-//! The permanent is taken with the extents of the scene for the difference:
-//! one bound does for all points. It is at most that of the static filter, so
-//! that what is left open is as small as there.
+//! Terms go through as many roundings as those of `estimate::orient2d` and `orient3d`, so their constants hold here
+//! too: three terms of seven roundings, of which the last sum costs nothing and the one before counts half. The
+//! permanent uses the extents of the scene for the difference: one bound serves all points. It is at most that of the
+//! static filter, so open determinants are as small as there.
 
-// Loops over indices stay in registers, where `map` on arrays goes through memory.
+// Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
 use crate::estimate::Estimate;
@@ -22,16 +18,16 @@ use crate::estimate::Estimate;
 /// A line in the plane, or a plane in space, directed.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Side<const D: usize> {
-    /// What differences to the pivot are multiplied with.
+    /// The vector that differences to the pivot are multiplied with.
     pub normal: [f64; D],
     /// A point of the line or plane.
     pub pivot: [f64; D],
-    /// The permanent of any point of the scene, at most.
+    /// An upper bound of the permanent of any point of the scene.
     pub permanent: f64,
 }
 
 impl<const D: usize> Side<D> {
-    /// The determinant of a point.
+    /// The determinant of a point against the line or plane.
     #[inline(always)]
     #[must_use]
     pub fn determinant(&self, p: [f64; D]) -> f64 {
@@ -44,8 +40,9 @@ impl<const D: usize> Side<D> {
 }
 
 impl Side<2> {
-    /// Of the line from a to b: positive to its left. `extent` is that of the
-    /// scene's axes.
+    /// The side of the line from a to b: positive to its left.
+    ///
+    /// `extent` is that of the scene's axes.
     #[must_use]
     pub fn of_line([a, b]: [[f64; 2]; 2], extent: [f64; 2]) -> Side<2> {
         let normal = [b[1] - a[1], a[0] - b[0]];
@@ -55,8 +52,9 @@ impl Side<2> {
 }
 
 impl Side<3> {
-    /// Of the plane of a, b and c: positive below it, where they are seen
-    /// clockwise. `extent` is that of the scene's axes.
+    /// The side of the plane of a, b and c: positive below it, where they are seen clockwise.
+    ///
+    /// `extent` is that of the scene's axes.
     #[must_use]
     pub fn of_plane([a, b, c]: [[f64; 3]; 3], extent: [f64; 3]) -> Side<3> {
         let row = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];

@@ -1,12 +1,12 @@
 //! Conversion of doubles with integer values to integers.
 //!
-//! A cast has to do the right thing beyond the range too, which takes it
-//! several times as long as the conversion itself.
+//! A cast must also handle values out of range, so it takes several times as long as the conversion instruction.
 
 #![allow(unsafe_code)]
 
-/// The value of a double that is an integer less than 2^63 in magnitude. (Of
-/// others the result means nothing.)
+/// The integer value of a double that is an integer less than 2^63 in magnitude.
+///
+/// For other doubles the result has no meaning.
 #[inline(always)]
 pub(crate) fn to_integer(x: f64) -> i64 {
     #[cfg(target_arch = "x86_64")]

@@ -1,12 +1,11 @@
-//! No query allocates, whatever rung answers it; but the first that needs the exact row of a constructed vertex has it made.
+//! A test that no query allocates on any rung, except the first that needs the exact row of a constructed vertex.
 //!
-//! Scenes are made such that every rung is needed, and the stages that queries
-//! report say that it was. All of Rust's allocations on the asking thread are
-//! counted, and GMP's, which go past Rust's allocator.
-#![allow(unsafe_code)] // an allocator is
+//! Scenes are made so that every rung is needed, and the stages that queries report prove it. The test counts all
+//! allocations of Rust on the querying thread, and those of GMP, which bypass Rust's allocator.
+#![allow(unsafe_code)] // an allocator needs it
 
 #[path = "it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
@@ -32,7 +31,7 @@ fn count_one() {
 /// The system's allocator, counted by thread.
 struct Counting;
 
-// SAFETY: the system's allocator does it all. The counter needs neither allocation nor destructor.
+// SAFETY: the system's allocator does all the work. The counter needs neither allocation nor destructor.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         count_one();
@@ -61,27 +60,27 @@ unsafe extern "C" {
 
 extern "C" fn counted_malloc(size: usize) -> *mut c_void {
     count_one();
-    // SAFETY: any size may be asked for.
+    // SAFETY: any size is allowed.
     unsafe { malloc(size) }
 }
 
 extern "C" fn counted_realloc(memory: *mut c_void, _: usize, size: usize) -> *mut c_void {
     count_one();
-    // SAFETY: GMP's memory is malloc's, before and after it was told to count.
+    // SAFETY: GMP's memory comes from malloc, before and after the replacement.
     unsafe { realloc(memory, size) }
 }
 
-/// How many times this allocates.
+/// The number of allocations of `work`.
 fn allocations(work: impl FnOnce()) -> u64 {
     static GMP: Once = Once::new();
-    // SAFETY: what GMP has allocated before came from malloc as well; no free means its own, which is C's.
+    // SAFETY: GMP's earlier allocations came from malloc as well; without a free function GMP uses C's.
     GMP.call_once(|| unsafe { __gmp_set_memory_functions(Some(counted_malloc), Some(counted_realloc), None) });
     let before = ALLOCATIONS.get();
     work();
     ALLOCATIONS.get() - before
 }
 
-/// Queries of each kind.
+/// The number of queries of each kind.
 fn most() -> usize {
     predicament_effort::some_or_all(200, 600)
 }
@@ -90,10 +89,10 @@ const INPUTS: usize = 40;
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// Queries by predicate and stage.
+/// The number of queries by predicate and stage.
 type Seen = [[u64; stage::NAMES.len()]; PredicateKind::ALL.len()];
 
-/// Coordinates that bring queries to a rung.
+/// A random coordinate that brings queries to a rung.
 fn coordinate(random: &mut Random, rung: usize) -> f64 {
     const LONG: f64 = 1.0 + f64::EPSILON;
     match rung {
@@ -102,7 +101,7 @@ fn coordinate(random: &mut Random, rung: usize) -> f64 {
         // All but one of the points are in a corner of the scene.
         stage::SEMI_STATIC => random.unit() * 2f64.powi(-30),
         stage::INTEGER => *random.pick(&[0.0, 0.5, 1.0, LONG]),
-        // Differences are no doubles, in 112 bits.
+        // Differences are not doubles, with 112 bits.
         stage::WIDE_INTEGER => *random.pick(&[0.1, 3.0, 1e17, -7e16]),
         _ => *random.pick(&[0.1, 3.0, 1e200, -7e-170, f64::MAX, 5e-324]),
     }
@@ -121,7 +120,9 @@ fn queries<const N: usize>(random: &mut Random, vertices: &[Vertex]) -> Vec<[Ver
     (0..most()).map(|_| std::array::from_fn(|_| *random.pick(vertices))).collect()
 }
 
-/// Asks one predicate in every way that there is for input vertices, and for one that is counted; returns how often that allocates.
+/// Asks one predicate in every form for input vertices, and in one form that is counted.
+///
+/// Returns the number of allocations.
 fn ask<const N: usize>(
     queries: &[[Vertex; N]],
     counted: &mut [u64; stage::NAMES.len()],
@@ -153,7 +154,7 @@ fn ask<const N: usize>(
     allocated
 }
 
-/// Asks all that a session answers about these vertices, and tells what settled it and how often that allocated.
+/// Asks all predicates about these vertices; returns the stages that settled them, and the number of allocations.
 fn ask_all<T: Tally>(session: &Session<'_, T>, vertices: &[Vertex], constructed: bool) -> (Seen, u64) {
     let scene = session.scene();
     let random = &mut Random(37);
@@ -216,7 +217,7 @@ fn ask_all<T: Tally>(session: &Session<'_, T>, vertices: &[Vertex], constructed:
     ([compare, orient2d, orient3d, incircle, insphere], allocated)
 }
 
-/// A session allocates once, when a query first climbs beyond the filters: that is its plan.
+/// A session allocates its plan once, when a query first climbs beyond the filters.
 #[test]
 fn no_rung_allocates() {
     for rung in stage::DOUBLE..=stage::DYADIC {
@@ -233,8 +234,8 @@ fn no_rung_allocates() {
                 if scene.has_dimension_for(kind).is_err() {
                     continue;
                 }
-                // Asked one by one and as a batch: integers that settle the one may have filters
-                // before them in the other.
+                // Asked one by one and as a batch: integers that settle a query in one form may come after filters in
+                // the other.
                 let both: u64 = (0..stage::NAMES.len()).map(|stage| counts.get(kind, stage)).sum();
                 assert_eq!(both, 2 * seen[kind.index()].iter().sum::<u64>());
                 let wanted = if kind == PredicateKind::Compare { stage::COMPARE } else { rung };
@@ -249,7 +250,7 @@ fn no_rung_allocates() {
     }
 }
 
-/// Dyadic numbers answer where coordinates span more than 253 bits: here they have ties to answer.
+/// Dyadic numbers answer if coordinates span more than 253 bits: here they have ties to answer.
 #[test]
 fn the_longest_numbers_do_not_allocate() {
     let ends = [f64::MAX, 5e-324, 0.1];
@@ -276,7 +277,7 @@ fn the_longest_numbers_do_not_allocate() {
     assert_eq!((zeros, allocated), ([200; 4], 0));
 }
 
-/// Adds constructed vertices that are points.
+/// Adds constructed vertices that have a point.
 fn construct(scene: &mut Scene, count: usize) {
     let mut random = Random(43);
     while scene.constructions().len() < count {
@@ -307,8 +308,8 @@ fn constructed_vertices_do_not_allocate() {
                 constructed.iter().for_each(|&v| assert!(!black_box(session.constructed().approximation(v)).is_empty()))
             };
             let (first, again) = (allocations(touch), allocations(touch));
-            // A row each, and slots for sixteen of them together. Where floating point can't tell that there
-            // is a point, that is done already.
+            // One row each, and slots for sixteen of them together. If floating point can't prove that there is a
+            // point, the row exists already.
             assert!((if rung == stage::DYADIC { 0..=22 } else { 15..=22 }).contains(&first), "{first}");
             assert_eq!(again, 0);
             for vertices in [&constructed, &all] {
@@ -333,7 +334,7 @@ fn constructed_vertices_do_not_allocate() {
     }
 }
 
-/// What the first filter settles needs no row.
+/// A query that the first filter settles needs no row.
 #[test]
 fn questions_that_floating_point_settles_allocate_nothing() {
     for dimension in [Dimension::Two, Dimension::Three] {
@@ -371,12 +372,12 @@ fn what_allocates_is_counted() {
     let turn = allocations(|| drop(black_box(rational::orient2d([1.0, 0.0], [0.0, 1e300], [0.1, 1e-300]))));
     assert!(turn > 0, "rationals are GMP's");
 
-    // One query out of many that allocates is seen.
+    // The counter detects a single query that allocates.
     let scene = scene(stage::INTEGER, Dimension::Two);
     let session = Exact.prepare(&scene, Off).expect("prepared");
     let vertices: Vec<Vertex> = scene.vertices().collect();
     let queries = queries::<3>(&mut Random(47), &vertices);
-    // (The session's plan is made.)
+    // (The session's plan exists now.)
     queries.iter().for_each(|&[a, b, c]| _ = black_box(session.orient2d(Plane::Xy, a, b, c)));
     let allocated = allocations(|| {
         for (i, &[a, b, c]) in queries.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The sign of a formula for each query of a batch, as it is.
+//! The sign of a formula for each query of a batch, without a certificate.
 
 #![allow(unsafe_code)]
 // Loops over indices stay in registers.
@@ -11,8 +11,10 @@ use predicament_predicates::{Sign, Vertex};
 use crate::block::{BLOCK, Block, View};
 use crate::simd::{Kernel, dispatch};
 
-/// Answers all queries of a batch by the signs of what `evaluate` computes from the points of a query, seen in the view: zero for NaN. It is
-/// compiled for the widest registers of the machine, and should not branch.
+/// Answers all queries of a batch by the sign of `evaluate` on the points of the query; NaN gives zero.
+///
+/// The points are seen in the view `V`. `evaluate` is compiled for the widest registers of the machine, and should not
+/// branch.
 ///
 /// `elsewhere` answers queries with a vertex that has no point in `points`, one by one.
 #[inline]
@@ -48,7 +50,7 @@ where
         let Of { points, queries, out, evaluate, elsewhere, .. } = self;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            // SAFETY: the kernel runs wide only on processors with AVX-512F.
             let all_have_points = unsafe { block.fetch::<V, E, WIDE>(points, queries) };
             let mut values = [0.0; BLOCK];
             for at in 0..BLOCK {
@@ -65,7 +67,7 @@ where
                 };
             }
             out.copy_from_slice(&signs[..queries.len()]);
-            // (A value that is NaN does not tell: finite points can have one.)
+            // (A NaN value does not prove a missing point: finite points can give NaN.)
             if !all_have_points {
                 for (query, out) in queries.iter().zip(out) {
                     if query.iter().any(|v| v.index() >= points.len()) {
@@ -113,7 +115,7 @@ mod tests {
         #[test]
         fn every_width_answers_as_one_query_at_a_time(
             points in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), POINTS),
-            // The last few have no points.
+            // The last few vertices have no points.
             vertices in prop::collection::vec((0..POINTS + 2).prop_map(Vertex::input), 0..400),
         ) {
             check::<Zx, 3>(&points, &vertices);

@@ -1,25 +1,23 @@
-//! The points of some queries, coordinate by coordinate.
+//! The points of a block of queries, coordinate by coordinate.
 //!
-//! For a query that the filter settles at once, fetching its points by the ids
-//! of their vertices is most of the work. So ids are checked all together, and
-//! the points of eight queries at a time are fetched as they lie in memory and
-//! transposed in registers.
+//! For a query that the filter settles at once, most of the time goes into fetching its points by vertex id. So all ids
+//! are checked together, and the points of eight queries at a time are loaded from memory and transposed in registers.
 
 #![allow(unsafe_code)]
 #![allow(clippy::needless_range_loop)]
 
 use predicament_predicates::Vertex;
 
-/// The queries of a block: a bit each in a mask.
+/// The number of queries of a block: each has one bit in a mask.
 pub const BLOCK: usize = 64;
 
 /// The `D` coordinates that a predicate takes from a point of `E`.
 pub trait View<const E: usize, const D: usize> {
-    /// The coordinates that it sees, in its order.
+    /// The coordinates of the view, in the view's order.
     fn see<T: Copy>(point: [T; E]) -> [T; D];
 }
 
-/// All coordinates.
+/// The view of all coordinates.
 pub struct Whole;
 /// The projection along z.
 pub struct Xy;
@@ -66,13 +64,14 @@ impl View<3, 2> for Zx {
     }
 }
 
-/// The coordinates of up to [`BLOCK`] queries of `N` points: by place in the
-/// query, by axis, by query.
+/// The coordinates of up to [`BLOCK`] queries of `N` points.
+///
+/// The indices are: place in the query, axis, query.
 #[repr(align(64))]
 pub struct Block<const D: usize, const N: usize>([[[f64; BLOCK]; D]; N]);
 
 impl<const D: usize, const N: usize> Block<D, N> {
-    /// No queries.
+    /// A block of zeros.
     pub const EMPTY: Block<D, N> = Block([[[0.0; BLOCK]; D]; N]);
 
     /// The points of one query.
@@ -87,8 +86,9 @@ impl<const D: usize, const N: usize> Block<D, N> {
         points
     }
 
-    /// Takes the points of these queries, [`BLOCK`] at most, and says whether all vertices have one. A vertex that has
-    /// none gets NaN for coordinates.
+    /// Fetches the points of at most [`BLOCK`] queries, and returns true if all vertices have one.
+    ///
+    /// A vertex without a point gets NaN coordinates.
     ///
     /// # Safety
     /// With `W` the processor must have AVX-512F.
@@ -103,7 +103,7 @@ impl<const D: usize, const N: usize> Block<D, N> {
         let mut first = 0;
         #[cfg(target_arch = "x86_64")]
         if W {
-            // The last point is left out, since registers reach into what comes after a point.
+            // The last point is excluded, since the registers read beyond the end of a point.
             if largest.index() + 1 < points.len() {
                 let (eights, rest) = queries.as_chunks::<8>();
                 for (eighth, queries) in eights.iter().enumerate() {
@@ -112,8 +112,8 @@ impl<const D: usize, const N: usize> Block<D, N> {
                         for lane in 0..8 {
                             indices[lane] = queries[lane][row].index();
                         }
-                        // SAFETY: the processor has AVX-512F, says the caller, and `indices` are
-                        // less than that of the last point.
+                        // SAFETY: the caller guarantees AVX-512F, and `indices` are less than the index of the last
+                        // point.
                         let lanes = V::see(unsafe { wide::transposed(points, indices) });
                         for axis in 0..D {
                             self.0[row][axis].as_chunks_mut::<8>().0[eighth] = lanes[axis];
@@ -147,12 +147,12 @@ mod wide {
     /// The coordinates of eight points, axis by axis.
     ///
     /// # Safety
-    /// The processor must have AVX-512F, and all indices be less than that of the last point.
+    /// The processor must have AVX-512F, and all indices must be less than the index of the last point.
     #[inline(always)]
     pub unsafe fn transposed<const E: usize>(points: &[[f64; E]], indices: [usize; 8]) -> [[f64; 8]; E] {
         let point = |lane: usize| points.as_ptr().wrapping_add(indices[lane]).cast::<f64>();
-        // SAFETY: the processor has what the operations need, says the caller. Each load is of the
-        // doubles of a point, and in space of one more, which the next point has.
+        // SAFETY: the caller guarantees that the processor has these operations. Each load is of the doubles of a
+        // point, and in space of one more double, which the next point has.
         unsafe {
             let mut lanes = [[0.0; 8]; E];
             if E == 2 {
@@ -182,13 +182,13 @@ mod wide {
 
     #[inline(always)]
     unsafe fn join(low: __m256d, high: __m256d) -> __m512d {
-        // SAFETY: the processor has AVX-512F, says the caller.
+        // SAFETY: the caller guarantees AVX-512F.
         unsafe { _mm512_insertf64x4::<1>(_mm512_castpd256_pd512(low), high) }
     }
 
     #[inline(always)]
     unsafe fn store(register: __m512d, lanes: &mut [f64; 8]) {
-        // SAFETY: the processor has AVX-512F, says the caller, and there is room for eight doubles.
+        // SAFETY: the caller guarantees AVX-512F, and there is space for eight doubles.
         unsafe { _mm512_storeu_pd(lanes.as_mut_ptr(), register) }
     }
 }

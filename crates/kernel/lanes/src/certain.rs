@@ -9,14 +9,15 @@ use predicament_predicates::{Sign, Vertex};
 use crate::block::{BLOCK, Block, Whole};
 use crate::simd::{Kernel, dispatch};
 
-/// The signs of a value of each query, and a mask of the queries that are left open, by the bit of their place.
+/// The signs of a value of each query, and a bit mask of the queries that remain open.
 ///
-/// `evaluate` gives the value and what its magnitude has to exceed for its sign to be certain. It is told the points of a query, which are
-/// NaN for a vertex that has none, and the numbers of its vertices, which are in the order of the vertices. It is compiled for the widest registers of the
-/// machine: what it does should have no branch. An open query's place in `out` means nothing.
+/// `evaluate` returns the value and a bound: the sign is certain if the magnitude exceeds the bound. It gets the points
+/// of a query, which are NaN for a vertex without a point, and the numbers of its vertices, which have the order of the
+/// vertices. It is compiled for the widest registers of the machine and should not branch. The entry of an open query
+/// in `out` has no meaning.
 ///
 /// # Panics
-/// If there are more than [`BLOCK`] queries, or less room for signs than queries.
+/// If there are more than [`BLOCK`] queries, or fewer places for signs than queries.
 #[inline]
 pub fn signs_of<const D: usize, const N: usize>(
     points: &[[f64; D]],
@@ -49,7 +50,7 @@ where
     unsafe fn run<const WIDE: bool>(self) -> u64 {
         let Of { points, queries, out, evaluate, .. } = self;
         let mut block = Block::EMPTY;
-        // SAFETY: the kernel is run wide where the processor has AVX-512F.
+        // SAFETY: the kernel runs wide only on processors with AVX-512F.
         unsafe { block.fetch::<Whole, D, WIDE>(points, queries) };
         let mut numbers = [[0.0; BLOCK]; N];
         for (at, query) in queries.iter().enumerate() {
@@ -70,7 +71,7 @@ where
         let (mut signs, mut open) = ([Sign::Zero; BLOCK], 0);
         for at in 0..BLOCK {
             signs[at] = if values[at] < 0.0 { Sign::Negative } else { Sign::Positive };
-            // With NaN nothing is certain.
+            // NaN is never certain.
             let certain = values[at].abs() > bounds[at];
             open |= u64::from(!certain) << at;
         }
@@ -87,7 +88,7 @@ mod tests {
     fn signs_and_what_is_open() {
         let points = [[1.0, 4.0], [2.0, -4.0], [3.0, 0.5], [5.0, 0.0]];
         let v = Vertex::input;
-        // Every length, with blocks of eight and without; the last point, and a vertex without one.
+        // Every length, with blocks of eight and without; the last point, and a vertex without a point.
         for count in 0..=BLOCK {
             let query = |at: usize| match at % 5 {
                 4 => [Vertex::constructed(at), v(1)],

@@ -1,14 +1,15 @@
 //! Many queries at once in vector registers, for every backend that answers batches.
 //!
-//! A batch is taken in [blocks](Block) of [`BLOCK`] queries: the points of a block are fetched and transposed, a formula is evaluated lane
-//! by lane, and signs are written. A [`Kernel`] is compiled once for each [`Width`] of registers, from the same source. No operation
-//! is fused or reordered, so a lane computes what the same formula computes about one query.
+//! A batch is split into [blocks](Block) of [`BLOCK`] queries: the points of a block are fetched and transposed, a
+//! formula is evaluated lane by lane, and signs are written. A [`Kernel`] is compiled once for each [`Width`] of
+//! registers, from the same source. The compiler neither fuses nor reorders operations, so a lane computes the same as
+//! the formula for one query.
 //!
-//! * [`answer`]: the signs of a formula, as they are: what backends without filters answer.
-//! * [`signs_of`]: the signs of a formula where they are certain, and which queries are left open.
-//! * [`Block`], [`Kernel`], [`dispatch`]: the parts, for backends with filters of their own.
+//! * [`answer`]: the signs of a formula without a certificate, for backends without filters.
+//! * [`signs_of`]: the signs of a formula where they are certain, and the queries that remain open.
+//! * [`Block`], [`Kernel`], [`dispatch`]: the parts, for backends with their own filters.
 //!
-//! Backends share this crate so that their timings differ by arithmetic and not by how points are fetched.
+//! Backends share this crate so that their timings differ by arithmetic and not by the fetching of points.
 
 mod answer;
 mod block;

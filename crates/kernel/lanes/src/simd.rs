@@ -1,17 +1,16 @@
-//! Which registers the machine has, found out when the program runs.
+//! Detection of the machine's vector registers at run time.
 //!
-//! The default target of x86-64 knows registers of two doubles; most machines
-//! have four or eight. A [`Kernel`] is compiled once for each width, from the
-//! same source, and the widest that the machine has is taken. No operation is
-//! fused or reordered by that: the compiler may only do several at a time.
+//! The default target of x86-64 has registers of two doubles; most machines have four or eight. A [`Kernel`] is
+//! compiled once for each width, from the same source, and the widest available version runs. The compiler neither
+//! fuses nor reorders operations for that; it only executes several at a time.
 
 #![allow(unsafe_code)]
 
-/// Work that is worth a register width of its own.
+/// Work that benefits from wide registers.
 ///
-/// `run` has to be `#[inline(always)]`: it takes on the features of its caller.
+/// `run` must be `#[inline(always)]`: it inherits the target features of its caller.
 pub trait Kernel {
-    /// What it gives.
+    /// The result of the work.
     type Output;
 
     /// Does the work.
@@ -21,22 +20,22 @@ pub trait Kernel {
     unsafe fn run<const WIDE: bool>(self) -> Self::Output;
 }
 
-/// How many doubles a register holds.
+/// The number of doubles in a register.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Width {
-    /// As many as all processors of the target have.
+    /// The width that all processors of the target have.
     Any,
-    /// Four: AVX2.
+    /// Four doubles: AVX2.
     Four,
-    /// Eight: AVX-512.
+    /// Eight doubles: AVX-512.
     Eight,
 }
 
 impl Width {
-    /// All of them, widest first.
+    /// All widths, widest first.
     pub const ALL: [Width; 3] = [Width::Eight, Width::Four, Width::Any];
 
-    /// Whether this machine has them.
+    /// Returns true if this machine has registers of this width.
     #[inline]
     pub fn is_available(self) -> bool {
         #[cfg(target_arch = "x86_64")]
@@ -55,20 +54,20 @@ impl Width {
     }
 }
 
-/// Does the work with the widest registers.
+/// Runs the kernel with the widest registers.
 #[inline]
 pub fn dispatch<K: Kernel>(kernel: K) -> K::Output {
     let width = Width::ALL.into_iter().find(|width| width.is_available());
     run_on(width.unwrap_or(Width::Any), kernel)
 }
 
-/// Does the work with registers of this width, or of any if the machine has no such ones.
+/// Runs the kernel with registers of this width, or of any width if the machine lacks them.
 #[inline]
 pub fn run_on<K: Kernel>(width: Width, kernel: K) -> K::Output {
     #[cfg(target_arch = "x86_64")]
     if width.is_available() {
         match width {
-            // SAFETY: the machine has the features that the functions are compiled for.
+            // SAFETY: the machine has the features that the function is compiled for.
             Width::Eight => return unsafe { eight(kernel) },
             // SAFETY: as above.
             Width::Four => return unsafe { four(kernel) },

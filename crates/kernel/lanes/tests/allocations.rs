@@ -1,5 +1,5 @@
-//! No batch and no single query of a control or of tolerances allocates.
-#![allow(unsafe_code)] // an allocator is
+//! A test that no batch and no single query of a control or of tolerances allocates.
+#![allow(unsafe_code)] // an allocator needs it
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -15,7 +15,7 @@ thread_local! {
 /// The system's allocator, counted by thread.
 struct Counting;
 
-// SAFETY: the system's allocator does it all. The counter needs neither allocation nor destructor.
+// SAFETY: the system's allocator does all the work. The counter needs neither allocation nor destructor.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);
@@ -31,7 +31,7 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-/// How many times this allocates.
+/// The number of allocations of `work`.
 fn allocations(work: impl FnOnce()) -> u64 {
     let before = ALLOCATIONS.get();
     work();

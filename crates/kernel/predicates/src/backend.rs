@@ -16,52 +16,57 @@ use crate::{
     Refused, Scene, Sessions, Sign, Tally, Vertex, contact,
 };
 
-/// How a backend answers a batch of queries.
+/// The way in which a backend answers a batch of queries.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Batches {
-    /// The backend has code for batches, such as in vector registers.
+    /// The backend has code for batches, such as vector instructions.
     Own,
     /// A batch is a loop over single queries.
     Loop,
 }
 
-/// A way to answer predicates: exact, perturbed, by tolerances. It prepares a session for a scene.
+/// A method that answers predicates: exact, perturbed, or with tolerances.
+///
+/// It prepares a session for each scene.
 pub trait Backend: Send + Sync {
     /// A backend prepared for one scene.
     type Session<'s, T: Tally + 's>: Predicates + 's
     where
         Self: 's;
 
-    /// The name on the command line and in every file, with its parameters.
+    /// The backend's name, with its parameters, on the command line and in every file.
     fn name(&self) -> String;
 
-    /// What it promises about the answers to this predicate.
+    /// The backend's promise about its answers to this predicate.
     fn contract(&self, kind: PredicateKind) -> Contract;
 
     /// The names of the stages that can settle a query, cheapest first; at
     /// most [`MAX_STAGES`](crate::MAX_STAGES).
     fn stages(&self) -> &'static [&'static str];
 
-    /// Whether its sessions answer batches of this predicate by code of their own; if not said otherwise, by a loop over
-    /// single queries.
+    /// The way in which sessions answer batches of this predicate.
+    ///
+    /// The default is a loop over single queries.
     fn batches(&self, kind: PredicateKind) -> Batches {
         let _ = kind;
         Batches::Loop
     }
 
-    /// What its sessions do when they are asked to
-    /// [construct](Predicates::construct) vertices; if not said otherwise, they decline.
+    /// The way in which sessions answer a call to [construct](Predicates::construct) vertices.
+    ///
+    /// The default is to decline.
     fn constructs(&self) -> Constructs {
         Constructs::Declines
     }
 
-    /// The version of the library behind it, where that is another one's.
+    /// The version of the library behind the backend; `None` if this project implements it.
     fn version(&self) -> Option<String> {
         None
     }
 
-    /// The same backend with predicates that return zero at once, where the way to them costs
-    /// something: what the binding of a library of another language takes.
+    /// The same backend with predicates that return zero at once, to time the calls alone.
+    ///
+    /// It is for backends whose calls cost something, such as bindings of a library in another language.
     fn binding(&self) -> Option<Self>
     where
         Self: Sized,
@@ -69,19 +74,19 @@ pub trait Backend: Send + Sync {
         None
     }
 
-    /// Prepares a session: the place to look at the scene's coordinates.
+    /// Prepares a session for a scene, which may inspect the scene's coordinates here.
     ///
     /// # Errors
-    /// [`Declined`] where the backend can't take the scene at all.
+    /// [`Declined`] if the backend cannot handle the scene at all.
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Self::Session<'s, T>, Declined>;
 
-    /// A session behind a pointer, for callers that are generic over nothing; with counts of stages, or without.
+    /// Prepares a session behind a pointer, for callers that are not generic, with or without counts of stages.
     ///
-    /// Whoever calls it compiles the sessions. A backend that writes the method out by [`boxed_here!`](crate::boxed_here) compiles them in its own
-    /// crate, once for all callers.
+    /// The crate that calls this method compiles the sessions. A backend that writes the method with
+    /// [`boxed_here!`](crate::boxed_here) compiles them in its own crate, once for all callers.
     ///
     /// # Errors
-    /// Those of [`prepare`](Backend::prepare).
+    /// The errors of [`prepare`](Backend::prepare).
     fn boxed<'s>(&'s self, scene: &'s Scene, counts: Option<&'s Counts>) -> Result<Box<dyn Predicates + 's>, Declined> {
         Ok(match counts {
             Some(counts) => Box::new(self.prepare(scene, counts)?),
@@ -90,41 +95,36 @@ pub trait Backend: Send + Sync {
     }
 }
 
-/// Geometric questions about the vertices of one prepared scene.
+/// Geometric predicates on the vertices of one prepared scene.
 ///
-/// The same question has the same answer, from any thread, whatever was asked
-/// or constructed before: [`construct`](Predicates::construct) adds vertices and
-/// changes none. Asking a predicate that [`supports`](Predicates::supports)
-/// refuses panics; ask first, once a scene.
+/// The same query has the same answer from every thread, whatever was queried or constructed before:
+/// [`construct`](Predicates::construct) adds vertices and changes none. A predicate that
+/// [`supports`](Predicates::supports) refuses panics; call `supports` first, once per scene.
 pub trait Predicates: Send + Sync {
-    /// The scene that the session was prepared for, with the vertices that it
-    /// has constructed since.
+    /// The scene that the session was prepared for, plus the vertices that the session has constructed since.
     fn scene(&self) -> &Scene;
 
-    /// Constructs the vertices that these definitions define, and returns them
-    /// in the same order.
+    /// Constructs the vertices that these definitions define, and returns them in the same order.
     ///
-    /// Algorithms call it between their parallel phases, with all vertices that
-    /// one phase has found: it takes the session for itself. Ids depend on the
-    /// definitions and their order alone. A definition gets the vertex that it
-    /// has already, from the scene or an earlier call, also if it names the
-    /// same lines and planes in another order. It may name constructed
-    /// vertices, those of this call included. The cost is that of the
-    /// definitions, not of the scene.
+    /// The call takes the session mutably. Algorithms call it between parallel phases, with all vertices that one phase
+    /// has found. Ids depend only on the definitions and their order. If a definition already has a vertex, from the
+    /// scene or an earlier call, the same vertex is returned, also if the definition names the same lines and planes in
+    /// another order. A definition may name constructed vertices, including vertices of this call. The cost depends on
+    /// the definitions, not on the scene.
     ///
-    /// If not said otherwise, the session declines;
-    /// [`Backend::constructs`] tells in advance.
+    /// The default declines; [`Backend::constructs`] says so in advance.
     ///
     /// # Errors
-    /// [`Refused`] with the first definition that the session does not take,
-    /// such as one of parallel lines. Then none of them has been constructed.
+    /// [`Refused`] with the first definition that the session does not take, such as two parallel lines. Then the
+    /// session has constructed none of the definitions.
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         let _ = definitions;
         Err(Refused::session("the backend answers about the vertices that a scene is prepared with"))
     }
 
-    /// Whether the session answers this predicate: if not said otherwise,
-    /// where the scene has the dimension for it.
+    /// Checks that the session answers this predicate.
+    ///
+    /// The default checks that the scene has the dimension for it.
     ///
     /// # Errors
     /// [`Declined`] with the reason.
@@ -132,7 +132,7 @@ pub trait Predicates: Send + Sync {
         self.scene().has_dimension_for(kind)
     }
 
-    /// The sign of a's coordinate minus b's.
+    /// The sign of a's coordinate minus b's along an axis.
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign;
 
     /// The turn a, b, c in a coordinate plane: the sign of
@@ -149,62 +149,70 @@ pub trait Predicates: Send + Sync {
     /// Positive when e is inside the sphere of a positively oriented a, b, c, d.
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign;
 
-    /// The floating-point determinant that the answer stood on, if there was
-    /// one: what error measures look at, and how a NaN is found.
+    /// The floating-point determinant from which the answer was computed, or `None` if there was none.
+    ///
+    /// Error measures read it, and the oracle uses it to detect a NaN.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         let _ = (question, args);
         None
     }
 
-    /// The coordinates that stand for a constructed vertex from then on, in sessions that round; none where answers are
-    /// about the very point, and for input vertices.
+    /// The rounded coordinates that a session uses for a constructed vertex.
+    ///
+    /// `None` for sessions that answer about the exact point, and for input vertices.
     fn rounded_point(&self, v: Vertex) -> Option<&[f64]> {
         let _ = v;
         None
     }
 
-    /// The time that all predicates so far have taken by the session's own clock, in nanoseconds; none where the
-    /// caller's clock sees nothing else.
+    /// The total time of all predicates so far, in nanoseconds, by the session's own clock.
+    ///
+    /// `None` if the caller's clock already measures the predicates alone.
     fn own_nanoseconds(&self) -> Option<u64> {
         None
     }
 
-    /// What answers the same questions without the perturbation, with a zero where something is zero: the session's own backend, if it is
-    /// exact; none where signs are rounded. By it results are taken back to where the input is.
+    /// The same backend without the perturbation: it answers zero for a tie.
+    ///
+    /// An exact session returns its own backend here; `None` if signs are rounded. Algorithms use it to map results
+    /// back to the unperturbed input.
     fn unperturbed(&self) -> Option<&dyn Sessions> {
         None
     }
 
-    /// Whether the session answers as if all vertices of the scene's [second mesh](Scene::with_second_mesh) had moved by (ε, ε², ε³), and
-    /// no others: then nothing changes within a mesh.
+    /// Returns true if the session perturbs the scene's [second mesh](Scene::with_second_mesh) as a whole.
+    ///
+    /// It then answers as if exactly the vertices of that mesh had moved by (ε, ε², ε³), which changes nothing within a
+    /// mesh.
     fn moves_second_mesh(&self) -> bool {
         false
     }
 
     /// The tolerance band of this question, for sessions whose zero is a band.
-    /// (In space each projection of `orient2d` can have its own.)
+    ///
+    /// In space each projection of `orient2d` can have its own band.
     fn band(&self, question: Question) -> Option<Band> {
         let _ = question;
         None
     }
 
-    /// How far beyond a feature the session may still register it, in scene
-    /// units: broad phases inflate their boxes by this. Zero for all whose
-    /// answers are signs of exact or perturbed points.
+    /// The largest distance at which the session may still register a feature, in scene units.
+    ///
+    /// Broad phases inflate their boxes by this distance. It is zero for sessions that answer exact or perturbed signs.
     fn reach(&self) -> f64 {
         0.0
     }
 
-    /// The tolerance band of a pair that registers degeneracies, by the ranks
-    /// of its two simplices in either order: a distance, in scene units. None
-    /// for pairs of full dimension, which are right or nothing, and for
-    /// sessions without tolerances for contacts.
+    /// The tolerance band, in scene units, of a contact pair, by the ranks of its two simplices in either order.
+    ///
+    /// It is a distance, for pairs that register degeneracies. `None` for pairs of full dimension, which have no band,
+    /// and for sessions without contact tolerances.
     fn contact_band(&self, ranks: [u8; 2]) -> Option<Band> {
         let _ = ranks;
         None
     }
 
-    /// Whether the session answers about contacts between two meshes.
+    /// Checks that the session answers contact queries between two meshes.
     ///
     /// # Errors
     /// [`Declined`] with the reason.
@@ -217,43 +225,45 @@ pub trait Predicates: Send + Sync {
         }
     }
 
-    /// Whether the two vertices, of two meshes, are registered as one.
+    /// Returns true if the session registers the two vertices, one of each mesh, as one point.
     ///
-    /// This and the questions that follow are the pairs of a hierarchy. Each
-    /// is asked only where no sub-pair of it (a face of the one with a face of
-    /// the other) was registered before; then its answer says whether the two
-    /// meet, and weights say where. How they are settled is the session's
-    /// business; by default it is by signs.
+    /// This query and the following ones are the pairs of a hierarchy. Each pair is queried only if none of its
+    /// sub-pairs was registered (a sub-pair is a face of one simplex with a face of the other). Then its answer says
+    /// whether the two simplices meet, and the weights say where. The session chooses the method; the default uses
+    /// signs.
     fn vertex_vertex(&self, a: Vertex, p: Vertex) -> bool {
         contact::vertex_vertex(self, a, p)
     }
 
-    /// Whether the vertex is registered as one of the edge's points, and the
-    /// fraction of the way from the edge's first vertex to its second.
+    /// The position of the vertex on the edge if the session registers it there, else `None`.
+    ///
+    /// The position is a fraction of the way from the edge's first vertex to its second.
     fn edge_vertex(&self, edge: [Vertex; 2], p: Vertex) -> Option<f64> {
         contact::edge_vertex(self, edge, p)
     }
 
-    /// Whether two edges meet, and the fraction of the way along each. In the
-    /// plane this is a crossing, in space a degeneracy.
+    /// The point where two edges meet, as the fraction of the way along each, or `None`.
+    ///
+    /// In the plane the point is a crossing, in space a degeneracy.
     fn edge_edge(&self, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
         contact::edge_edge(self, e, f)
     }
 
-    /// Whether the vertex is in the triangle, and its barycentric coordinates
-    /// there. In space this is a degeneracy.
+    /// The barycentric coordinates of the vertex in the triangle, or `None` if it is outside.
+    ///
+    /// In space such a vertex is a degeneracy.
     fn triangle_vertex(&self, triangle: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
         contact::triangle_vertex(self, triangle, p)
     }
 
-    /// Whether the edge pierces the triangle: the barycentric coordinates of
-    /// the point there, and the fraction of the way along the edge (3D scenes).
+    /// The point where the edge pierces the triangle, or `None` (3D scenes).
+    ///
+    /// The point is given by its barycentric coordinates and by its fraction of the way along the edge.
     fn triangle_edge(&self, triangle: [Vertex; 3], edge: [Vertex; 2]) -> Option<([f64; 3], f64)> {
         contact::triangle_edge(self, triangle, edge)
     }
 
-    /// Whether the vertex is in the tetrahedron, and its barycentric
-    /// coordinates there (3D scenes).
+    /// The barycentric coordinates of the vertex in the tetrahedron, or `None` if it is outside (3D scenes).
     fn tetrahedron_vertex(&self, tetrahedron: [Vertex; 4], p: Vertex) -> Option<[f64; 4]> {
         contact::tetrahedron_vertex(self, tetrahedron, p)
     }

@@ -1,12 +1,14 @@
-//! Sessions behind a pointer. Code that is generic over [`Predicates`] is compiled once for all of them, and costs a
-//! dynamic call a question.
+//! Sessions behind a pointer.
+//!
+//! Code that is generic over [`Predicates`] is compiled once for all boxed sessions. The cost is one dynamic call per
+//! query.
 
 use crate::{
     Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions, Sign,
     Vertex,
 };
 
-// A method that is left out would fall back to its default and pass over the session's own.
+// A method that is missing here would use the trait's default and bypass the session's own method.
 #[deny(clippy::missing_trait_methods)]
 impl<P: Predicates + ?Sized> Predicates for Box<P> {
     fn scene(&self) -> &Scene {

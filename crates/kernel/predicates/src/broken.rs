@@ -1,23 +1,24 @@
-//! What a session throws where it cannot answer.
+//! The payload that a session throws if it cannot answer.
 
 use crate::Class;
 
-/// Why a session broke off in the middle of a scene: the process behind it crashed, fell silent, or answered nonsense.
+/// The reason why a session stopped in the middle of a scene: its process crashed, hung, or answered nonsense.
 ///
-/// The methods of [`Predicates`](crate::Predicates) return signs, so a session that cannot give one
-/// [`throw`](Broken::throw)s this; who runs a backend on a scene catches it and makes it the outcome.
+/// The methods of [`Predicates`](crate::Predicates) return signs, so a session that cannot give a sign
+/// [`throw`](Broken::throw)s this value. The code that runs a backend on a scene catches it and records it as the
+/// outcome.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Broken {
     /// The class of the scene: [`Class::Panic`], [`Class::Timeout`] or [`Class::Declined`].
     pub class: Class,
-    /// What has found it: `crashed`, `silence`, `protocol`, …
+    /// The name of the check that failed: `crashed`, `silence`, `protocol`, …
     pub check: &'static str,
-    /// What happened, in one line.
+    /// A description of the failure, in one line.
     pub message: String,
 }
 
 impl Broken {
-    /// Unwinds with this. No panic hook is called: nothing is printed.
+    /// Unwinds with this value as the payload; no panic hook runs, so nothing is printed.
     ///
     /// # Panics
     /// Always.

@@ -1,35 +1,35 @@
-//! The thirteen classes of answers, their severities, and the status that the gate gives a scene.
+//! The thirteen classes of answers, their severities, and the gate's status of a scene.
 //!
-//! They live here, below everything, because the oracle decides on them, the
-//! report prints them, and neither needs the other.
+//! They live in the lowest crate because the oracle assigns them and the report prints them, and neither depends on the
+//! other.
 
 use serde::{Deserialize, Serialize};
 
 use crate::UnknownName;
 
-/// How an answer compares with the truth and with the backend's promise.
+/// The comparison of an answer with the truth and with the backend's promise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Class {
-    /// The exact sign.
+    /// The answer is the exact sign.
     Agree,
-    /// Exact zero, answered by a sign: promised by backends that break ties.
+    /// The exact sign is zero and the answer is not: promised by backends that break ties.
     TieBroken,
-    /// Zero for a value within the upper tolerance: promised by backends with a band.
+    /// The answer is zero for a value within the upper tolerance: promised by backends with a band.
     InBand,
-    /// Zero for a value beyond the upper tolerance; for backends without a band, for any value but zero.
+    /// The answer is zero for a value beyond the upper tolerance, or for any nonzero value if the backend has no band.
     Overreach,
-    /// A degeneracy that the backend promised to report, answered by a sign.
+    /// The exact sign is zero and the answer is not, although the backend promised to report degeneracies.
     MissedZero,
-    /// The opposite sign.
+    /// The answer is the opposite sign.
     SignFlip,
-    /// Answers that contradict each other.
+    /// Answers contradict each other.
     Inconsistent,
     /// The arithmetic produced a NaN.
     Nan,
     /// A topology check failed.
     Topology,
-    /// A check of a whole scene failed by the rounding of output coordinates alone, within the check's stated bound.
+    /// A check of a whole scene failed only by the rounding of output coordinates, within the check's stated bound.
     Rounded,
     /// The backend panicked.
     Panic,
@@ -40,7 +40,7 @@ pub enum Class {
 }
 
 impl Class {
-    /// All thirteen, in the order of the columns of `summary.csv`.
+    /// All thirteen classes, in the order of the columns of `summary.csv`.
     pub const ALL: [Class; 13] = [
         Class::Agree,
         Class::TieBroken,
@@ -57,7 +57,7 @@ impl Class {
         Class::Declined,
     ];
 
-    /// The name used in every file.
+    /// The class's name in every file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -77,28 +77,30 @@ impl Class {
         }
     }
 
-    /// Whether the class is within a promise. Everything else is a finding
-    /// and has to be expected. (The oracle hands out `TieBroken` and `InBand`
+    /// Returns true if the backend's promise allows the class.
+    ///
+    /// Every other class is a finding, and a finding must be expected. (The oracle assigns `TieBroken` and `InBand`
     /// only to backends that promise them.)
     #[must_use]
     pub const fn is_legal(self) -> bool {
         matches!(self, Class::Agree | Class::TieBroken | Class::InBand)
     }
 
-    /// Whether the class is a wrong answer to a single query, for any backend:
-    /// what is counted per million queries and plotted against time.
+    /// Returns true if the class is a wrong answer to a single query, for every backend.
+    ///
+    /// Reports count such answers per million queries and plot them against time.
     #[must_use]
     pub const fn is_wrong_answer(self) -> bool {
         matches!(self, Class::Overreach | Class::MissedZero | Class::SignFlip | Class::Inconsistent | Class::Nan)
     }
 
-    /// Whether the class is of single answers, and not of a whole scene.
+    /// Returns true if the class describes single answers, not a whole scene.
     #[must_use]
     pub const fn is_answer(self) -> bool {
         !matches!(self, Class::Topology | Class::Rounded | Class::Panic | Class::Timeout | Class::Declined)
     }
 
-    /// How bad the class is.
+    /// The severity of the class.
     #[must_use]
     pub const fn severity(self) -> Severity {
         match self {
@@ -133,7 +135,9 @@ impl std::str::FromStr for Class {
     }
 }
 
-/// How bad a result is, whoever gave it: what pages colour by and gates can filter by.
+/// The severity of a result, for every backend alike.
+///
+/// Pages colour by severity and gates can filter by it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Severity {
@@ -145,16 +149,16 @@ pub enum Severity {
     Rounded,
     /// No answer: declined, out of time, or crashed.
     NotDone,
-    /// A sign is wrong, or a topology is.
+    /// A sign or a topology is wrong.
     Broken,
 }
 
 impl Severity {
-    /// All five, from good to bad.
+    /// All five severities, from good to bad.
     pub const ALL: [Severity; 5] =
         [Severity::Right, Severity::Undecided, Severity::Rounded, Severity::NotDone, Severity::Broken];
 
-    /// The name used in every file.
+    /// The severity's name in every file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -184,25 +188,25 @@ impl std::str::FromStr for Severity {
     }
 }
 
-/// What the gate says about one scene on one backend.
+/// The gate's status of one scene on one backend.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Status {
-    /// Nothing but legal answers.
+    /// Every answer is legal.
     Ok,
-    /// Findings, and all of them are listed in `expected.toml`.
+    /// There are findings, and `expected.toml` lists all of them.
     Expected,
-    /// A finding that no expectation lists.
+    /// There is a finding that no expectation lists.
     Unexpected,
     /// An expected finding did not occur.
     UnexpectedPass,
 }
 
 impl Status {
-    /// All four, from good to bad.
+    /// All four statuses, from good to bad.
     pub const ALL: [Status; 4] = [Status::Ok, Status::Expected, Status::Unexpected, Status::UnexpectedPass];
 
-    /// The name used in every file.
+    /// The status's name in every file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -213,7 +217,7 @@ impl Status {
         }
     }
 
-    /// Whether the gate lets it pass.
+    /// Returns true if the gate passes with this status.
     #[must_use]
     pub const fn passes(self) -> bool {
         matches!(self, Status::Ok | Status::Expected)

@@ -1,41 +1,38 @@
-//! Vertices that are no input: where lines and planes through other vertices meet.
+//! Constructed vertices: intersection points of lines and planes through other vertices.
 //!
-//! Overlays, slices and unions make such vertices, and round them if they store
-//! coordinates. A [`Construction`] stores what defines the vertex instead, so
-//! that a backend can answer about the very point (*indirect predicates*,
-//! Attene 2020). Equality is of definitions: two constructions of one point
-//! are two vertices, and it takes a predicate to find that out.
+//! Overlays, slices and unions make such vertices, and round them if they store coordinates. A [`Construction`] stores
+//! the definition of the vertex instead, so that a backend can answer about the exact point (*indirect predicates*,
+//! Attene 2020). Two vertices are equal if their definitions are equal: two constructions of one point are two
+//! vertices, and only a predicate can tell that they coincide.
 //!
-//! A definition names vertices that exist already, input vertices or constructed
-//! ones, so definitions never go in circles.
+//! A definition names vertices that exist already, input or constructed, so definitions are never circular.
 
 use crate::{Dimension, Vertex};
 
-/// What defines a constructed vertex: other vertices, by identity.
+/// The definition of a constructed vertex: the identities of other vertices.
 ///
-/// [`Construction::canonical`] lists the vertices of a line or a plane, and the
-/// lines or planes of a kind, in the order of their ids: the point does not
-/// depend on it. Whether there is such a point, and only one, is a question
-/// for arithmetic: a backend that computes the point refuses the definition if not.
+/// [`Construction::canonical`] sorts by id the vertices of a line or a plane, and the lines or planes of one kind; the
+/// point does not depend on their order. Only arithmetic can tell whether the point exists and is unique. A backend
+/// that computes the point refuses the definition otherwise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Construction {
-    /// 2D: the point where two lines meet, each given by a segment of it.
-    /// Whether the segments themselves reach that point is not asked.
+    /// The 2D point where two lines meet, each given by a segment on it.
+    ///
+    /// The segments themselves need not reach that point.
     Ssi([[Vertex; 2]; 2]),
-    /// 3D: the point where a line meets a plane.
+    /// The 3D point where a line meets a plane.
     Lpi {
         /// Two points of the line.
         line: [Vertex; 2],
         /// Three points of the plane.
         plane: [Vertex; 3],
     },
-    /// 3D: the point where three planes meet, three points of each.
+    /// The 3D point where three planes meet, each given by three of its points.
     Tpi([[Vertex; 3]; 3]),
 }
 
 impl Construction {
-    /// The same construction with ids in ascending order wherever the order
-    /// does not matter.
+    /// The same construction with ids sorted wherever their order does not matter.
     #[inline]
     #[must_use]
     pub fn canonical(self) -> Construction {
@@ -46,7 +43,7 @@ impl Construction {
         }
     }
 
-    /// The dimension of the scenes that it belongs to.
+    /// The dimension of the scenes that can hold this construction.
     #[must_use]
     pub const fn dimension(&self) -> Dimension {
         match self {
@@ -55,7 +52,7 @@ impl Construction {
         }
     }
 
-    /// Whether only input vertices define it. Others are constructed from constructed vertices.
+    /// Returns true if only input vertices define the construction.
     #[inline]
     #[must_use]
     pub fn is_of_inputs(&self) -> bool {
@@ -67,11 +64,13 @@ impl Construction {
         }
     }
 
-    /// A hash that is the same on every machine and in every run: its low bits are as good as the others.
-    /// It keeps nobody from making definitions that collide, who then waits for them.
+    /// A hash that is the same on every machine and in every run.
+    ///
+    /// Its low bits are as good as its high bits. It does not resist deliberate collisions, but they only
+    /// slow down the caller that makes them.
     #[inline]
     pub(crate) fn hash(&self) -> u64 {
-        /// Where each kind begins.
+        /// The start value of the hash for each kind.
         const KINDS: [u64; 3] = [0x1319_8a2e_0370_7344, 0xa409_3822_299f_31d0, 0x082e_fa98_ec4e_6c89];
         match *self {
             Construction::Ssi([[a, b], [c, d]]) => mixed(mixed(KINDS[0], pair(a, b)), pair(c, d)),
@@ -96,7 +95,7 @@ impl Construction {
     }
 }
 
-/// As `SSI(0 1, 2 3)`: the kind, then each line or plane.
+/// Writes the kind, then each line or plane, as in `SSI(0 1, 2 3)`.
 impl std::fmt::Display for Construction {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let kind = match self {
@@ -110,17 +109,17 @@ impl std::fmt::Display for Construction {
     }
 }
 
-/// Why a scene does not take a construction.
+/// The reason why a scene does not take a construction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConstructionError {
     /// The construction belongs to scenes of another dimension.
     Dimension {
-        /// That of the scene.
+        /// The dimension of the scene.
         scene: Dimension,
-        /// That of the construction.
+        /// The dimension of the construction.
         construction: Dimension,
     },
-    /// A defining vertex is neither an input vertex of the scene nor constructed before.
+    /// A defining vertex is neither an input vertex of the scene nor an earlier constructed vertex.
     Missing {
         /// The vertex.
         vertex: Vertex,
@@ -153,9 +152,9 @@ impl std::fmt::Display for ConstructionError {
 
 impl std::error::Error for ConstructionError {}
 
-/// What vertices, lines and planes are sorted by.
+/// Vertices, lines and planes with a sort key.
 trait Place: Copy {
-    /// A number that has their order: by the first vertex, then the next.
+    /// A number in sort order: by the first vertex, then the next.
     fn place(self) -> u128;
 }
 
@@ -187,11 +186,11 @@ fn three<X: Place>([a, b, c]: [X; 3]) -> [X; 3] {
     [a, b, c]
 }
 
-/// Mixes 64 bits into a hash: both halves of a product.
+/// Mixes 64 bits into a hash by combining both halves of a product.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
 fn mixed(hash: u64, bits: u64) -> u64 {
-    /// Odd, without a pattern: the digits of π after the point.
+    /// An odd number without a pattern: the digits of π after the point.
     const FACTOR: u64 = 0x243f_6a88_85a3_08d3;
     let product = u128::from(hash ^ bits) * u128::from(FACTOR);
     product as u64 ^ (product >> 64) as u64

@@ -1,58 +1,58 @@
-//! What backends do with vertices that are constructed while they run, and why
-//! they refuse one.
+//! The treatment of constructed vertices by a backend, and the reasons to refuse one.
 //!
-//! Overlays and cascades of operations find new vertices as they go. A backend
-//! that rounds them answers about other points from then on; one that keeps
-//! them does not. Which of the two it is belongs to its promise.
+//! Overlays and cascades of operations find new vertices while they run. A backend that rounds them answers about other
+//! points from then on; a backend that stores definitions does not. The backend's promise says which of the two
+//! applies.
 
 use std::borrow::Cow;
 
 use crate::{Construction, ConstructionError, Declined};
 
-/// What a backend does with vertices that its sessions are asked to
-/// [construct](crate::Predicates::construct).
+/// The treatment of vertices that a session is asked to [construct](crate::Predicates::construct).
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Constructs {
-    /// Answers are about the very point, also where constructed vertices
-    /// define it. Definitions that are of no single point are refused.
+    /// Answers are about the exact point, also if constructed vertices define it.
+    ///
+    /// The session refuses definitions without a unique point.
     Keeps,
-    /// The same for vertices that input vertices define; others are refused.
+    /// The same as `Keeps` for vertices that input vertices define; the session refuses others.
     KeepsFirst,
-    /// The point is computed in floating point, from coordinates that may be
-    /// rounded already, and is a vertex like the others from then on. Where a
-    /// definition is of no point, its coordinates are infinite or NaN.
+    /// The session computes the point in floating point, from coordinates that may already be rounded.
+    ///
+    /// From then on the point is a vertex like the others. If the definition has no point, its coordinates are infinite
+    /// or NaN.
     Rounds,
-    /// None is constructed.
+    /// The session constructs no vertices.
     Declines,
 }
 
-/// Why a session constructed nothing. The session is as it was.
+/// The reason why a session constructed nothing; the session is unchanged.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Refused {
-    /// The session constructs no vertices, whatever defines them.
+    /// The session never constructs vertices.
     Session {
-        /// Why, in one line.
+        /// The reason, in one line.
         reason: String,
     },
-    /// One of the definitions: the first that the session does not take.
+    /// The session does not take one definition, the first such.
     Definition {
-        /// Its place among those asked for.
+        /// The index of the definition in the call.
         index: usize,
-        /// The definition, as asked for.
+        /// The definition, as the caller wrote it.
         definition: Construction,
-        /// Why the session does not take it.
+        /// The reason why the session does not take it.
         reason: DefinitionError,
     },
 }
 
 impl Refused {
-    /// The session constructs no vertices.
+    /// A refusal by a session that never constructs vertices.
     #[must_use]
     pub fn session(reason: impl Into<String>) -> Refused {
         Refused::Session { reason: reason.into() }
     }
 
-    /// The place of the definition that was refused; none where all are.
+    /// The index of the refused definition; `None` if the session refuses all.
     #[must_use]
     pub fn index(&self) -> Option<usize> {
         match self {
@@ -82,21 +82,21 @@ impl std::error::Error for Refused {
     }
 }
 
-/// Why a session does not take one definition.
+/// The reason why a session does not take one definition.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum DefinitionError {
-    /// The scene does not take it.
+    /// The scene does not take the definition.
     Scene(ConstructionError),
-    /// It defines no single point.
+    /// The definition has no unique point.
     NoPoint(NoPoint),
-    /// Constructed vertices define it, and the backend constructs only what input vertices define
+    /// Constructed vertices define the vertex, and the backend constructs only from input vertices
     /// ([`Constructs::KeepsFirst`]).
     OfConstructed {
-        /// Why, in one line.
+        /// The reason, in one line.
         reason: &'static str,
     },
-    /// The session has a condition of its own.
+    /// The session has another condition.
     Other(Cow<'static, str>),
 }
 
@@ -125,7 +125,7 @@ impl std::fmt::Display for DefinitionError {
 
 impl std::error::Error for DefinitionError {}
 
-/// Why the lines and planes of a construction do not meet in a single point.
+/// The reason why the lines and planes of a construction do not meet in a unique point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
 pub enum NoPoint {
@@ -135,13 +135,13 @@ pub enum NoPoint {
     LineEnds,
     /// The three vertices of a plane are collinear.
     CollinearPlane,
-    /// Two lines are parallel, or the same.
+    /// Two lines are parallel or identical.
     ParallelLines,
-    /// The line is parallel to the plane, or in it.
+    /// The line is parallel to the plane or lies in it.
     ParallelToPlane,
-    /// Three planes share no point, or more than one.
+    /// Three planes share no point or more than one.
     Planes,
-    /// The backend does not say which of these it is.
+    /// The backend does not give the reason.
     Unspecified,
 }
 
@@ -161,7 +161,7 @@ impl std::fmt::Display for NoPoint {
 
 impl std::error::Error for NoPoint {}
 
-/// For algorithms that cannot do without: the backend declines the scene.
+/// Declines the scene, for algorithms that need the constructed vertices.
 impl From<Refused> for Declined {
     fn from(refused: Refused) -> Declined {
         Declined::scene(refused.to_string())

@@ -1,14 +1,10 @@
-//! Contacts by signs: the default bodies of the contact questions, for sessions
-//! whose zero is no band.
+//! Contacts by signs: the default bodies of the contact queries, for sessions whose zero is not a band.
 //!
-//! Each question comes after those about its sub-pairs, and is asked only where
-//! none of them was answered yes. With exact signs the answers then sort the
-//! common points of two closed simplices by their carriers, the lowest
-//! dimensions first; with signs that are never zero only pairs of full
-//! dimension can meet. Decisions are by signs alone; weights are plain
-//! floating-point values and decide nothing. They lie in [0, 1] and add up to
-//! one but for rounding. Where floating point sees nothing but zeros, as when
-//! a perturbation has decided, they are equal.
+//! Each pair is queried after its sub-pairs, and only if none of them was registered. With exact signs the answers then
+//! sort the common points of two closed simplices by their carriers, the lowest dimensions first. With signs that are
+//! never zero only pairs of full dimension can meet. Signs alone make decisions; weights are plain floating-point
+//! values. Weights lie in [0, 1] and add up to one except for rounding. If all floating-point values are zero, as when
+//! a perturbation has decided, the weights are equal.
 
 use crate::{Axis, Dimension, Plane, Predicates, Scene, Sign, Vertex};
 
@@ -28,12 +24,14 @@ fn planes(scene: &Scene) -> &'static [Plane] {
     }
 }
 
-/// All coordinates are equal.
+/// Returns true if all coordinates are equal.
 pub(crate) fn vertex_vertex<S: Predicates + ?Sized>(session: &S, a: Vertex, p: Vertex) -> bool {
     axes(session.scene()).iter().all(|&axis| session.compare(axis, a, p) == Sign::Zero)
 }
 
-/// Collinear in every projection, and between the ends along the first axis that tells them apart.
+/// The position of p on the edge, or `None`.
+///
+/// p must be collinear in every projection, and between the ends along the first axis that separates the ends.
 pub(crate) fn edge_vertex<S: Predicates + ?Sized>(session: &S, [a, b]: [Vertex; 2], p: Vertex) -> Option<f64> {
     let scene = session.scene();
     if planes(scene).iter().any(|&plane| session.orient2d(plane, a, b, p) != Sign::Zero) {
@@ -50,8 +48,9 @@ pub(crate) fn edge_vertex<S: Predicates + ?Sized>(session: &S, [a, b]: [Vertex; 
     })
 }
 
-/// Four turns in the plane; in space the same in a projection, where all four
-/// vertices are in one plane.
+/// The crossing of two edges by four turns in the plane, or `None`.
+///
+/// In space the turns are taken in a projection, if all four vertices are coplanar.
 pub(crate) fn edge_edge<S: Predicates + ?Sized>(session: &S, e: [Vertex; 2], f: [Vertex; 2]) -> Option<[f64; 2]> {
     let plane = match session.scene().dimension() {
         Dimension::Two => Plane::Xy,
@@ -60,27 +59,29 @@ pub(crate) fn edge_edge<S: Predicates + ?Sized>(session: &S, e: [Vertex; 2], f: 
             if session.orient3d(a, b, p, q) != Sign::Zero {
                 return None;
             }
-            // Where the three are collinear, p is outside the edge, and so is all of f that meets its line.
+            // If the three are collinear here, p is outside the edge, and so are all points of f on the edge's line.
             PLANES.into_iter().find(|&plane| session.orient2d(plane, a, b, p) != Sign::Zero)?
         }
     };
     crosses(session, plane, e, f).then(|| crossing_weights(session.scene(), plane, e, f))
 }
 
-/// Whether each edge's ends are strictly on both sides of the other.
+/// Returns true if the ends of each edge are strictly on both sides of the other edge.
 fn crosses<S: Predicates + ?Sized>(session: &S, plane: Plane, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
     let opposite = |left: Sign, right: Sign| left != Sign::Zero && left == -right;
     opposite(session.orient2d(plane, a, b, p), session.orient2d(plane, a, b, q))
         && opposite(session.orient2d(plane, p, q, a), session.orient2d(plane, p, q, b))
 }
 
-/// Whether the vertex is strictly on the same side of all three edges.
+/// Returns true if the vertex is strictly on the same side of all three edges.
 fn encloses<S: Predicates + ?Sized>(session: &S, plane: Plane, [a, b, c]: [Vertex; 3], p: Vertex) -> bool {
     let side = session.orient2d(plane, a, b, p);
     side != Sign::Zero && side == session.orient2d(plane, b, c, p) && side == session.orient2d(plane, c, a, p)
 }
 
-/// Three turns in the plane; in space the same in a projection, where the vertex is in the triangle's plane.
+/// The position of the vertex in the triangle by three turns in the plane, or `None`.
+///
+/// In space the turns are taken in a projection, if the vertex is in the triangle's plane.
 pub(crate) fn triangle_vertex<S: Predicates + ?Sized>(session: &S, t: [Vertex; 3], p: Vertex) -> Option<[f64; 3]> {
     let [a, b, c] = t;
     let plane = match session.scene().dimension() {
@@ -98,7 +99,9 @@ pub(crate) fn triangle_vertex<S: Predicates + ?Sized>(session: &S, t: [Vertex; 3
     })
 }
 
-/// Five volumes: the edge's ends on both sides of the triangle, and its line through the inside.
+/// The point where the edge pierces the triangle, by five volumes, or `None`.
+///
+/// The edge's ends must be on both sides of the triangle, and the edge's line must pass through the inside.
 pub(crate) fn triangle_edge<S: Predicates + ?Sized>(
     session: &S,
     [a, b, c]: [Vertex; 3],
@@ -117,7 +120,7 @@ pub(crate) fn triangle_edge<S: Predicates + ?Sized>(
     })
 }
 
-/// Four volumes of one sign.
+/// The position of the vertex in the tetrahedron if four volumes have one sign, or `None`.
 pub(crate) fn tetrahedron_vertex<S: Predicates + ?Sized>(
     session: &S,
     [a, b, c, d]: [Vertex; 4],
@@ -140,8 +143,9 @@ fn crossing_weights(scene: &Scene, plane: Plane, [a, b]: [Vertex; 2], [p, q]: [V
     [from_a, from_p]
 }
 
-/// The magnitude of each over their sum. The signs are known and need not be
-/// believed: what is computed on the wrong side is nearer to the truth without.
+/// The magnitude of each value over the sum of magnitudes.
+///
+/// The signs are known from the predicates. A value computed with the wrong sign is nearer to the truth without it.
 #[allow(clippy::cast_precision_loss)] // N is 2, 3 or 4
 fn parts<const N: usize>(of: [f64; N]) -> [f64; N] {
     let of = of.map(f64::abs);
@@ -149,8 +153,9 @@ fn parts<const N: usize>(of: [f64; N]) -> [f64; N] {
     if sum == 0.0 { [1.0 / N as f64; N] } else { of.map(|part| part / sum) }
 }
 
-/// The points over a power of two, so that no product of their differences
-/// overflows, nor all of them vanish, because all points are far away or near.
+/// The points divided by a power of two, so that no product of their differences overflows.
+///
+/// Nor do all products underflow to zero if all points are near each other.
 fn scaled<const N: usize, const D: usize>(points: [[f64; D]; N]) -> [[f64; D]; N] {
     const SAFE: std::ops::Range<f64> = 1e-90..1e90;
     let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));

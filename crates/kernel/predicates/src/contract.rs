@@ -1,49 +1,49 @@
-//! What a backend promises about its answers, and how it declines.
+//! A backend's promise about its answers, and the way it declines.
 
 use crate::PredicateKind;
 
-/// What a backend means when it answers zero.
+/// The meaning of an answer of zero.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum ZeroMeaning {
-    /// Zero is zero: the answer is the sign of the real determinant.
+    /// Zero means zero: the answer is the sign of the real determinant.
     Exact,
-    /// Ties are broken: zero is never answered for distinct vertices.
+    /// Ties are broken: the backend never answers zero for distinct vertices.
     Never,
-    /// Zero is a band: what lies within a tolerance is registered as degenerate.
+    /// Zero is a band: the backend registers values within a tolerance as degenerate.
     Band,
 }
 
-/// A backend's promise.
+/// A backend's promise about one predicate.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Contract {
-    /// What zero means.
+    /// The meaning of zero.
     pub zero: ZeroMeaning,
-    /// Whether the promise is proved for every finite input. Controls declare the
-    /// same contract without guaranteeing it; they say `false`.
+    /// True if the promise is proved for every finite input.
+    ///
+    /// Controls declare the same contract without guaranteeing it; they say `false`.
     pub proved: bool,
 }
 
 /// The tolerance band of one predicate in one scene, in units of its determinant.
 ///
-/// With d the exact determinant: |d| ≤ `lower` is registered as zero, |d| >
-/// `upper` never is, and in between both answers are legal (eq. 1 of Wang,
-/// Jiang, Schroeder and Teran).
+/// With d the exact determinant: |d| ≤ `lower` is registered as zero, |d| > `upper` is never registered, and in between
+/// both answers are legal (eq. 1 of Wang, Jiang, Schroeder and Teran).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Band {
-    /// T₋: everything up to here is registered.
+    /// T₋: every |d| up to this value is registered.
     pub lower: f64,
-    /// T: what the floating-point test compares with.
+    /// T: the threshold of the floating-point test.
     pub width: f64,
-    /// T₊: nothing beyond here is registered.
+    /// T₊: no |d| beyond this value is registered.
     pub upper: f64,
 }
 
-/// Why a backend declines a scene or a predicate.
+/// The reason why a backend declines a scene or a predicate.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Declined {
-    /// The predicate that is declined; none where the whole scene is.
+    /// The declined predicate; `None` if the backend declines the whole scene.
     pub predicate: Option<PredicateKind>,
-    /// Why, in one line.
+    /// The reason, in one line.
     pub reason: String,
 }
 

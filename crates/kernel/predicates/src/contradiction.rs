@@ -1,10 +1,12 @@
-//! A macro for the errors of algorithms that stop where signs contradict each other.
+//! A macro for the errors of algorithms that stop when signs contradict each other.
 
-/// Declares an enum of the rules that an algorithm relies on, each with the statement that should hold and what failed where it
-/// does not.
+/// Declares an enum of the rules that an algorithm relies on.
 ///
-/// The enum is `Copy`. Its `rule` is the statement, which is the name of the check in stored findings; `RULES` are the
-/// statements of its own cases; it displays what failed. After `or` come the contradictions of algorithms that this one calls.
+/// Each case has the statement that should hold and a description of the failure.
+///
+/// The enum is `Copy`. Its `rule` is the statement, which is the name of the check in stored findings. `RULES` are the
+/// statements of its own cases. It displays the description of the failure. After `or` come the contradictions of
+/// algorithms that this algorithm calls.
 ///
 /// ```
 /// use predicament_predicates::contradiction;
@@ -48,7 +50,7 @@ macro_rules! contradiction {
         }
 
         impl $name {
-            /// The statements that should hold, but for those of algorithms that this one calls.
+            /// The statements that should hold, without the statements of called algorithms.
             pub const RULES: &'static [&'static str] = &[$($rule),+];
 
             /// The statement that should hold: the name of the check in stored findings.
@@ -67,7 +69,7 @@ macro_rules! contradiction {
             }
         })+)?
 
-        /// What failed.
+        /// Writes the description of the failure.
         impl ::std::fmt::Display for $name {
             fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
                 match self {

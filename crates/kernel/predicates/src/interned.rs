@@ -1,12 +1,11 @@
-//! A list of constructions that holds each once.
+//! A list of constructions that holds each construction once.
 //!
-//! A vertex is its definition, so the same definition always gives the same
-//! vertex. Ids are places in the list: they depend on the order in which
-//! definitions are added and on nothing else.
+//! A vertex is its definition, so the same definition always gives the same vertex. Ids are indices in the list: they
+//! depend only on the order in which definitions are added.
 //!
-//! Places are found by a hash table of ids alone, with open addressing: the
-//! definitions themselves are in the list. At most half of the table is taken, so
-//! a look-up compares one or two definitions, and the table takes 8 to 16 bytes a vertex.
+//! A hash table of ids, with open addressing, finds the index; the definitions themselves are in the list. At most half
+//! of the table is occupied. A look-up therefore compares one or two definitions, and the table takes 8 to 16 bytes per
+//! vertex.
 
 use crate::{Construction, Vertex};
 
@@ -14,23 +13,24 @@ use crate::{Construction, Vertex};
 #[derive(Clone, Default)]
 pub(crate) struct Interned {
     list: Vec<Construction>,
-    /// By hash, at the first free place from there on: the place in the list and one, or 0 where
-    /// the place is free. A power of two of them, or none.
+    /// The hash table: index in the list plus one, or 0 for a free slot.
+    ///
+    /// An entry is at the first slot from its hash on that was free. The number of slots is a power of two, or zero.
     table: Vec<u32>,
 }
 
-/// Where a construction belongs that is not in the list.
+/// The free slot for a construction that is not in the list.
 #[derive(Clone, Copy)]
 pub(crate) struct Gap(usize);
 
 impl Interned {
-    /// In the order of their ids.
+    /// The constructions in the order of their ids.
     #[inline]
     pub(crate) fn list(&self) -> &[Construction] {
         &self.list
     }
 
-    /// The vertex of a construction in the list, or where one that is not in it belongs.
+    /// The vertex of a construction, or the free slot for a construction that is not in the list.
     #[inline]
     pub(crate) fn find(&self, construction: &Construction) -> Result<Vertex, Gap> {
         if self.table.is_empty() {
@@ -48,7 +48,7 @@ impl Interned {
         }
     }
 
-    /// Adds a construction that is not in the list, where it belongs.
+    /// Adds a construction that is not in the list, at its free slot.
     #[inline]
     pub(crate) fn push(&mut self, construction: Construction, gap: Gap) -> Vertex {
         let vertex = Vertex::constructed(self.list.len());
@@ -62,7 +62,7 @@ impl Interned {
         vertex
     }
 
-    /// Makes place for so many more.
+    /// Reserves space for `more` constructions.
     #[cold]
     #[inline(never)]
     pub(crate) fn reserve(&mut self, more: usize) {
@@ -77,10 +77,10 @@ impl Interned {
         }
     }
 
-    /// Removes all but the first so many.
+    /// Removes all constructions after the first `count`.
     pub(crate) fn truncate(&mut self, count: usize) {
         while self.list.len() > count {
-            // Last in, first out: whatever is still in the list has not been moved on by what goes.
+            // Last in, first out: the removed entries have not displaced an entry that is still in the list.
             let last = entry(self.list.len());
             let mut place = self.home(&self.list[self.list.len() - 1]);
             while self.table[place] != last {
@@ -91,15 +91,15 @@ impl Interned {
         }
     }
 
-    /// Where to begin to look.
+    /// The slot where the search begins.
     #[inline]
     fn home(&self, construction: &Construction) -> usize {
-        #[allow(clippy::cast_possible_truncation)] // to fewer bits than the table has places
+        #[allow(clippy::cast_possible_truncation)] // the mask keeps fewer bits
         let bits = construction.hash() as usize;
         bits & (self.table.len() - 1)
     }
 
-    /// The first free place for a construction that is not in the table.
+    /// The first free slot for a construction that is not in the table.
     fn free(&self, construction: &Construction) -> usize {
         let mut place = self.home(construction);
         while self.table[place] != 0 {
@@ -109,21 +109,21 @@ impl Interned {
     }
 }
 
-/// An index and one, as in the table. (There are 2^31 vertices at most.)
+/// A table entry: an index plus one. (There are at most 2^31 vertices.)
 #[inline]
 #[allow(clippy::cast_possible_truncation)]
 fn entry(count: usize) -> u32 {
     count as u32
 }
 
-/// By the list: the table is what follows from it.
+/// Compares the lists; the table follows from the list.
 impl PartialEq for Interned {
     fn eq(&self, other: &Interned) -> bool {
         self.list == other.list
     }
 }
 
-/// The list alone.
+/// Writes the list alone.
 impl std::fmt::Debug for Interned {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         self.list.fmt(f)
@@ -134,13 +134,13 @@ impl std::fmt::Debug for Interned {
 mod tests {
     use super::*;
 
-    /// Lines through neighbours in a grid: ids that differ in few bits.
+    /// Lines through neighbours in a grid: their ids differ in few bits.
     fn definition(i: usize) -> Construction {
         let v = Vertex::input;
         Construction::Ssi([[v(i % 64), v(i % 64 + 1)], [v(100 + i / 64), v(i / 64 + 200)]])
     }
 
-    /// Whatever was added and removed before, what is in the list is found and nothing else.
+    /// After any additions and removals, `find` finds exactly the constructions in the list.
     #[test]
     fn what_was_removed_leaves_no_trace() {
         let mut interned = Interned::default();
@@ -165,7 +165,7 @@ mod tests {
         }
     }
 
-    /// Places are as far from home as chance has it: 1/2 at a load of one half, where hashes are even.
+    /// Entries are as far from their hash slot as chance predicts: 1/2 at a load of one half, for uniform hashes.
     #[test]
     fn hashes_are_even() {
         let v = Vertex::input;

@@ -1,21 +1,21 @@
-//! The vocabulary of predicament: signs, vertices, scenes, contracts, and the
-//! two traits that every backend implements and every algorithm is generic over.
+//! The vocabulary of predicament: signs, vertices, scenes, contracts, and the traits of backends and sessions.
 //!
-//! Nothing here computes. Read this crate first: all others use its terms.
+//! Every backend implements these traits and every algorithm is generic over them. This crate computes nothing. Read it
+//! first: all others use its terms.
 //!
-//! * [`Scene`]: finite points by index; [`Vertex`]: one of them, by identity.
-//! * [`Construction`]: a vertex that is no input, by what defines it;
-//!   [`Constructs`]: what a backend does with those that come up while it runs,
-//!   [`Refused`]: why it did not construct one, [`NoPoint`]: why there is none.
+//! * [`Scene`]: finite points by index; [`Vertex`]: one point, by identity.
+//! * [`Construction`]: the definition of a constructed vertex; [`Constructs`]: a backend's treatment of constructed
+//!   vertices; [`Refused`]: why a session did not construct one; [`NoPoint`]: why a definition has no point.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
-//! * [`Sessions`]: what prepares sessions for scenes that an algorithm makes itself.
-//! * [`Contract`]: what zero means; [`Band`]: how wide it is; [`Declined`]: why it refuses.
-//! * [`QuerySet`]: many questions as data; [`Query`]: one of them as text and back.
-//! * [`Broken`]: what a session throws where it cannot answer, such as one whose process has crashed.
-//! * [`Class`]: how an answer compares with the truth, and [`Severity`]: how bad that is; [`Status`]: how the gate sees a scene.
-//! * [`Tally`]: which stage settled a query; free of cost where it is off.
-//! * [`answer_by!`], [`forward_to!`]: the methods of a session that wraps another one.
-//! * [`contradiction!`]: the error of an algorithm that stops where signs contradict each other.
+//! * [`Sessions`]: prepares sessions for scenes that an algorithm makes.
+//! * [`Contract`]: the meaning of zero; [`Band`]: its width; [`Declined`]: the reason of a refusal.
+//! * [`QuerySet`]: many queries as data; [`Query`]: one query as text and back.
+//! * [`Broken`]: the payload that a session throws if it cannot answer, for example because its process crashed.
+//! * [`Class`]: the comparison of an answer with the truth; [`Severity`]: its severity; [`Status`]: the gate's status
+//!   of a scene.
+//! * [`Tally`]: counts the stage that settled each query; free of cost if it is off.
+//! * [`answer_by!`], [`forward_to!`]: write the methods of a session that wraps another one.
+//! * [`contradiction!`]: declares the error of an algorithm that stops when signs contradict each other.
 
 mod backend;
 mod boxed;

@@ -1,21 +1,21 @@
-//! One query as text and back: what findings are about, and what `replay` asks again.
+//! One query as text and back: findings name it, and `replay` asks it again.
 
 use std::fmt;
 use std::str::FromStr;
 
 use crate::{Axis, Plane, Question, UnknownName, Vertex};
 
-/// A query by name: what is asked, how, and of which vertices.
+/// A query by name: the predicate or task, a detail, and vertices.
 ///
-/// As text: `orient2d(xy; 0 1 2)`, `NAME(7)`, `NAME(0 1, 4 5)`: the name of a predicate
-/// or task, a detail where there is one, and groups of vertices.
+/// As text: `orient2d(xy; 0 1 2)`, `NAME(7)`, `NAME(0 1, 4 5)`: the name of a predicate or task, a detail if there is
+/// one, and groups of vertices.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Query {
-    /// A predicate or a task.
+    /// The name of a predicate or task.
     pub what: String,
-    /// An axis, a plane, or what else the question needs; none for most.
+    /// The detail: an axis, a plane, or another parameter; `None` for most queries.
     pub detail: Option<String>,
-    /// The vertices, in groups: one for most, more where a task asks about several simplices.
+    /// The vertices, in groups: one group for most queries, more if a task queries several simplices.
     pub args: Vec<Vec<Vertex>>,
 }
 
@@ -26,7 +26,7 @@ impl Query {
         Query { what: task.to_owned(), detail: None, args: vec![args.to_vec()] }
     }
 
-    /// The predicate's question and its arguments; none where this asks something else.
+    /// The predicate's question and its arguments; `None` if the query is of a task.
     #[must_use]
     pub fn question(&self) -> Option<(Question, &[Vertex])> {
         let detail = self.detail.as_deref();
@@ -64,7 +64,7 @@ impl fmt::Display for Query {
     }
 }
 
-/// Why a text is no query.
+/// The reason why a text is not a query.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseQueryError(String);
 
@@ -95,7 +95,7 @@ impl FromStr for Query {
 }
 
 impl Question {
-    /// The query of this question about these vertices.
+    /// The query of this question with these vertices.
     #[must_use]
     pub fn query(self, args: &[Vertex]) -> Query {
         let detail = match self {

@@ -1,4 +1,4 @@
-//! Questions as data: a predicate, what it needs besides vertices, and sets of queries of one kind.
+//! Questions as data: a predicate, its parameters besides vertices, and sets of queries of one kind.
 
 use std::sync::atomic::{Ordering, compiler_fence};
 
@@ -11,16 +11,16 @@ pub enum PredicateKind {
     Compare,
     /// The turn of three vertices in a coordinate plane.
     Orient2d,
-    /// The side of a fourth vertex on the plane of three.
+    /// The side of the plane of three vertices on which a fourth vertex lies.
     Orient3d,
-    /// A fourth vertex in the circle through three.
+    /// The position of a fourth vertex relative to the circle through three.
     Incircle,
-    /// A fifth vertex in the sphere through four.
+    /// The position of a fifth vertex relative to the sphere through four.
     Insphere,
 }
 
 impl PredicateKind {
-    /// All five, in the order of their degrees.
+    /// All five predicates, in the order of their degrees.
     pub const ALL: [PredicateKind; 5] = [
         PredicateKind::Compare,
         PredicateKind::Orient2d,
@@ -29,7 +29,7 @@ impl PredicateKind {
         PredicateKind::Insphere,
     ];
 
-    /// The name used in suites, CSV files and on the command line.
+    /// The predicate's name in suites, CSV files and on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -41,7 +41,7 @@ impl PredicateKind {
         }
     }
 
-    /// How many vertices a query takes.
+    /// The number of vertices of a query.
     #[must_use]
     pub const fn arity(self) -> usize {
         match self {
@@ -52,7 +52,7 @@ impl PredicateKind {
         }
     }
 
-    /// The place in [`PredicateKind::ALL`].
+    /// The index in [`PredicateKind::ALL`].
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
@@ -77,7 +77,7 @@ impl std::str::FromStr for PredicateKind {
     }
 }
 
-/// A predicate with all that it needs besides vertices.
+/// A predicate with its parameters besides vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Question {
     /// [`Predicates::compare`] along an axis.
@@ -93,7 +93,7 @@ pub enum Question {
 }
 
 impl Question {
-    /// Which of the five predicates this is.
+    /// The predicate of this question.
     #[inline]
     #[must_use]
     pub const fn kind(self) -> PredicateKind {
@@ -109,7 +109,7 @@ impl Question {
     /// Asks one query.
     ///
     /// # Panics
-    /// If `args` has not exactly as many vertices as the predicate takes.
+    /// If the length of `args` is not the predicate's arity.
     #[inline]
     pub fn ask<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex]) -> Sign {
         match (self, args) {
@@ -124,10 +124,10 @@ impl Question {
 }
 
 impl Question {
-    /// Asks many queries in order by the session's batch call. `args` has their vertices, query after query.
+    /// Asks many queries in order by the session's batch call; `args` has their vertices, query after query.
     ///
     /// # Panics
-    /// If there is not one place in `out` for each query.
+    /// If the length of `out` is not the number of queries.
     pub fn ask_batch<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex], out: &mut [Sign]) {
         assert_eq!(args.len(), out.len() * self.kind().arity(), "one place for each answer");
         match self {
@@ -139,12 +139,13 @@ impl Question {
         }
     }
 
-    /// Asks many queries in order, one at a time, as a loop of a user's does. `args` has their vertices, query after query.
+    /// Asks many queries in order, one at a time, as a loop in user code does; `args` has their vertices, query after
+    /// query.
     ///
-    /// The compiler may not answer several at once: each answer is stored before the next query is read.
+    /// The compiler cannot merge queries: each answer is stored before the next query is read.
     ///
     /// # Panics
-    /// If there is not one place in `out` for each query.
+    /// If the length of `out` is not the number of queries.
     pub fn ask_singly<P: Predicates + ?Sized>(self, session: &P, args: &[Vertex], out: &mut [Sign]) {
         assert_eq!(args.len(), out.len() * self.kind().arity(), "one place for each answer");
         match self {
@@ -161,7 +162,7 @@ impl Question {
 fn singly<const N: usize>(args: &[Vertex], out: &mut [Sign], ask: impl Fn(&[Vertex; N]) -> Sign) {
     for (query, out) in args.as_chunks().0.iter().zip(out) {
         *out = ask(query);
-        // No instruction: the compiler moves no access to memory across it.
+        // Not an instruction: the compiler moves no memory access across it.
         compiler_fence(Ordering::SeqCst);
     }
 }
@@ -174,7 +175,7 @@ pub struct QuerySet {
 }
 
 impl QuerySet {
-    /// A set from vertices, query after query.
+    /// A set of queries from vertices, query after query.
     ///
     /// # Panics
     /// If `args` does not divide into whole queries.
@@ -185,14 +186,14 @@ impl QuerySet {
         QuerySet { question, args }
     }
 
-    /// What is asked.
+    /// The question of all queries.
     #[inline]
     #[must_use]
     pub fn question(&self) -> Question {
         self.question
     }
 
-    /// Which of the five predicates.
+    /// The predicate of all queries.
     #[inline]
     #[must_use]
     pub fn kind(&self) -> PredicateKind {
@@ -206,7 +207,7 @@ impl QuerySet {
         self.args.len() / self.kind().arity()
     }
 
-    /// Whether there is nothing to ask.
+    /// Returns true if the set is empty.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.args.is_empty()
@@ -215,7 +216,7 @@ impl QuerySet {
     /// The vertices of one query.
     ///
     /// # Panics
-    /// If there is no such query.
+    /// If `query` is out of range.
     #[inline]
     #[must_use]
     pub fn args(&self, query: usize) -> &[Vertex] {

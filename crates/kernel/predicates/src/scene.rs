@@ -1,25 +1,23 @@
-//! The points that questions are asked about.
+//! The points that predicates are evaluated on.
 //!
-//! A scene is only numbers: finite doubles, two or three to a vertex. What is
-//! asked of it (tasks, queries, polygons) lives elsewhere. NaN and infinity
-//! are refused here, once, so that no backend needs to.
+//! A scene holds only numbers: finite doubles, two or three per vertex. Tasks, queries and polygons live elsewhere. The
+//! scene refuses NaN and infinity once, so backends need not check.
 //!
-//! A session constructs vertices while it runs, in a scene of its own that
-//! begins as a copy of the one it was prepared for. So a copy shares all its
-//! lists with the original: it costs the same for every scene. Input vertices
-//! never change; the list of constructions is copied when the first is added.
+//! A session constructs vertices in its own scene, which begins as a copy of the scene that it was prepared for. A copy
+//! shares all lists with the original, so its cost is constant. Input vertices never change; the list of constructions
+//! is copied when the first construction is added.
 
 use std::sync::Arc;
 
 use crate::interned::Interned;
 use crate::{Axis, Construction, ConstructionError, Declined, DefinitionError, Plane, PredicateKind, Refused, Vertex};
 
-/// How many coordinates a point has.
+/// The number of coordinates of a point.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Dimension {
-    /// The plane.
+    /// Two coordinates: the plane.
     Two,
-    /// Space.
+    /// Three coordinates: space.
     Three,
 }
 
@@ -35,28 +33,28 @@ impl Dimension {
     }
 }
 
-/// Why a list of numbers is not a scene.
+/// The reason why a list of numbers is not a scene.
 #[derive(Clone, PartialEq, Debug)]
 pub enum SceneError {
     /// A coordinate is NaN or infinite.
     NotFinite {
-        /// The vertex that has it.
+        /// The index of the vertex.
         vertex: usize,
-        /// Which of its coordinates.
+        /// The index of the coordinate.
         axis: usize,
         /// The value found.
         value: f64,
     },
-    /// The coordinates don't divide into whole points.
+    /// The number of coordinates is not a multiple of the dimension.
     Ragged {
-        /// How many coordinates there are.
+        /// The number of coordinates.
         coordinates: usize,
-        /// How many a point takes.
+        /// The number of coordinates of a point.
         dimension: usize,
     },
-    /// More points than [`Vertex::MAX_INPUT`].
+    /// There are more points than [`Vertex::MAX_INPUT`].
     TooMany {
-        /// How many points there are.
+        /// The number of points.
         points: usize,
     },
 }
@@ -79,21 +77,20 @@ impl std::fmt::Display for SceneError {
 
 impl std::error::Error for SceneError {}
 
-/// The vertices of one scene, by index. Coordinates are finite.
+/// The vertices of one scene, by index; all coordinates are finite.
 ///
-/// The scene's own vertices are its input vertices: [`Scene::len`],
-/// [`Scene::vertices`] and [`Scene::point`] are about those. Vertices
-/// [constructed](Scene::construct) from them are known by definition only.
+/// [`Scene::len`], [`Scene::vertices`] and [`Scene::point`] are about the input vertices. The scene knows vertices
+/// [constructed](Scene::construct) from them by definition only.
 ///
-/// A clone shares coordinates and constructions with the original; what is
-/// constructed in one of them is not in the other.
+/// A clone shares coordinates and constructions with the original. Constructions that are added later to one of them
+/// are not in the other.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Scene {
     dimension: Dimension,
     coordinates: Arc<[f64]>,
     constructions: Arc<Interned>,
     primitive_lengths: Option<[f64; 2]>,
-    /// Whether each vertex is of the second of two meshes; empty where there are no two.
+    /// For each vertex, true if it is in the second of two meshes; empty if there are not two.
     second_mesh: Arc<[bool]>,
 }
 
@@ -101,8 +98,7 @@ impl Scene {
     /// A scene from coordinates, point after point.
     ///
     /// # Errors
-    /// [`SceneError`] names the first point that is not finite, or says that
-    /// the coordinates don't divide into points.
+    /// [`SceneError`] with the first coordinate that is not finite, or if the coordinates don't divide into points.
     pub fn new(dimension: Dimension, coordinates: Vec<f64>) -> Result<Scene, SceneError> {
         let stride = dimension.count();
         if !coordinates.len().is_multiple_of(stride) {
@@ -127,7 +123,7 @@ impl Scene {
     /// A 2D scene from points.
     ///
     /// # Errors
-    /// As [`Scene::new`].
+    /// The errors of [`Scene::new`].
     pub fn from_points2(points: &[[f64; 2]]) -> Result<Scene, SceneError> {
         Scene::new(Dimension::Two, points.as_flattened().to_vec())
     }
@@ -135,14 +131,15 @@ impl Scene {
     /// A 3D scene from points.
     ///
     /// # Errors
-    /// As [`Scene::new`].
+    /// The errors of [`Scene::new`].
     pub fn from_points3(points: &[[f64; 3]]) -> Result<Scene, SceneError> {
         Scene::new(Dimension::Three, points.as_flattened().to_vec())
     }
 
-    /// The scene with two meshes in it whose primitives are at most this large:
-    /// the largest edge of a primitive's bounding box, for each mesh, rounded
-    /// up. Contacts between the meshes are asked with tolerances made for them.
+    /// The scene with the largest primitive lengths of its two meshes.
+    ///
+    /// A mesh's length is the largest edge of a primitive's bounding box, rounded up. Contact tolerances between the
+    /// meshes are derived from these lengths.
     ///
     /// # Panics
     /// If a length is negative or NaN.
@@ -153,11 +150,12 @@ impl Scene {
         self
     }
 
-    /// The scene with two meshes in it, of which the second has these
-    /// vertices. A perturbation that moves a mesh as a whole moves this one.
+    /// The scene with these vertices as the second of its two meshes.
+    ///
+    /// A perturbation that moves a mesh as a whole moves this mesh.
     ///
     /// # Panics
-    /// If one of them is no input vertex of the scene.
+    /// If a vertex is not an input vertex of the scene.
     #[must_use]
     pub fn with_second_mesh(mut self, vertices: impl IntoIterator<Item = Vertex>) -> Scene {
         let mut second = vec![false; self.len()];
@@ -166,27 +164,27 @@ impl Scene {
         self
     }
 
-    /// For each input vertex whether it is of the second mesh, if the scene has two.
+    /// For each input vertex, true if it is in the second mesh; `None` if the scene does not have two meshes.
     #[inline]
     #[must_use]
     pub fn second_mesh(&self) -> Option<&[bool]> {
         (!self.second_mesh.is_empty()).then_some(&self.second_mesh)
     }
 
-    /// La and Lb, if the scene has two meshes.
+    /// The primitive lengths La and Lb of the two meshes; `None` if the scene does not have two.
     #[inline]
     #[must_use]
     pub fn primitive_lengths(&self) -> Option<[f64; 2]> {
         self.primitive_lengths
     }
 
-    /// The vertex that this construction defines: a new one, or the one that
-    /// it got when it, or the same in another order, was first asked for.
+    /// The vertex that this construction defines: a new vertex, or the existing vertex of the same definition.
+    ///
+    /// Definitions that differ only in order have the same vertex.
     ///
     /// # Errors
-    /// [`ConstructionError`] if the construction is for another dimension,
-    /// names a vertex that the scene lacks, or names a vertex twice in one line
-    /// or plane; or if there are too many already.
+    /// [`ConstructionError`] if the construction is for another dimension, names a vertex that the scene lacks, names a
+    /// vertex twice in one line or plane, or if there are too many constructions already.
     pub fn construct(&mut self, construction: Construction) -> Result<Vertex, ConstructionError> {
         let construction = self.checked(construction)?;
         match self.constructions.find(&construction) {
@@ -196,16 +194,14 @@ impl Scene {
         }
     }
 
-    /// [`Scene::construct`] for many, in order: all of them, or none.
+    /// Constructs many vertices, in order: all of them, or none.
     ///
-    /// Each vertex that is new is shown to `admit`, in a scene that ends with
-    /// it: that is where a session computes the point, or says why there is
-    /// none. Definitions may name vertices that others before them define.
+    /// The method calls `admit` for each new vertex, in a scene that ends with that vertex. There a session computes
+    /// the point, or says why there is none. Definitions may name vertices that earlier definitions of the call define.
     ///
     /// # Errors
-    /// [`Refused::Definition`] for the first definition that the scene or
-    /// `admit` does not take. The scene is then as it was; what `admit` has
-    /// stored for vertices before that one is the caller's to remove.
+    /// [`Refused::Definition`] for the first definition that the scene or `admit` does not take. The scene is then
+    /// unchanged; the caller must remove whatever `admit` has stored for earlier vertices.
     pub fn construct_all(
         &mut self,
         definitions: &[Construction],
@@ -235,7 +231,7 @@ impl Scene {
         Ok(vertices)
     }
 
-    /// The canonical form of a construction that this scene can take.
+    /// The canonical form of a construction, if the scene can take it.
     #[inline]
     fn checked(&self, construction: Construction) -> Result<Construction, ConstructionError> {
         if construction.dimension() != self.dimension {
@@ -252,7 +248,7 @@ impl Scene {
         if spanned { Ok(construction) } else { Err(self.why_not(&construction)) }
     }
 
-    /// What is wrong with a construction in canonical form.
+    /// The error of a construction in canonical form.
     #[cold]
     #[inline(never)]
     fn why_not(&self, construction: &Construction) -> ConstructionError {
@@ -268,7 +264,7 @@ impl Scene {
         faults.expect("its lines and planes do not have vertices of the scene, each once")
     }
 
-    /// Whether this is a vertex of the scene, input or constructed.
+    /// Returns true if this is a vertex of the scene, input or constructed.
     #[must_use]
     pub fn has(&self, v: Vertex) -> bool {
         match v.construction() {
@@ -277,29 +273,31 @@ impl Scene {
         }
     }
 
-    /// What defines this vertex, in canonical form; none for an input vertex
-    /// and for one that is not of this scene.
+    /// The definition of this vertex, in canonical form.
+    ///
+    /// `None` for an input vertex and for a vertex that is not in this scene.
     #[must_use]
     pub fn construction(&self, v: Vertex) -> Option<&Construction> {
         self.constructions.list().get(v.construction()?)
     }
 
-    /// What defines each constructed vertex, in the order of their ids.
+    /// The definition of each constructed vertex, in the order of ids.
     #[inline]
     #[must_use]
     pub fn constructions(&self) -> &[Construction] {
         self.constructions.list()
     }
 
-    /// Two or three.
+    /// The dimension of the scene's points.
     #[inline]
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// Whether the predicate can be asked of points of this dimension. A 3D
-    /// scene has three planes, so it has turns but no circles.
+    /// Checks that the predicate exists for points of this dimension.
+    ///
+    /// A 3D scene has three coordinate planes, so it has turns but no circles.
     ///
     /// # Errors
     /// [`Declined`] with the reason.
@@ -316,14 +314,14 @@ impl Scene {
     #[inline]
     #[must_use]
     pub fn len(&self) -> usize {
-        // By a constant, which is no division.
+        // A division by a constant, which compiles to no division.
         match self.dimension {
             Dimension::Two => self.coordinates.len() / 2,
             Dimension::Three => self.coordinates.len() / 3,
         }
     }
 
-    /// Whether there is no vertex at all.
+    /// Returns true if there are no input vertices.
     #[inline]
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -363,7 +361,7 @@ impl Scene {
         self.point(v)[axis.index()]
     }
 
-    /// A vertex seen in a coordinate plane.
+    /// The projection of a vertex to a coordinate plane.
     ///
     /// # Panics
     /// If the scene has no such vertex, or the plane needs an axis that a 2D scene lacks.
@@ -378,7 +376,7 @@ impl Scene {
         }
     }
 
-    /// A vertex of a 3D scene.
+    /// The coordinates of a vertex of a 3D scene.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 2D.
@@ -390,14 +388,14 @@ impl Scene {
     }
 }
 
-/// Whether these are vertices of a scene with so many input and constructed vertices, each once, in the order of their ids.
+/// Returns true if the vertices are in range for these counts of input and constructed vertices, distinct and sorted.
 #[inline(always)]
 fn spans<const N: usize>(flat: &[Vertex; N], [inputs, constructed]: [usize; 2]) -> bool {
     let known = flat.iter().all(|v| match v.construction() {
         None => v.index() < inputs,
         Some(index) => index < constructed,
     });
-    // Sorted: what stands twice stands side by side.
+    // Sorted, so equal vertices would be adjacent.
     known & (1..N).all(|i| flat[i - 1] < flat[i])
 }
 

@@ -1,10 +1,10 @@
-//! Sessions for scenes that an algorithm makes itself.
+//! Sessions for scenes that an algorithm makes.
 
 use crate::{Backend, Declined, Off, Predicates, Scene};
 
-/// What prepares sessions: a backend, or what stands for one.
+/// An interface that prepares sessions: a backend, or a replacement of one.
 pub trait Sessions: Sync {
-    /// Prepares a scene and hands the session over.
+    /// Prepares a scene and calls `ask` with the session.
     ///
     /// # Errors
     /// [`Declined`]; then `ask` is not called.

@@ -1,8 +1,7 @@
 //! Signs: the answers to predicates.
 //!
-//! Three values and no fourth: a backend whose arithmetic produced a NaN still
-//! has to answer, as real code does, and the oracle finds the NaN through
-//! [`Predicates::estimate`](crate::Predicates::estimate).
+//! There are three values and no fourth: a backend whose arithmetic produced a NaN still has to answer, as real code
+//! does. The oracle detects the NaN through [`Predicates::estimate`](crate::Predicates::estimate).
 
 use std::cmp::Ordering;
 use std::ops::{Mul, Neg};
@@ -13,7 +12,7 @@ use std::ops::{Mul, Neg};
 pub enum Sign {
     /// Less than zero.
     Negative = -1,
-    /// Zero: exactly, or within a band; the backend's [`Contract`](crate::Contract) says which.
+    /// Zero, exactly or within a band; the backend's [`Contract`](crate::Contract) says which.
     #[default]
     Zero = 0,
     /// Greater than zero.
@@ -25,8 +24,8 @@ impl Sign {
     #[inline]
     #[must_use]
     pub fn of(x: f64) -> Sign {
-        // Without branches: the sign of a random determinant can't be predicted,
-        // and a wrong guess costs more than the determinant.
+        // Without branches: the sign of a random determinant is unpredictable, and a branch misprediction costs more
+        // than the determinant.
         match i8::from(x > 0.0) - i8::from(x < 0.0) {
             -1 => Sign::Negative,
             0 => Sign::Zero,
@@ -41,14 +40,14 @@ impl Sign {
         self as i8
     }
 
-    /// Whether this is [`Sign::Zero`].
+    /// Returns true for [`Sign::Zero`].
     #[inline]
     #[must_use]
     pub const fn is_zero(self) -> bool {
         matches!(self, Sign::Zero)
     }
 
-    /// One of `-`, `0`, `+`: how a sign is written in CSV files and reports.
+    /// The symbol `-`, `0` or `+` of the sign in CSV files and reports.
     #[must_use]
     pub const fn symbol(self) -> char {
         match self {

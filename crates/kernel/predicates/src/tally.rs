@@ -1,43 +1,42 @@
-//! Counts of the queries that each stage settled, at no cost where they are off.
+//! Counts of the queries that each stage settled, at no cost if they are off.
 //!
-//! A session is generic over a [`Tally`]. [`Off`] is a zero-sized type whose
-//! calls vanish; a `&Counts` counts. Each thread counts in its own row, with
-//! plain loads and stores, so that counting costs about as much as an
-//! increment; only threads past the [`ROWS`]th share a row and pay for it.
+//! A session is generic over a [`Tally`]. [`Off`] is a zero-sized type whose calls compile to nothing; a `&Counts`
+//! counts. Each thread counts in its own row, with plain loads and stores, so counting costs about as much as an
+//! increment. Only threads after the [`ROWS`]th share a row and pay for atomic operations.
 
 use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 
 use crate::PredicateKind;
 
-/// The stages that one backend can have at most.
+/// The maximum number of stages of a backend.
 pub const MAX_STAGES: usize = 64;
-/// The threads that count without sharing a row.
+/// The number of threads that count without sharing a row.
 pub const ROWS: usize = 64;
 const KINDS: usize = PredicateKind::ALL.len();
 
-/// A place to report which stage settled a query.
+/// A listener that counts which stage settled each query.
 pub trait Tally: Send + Sync {
-    /// Whether the counts are kept: stages are counted only when a tally listens.
+    /// True if counts are kept: stages are counted only when a tally listens.
     const LISTENS: bool = true;
 
-    /// One query of this kind was settled by the stage with this index in
+    /// Counts one query of this kind, settled by the stage with this index in
     /// [`Backend::stages`](crate::Backend::stages).
     #[inline(always)]
     fn settled(&self, kind: PredicateKind, stage: usize) {
         self.settled_many(kind, stage, 1);
     }
 
-    /// The counts behind it, if it counts: for backends behind pointers, which are generic over nothing.
+    /// The counts behind the tally, if it counts, for backends behind pointers, which are not generic.
     fn counts<'c>(self) -> Option<&'c Counts>
     where
         Self: Sized + 'c;
 
-    /// `n` queries of this kind were settled by this stage.
+    /// Counts `count` queries of this kind, settled by this stage.
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64);
 }
 
-/// Counts nothing, at no cost.
+/// A tally that counts nothing, at no cost.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Off;
 
@@ -64,7 +63,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// All zero.
+    /// New counts, all zero.
     #[must_use]
     pub fn new() -> Counts {
         let row = |_| Row([const { [const { AtomicU64::new(0) }; MAX_STAGES] }; KINDS]);
@@ -72,9 +71,9 @@ impl Counts {
         Counts { rows: rows.try_into().unwrap_or_else(|_| unreachable!("so many rows")) }
     }
 
-    /// How many queries of this kind the stage settled.
+    /// The number of queries of this kind that the stage settled.
     ///
-    /// Exact once the threads that counted have been joined.
+    /// It is exact once the threads that counted have been joined.
     #[must_use]
     pub fn get(&self, kind: PredicateKind, stage: usize) -> u64 {
         self.rows.iter().map(|row| row.0[kind.index()][stage].load(Relaxed)).sum()
@@ -104,7 +103,7 @@ impl std::fmt::Debug for Counts {
 
 thread_local!(static ME: Cell<usize> = const { Cell::new(usize::MAX) });
 
-/// The row that the thread has to itself; others share the last one.
+/// The index of the thread's own row; threads beyond the limit share the last row.
 #[cold]
 #[inline(never)]
 fn first_count() -> usize {

@@ -1,13 +1,13 @@
-//! Why a text is the name of nothing in a vocabulary.
+//! The error of a name that is not in a vocabulary.
 
-/// A text that is not the name of any item of a vocabulary, such as that of the classes.
+/// A text that is not the name of any item of a vocabulary, such as the classes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UnknownName {
-    /// What was asked for, in the singular: `class`, `axis`.
+    /// The kind of item, in the singular: `class`, `axis`.
     pub kind: &'static str,
-    /// The text.
+    /// The text that is not a name.
     pub name: String,
-    /// The plural of `kind` and all names that there are, where the message lists them.
+    /// The plural of `kind` and all valid names, if the message lists them.
     pub known: Option<(&'static str, Vec<&'static str>)>,
 }
 
@@ -18,7 +18,7 @@ impl UnknownName {
         UnknownName { kind, name: name.to_owned(), known: None }
     }
 
-    /// The same error, with a message that lists the names that there are.
+    /// The same error, with a message that lists the valid names.
     #[must_use]
     pub fn listing(self, plural: &'static str, names: impl IntoIterator<Item = &'static str>) -> UnknownName {
         UnknownName { known: Some((plural, names.into_iter().collect())), ..self }

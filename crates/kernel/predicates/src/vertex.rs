@@ -1,18 +1,16 @@
-//! What predicates are asked about: vertices by identity, axes and projections.
+//! The arguments of predicates: vertices by identity, axes and projections.
 
 /// A vertex of a scene, by identity.
 ///
-/// Symbolic perturbation moves a vertex by what it *is* (its index in the
-/// scene), never by where it stands in an argument list, so a vertex is an
-/// opaque id and not a point. Ids below 2^31 are input vertices, whose
-/// coordinates are the scene's; ids from 2^31 up are vertices
-/// [constructed](crate::Construction) from those, which have none.
+/// Symbolic perturbation moves a vertex by its identity (its index in the scene), never by its position in an argument
+/// list. A vertex is therefore an opaque id and not a point. Ids below 2^31 are input vertices, whose coordinates are
+/// in the scene. Ids from 2^31 up are [constructed](crate::Construction) vertices, which have no coordinates.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 #[repr(transparent)]
 pub struct Vertex(u32);
 
 impl Vertex {
-    /// The number of input vertices that a scene can have.
+    /// The maximum number of input vertices of a scene.
     pub const MAX_INPUT: usize = 1 << 31;
 
     /// The input vertex with this index in its scene.
@@ -27,7 +25,7 @@ impl Vertex {
         Vertex(index as u32)
     }
 
-    /// The number of constructed vertices that a scene can have.
+    /// The maximum number of constructed vertices of a scene.
     pub const MAX_CONSTRUCTED: usize = 1 << 31;
 
     /// The vertex of the construction with this index in its scene.
@@ -42,22 +40,24 @@ impl Vertex {
         Vertex(index as u32 | 1 << 31)
     }
 
-    /// The index in the scene. That of a constructed vertex is beyond every
-    /// input vertex: no lookup of coordinates can take it for one.
+    /// The index of the vertex in the scene.
+    ///
+    /// The index of a constructed vertex is beyond every input vertex, so a look-up of coordinates cannot confuse the
+    /// two.
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
         self.0 as usize
     }
 
-    /// Whether this is a constructed vertex.
+    /// Returns true if this is a constructed vertex.
     #[inline]
     #[must_use]
     pub const fn is_constructed(self) -> bool {
         self.0 >= 1 << 31
     }
 
-    /// The index of the vertex' construction in its scene; none for an input vertex.
+    /// The index of the vertex's construction in its scene; `None` for an input vertex.
     #[inline]
     #[must_use]
     pub const fn construction(self) -> Option<usize> {
@@ -65,7 +65,7 @@ impl Vertex {
     }
 }
 
-/// Input vertices by their index, constructed ones by theirs with a `c` before it.
+/// Writes the index, with a `c` before it for constructed vertices.
 impl std::fmt::Display for Vertex {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.construction() {
@@ -75,7 +75,7 @@ impl std::fmt::Display for Vertex {
     }
 }
 
-/// Why a text is no vertex.
+/// The reason why a text is not a vertex.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseVertexError(String);
 
@@ -96,7 +96,7 @@ impl std::str::FromStr for Vertex {
             None => (text, Vertex::MAX_INPUT, Vertex::input),
             Some(digits) => (digits, Vertex::MAX_CONSTRUCTED, Vertex::constructed),
         };
-        // `parse` would take a sign.
+        // `parse` would accept a leading sign.
         let plain = digits.bytes().all(|byte| byte.is_ascii_digit());
         let index = digits.parse().ok().filter(|&index| plain && index < most);
         index.map(vertex).ok_or_else(|| ParseVertexError(text.to_owned()))
@@ -115,7 +115,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// The place of the axis' coordinate in a point: 0, 1 or 2.
+    /// The index of the axis in a point's coordinates: 0, 1 or 2.
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
@@ -123,18 +123,17 @@ impl Axis {
     }
 }
 
-/// A coordinate plane: which two coordinates a 2D question is about.
+/// A coordinate plane: the two coordinates that a 2D predicate uses.
 ///
-/// A 2D scene has [`Plane::Xy`] only. Each name lists the coordinates in the
-/// order in which the 2D predicate takes them, so that the three projections
-/// of a 3D orientation are the components of its normal vector.
+/// A 2D scene has [`Plane::Xy`] only. Each name lists the coordinates in the order in which the 2D predicate takes
+/// them, so that the three projections of a 3D orientation are the components of its normal vector.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Plane {
-    /// (x, y): seen from above.
+    /// The plane (x, y), seen from above.
     Xy,
-    /// (y, z).
+    /// The plane (y, z).
     Yz,
-    /// (z, x).
+    /// The plane (z, x).
     Zx,
 }
 

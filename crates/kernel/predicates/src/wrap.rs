@@ -1,9 +1,10 @@
 //! Macros for sessions that answer through one method, or through another session.
 //!
-//! Both write methods inside of an `impl Predicates`. Batches keep their defaults, which ask the single predicates.
+//! Both write methods inside an `impl Predicates`. Batches keep their defaults, which ask the single predicates.
 
-/// Writes the five predicates of a session that answers all of them by one method:
-/// `fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign`.
+/// Writes the five predicates of a session that answers all of them by one method.
+///
+/// The method is `fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign`.
 ///
 /// ```
 /// use predicament_predicates::{Predicates, Question, Scene, Sign, Vertex, answer_by};
@@ -61,7 +62,7 @@ macro_rules! answer_by {
     };
 }
 
-/// Writes the named predicates of a session that holds another session and has that one answer.
+/// Writes the named predicates of a session that forwards them to another session that it holds.
 ///
 /// ```
 /// use predicament_predicates::{Predicates, Plane, Scene, Sign, Vertex, forward_to};
@@ -139,7 +140,7 @@ macro_rules! forward_to {
     };
 }
 
-/// Writes [`Backend::boxed`](crate::Backend::boxed) out, so that the sessions of a backend are compiled in its own crate.
+/// Writes [`Backend::boxed`](crate::Backend::boxed), so that the backend's own crate compiles its sessions.
 #[macro_export]
 macro_rules! boxed_here {
     () => {

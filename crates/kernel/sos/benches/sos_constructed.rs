@@ -1,9 +1,8 @@
-//! What a tie about constructed vertices costs: the search for the monomial
-//! that decides, against the exact backend that finds the tie.
+//! The cost of a tie about constructed vertices: the search for the deciding monomial, compared with the exact backend
+//! that finds the tie.
 //!
-//! Families of the corpus in which half of the queries or all are ties. Both
-//! backends take turns over the same queries, one printed line a family:
-//! nanoseconds for each query, and for each tie what it costs on top.
+//! It uses families of the corpus in which half or all of the queries are ties. Both backends alternate over the same
+//! queries. It prints one line per family: nanoseconds per query, and the extra cost per tie.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};

@@ -1,23 +1,22 @@
-//! What ties cost: the exact backend against both schemes.
+//! The cost of ties: the exact backend against both schemes.
 //!
 //! Families of the corpus:
-//! * `uniform`: no ties. Whoever asks for them pays nothing else.
-//! * `grid`: integers from 0 to 15. Ties are a few in a hundred, and floating
-//!   point is exact: the cheapest answers there are, and the deepest terms.
-//! * `degen`: nothing but ties, in general position.
+//! * `uniform`: no ties. The perturbation costs nothing extra here.
+//! * `grid`: integers from 0 to 15. A few percent are ties, and floating point is exact: the cheapest answers, and the
+//!   deepest terms.
+//! * `degen`: only ties, in general position.
 //!
-//! And of scenes of 2,048 points, which stay in the cache: `10 bits`, `30 bits`: integers of one line, plane, circle or sphere. Any vertices are a query,
-//! no vertex twice; in circles and spheres many points coincide. Doubles make no error with 10 bits.
+//! And families of scenes of 2,048 points, which stay in the cache: `10 bits`, `30 bits`: integers of one line, plane,
+//! circle or sphere. A query has any distinct vertices; in circles and spheres many points coincide. Doubles make no
+//! error with 10 bits.
 //!
-//! Every query of the corpus has points of its own and its arguments in an order of its own,
-//! and there are more queries than a branch predictor learns by heart; a pass
-//! takes the next few thousand of them. Before Criterion times the engines one
-//! after another, they take turns once, pass by pass, and a line is printed
-//! with their times in relation to the exact backend's. On a machine that does
-//! other things as well, believe that line.
+//! Every query of the corpus has separate points and a random order of arguments, and there are more queries than a
+//! branch predictor can learn; a pass takes the next few thousand of them. Before Criterion times the engines one after
+//! another, they alternate once, pass by pass, and a line is printed with their times relative to the exact backend's.
+//! On a busy machine only that line is reliable.
 
 #[path = "../../exact/tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 #[path = "../../exact/benches/turns.rs"]
 mod turns;
@@ -38,13 +37,13 @@ use predicament_sos::{Scheme, Session, Sos};
 use predicament_tasks::signs::SignQueries;
 use turns::{Engine, Turns};
 
-/// Queries of a family, and of a pass.
+/// The number of queries of a family, and of a pass.
 const QUERIES: usize = 1 << 17;
 const PASS: usize = 1 << 12;
-/// How often the engines take turns over all queries.
+/// The number of rounds over all queries.
 const ROUNDS: usize = 3;
 
-/// The queries of a family, their arguments shuffled.
+/// The queries of a family, with shuffled arguments.
 fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Vertex; N]>) {
     let text = format!(
         "title = \"ties\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{kind}\"\nn = {QUERIES}\nseed = 5\n\
@@ -66,7 +65,7 @@ fn queries<const N: usize>(kind: PredicateKind, family: &str) -> (Scene, Vec<[Ve
     (loaded.scene, queries)
 }
 
-/// Ties of integers with so many bits, or a few more, in a scene that stays in the cache.
+/// Ties of integers with this many bits, or a few more, in a scene that stays in the cache.
 fn in_cache<const N: usize>(kind: PredicateKind, bits: u32) -> (Scene, Vec<[Vertex; N]>) {
     const VERTICES: usize = 1 << 11;
     /// Points of the circle of radius 65.
@@ -112,7 +111,7 @@ fn in_cache<const N: usize>(kind: PredicateKind, bits: u32) -> (Scene, Vec<[Vert
     (Scene::new(dimension, coordinates).expect("finite"), queries)
 }
 
-/// A predicate asked singly and by batch, of either backend.
+/// A predicate of both backends, called singly and by batch.
 struct Contest<E, S, F, T> {
     question: Question,
     exact: E,
@@ -143,7 +142,7 @@ impl<E, S, F, T> Contest<E, S, F, T> {
             let exact = Exact.prepare(&scene, Off).expect("prepared");
             let [first, second] = backends.each_ref().map(|sos| sos.prepare(&scene, Off).expect("prepared"));
 
-            // Monomorphic loops: each engine may be inlined into its own.
+            // Monomorphic loops: each engine may be inlined into its own loop.
             let exact_single = |at: usize, out: &mut [Sign]| {
                 for (&query, out) in black_box(&queries)[at..].iter().zip(out) {
                     *out = (self.exact)(&exact, query);
@@ -196,8 +195,9 @@ impl<E, S, F, T> Contest<E, S, F, T> {
     }
 }
 
-/// Compares answers, and times. Prints the median of the first engine, those of the others in relation to it, and the
-/// share of ties.
+/// Compares answers, and times.
+///
+/// It prints the first engine's median, the other medians relative to it, and the share of ties.
 fn compare(engines: &[Engine; 3]) {
     let turns = Turns { queries: QUERIES, pass: PASS, rounds: ROUNDS, warm_up: 0 };
     let mut ties = 0;

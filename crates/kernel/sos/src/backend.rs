@@ -9,25 +9,23 @@ use crate::{Scheme, Session, stage};
 
 /// The Simulation of Simplicity backend.
 ///
-/// Its promise is proved: the sign of the real determinant where that is not
-/// zero, and else the sign for all small enough ε > 0 of the determinant of
-/// the scene that the scheme has moved. Between input vertices the answer is zero only if a
-/// vertex comes twice in a query; about constructed vertices it is zero
-/// exactly if the determinant is zero wherever the input vertices are.
+/// Its promise is proved: the sign of the real determinant if that is not zero. Otherwise the answer is the sign, for
+/// all small enough ε > 0, of the determinant of the scene that the scheme has moved. Between input vertices the answer
+/// is zero only if a vertex occurs twice in a query. About constructed vertices it is zero exactly if the determinant
+/// is zero wherever the input vertices are.
 ///
-/// [`Scheme::PerCoordinate`] moves constructed vertices with the vertices that define them. The
-/// other scheme declines scenes that have constructed vertices, and this one those whose
-/// definitions name constructed vertices.
+/// [`Scheme::PerCoordinate`] moves constructed vertices with the vertices that define them. The other scheme declines
+/// scenes with constructed vertices, and this one declines scenes whose definitions name constructed vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct Sos {
-    /// How the scene is moved.
+    /// The perturbation scheme.
     pub scheme: Scheme,
 }
 
 impl Backend for Sos {
     type Session<'s, T: Tally + 's> = Session<'s, T>;
 
-    /// `sos`, and the scheme if it is not the default.
+    /// The name `sos`, and the scheme if it is not the default.
     fn name(&self) -> String {
         match self.scheme {
             Scheme::PerCoordinate => "sos".to_owned(),
@@ -39,8 +37,9 @@ impl Backend for Sos {
         Contract { zero: ZeroMeaning::Never, proved: true }
     }
 
-    /// The exact backend's stages, then `term 1`, `term 2`… for ties: how deep
-    /// in the predicate's list the deciding term stands.
+    /// The exact backend's stages, then `term 1`, `term 2`… for ties.
+    ///
+    /// The number is the position of the deciding term in the predicate's list.
     fn stages(&self) -> &'static [&'static str] {
         stage::names(self.scheme)
     }

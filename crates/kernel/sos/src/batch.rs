@@ -1,20 +1,20 @@
-//! The ties of a batch, found among its answers and broken: many at once where that is worth it.
+//! The ties of a batch: found among its answers and broken, many at once if there are enough.
 
 use predicament_lanes::BLOCK;
 use predicament_predicates::Sign;
 
 use crate::leading::Decided;
 
-/// How the ties of a predicate are broken: one by one, and as many as a block has at once.
+/// The method to break a predicate's ties: one by one, and up to a block at once.
 pub(crate) trait Ties<Q> {
-    /// One tie.
+    /// Breaks one tie.
     fn one(&self, tie: Q) -> Decided;
 
-    /// The signs of some ties; those that are left open, by the bits of a mask.
+    /// Writes the signs of some ties; returns a bit mask of the ties that remain open.
     fn many(&self, ties: &[Q], out: &mut [Sign]) -> u64;
 }
 
-/// Ties that are broken one by one.
+/// A function breaks ties one by one.
 impl<Q, F: Fn(Q) -> Decided> Ties<Q> for F {
     #[inline(always)]
     fn one(&self, tie: Q) -> Decided {
@@ -39,7 +39,7 @@ impl<Q, F: Fn(Q) -> Decided, M: Fn(&[Q], &mut [Sign]) -> u64> Ties<Q> for (F, M)
     }
 }
 
-/// Ties of a block that are worth registers.
+/// The least number of ties in a block for which vector registers pay off.
 const MANY: usize = 8;
 
 /// Breaks all ties of a batch.
@@ -50,11 +50,11 @@ pub(crate) fn break_all<Q: Copy>(queries: &[Q], out: &mut [Sign], ties: impl Tie
         None => rest(query),
     };
     for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-        // Seen for whole registers at once: most blocks have no tie.
+        // Tested for whole registers at once: most blocks have no tie.
         if !out.iter().fold(false, |any, sign| any | sign.is_zero()) {
             continue;
         }
-        // Ties come as they like: those of a block are found without a branch on each.
+        // Ties occur at random: those of a block are found without a branch for each.
         let (mut places, mut count) = ([0; BLOCK], 0);
         for (at, sign) in (0_u8..).zip(out.iter()) {
             places[count] = at;

@@ -1,6 +1,6 @@
-//! Ties of the exact backend, broken: the sign, and the stage that has found it.
+//! Tie breaking: the sign of a tie of the exact backend, and the stage that has found it.
 //!
-//! A breaker counts nothing, so it is of one type and compiled once, whoever listens to a [`Session`](crate::Session).
+//! A breaker counts nothing, so it is one type, compiled once for all tallies of a [`Session`](crate::Session).
 
 use predicament_exact::Exact;
 use predicament_exact::stage::COMPARE;
@@ -15,10 +15,12 @@ use crate::lanes as many;
 use crate::leading::{self, Decided, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
 use crate::{Scheme, stage};
 
-/// The stage of a tie that is none of the perturbation's: zero however the vertices move. It is the exact backend's, which knows it.
+/// The stage of a tie that the perturbation does not break: zero however the vertices move.
+///
+/// The exact backend's stage is counted for it.
 pub(crate) const AS_EXACT: usize = usize::MAX;
 
-/// The exact backend and a way to move the scene.
+/// The exact backend and a perturbation scheme.
 pub(crate) struct Breaker<'s> {
     scheme: Scheme,
     pub exact: predicament_exact::Session<'s, Off>,
@@ -58,7 +60,9 @@ impl<'s> Breaker<'s> {
         }
     }
 
-    /// The order of two input vertices of equal coordinates, by the one term of both lists: the smaller index moves further.
+    /// The order of two input vertices of equal coordinates, by the one term of both lists.
+    ///
+    /// The vertex with the smaller index moves further.
     #[inline(always)]
     pub fn tie_compare(a: Vertex, b: Vertex) -> (Sign, usize) {
         (Sign::from(b.cmp(&a)), if a == b { COMPARE } else { stage::FIRST_TERM })
@@ -126,7 +130,7 @@ impl<'s> Breaker<'s> {
         }
     }
 
-    /// What no list of terms is about: a vertex that comes twice, or a constructed one.
+    /// Breaks ties without a term list: a vertex occurs twice, or a vertex is constructed.
     #[cold]
     #[inline(never)]
     fn rest<const N: usize>(&self, question: Question, args: [Vertex; N]) -> (Sign, usize) {
@@ -148,7 +152,7 @@ impl<'s> Breaker<'s> {
     pub fn orient2d_batch(&self, plane: Plane, queries: &[[Vertex; 3]], out: &mut [Sign]) {
         self.exact.orient2d_batch(plane, queries, out);
         let points = self.points;
-        // (In space there are no points of the plane, and all ties are left open.)
+        // (In space there are no points of the plane, and all ties remain open.)
         let first = (
             |args| leading::orient2d::<PER_COORDINATE>(points, plane, args),
             |ties: &[_], out: &mut [_]| many::orient2d::<PER_COORDINATE>(points.flat, ties, out),
@@ -221,7 +225,7 @@ impl<'s> Breaker<'s> {
         self.break_by(queries, out, (first, second), |args| self.rest(Question::Insphere, args).0);
     }
 
-    /// The ties of a batch by either scheme, or by what neither has a list for.
+    /// Breaks the ties of a batch by either scheme, or by the general method if neither has a list.
     #[inline(always)]
     fn break_by<Q: Copy>(
         &self,

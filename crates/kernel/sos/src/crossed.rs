@@ -5,9 +5,9 @@ use rug::Rational;
 
 /// The sign of ((q − p) × (v − u)) along an axis of a scene in space, exactly.
 ///
-/// By a filter, with u = 2^-53: a difference, a product and the last difference are each rounded by a relative u at most, so that the
-/// error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. Where that sum is so small that a product may have underflowed, or
-/// overflows, rationals decide.
+/// By a filter, with u = 2^-53: a difference, a product and the last difference are each rounded by a relative u at
+/// most, so that the error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. If that sum is so small
+/// that a product may have underflowed, or overflows, rationals decide.
 #[inline]
 pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Vertex; 2]) -> Sign {
     let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -17,10 +17,10 @@ pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Ve
     filtered.unwrap_or_else(|| exactly([[q[i], p[i]], [v[j], u[j]]], [[q[j], p[j]], [v[i], u[i]]]))
 }
 
-/// The sign of a product of two rounded differences, less another one, where it is that of the differences themselves.
+/// The sign of a product of two rounded differences minus another; `None` if rounding may have changed it.
 #[inline(always)]
 fn filtered(first: [f64; 2], second: [f64; 2]) -> Option<Sign> {
-    // A difference of doubles is zero only if it is zero, and so are factors of a product.
+    // A difference of doubles is zero only if it is exactly zero, and so are factors of a product.
     match [is_zero(first), is_zero(second)] {
         [true, true] => return Some(Sign::Zero),
         [true, false] => return Some(-sign_of(second)),
@@ -29,15 +29,15 @@ fn filtered(first: [f64; 2], second: [f64; 2]) -> Option<Sign> {
     }
     let [left, right] = [first, second].map(|[a, b]| a * b);
     let (difference, size) = (left - right, left.abs() + right.abs());
-    // 8·u is twice what is needed; 2^-900 is far above what a product that underflows is wrong by, over u.
+    // 8·u is twice what is needed; 2^-900 is far above the error of a product that underflows, over u.
     let is_certain = size > SMALLEST && difference.abs() > size * (4.0 * f64::EPSILON);
     is_certain.then_some(if difference > 0.0 { Sign::Positive } else { Sign::Negative })
 }
 
-/// 2^-900.
+/// The number 2^-900.
 const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
 
-/// The sign of a product of two differences, less another one.
+/// The exact sign of a product of two differences minus another.
 #[cold]
 #[inline(never)]
 fn exactly(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Sign {
@@ -65,7 +65,7 @@ mod tests {
 
     use super::*;
 
-    /// Digits of a linear congruence: the test is the same each time.
+    /// Digits of a linear congruential generator: the test is the same each time.
     struct Digits(u64);
 
     impl Digits {
@@ -74,13 +74,13 @@ mod tests {
             (self.0 >> 33) % n
         }
 
-        /// An integer from -n to n, exactly.
+        /// A random integer from -n to n, exactly representable.
         fn integer(&mut self, n: u32) -> f64 {
             f64::from(u32::try_from(self.below(2 * u64::from(n) + 1)).unwrap()) - f64::from(n)
         }
     }
 
-    /// The same sign, by rationals alone.
+    /// The true sign, by rationals alone.
     fn truth(points: &[[f64; 3]; 4], axis: usize) -> Sign {
         let [p, q, u, v] = points.map(|point| point.map(|x| Rational::from_f64(x).unwrap()));
         let [a, b] =
@@ -93,7 +93,7 @@ mod tests {
         crossed.cmp0().into()
     }
 
-    /// How often each sign was found.
+    /// Compares the sign with the truth, and counts each sign.
     fn agree(points: [[f64; 3]; 4], seen: &mut [usize; 3]) {
         let scene = Scene::new(Dimension::Three, points.as_flattened().to_vec()).unwrap();
         let [p, q, u, v] = [0, 1, 2, 3].map(Vertex::input);
@@ -122,7 +122,8 @@ mod tests {
     fn nearly_parallel_differences_are_told_apart() {
         let (mut digits, mut seen) = (Digits(2), [0; 3]);
         for round in 0..2_000 {
-            // Multiples of one another but for the last bits, at all scales, some of which no product of doubles has.
+            // Multiples of one another except for the last bits, at all scales; at some scales the products leave the
+            // range.
             let scale = f64::from_bits([1023, 1023 - 700, 1023 + 600, 60][round % 4] << 52);
             let d = [(); 3].map(|()| digits.integer(1 << 26));
             let times = digits.integer(3);
@@ -150,7 +151,7 @@ mod tests {
             ([tiny, tiny], [0.0, 5.0], Some(Positive)),
             ([-tiny, tiny], [5.0, 0.0], Some(Negative)),
             ([0.0, 5.0], [tiny, -tiny], Some(Positive)),
-            // Twelve and four of what the sum of the products may be wrong by.
+            // Differences of twelve and of four times the possible error of the products' sum.
             ([1.0 + 12.0 * e, 1.0], [1.0, 1.0], Some(Positive)),
             ([1.0, 1.0], [1.0 + 12.0 * e, 1.0], Some(Negative)),
             ([1.0 + 4.0 * e, 1.0], [1.0, 1.0], None),

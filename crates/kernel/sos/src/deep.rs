@@ -1,7 +1,7 @@
-//! Ties that the leading terms leave open: the rest of each list, without looking at terms that are zero for equal points.
+//! Ties that the leading terms leave open: the rest of each list, without terms that are zero for equal points.
 //!
-//! A term with two rows of one point is zero. So for each pair of rows that are equal a mask says which terms are left, and those
-//! that all masks leave are evaluated, in doubles first, on a copy of the points in the order of their vertices.
+//! A term with two rows of one point is zero. So for each pair of equal rows a mask says which terms remain. The terms
+//! that all masks keep are evaluated, in doubles first, on a copy of the points in the order of their vertices.
 
 use predicament_predicates::{Axis, PredicateKind, Predicates, Scene, Sign, Vertex};
 
@@ -13,7 +13,7 @@ use crate::{Scheme, Term};
 /// Pairs of up to five rows.
 const PAIRS: [[u8; 2]; 10] = [[0, 1], [0, 2], [1, 2], [0, 3], [1, 3], [2, 3], [0, 4], [1, 4], [2, 4], [3, 4]];
 
-/// For each pair of rows, the terms of a list that have not both of them, by the bit of their place.
+/// For each pair of rows, the terms of a list that do not have both of them, as a bit mask.
 type Masks = [u64; PAIRS.len()];
 
 const fn masks(terms: &[Term]) -> Masks {
@@ -40,7 +40,7 @@ const fn masks(terms: &[Term]) -> Masks {
     masks
 }
 
-/// The lists of a scheme with their masks, for predicates of many terms.
+/// The masks of each scheme's lists, for predicates of many terms.
 static MASKS: [[Masks; PredicateKind::ALL.len()]; Scheme::ALL.len()] = {
     let mut all = [[[0; PAIRS.len()]; PredicateKind::ALL.len()]; Scheme::ALL.len()];
     let mut scheme = 0;
@@ -55,10 +55,10 @@ static MASKS: [[Masks; PredicateKind::ALL.len()]; Scheme::ALL.len()] = {
     all
 };
 
-/// The first term from a place on that is not zero: its sign, and its place in the list of the scheme. None if a vertex comes
-/// twice or is no input vertex.
+/// The first nonzero term from a place on: its sign, and its place in the list of the scheme.
 ///
-/// `all` are the scene's points, `exact` answers exactly, and minors may be exact in doubles.
+/// `None` if a vertex occurs twice or is not an input vertex. `all` are the scene's points, `exact` answers exactly,
+/// and minors may be exact in doubles.
 #[inline(never)]
 pub(crate) fn decide<const D: usize, const N: usize>(
     scheme: Scheme,
@@ -99,7 +99,7 @@ struct Asked<'a, const D: usize> {
     scene: &'a Scene,
     vertices: &'a [Vertex],
     points: &'a [[f64; D]],
-    /// Whether doubles make no error in minors.
+    /// True if doubles make no error in minors.
     is_exact: bool,
 }
 
@@ -118,7 +118,7 @@ impl<const D: usize> Asked<'_, D> {
         let vertex = |row: u8| self.vertices[usize::from(row)];
         let minor = match (term.rows, term.columns, term.lift) {
             (rows, columns, Some(lift)) => {
-                // An origin that is no vertex may be anywhere.
+                // An origin that is not a vertex may be anywhere.
                 let is_free =
                     (0..D).any(|axis| lift.about[axis].is_none() && !columns.iter().any(|&x| usize::from(x) == axis));
                 let sign = if self.is_exact && !is_free {

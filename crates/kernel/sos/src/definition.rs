@@ -1,16 +1,16 @@
-//! Coefficients as their definition has them, in rationals: what filters, integers and predicates are held against.
+//! Coefficients by their definition, in rationals: the reference for filters, integers and predicates.
 
 use predicament_predicates::Sign;
 use rug::Rational;
 
 use crate::Term;
 
-/// The number itself.
+/// The number as a rational.
 pub(crate) fn rational(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
 
-/// A determinant along its first row.
+/// The determinant, expanded along its first row.
 pub(crate) fn determinant(rows: &[Vec<Rational>]) -> Rational {
     let Some((first, rest)) = rows.split_first() else { return Rational::from(1) };
     let without = |column: usize| {
@@ -21,7 +21,7 @@ pub(crate) fn determinant(rows: &[Vec<Rational>]) -> Rational {
     (0..rows.len()).map(|column| if column % 2 == 0 { term(column) } else { -term(column) }).sum()
 }
 
-/// The minor that is left: coordinates, the lift where there is one, and 1, of sorted points.
+/// The remaining minor of sorted points: coordinates, the lift if there is one, and 1.
 pub(crate) fn minor<const D: usize>(points: &[[f64; D]], term: &Term) -> Rational {
     let row = |&row: &u8| -> Vec<Rational> {
         let point = points[usize::from(row)];

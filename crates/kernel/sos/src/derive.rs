@@ -1,10 +1,9 @@
-//! Derives the term lists from the schemes; none is copied from a paper.
+//! Derivation of the term lists from the schemes; none is copied from a paper.
 //!
-//! For each scheme and predicate: expand the determinant of the perturbed
-//! points into monomials of infinitesimals, order them by size, and keep the
-//! coefficients up to the first one that is a non-zero constant. Coefficients
-//! that can't be the first to differ from zero are dropped (see [`ideal`]).
-//! The file `tables.rs` is [`tables`]' output; a test compares them.
+//! For each scheme and predicate: expand the determinant of the perturbed points into monomials of infinitesimals,
+//! order them by size, and keep the coefficients up to the first one that is a nonzero constant. Coefficients that
+//! can't be the first nonzero one are dropped (see [`ideal`]). The file `tables.rs` is [`tables`]' output; a test
+//! compares them.
 
 pub mod ideal;
 pub mod polynomial;
@@ -18,16 +17,17 @@ use crate::Scheme;
 use ideal::Ideal;
 use polynomial::{AXES, Polynomial, Powers, determinant};
 
-/// Powers of a coefficient are looked for in the ideal up to this degree; at 5
-/// the linear algebra of `insphere` would take minutes instead of seconds.
+/// The largest degree of powers of a coefficient that are searched for in the ideal.
+///
+/// At 5 the linear algebra of `insphere` would take minutes instead of seconds.
 const POWER_DEGREE: u8 = 4;
 
 /// The columns of a predicate's matrix.
 #[derive(Clone, Copy)]
 struct Shape {
-    /// Coordinates of a point.
+    /// The number of coordinates of a point.
     axes: usize,
-    /// Whether their sum of squares follows.
+    /// True if their sum of squares follows.
     lifted: bool,
 }
 
@@ -43,12 +43,12 @@ impl Shape {
         Shape { axes, lifted }
     }
 
-    /// The columns that carry data: coordinates and lift.
+    /// The number of columns that carry data: coordinates and lift.
     fn data(self) -> usize {
         self.axes + usize::from(self.lifted)
     }
 
-    /// One vertex more than data columns.
+    /// The number of rows: one vertex more than data columns.
     fn rows(self) -> usize {
         self.data() + 1
     }
@@ -75,8 +75,9 @@ struct Move {
 }
 
 impl Move {
-    /// What takes the row's place in the coefficient: the factor of the
-    /// infinitesimal in the perturbed row.
+    /// The row's replacement in the coefficient.
+    ///
+    /// It is the factor of the infinitesimal in the perturbed row.
     fn replacement(self, scheme: Scheme, shape: Shape) -> Vec<Polynomial> {
         let mut row = vec![Polynomial::default(); shape.rows()];
         if self.power == 1 {
@@ -91,8 +92,9 @@ impl Move {
     }
 }
 
-/// A monomial of the perturbed determinant: at most one move a row, as the
-/// determinant is linear in each row and no entry mixes two infinitesimals.
+/// A monomial of the perturbed determinant.
+///
+/// It has at most one move per row, as the determinant is linear in each row and no entry mixes two infinitesimals.
 type Monomial = Vec<Move>;
 
 /// All candidate monomials, the largest infinitesimal first.
@@ -107,7 +109,7 @@ fn monomials(scheme: Scheme, shape: Shape) -> Vec<Monomial> {
         let longer = all.iter().flat_map(|shorter| moves.iter().map(|&next| [shorter.as_slice(), &[next]].concat()));
         all = longer.chain(all.iter().cloned()).collect();
     }
-    // The weakest infinitesimal that occurs decides first, then its power.
+    // The smallest infinitesimal that occurs decides first, then its power.
     all.sort_by_key(|monomial| {
         let mut digits = vec![0; shape.rows() * columns];
         for &Move { row, column, power } in monomial {
@@ -123,7 +125,7 @@ fn monomials(scheme: Scheme, shape: Shape) -> Vec<Monomial> {
     all
 }
 
-/// A term with the monomial that it is the coefficient of.
+/// A term with its monomial.
 struct Derived {
     monomial: Monomial,
     sign: Sign,
@@ -134,13 +136,12 @@ struct Derived {
 }
 
 impl Derived {
-    /// What is left of the matrix, by column operations on the replaced rows:
+    /// The remaining matrix, after column operations on the replaced rows:
     /// * a row (…1…) strikes its column;
-    /// * a row (…1…, 2x in the lift) strikes its column after 2x times that
-    ///   column was taken from the lift, which turns x_c² into (x_c − x)²
-    ///   up to a multiple of the column of ones;
-    /// * two such rows of one column differ by 2(x_b − x_a) in the lift alone,
-    ///   so the second strikes the lift and leaves a factor.
+    /// * a row (…1…, 2x in the lift) strikes its column after 2x times that column was subtracted from the lift, which
+    ///   turns x_c² into (x_c − x)² up to a multiple of the column of ones;
+    /// * two such rows of one column differ by 2(x_b − x_a) in the lift alone, so the second strikes the lift and
+    ///   leaves a factor.
     fn new(scheme: Scheme, shape: Shape, monomial: Monomial) -> Derived {
         let moving_lift = scheme == Scheme::PerCoordinate && shape.lifted;
         let mut about = [None; AXES];
@@ -170,7 +171,7 @@ impl Derived {
         }
     }
 
-    /// The term as a polynomial, as its evaluation will see it.
+    /// The term as a polynomial, in the form of its evaluation.
     fn polynomial(&self, shape: Shape) -> Polynomial {
         let lift = |row: usize, about: &[Option<usize>; AXES]| {
             (0..shape.axes)
@@ -220,8 +221,7 @@ impl Derived {
 /// The terms of one predicate, the largest first, ending with a constant.
 ///
 /// # Panics
-/// If a coefficient is not the term that it was simplified to: then the
-/// simplification is wrong, and no table must be written.
+/// If a coefficient does not equal its simplified term: then the simplification is wrong, and no table must be written.
 fn terms(scheme: Scheme, kind: PredicateKind) -> Vec<Derived> {
     let shape = Shape::of(kind);
     let variables = (0..shape.rows()).flat_map(|row| (0..shape.axes).map(move |axis| row * AXES + axis));

@@ -1,39 +1,34 @@
 //! Minors with a lift column in plain floating point, and a bound on their error.
 //!
-//! The rows are differences to the last one, d = x − x′, which strikes the
-//! column of ones. The lift of a row is less that of the last one as well: along
-//! a column of the minor its origin may be anywhere (moving it adds multiples of
-//! the other columns), so it is put on the last row and the share is d²; along
-//! the column that was struck, with the origin o, the share is
-//! (x − o)² − (x′ − o)² = d·t with t = (x − o) + (x′ − o).
+//! The rows are differences to the last one, d = x − x′, which strikes the column of ones. The lift of a row is
+//! relative to that of the last one as well. Along a column of the minor its origin may be anywhere (moving it adds
+//! multiples of the other columns), so the origin is the last row and the share is d². Along the struck column, with
+//! the origin o, the share is (x − o)² − (x′ − o)² = d·t with t = (x − o) + (x′ − o).
 //!
 //! # The bound
-//! u = 2^-53. Each operation multiplies its exact result by a factor within
-//! 1 ± u of 1, and permanents (the same sums with every difference and product
-//! taken by magnitude) bound what cancels. Counting factors: a difference has 1,
-//! t has 2, d·t has 4, d² has 3; each d² that is added to d·t costs one more, so
-//! a lift has 5 in the plane and 6 in space. In the plane its product with a
-//! difference has 7 and the minor 8; in space a cross product has 4, its product
-//! with a lift 11, and the minor 13. The permanent has as many, and no
-//! subtraction among its sums. So the error is at most
-//! ((1 + u)^13 − 1)/(1 − u)^13 < 14u times the computed permanent; the constant
-//! is 16u, a power of two, with which a product is exact.
+//! u = 2^-53. Each operation multiplies its exact result by a factor within 1 ± u of 1, and permanents (the same sums
+//! with the magnitude of every difference and product) bound the cancellation. Counting factors: a difference has 1, t
+//! has 2, d·t has 4, d² has 3; each d² that is added to d·t costs one more, so a lift has 5 in the plane and 6 in
+//! space. In the plane its product with a difference has 7 and the minor 8; in space a cross product has 4, its product
+//! with a lift 11, and the minor 13. The permanent has as many, and no subtraction among its sums. So the error is at
+//! most ((1 + u)^13 − 1)/(1 − u)^13 < 14u times the computed permanent; the constant is 16u, a power of two, with which
+//! a product is exact.
 //!
 //! # Range
-//! The lifts' permanents are at most 2^400 together. Then differences in the
-//! columns are at most 2^200, cross products 2^401, and nothing overflows.
-//! Products that underflow are off by 2^-1075 each, times what they are
-//! multiplied with: the three of a lift by a cross product, the two of a cross
-//! product by a lift, in three terms less than 2^-668 together. 2^-600 in the
-//! bound covers that, and what the permanent itself loses.
+//! The lifts' permanents are at most 2^400 together. Then differences in the columns are at most 2^200, cross products
+//! 2^401, and nothing overflows. Products that underflow are off by 2^-1075 each, times their later factors: the three
+//! of a lift by a cross product, the two of a cross product by a lift, in three terms less than 2^-668 together. 2^-600
+//! in the bound covers that, and the losses of the permanent itself.
 
 //!
 //! # Where doubles make no error
-//! In a scene where the exact backend's doubles make none in a lifted predicate, of degree k in differences of vertices, every integer up to
-//! 2^53 in units of a power of two is a double, and so is what is less than 2^g·M^k, M a bound on differences, g = 7 for k = 5 and 4 for k = 4 (`Plan`).
-//! With M ≥ 1, and o a vertex' coordinate, t is at most 2M, a lift less than 4M² in the plane and 6M² in space, a minor of it and a difference
-//! at most 6M³ in the plane and 10M³ in space, one with two columns 3 · 2M² · 4M²: all less than that. There `EXACT` says that
-//! an estimate is the determinant itself. An origin that is no vertex' coordinate may be far away, so then it does not.
+//! Consider a scene where the exact backend's doubles make no error in a lifted predicate, of degree k in differences
+//! of vertices. There every integer up to 2^53 in units of a power of two is a double, and so is every intermediate
+//! less than 2^g·M^k, M a bound on differences, g = 7 for k = 5 and 4 for k = 4 (`Plan`). With M ≥ 1, and o a vertex'
+//! coordinate, t is at most 2M, a lift less than 4M² in the plane and 6M² in space, a minor of it and a difference at
+//! most 6M³ in the plane and 10M³ in space, one with two columns 3 · 2M² · 4M²: all less than that. There `EXACT` says
+//! that an estimate is the determinant itself. An origin that is not a vertex' coordinate may be far away, so then it
+//! does not.
 
 use predicament_arithmetic::{bound, power_of_two};
 use predicament_exact::estimate::{self, Estimate};
@@ -41,14 +36,14 @@ use predicament_predicates::Sign;
 
 use crate::Lift;
 
-/// 16u: what is left to the permanent.
+/// The constant 16u, which multiplies the permanent.
 const BOUND: f64 = power_of_two(-49);
-/// Far above all that underflow can do.
+/// A number far above all errors by underflow.
 const TINY: f64 = power_of_two(-600);
-/// The largest sum of lifts for which that has been proved.
+/// The largest sum of lifts for which the bound is proved.
 const LARGEST: f64 = power_of_two(400);
 
-/// What the lift is about, in the column that is not among the minor's.
+/// The lift's origin in the column that is not in the minor.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Struck {
     /// The column.
@@ -60,23 +55,24 @@ pub(crate) struct Struck {
 /// The sign of p − q.
 #[inline(always)]
 pub(crate) fn order(p: f64, q: f64) -> Sign {
-    // A table: a branch on what is as good as random costs more than all the rest.
+    // A table lookup: a branch on a random sign costs more than the rest.
     const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
     SIGNS[usize::from(p >= q) + usize::from(p > q)]
 }
 
-/// The turn of three points, or none if rounding may have changed it.
+/// The turn of three points; `None` if rounding may have changed it.
 ///
-/// Without a lift a product that underflows cannot mislead: if the other one
-/// is not small as well, it outweighs it, and if it is, 2^-600 outweighs both.
+/// Without a lift a product that underflows cannot mislead: if the other product is not small as well, it outweighs it,
+/// and if it is, 2^-600 outweighs both.
 #[inline(always)]
 pub(crate) fn turn<const EXACT: bool>([p, q, r]: [[f64; 2]; 3]) -> Option<Sign> {
     let estimate = estimate::orient2d(p, q, r);
     certain::<EXACT>((estimate, estimate.permanent), bound::ORIENT2D)
 }
 
-/// The sign of the minor of three points with one coordinate, the lift and 1,
-/// or none if rounding may have changed it.
+/// The sign of the minor of three points with one coordinate, the lift and 1.
+///
+/// `None` if rounding may have changed it.
 #[inline(always)]
 pub(crate) fn flat<const EXACT: bool, const D: usize>(
     [p, q, r]: [&[f64; D]; 3],
@@ -86,17 +82,19 @@ pub(crate) fn flat<const EXACT: bool, const D: usize>(
     certain::<EXACT>(minor2([p, q, r], column, struck), BOUND)
 }
 
-/// The sign of the minor of four points with two coordinates, the lift and 1,
-/// or none if rounding may have changed it.
+/// The sign of the minor of four points with two coordinates, the lift and 1.
+///
+/// `None` if rounding may have changed it.
 #[inline(always)]
 pub(crate) fn solid<const EXACT: bool>(points: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {
     certain::<EXACT>(minor3(points, columns, struck), BOUND)
 }
 
-/// The sign of the minor of some sorted points with these columns, a lift and 1, or none if rounding may have changed it.
+/// The sign of the minor of some sorted points with these columns, a lift and 1; `None` if rounding may have changed
+/// it.
 ///
-/// Along each column that is not among the minor's, the share of a lift is d·t with an origin of its own, for which the bound has room: three
-/// of them are added up with as many roundings as one of them and two squares.
+/// Along each column that is not in the minor, the share of a lift is d·t with a separate origin, which the bound
+/// allows: three of them are added with as many roundings as one of them and two squares.
 #[inline(always)]
 pub(crate) fn lifted<const EXACT: bool, const D: usize>(
     points: &[[f64; D]],
@@ -107,7 +105,7 @@ pub(crate) fn lifted<const EXACT: bool, const D: usize>(
     certain::<EXACT>(lifted_minor(points, rows, columns, lift)?, BOUND)
 }
 
-/// What [`lifted`] estimates; none for so many rows or columns.
+/// The estimate for [`lifted`]; `None` if there is no code for this number of rows or columns.
 #[inline(always)]
 fn lifted_minor<const D: usize>(points: &[[f64; D]], rows: &[u8], columns: &[u8], lift: Lift) -> Option<Ranged> {
     let at = |row: u8| &points[usize::from(row)];
@@ -161,7 +159,9 @@ fn certain<const EXACT: bool>((estimate, lifts): Ranged, bound: f64) -> Option<S
     if lifts <= LARGEST { estimate.above(bound * estimate.permanent + TINY) } else { None }
 }
 
-/// A minor as [`flat`] estimates it, and what its magnitude has to exceed for its sign to be certain: zero where doubles make no error.
+/// The minor as [`flat`] estimates it, and the bound that its magnitude must exceed for its sign to be certain.
+///
+/// The bound is zero if doubles make no error.
 #[inline(always)]
 pub(crate) fn flat_value<const EXACT: bool, const D: usize>(
     points: [&[f64; D]; 3],
@@ -171,7 +171,7 @@ pub(crate) fn flat_value<const EXACT: bool, const D: usize>(
     value::<EXACT>(minor2(points, column, struck))
 }
 
-/// The same of [`solid`].
+/// The minor as [`solid`] estimates it, and the bound for its sign.
 #[inline(always)]
 pub(crate) fn solid_value<const EXACT: bool>(
     points: [&[f64; 3]; 4],
@@ -194,7 +194,7 @@ struct Row<const K: usize> {
     size: f64,
 }
 
-// Functions, and loops over indices, stay in registers; closures and `map` need not.
+// Functions, and loops over indices, stay in registers; closures and `map` may not.
 impl<const K: usize> Row<K> {
     #[inline(always)]
     fn new<const D: usize>(point: &[f64; D], last: &[f64; D], columns: [usize; K], struck: Struck) -> Row<K> {
@@ -264,7 +264,7 @@ mod tests {
     use crate::definition::{self, determinant, rational};
     use crate::short;
 
-    /// The minor as it is defined: columns, lift about the origin, ones; along the last column.
+    /// The exact minor by definition: columns, lift about the origin, ones; expanded along the last column.
     fn truth<const D: usize>(points: &[&[f64; D]], columns: &[usize], struck: Struck) -> Rational {
         let row = |point: &&[f64; D]| {
             let mut row: Vec<Rational> = columns.iter().map(|&column| rational(point[column])).collect();
@@ -276,12 +276,12 @@ mod tests {
         determinant(&points.iter().map(row).collect::<Vec<_>>())
     }
 
-    /// Asserts what must hold of an estimate; whether the sign of its determinant is right.
+    /// Asserts the properties of an estimate; returns true if the sign of its determinant is right.
     fn check((estimate, lifts): Ranged, certain: Option<Sign>, truth: &Rational) -> bool {
         let sign = Sign::from(truth.cmp0());
         assert!(certain.is_none_or(|certain| certain == sign), "{certain:?} is {sign:?}");
         if lifts <= LARGEST && estimate.permanent > 2.0 * TINY {
-            // As the bound is derived, and not only as it is used.
+            // The bound as derived, not only as used.
             let error = (rational(estimate.determinant) - truth).abs();
             let allowed = rational(14.0 * f64::EPSILON / 2.0) * rational(estimate.permanent) + rational(TINY);
             assert!(error <= allowed, "{error} of {allowed}");
@@ -292,7 +292,7 @@ mod tests {
     fn check_all(points: &[[f64; 3]; 5], is_about: bool, column: usize) -> [bool; 3] {
         let [p, q, r, s, first] = points.each_ref();
         let origin = |column: usize| if is_about { first[column] } else { 0.0 };
-        // Flat minors of the first two axes, struck the other one of them.
+        // Flat minors of the first two axes, with the other one struck.
         let flat_column = column % 2;
         let struck = Struck { column: 1 - flat_column, origin: origin(1 - flat_column) };
         let triple = [p, q, r];
@@ -312,8 +312,7 @@ mod tests {
         [two, three, Sign::of(estimate::orient2d(flat[0], flat[1], flat[2]).determinant) == sign]
     }
 
-    /// Few values with long significands, and a few ulps beside them: minors
-    /// are zero, or nearly.
+    /// Few values with long significands, and a few ulps beside them: minors are zero, or nearly.
     fn near_ties() -> impl Strategy<Value = [[f64; 3]; 5]> {
         let coordinate = (0..4_u8, -2..=2_i64).prop_map(|(digit, ulps)| {
             let x = 1.1 * f64::from(digit);
@@ -343,8 +342,9 @@ mod tests {
         }
     }
 
-    /// The signs of the estimates themselves are wrong now and then: without
-    /// a bound the tests above would fail.
+    /// The signs of the estimates themselves are sometimes wrong.
+    ///
+    /// Without a bound the tests above would fail.
     #[test]
     fn near_ties_need_the_bound() {
         let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -358,7 +358,9 @@ mod tests {
         assert!(wrong.iter().all(|&count| count > 0), "{wrong:?}");
     }
 
-    /// The permanent as it is defined, and the sum of the lifts' permanents: of differences to the last row and of lifts along these axes.
+    /// The permanent by definition, and the sum of the lifts' permanents.
+    ///
+    /// They are of differences to the last row and of lifts along these axes.
     fn permanent<const D: usize>(
         points: &[&[f64; D]],
         columns: &[usize],
@@ -396,7 +398,9 @@ mod tests {
         (rational(computed) - exact).abs() <= rational(14.0 * f64::EPSILON / 2.0) * exact
     }
 
-    /// Every lifted minor of a scheme, of points near ties: the determinant by its definition, within the bound; and the permanent.
+    /// Checks every lifted minor of a scheme, for points near ties.
+    ///
+    /// It compares the determinant with its definition, within the bound, and the permanent.
     fn check_lifted<const D: usize>(points: &[[f64; D]], terms: &[crate::Term]) {
         for term in terms {
             let Some(lift) = term.lift else { continue };

@@ -1,9 +1,10 @@
 //! The first terms of many ties at once, on whole registers.
 //!
-//! A batch of ties has its terms evaluated as it had its determinants: each lane of a register has a query. A lane finds the vertex with
-//! the smallest index, and the first term of the list, a minor of the other points. Ties of `orient2d`, and of `orient3d` where doubles make no error, have all
-//! leading terms evaluated. What is zero or not certain is left to [`leading`](crate::leading), and so is a query with a vertex twice:
-//! a minor with two equal rows is zero, and the smallest vertex is looked for.
+//! A batch evaluates the terms of its ties as it evaluates determinants: each lane of a register has a query. A lane
+//! finds the vertex with the smallest index, and the first term of the list, a minor of the other points. For ties of
+//! `orient2d`, and of `orient3d` if doubles make no error, all leading terms are evaluated. Terms that are zero or not
+//! certain are left to [`leading`](crate::leading). A query with a vertex twice is left to it as well: a minor with two
+//! equal rows is zero, and the lane checks the smallest vertex.
 
 // Loops over indices stay in registers.
 #![allow(clippy::needless_range_loop)]
@@ -16,7 +17,9 @@ use crate::filter::{self, Struck};
 use crate::leading::{INCIRCLE, INSPHERE, difference, leading, turned_columns};
 use crate::{Lift, Scheme, Term};
 
-/// Breaks ties of `orient2d` in the plane; what is left open, by the bits of a mask. `SCHEME` is a place in [`Scheme::ALL`].
+/// Breaks ties of `orient2d` in the plane, and returns a bit mask of the ties that remain open.
+///
+/// `SCHEME` is an index in [`Scheme::ALL`].
 #[inline]
 pub(crate) fn orient2d<const SCHEME: usize>(points: &[[f64; 2]], ties: &[[Vertex; 3]], out: &mut [Sign]) -> u64 {
     if points.is_empty() {
@@ -35,7 +38,9 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: &[[f64; 2]], ties: &[[Vertex
     })
 }
 
-/// The same of `orient3d`; `is_exact` says that doubles make no error, here and below.
+/// Breaks ties of `orient3d`, and returns a bit mask of the ties that remain open.
+///
+/// `is_exact` says that doubles make no error, here and below.
 #[inline]
 pub(crate) fn orient3d<const SCHEME: usize>(
     points: &[[f64; 3]],
@@ -64,7 +69,7 @@ fn first_of_orient3d<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 3]; 4]
     (flip * if first.determinant == 0.0 { later } else { first.determinant }, 0.0)
 }
 
-/// The same of `incircle`.
+/// Breaks ties of `incircle`, and returns a bit mask of the ties that remain open.
 #[inline]
 pub(crate) fn incircle<const SCHEME: usize>(
     points: &[[f64; 2]],
@@ -95,7 +100,7 @@ fn first_of_incircle<const SCHEME: usize, const EXACT: bool>(rows: [[f64; 2]; 4]
     (signed(term, flip) * value, bound)
 }
 
-/// The same of `insphere`.
+/// Breaks ties of `insphere`, and returns a bit mask of the ties that remain open.
 #[inline]
 pub(crate) fn insphere<const SCHEME: usize>(
     points: &[[f64; 3]],
@@ -139,7 +144,7 @@ const fn first_term<const SCHEME: usize, const KIND: usize>() -> Term {
     term
 }
 
-/// What a lift is about in the column that is struck: the first vertex, as the first term has it.
+/// The origin of a lift in the struck column: the first vertex, as in the first term.
 #[inline(always)]
 fn struck<const D: usize>(lift: Lift, column: usize, first: [f64; D]) -> Struck {
     assert!(lift.about[column].is_some());
@@ -156,8 +161,9 @@ fn signed(term: Term, flip: f64) -> f64 {
     if matches!(term.sign, Sign::Negative) { -flip } else { flip }
 }
 
-/// The point of the vertex with the smallest number first, and −1 if that took an odd number of exchanges, else 1; NaN if that vertex, or
-/// another one that was the smallest so far, comes twice.
+/// The point of the vertex with the smallest number first, and the parity of the exchanges, 1 or −1.
+///
+/// The parity is NaN if that vertex, or another one that was the smallest so far, occurs twice.
 #[inline(always)]
 fn smallest_first<const D: usize, const N: usize>(
     mut rows: [[f64; D]; N],
@@ -173,7 +179,7 @@ fn smallest_first<const D: usize, const N: usize>(
             let [x, y] = [rows[0][axis], rows[row][axis]];
             [rows[0][axis], rows[row][axis]] = if is_less { [y, x] } else { [x, y] };
         }
-        // (Also where a smaller one comes later: that is seldom, and is left open.)
+        // (Also if a smaller one comes later: that is rare, and remains open.)
         flip = if a == b { f64::NAN } else { flip };
     }
     (rows, flip)
@@ -187,7 +193,7 @@ mod tests {
     use super::*;
     use crate::leading::{self, EDELSBRUNNER_MUCKE, PER_COORDINATE, Points};
 
-    /// Queries of any vertices, none twice, in any order.
+    /// Queries of any distinct vertices, in any order.
     fn queries<const N: usize>(points: usize) -> Vec<[Vertex; N]> {
         let mut state = 7_u64;
         let mut below = |bound: usize| {
@@ -201,8 +207,9 @@ mod tests {
         (0..64).map(|_| query()).collect()
     }
 
-    /// Points of general position: of a curve of which no two coordinates, lifts or minors are equal. They are integers, which make no
-    /// error, or those and a fraction.
+    /// Points in general position, on a curve where coordinates, lifts and minors are distinct.
+    ///
+    /// They are integers, which make no error, or integers plus a fraction.
     fn points<const D: usize>(is_exact: bool) -> Vec<[f64; D]> {
         let fraction = if is_exact { 0.0 } else { 0.1 };
         let number = |at: u32, axis: usize| {
@@ -212,7 +219,7 @@ mod tests {
         (0..11).map(|at| std::array::from_fn(|axis| number(at, axis))).collect()
     }
 
-    /// No tie of general position is left open, and signs are those that are found one by one.
+    /// Checks that no tie in general position remains open, and that signs are those of single queries.
     fn check<const N: usize>(
         many: impl Fn(&[[Vertex; N]], &mut [Sign], bool) -> u64,
         one: impl Fn([Vertex; N]) -> Option<(Sign, usize)>,

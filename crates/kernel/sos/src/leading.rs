@@ -1,14 +1,11 @@
 //! The first terms of each list, which break almost every tie, evaluated without sorting.
 //!
-//! A list begins with the terms in which nothing but the vertex with the
-//! smallest index moves: minors of all other rows. They are the same, up to
-//! sign, in whatever order these rows are, so it is enough to find the smallest
-//! vertex and to know the parity. In general position the first of them
-//! decides; for all of them to be zero the other vertices alone have to be
-//! degenerate.
+//! A list begins with the terms in which only the vertex with the smallest index moves: minors of all other rows. They
+//! are the same, up to sign, in every order of these rows, so the smallest vertex and the parity are enough. In general
+//! position the first of them decides; all of them are zero only if the other vertices alone are degenerate.
 //!
-//! The lists are constants, and each term is compiled for itself: here it costs
-//! a comparison of two coordinates, a filter, or a predicate of one dimension less.
+//! The lists are constants, and each term is compiled separately: here it costs a comparison of two coordinates, a
+//! filter, or a predicate of one dimension less.
 
 use std::ops::ControlFlow;
 
@@ -21,16 +18,16 @@ use crate::{deep, short};
 
 type Exact<'s> = predicament_exact::Session<'s, Off>;
 
-/// The place of a predicate in [`PredicateKind::ALL`].
+/// The index of a predicate in [`PredicateKind::ALL`].
 const ORIENT3D: usize = PredicateKind::Orient3d.index();
 pub(crate) const INCIRCLE: usize = PredicateKind::Incircle.index();
 pub(crate) const INSPHERE: usize = PredicateKind::Insphere.index();
 
-/// The place of a scheme in [`Scheme::ALL`].
+/// The index of a scheme in [`Scheme::ALL`].
 pub(crate) const PER_COORDINATE: usize = Scheme::PerCoordinate as usize;
 pub(crate) const EDELSBRUNNER_MUCKE: usize = Scheme::EdelsbrunnerMucke as usize;
 
-/// The points of a scene, in the view of its dimension; the other one is empty.
+/// The points of a scene, in the view of its dimension; the other view is empty.
 #[derive(Clone, Copy)]
 pub(crate) struct Points<'s> {
     pub flat: &'s [[f64; 2]],
@@ -46,7 +43,7 @@ impl<'s> Points<'s> {
         Points { flat, solid }
     }
 
-    /// None if the vertex is not an input vertex, or has no such coordinate.
+    /// A coordinate; `None` if the vertex is not an input vertex, or has no such coordinate.
     #[inline(always)]
     pub fn coordinate(self, axis: Axis, v: Vertex) -> Option<f64> {
         if self.solid.is_empty() {
@@ -57,10 +54,14 @@ impl<'s> Points<'s> {
     }
 }
 
-/// The sign of the first term that is not zero, and its place in the list. None if a vertex comes twice, or is not an input vertex.
+/// The sign of the first nonzero term, and its place in the list.
+///
+/// `None` if a vertex occurs twice, or is not an input vertex.
 pub(crate) type Decided = Option<(Sign, usize)>;
 
-/// Breaks a tie of `orient2d`. `SCHEME` is a place in [`Scheme::ALL`], here and below.
+/// Breaks a tie of `orient2d`.
+///
+/// `SCHEME` is an index in [`Scheme::ALL`], here and below.
 #[inline(always)]
 pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
     let [p, q] = after_smallest(args)?;
@@ -95,15 +96,17 @@ pub(crate) fn orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: 
     Some((SIGNS[usize::from(sum > 0)], usize::from(first == 0)))
 }
 
-/// One of `orient2d`'s leading terms: the row that counts positive, the other one, and the column.
+/// A leading term of `orient2d`: the positive row, the other row, and the column.
 pub(crate) const fn difference(term: Term) -> [usize; 3] {
     assert!(term.rows.len() == 2 && term.rows[0] == 1 && term.columns.len() == 1 && term.lift.is_none());
     let column = term.columns[0] as usize;
     if matches!(term.sign, Sign::Negative) { [2, 1, column] } else { [1, 2, column] }
 }
 
-/// Breaks a tie of `orient2d` of vertices of which the two with larger indices are at one place in the plane: that of a vertex with another
-/// vertex' coordinates. The leading terms are differences of these two, so they are zero.
+/// Breaks a tie of `orient2d` whose two vertices with larger indices coincide in the plane.
+///
+/// Two distinct vertices can have the same coordinates. The leading terms are differences of these two, so they are
+/// zero.
 #[cold]
 #[inline(never)]
 fn rest_of_orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Vertex; 3]) -> Decided {
@@ -135,7 +138,7 @@ fn rest_of_orient2d<const SCHEME: usize>(points: Points, plane: Plane, args: [Ve
     Some((if odd != (plane == Plane::Zx) { -sign } else { sign }, place))
 }
 
-/// The vertices by index, and whether that takes an odd number of exchanges; none if one comes twice.
+/// The vertices by index, and true if sorting takes an odd number of exchanges; `None` if one occurs twice.
 fn by_index<const N: usize>(mut vertices: [Vertex; N]) -> Option<([Vertex; N], bool)> {
     let mut odd = false;
     for end in (1..N).rev() {
@@ -156,7 +159,7 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let [a, b, c, d] = vertices;
     let at = |v: Vertex| points.solid.get(v.index());
     let points_of = [at(a)?, at(b)?, at(c)?, at(d)?];
-    // (A tie has had the scene planned.)
+    // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Orient3d);
     let decided = if is_exact {
         let [_, p, q, r] = points_of;
@@ -167,7 +170,9 @@ pub(crate) fn orient3d<const SCHEME: usize>(exact: &Exact, points: Points, args:
     decided.map_or_else(|from| deep::<SCHEME, ORIENT3D, 3, 4>(exact, points.solid, args, (is_exact, from)), Some)
 }
 
-/// The leading terms of `orient3d` where doubles make no error, all three at once: the first of them is zero too often for a branch.
+/// The leading terms of `orient3d` if doubles make no error, all three at once.
+///
+/// The first of them is zero too often for a branch.
 #[inline(always)]
 fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Result<(Sign, usize), usize> {
     let [u, v] = [[p[0] - r[0], p[1] - r[1], p[2] - r[2]], [q[0] - r[0], q[1] - r[1], q[2] - r[2]]];
@@ -184,7 +189,7 @@ fn turns<const SCHEME: usize>(p: &[f64; 3], q: &[f64; 3], r: &[f64; 3]) -> Resul
     Ok((SIGNS[usize::from(value > 0.0)], usize::from(is_second) + usize::from(is_third)))
 }
 
-/// The columns of `orient3d`'s leading terms, exchanged where the sign is negative.
+/// The columns of `orient3d`'s leading terms, exchanged if the sign is negative.
 pub(crate) const fn turned_columns(terms: &'static [Term]) -> [[usize; 2]; 3] {
     let mut columns = [[0; 2]; 3];
     let mut at = 0;
@@ -205,7 +210,7 @@ pub(crate) fn incircle<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let [a, b, c, d] = vertices;
     let at = |v: Vertex| points.flat.get(v.index());
     let points_of = [at(a)?, at(b)?, at(c)?, at(d)?];
-    // (A tie has had the scene planned.)
+    // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Incircle);
     let decided = if is_exact {
         first::<SCHEME, INCIRCLE>(Three::<true, 2> { exact, vertices, points: points_of })
@@ -222,7 +227,7 @@ pub(crate) fn insphere<const SCHEME: usize>(exact: &Exact, points: Points, args:
     let [a, b, c, d, e] = vertices;
     let at = |v: Vertex| points.solid.get(v.index());
     let points_of = [at(a)?, at(b)?, at(c)?, at(d)?, at(e)?];
-    // (A tie has had the scene planned.)
+    // (The tie has made the scene's plan.)
     let is_exact = exact.is_double(PredicateKind::Insphere);
     let decided = if is_exact {
         first::<SCHEME, INSPHERE>(Four::<true> { exact, vertices, points: points_of })
@@ -232,7 +237,7 @@ pub(crate) fn insphere<const SCHEME: usize>(exact: &Exact, points: Points, args:
     decided.map_or_else(|from| deep::<SCHEME, INSPHERE, 3, 5>(exact, points.solid, args, (is_exact, from)), Some)
 }
 
-/// The list from a place on.
+/// Decides by the list from a place on.
 #[inline(always)]
 fn deep<const SCHEME: usize, const KIND: usize, const D: usize, const N: usize>(
     exact: &Exact,
@@ -243,9 +248,9 @@ fn deep<const SCHEME: usize, const KIND: usize, const D: usize, const N: usize>(
     deep::decide(Scheme::ALL[SCHEME], PredicateKind::ALL[KIND], exact, all, args, is_exact, from)
 }
 
-/// The rows that are left when the first one is struck.
+/// The remaining rows after the first one is struck.
 trait Rows: Copy {
-    /// The sign of a term of these rows, or none if it is left open.
+    /// The sign of a term of these rows; `None` if it remains open.
     fn sign(self, term: Term) -> Option<Sign>;
 }
 
@@ -266,7 +271,7 @@ impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
             (&[x, y], None) => {
                 let (plane, orientation) = projection(AXES[usize::from(x)], AXES[usize::from(y)])?;
                 let [x, y] = plane.axes().map(Axis::index);
-                // So are all leading terms of both schemes; another list does not compile to a wrong sign.
+                // All leading terms of both schemes are; another list does not compile to a wrong sign.
                 assert!(term.sign == orientation, "a leading term is the turn of its rows in their order");
                 match filter::turn::<EXACT>([[p[x], p[y]], [q[x], q[y]], [r[x], r[y]]]) {
                     None => Some(turn(self.exact, plane, self.vertices[1], self.vertices[2], self.vertices[3])),
@@ -292,7 +297,7 @@ impl<const EXACT: bool, const D: usize> Rows for Three<'_, EXACT, D> {
     }
 }
 
-/// Out of line, and not through memory: it is seldom needed.
+/// The turn of three vertices; out of line because it is rarely needed.
 #[cold]
 #[inline(never)]
 fn turn(exact: &Exact, plane: Plane, p: Vertex, q: Vertex, r: Vertex) -> Sign {
@@ -339,8 +344,9 @@ impl<const EXACT: bool> Rows for Four<'_, EXACT> {
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// What the lift is about, and whether that is a vertex. Only the first row can be an origin: no other vertex has moved. One that is no vertex
-/// may be anywhere.
+/// The origin of the lift, and true if that is a vertex.
+///
+/// Only the first row can be an origin: no other vertex has moved. An origin that is not a vertex may be anywhere.
 #[inline(always)]
 fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> (Struck, bool) {
     match lift.about[column] {
@@ -349,7 +355,7 @@ fn struck<const D: usize>(lift: Lift, column: usize, first: &[f64; D]) -> (Struc
     }
 }
 
-/// The two vertices that come after the smallest one when three are turned around; none if that one comes twice.
+/// The two vertices that follow the smallest one in cyclic order; `None` if the smallest occurs twice.
 #[inline(always)]
 fn after_smallest([a, b, c]: [Vertex; 3]) -> Option<[Vertex; 2]> {
     let is_second = b < a;
@@ -361,8 +367,7 @@ fn after_smallest([a, b, c]: [Vertex; 3]) -> Option<[Vertex; 2]> {
     ((smallest != p) & (smallest != q)).then_some([p, q])
 }
 
-/// The vertices with the smallest one first, by an even permutation; none if it
-/// comes twice.
+/// The vertices with the smallest one first, by an even permutation; `None` if the smallest occurs twice.
 #[inline(always)]
 fn smallest_first<const N: usize>(mut vertices: [Vertex; N]) -> Option<[Vertex; N]> {
     let (mut odd, mut unique) = (false, true);
@@ -378,10 +383,13 @@ fn smallest_first<const N: usize>(mut vertices: [Vertex; N]) -> Option<[Vertex; 
     unique.then_some(vertices)
 }
 
-/// What a leading term says: nothing if it is zero, else the answer, or its place where it is left open or is none of them.
+/// The result of a leading term.
+///
+/// It continues if the term is zero. Otherwise it breaks with the answer, or with the term's place if the term remains
+/// open or is not a leading term.
 type Said = ControlFlow<Result<(Sign, usize), usize>>;
 
-/// The first of the leading terms that is not zero, or the place where the rest of the list has to go on.
+/// The first nonzero leading term, or the place where the rest of the list must continue.
 #[inline(always)]
 fn first<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Result<(Sign, usize), usize> {
     match step::<SCHEME, KIND, 0>(rows) {
@@ -390,7 +398,7 @@ fn first<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Result<(Sig
     }
 }
 
-/// No predicate has more than four.
+/// The result of the leading terms after the first; no predicate has more than four.
 #[cold]
 #[inline(never)]
 fn others<const SCHEME: usize, const KIND: usize>(rows: impl Rows) -> Result<(Sign, usize), usize> {
@@ -413,8 +421,7 @@ fn step<const SCHEME: usize, const KIND: usize, const PLACE: usize>(rows: impl R
     }
 }
 
-/// The term at this place, if only the first vertex moves in it and its
-/// coefficient is a minor of all other rows.
+/// The term at this place, if only the first vertex moves in it and its coefficient is a minor of all other rows.
 pub(crate) const fn leading(terms: &'static [Term], place: usize) -> Option<Term> {
     if place >= terms.len() {
         return None;
@@ -431,10 +438,10 @@ mod tests {
     use super::*;
     use crate::definition::coefficient;
 
-    /// In general position, so that no minor of theirs is zero or nearly.
+    /// Points in general position, so that their minors are clearly nonzero.
     const POINTS: [[f64; 3]; 5] = [[1.0, 7.0, 2.0], [9.0, 3.0, 5.0], [4.0, 2.0, 8.0], [6.0, 5.0, 1.0], [3.0, 8.0, 6.0]];
 
-    /// Every leading term of a list, as its rows decide it and by definition; how many there are.
+    /// Compares every leading term of a list, as its rows decide it, with its definition; returns their number.
     fn check<const D: usize>(kind: PredicateKind, rows: impl Rows, points: &[[f64; D]]) -> usize {
         let lists = Scheme::ALL.map(|scheme| scheme.terms(kind));
         let terms = lists.iter().flat_map(|&terms| (0..4).map_while(|place| leading(terms, place)));
@@ -444,7 +451,7 @@ mod tests {
 
     #[test]
     fn leading_terms_of_general_position_are_decided_where_they_are() {
-        // Where doubles make no error, where they do, and far away from 1.
+        // With doubles that make no error, with doubles that do, and far away from 1.
         for unit in [1.0, 0.1, f64::from_bits((1023 + 60) << 52)] {
             let solid = POINTS.map(|point| point.map(|x| x * unit));
             let flat = solid.map(|[x, y, _]| [x, y]);

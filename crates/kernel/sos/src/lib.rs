@@ -1,20 +1,17 @@
-//! Simulation of Simplicity: every vertex moves by an infinitesimal of its own,
-//! and no determinant of distinct vertices is zero any more.
+//! Simulation of Simplicity: every vertex moves by a separate infinitesimal, so no determinant of distinct vertices is
+//! zero.
 //!
-//! The exact backend answers first; only when it says zero does the
-//! perturbation have to be looked at. Then the vertices are sorted by their
-//! *identity* (the index in the scene, never the place in the argument list),
-//! and the terms of the perturbed determinant are evaluated from the largest
-//! infinitesimal down until one is not zero. All answers about a scene are
-//! those of one and the same moved scene, so they can't contradict each other.
+//! The exact backend answers first; only if it answers zero, the perturbation is evaluated. Then the vertices are
+//! sorted by their *identity* (the index in the scene, never the place in the argument list), and the terms of the
+//! perturbed determinant are evaluated from the largest infinitesimal down until one is not zero. All answers about a
+//! scene are those of one and the same moved scene, so they can't contradict each other.
 //!
-//! * [`Scheme`]: which infinitesimal moves which coordinate.
+//! * [`Scheme`]: the infinitesimal of each coordinate.
 //! * [`Sos`], [`Session`]: the backend; [`PerMesh`]: a backend that moves one of two meshes as a whole.
-//! * [`mod@derive`]: the program that finds the terms; its output is what
-//!   [`Scheme::terms`] returns. [`Term`]: one of them, as data.
-//! * [`ties`]: sorting and evaluating, open for experiments and planted faults.
-//! * [`infinitesimal`]: the same answers by explicit polynomials in ε, sharing
-//!   nothing with the terms: the judge.
+//! * [`mod@derive`]: the program that derives the terms; [`Scheme::terms`] returns its output. [`Term`]: one term, as
+//!   data.
+//! * [`ties`]: sorting and evaluating, public for experiments and planted faults.
+//! * [`infinitesimal`]: the same answers by explicit polynomials in ε, independent of the terms: the judge.
 
 mod backend;
 mod batch;

@@ -1,10 +1,9 @@
 //! Minors with a lift column, by a filter or in integers.
 //!
-//! Coordinates over a common power of two are integers, the lift shrinks by
-//! that power squared, and the minor keeps its sign. Where the vertices of a
-//! query span 61 bits, the origin among them, the integers are those of a
-//! machine, and nothing is allocated; else they are as long as they have to be.
-//! Only ties that the exact backend could not see through get here.
+//! Coordinates over a common power of two are integers, the lift shrinks by that power squared, and the minor keeps its
+//! sign. If the vertices of a query, including the origin, span 61 bits, machine integers suffice, and nothing is
+//! allocated; otherwise the integers have any length. Only ties that the exact backend could not resolve by doubles get
+//! here.
 
 use std::cell::OnceCell;
 
@@ -16,11 +15,11 @@ use crate::Lift;
 use crate::filter::{self, Struck};
 use crate::short::{self, sign};
 
-/// The most vertices and axes that a predicate takes.
+/// The maximum number of vertices of a predicate, and of axes.
 pub(crate) const PLACES: usize = 5;
 const AXES: usize = 3;
 
-/// The vertices of a query, read as soon as a lifted minor is asked for.
+/// The vertices of a query, read when a lifted minor is first needed.
 pub(crate) struct Lifted<'a> {
     scene: &'a Scene,
     axes: &'a [Axis],
@@ -29,7 +28,7 @@ pub(crate) struct Lifted<'a> {
     integers: OnceCell<Integers>,
 }
 
-/// With one more than there can be: the origin.
+/// The points, with one more than the maximum: the origin.
 type Points = [[f64; AXES]; PLACES + 1];
 
 enum Integers {
@@ -43,9 +42,9 @@ impl<'a> Lifted<'a> {
         Lifted { scene, axes, sorted, points: OnceCell::new(), integers: OnceCell::new() }
     }
 
-    /// The sign of the determinant with one row for each of `rows`: the
-    /// coordinates along `columns`, the lift, and 1. Rows are places among the
-    /// sorted vertices, columns are places among the axes.
+    /// The sign of the determinant with one row for each of `rows`: the coordinates along `columns`, the lift, and 1.
+    ///
+    /// Rows are places among the sorted vertices, columns are places among the axes.
     pub fn sign(&self, rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
         let points = self.points.get_or_init(|| self.read());
         if let Some(sign) = self.quick(points, rows, columns, lift) {
@@ -68,7 +67,7 @@ impl<'a> Lifted<'a> {
         points
     }
 
-    /// The sign, if one column was struck and the query is an ordinary one.
+    /// The sign, if exactly one column was struck and the filter or short integers decide.
     fn quick(&self, points: &Points, rows: &[u8], columns: &[u8], lift: Lift) -> Option<Sign> {
         let at = |row: u8| &points[usize::from(row)];
         let struck = |column: usize| {
@@ -98,8 +97,9 @@ fn long(points: Points) -> Integers {
     Integers::Long(Box::new(scaled.integers))
 }
 
-/// With coordinates less than M = 2^61: entries of differences are less than
-/// 2M = 2^62, those of the lift less than 3·(2M)² < 2^126, and determinants less
+/// The sign in integers of a fixed size, for coordinates less than M = 2^61.
+///
+/// Entries of differences are less than 2M = 2^62, those of the lift less than 3·(2M)² < 2^126, and determinants less
 /// than 6 · 2^62 · 2^62 · 2^127 < 2^254.
 fn short_sign(points: &[[Fixed<1>; AXES]; PLACES + 1], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
     let last = rows[rows.len() - 1];
@@ -160,7 +160,7 @@ fn long_sign(points: &[[Integer; AXES]; PLACES], rows: &[u8], columns: &[u8], li
     Sign::from(determinant(&matrix, &mut Vec::from_iter(0..last.len())).cmp0())
 }
 
-/// The determinant of `rows` restricted to `columns`, along the first row.
+/// The determinant of `rows` restricted to `columns`, expanded along the first row.
 fn determinant(rows: &[Vec<Integer>], columns: &mut Vec<usize>) -> Integer {
     let Some((first, rest)) = rows.split_first() else {
         return Integer::from(1);
@@ -187,13 +187,13 @@ mod tests {
 
     use super::*;
 
-    /// An integer below n, by the place in a sequence that has no pattern.
+    /// A pseudo-random integer below n, by the place in a sequence.
     fn digit(at: usize, n: i32) -> i32 {
         let mixed = u64::try_from(at).unwrap().wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         i32::try_from((mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 40 & 0xffff).unwrap() % n
     }
 
-    /// The determinant of a square matrix along its first row.
+    /// The determinant of a square matrix, expanded along its first row.
     fn expanded(matrix: &[Vec<i128>]) -> i128 {
         let Some((first, rest)) = matrix.split_first() else { return 1 };
         let minor = |without: usize| {
@@ -203,7 +203,7 @@ mod tests {
         (0..first.len()).map(|at| first[at] * minor(at) * if at.is_multiple_of(2) { 1 } else { -1 }).sum()
     }
 
-    /// The minor as its definition has it: coordinates, the lift, and 1.
+    /// The sign of the minor by definition: coordinates, the lift, and 1.
     fn defined(points: &[[i128; 3]], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
         let row = |&row: &u8| -> Vec<i128> {
             let point = points[usize::from(row)];
@@ -216,7 +216,7 @@ mod tests {
         Sign::from(value.cmp(&0))
     }
 
-    /// What each of the ways finds, and how often doubles decide.
+    /// Compares the results of all methods, and counts how often doubles decide.
     fn ways(dimension: Dimension, size: i32, unit: f64) -> [usize; 4] {
         let axes: &[Axis] =
             if dimension == Dimension::Two { &[Axis::X, Axis::Y] } else { &[Axis::X, Axis::Y, Axis::Z] };
@@ -279,7 +279,7 @@ mod tests {
             for (size, unit) in [(2, 1.0), (2, 0.25), (2000, 1.0), (2000, f64::from_bits((1023 + 300) << 52))] {
                 let [short, quickly, zeros, all] = ways(dimension, size, unit);
                 assert_eq!(short, all, "integers of a machine suffice");
-                // Those that lack one column are three of five, or of six; nearly all of these are quick.
+                // Minors that lack one column are three of five, or of six; nearly all of these are quick.
                 let quick = 390 * quick..=400 * quick;
                 assert!(quick.contains(&quickly), "{quickly} of {all} in {dimension:?}, size {size}, by {unit:e}");
                 assert!(size > 2 || zeros > 100, "{zeros} zeros");

@@ -1,13 +1,12 @@
 //! A perturbation that moves one of two meshes as a whole.
 //!
-//! PinMesh and 3D-EPUG-Overlay (Magalhães, Franklin and Andrade) move one of
-//! their meshes by (ε, ε², ε³) and leave the other in place: nothing between the
-//! two is degenerate then, and each keeps its own coplanar faces, as it is
-//! moved as a whole. Ties within one mesh are not broken.
+//! PinMesh and 3D-EPUG-Overlay (Magalhães, Franklin and Andrade) move one of their meshes by (ε, ε², ε³) and leave the
+//! other in place. Then nothing between the two is degenerate, and each keeps its own coplanar faces, as it is moved as
+//! a whole. Ties within one mesh are not broken.
 //!
-//! The determinants are polynomials in one ε, exact ones, so nothing here is
-//! searched for or believed. In ε³ = ε · ε² infinitesimals collide; their coefficients add up. Where one input vertex of
-//! the one mesh meets those of the other, the polynomial is linear: see `shift.rs`.
+//! The determinants are exact polynomials in one ε, so there is no search and no guess. In ε³ = ε · ε² infinitesimals
+//! collide; their coefficients add up. If one input vertex of one mesh meets those of the other, the polynomial is
+//! linear: see `shift.rs`.
 
 use predicament_exact::Exact;
 use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
@@ -21,14 +20,14 @@ use crate::shift::{self, PlaneTies};
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
 ///
-/// Zero is answered where a determinant is zero however far the mesh moves: about vertices of one mesh,
-/// and about directions that both have. Scenes without [two meshes](Scene::with_second_mesh) are declined.
+/// The answer is zero if a determinant is zero however far the mesh moves: about vertices of one mesh, and about
+/// directions that both meshes have. The backend declines scenes without [two meshes](Scene::with_second_mesh).
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
 pub struct PerMesh;
 
 const EXACT: usize = predicament_exact::stage::NAMES.len();
 
-/// The exact backend's stages, then the power of ε that decides.
+/// The exact backend's stages, then the deciding power of ε.
 static STAGES: [&str; EXACT + 5] = {
     const POWERS: [&str; 5] = ["power 1", "power 2", "power 3", "power 4", "power 5 or more"];
     let mut all = [""; EXACT + 5];
@@ -42,7 +41,9 @@ static STAGES: [&str; EXACT + 5] = {
 
 const _: () = assert!(EXACT + 5 <= MAX_STAGES);
 
-/// The stage of an answer about points of lines and planes by the power of ε that decides: 0 where the exact backend would have.
+/// The stage of an answer about points of lines and planes, by the deciding power of ε.
+///
+/// Power 0 means that the exact backend would have decided.
 fn stage_of(power: usize) -> usize {
     if power == 0 { CONSTRUCTED } else { EXACT + power.min(5) - 1 }
 }
@@ -93,7 +94,7 @@ impl<T: Tally> Session<'_, T> {
         sign
     }
 
-    /// About constructed vertices, what the exact backend's filter leaves open.
+    /// Answers a query about constructed vertices that the exact backend's filter leaves open.
     #[inline(never)]
     fn settle_constructed<const N: usize>(
         &self,
@@ -111,7 +112,7 @@ impl<T: Tally> Session<'_, T> {
         sign
     }
 
-    /// Which vertices move; there are some.
+    /// For each vertex, true if it moves; some do.
     fn second(&self) -> &[bool] {
         self.exact.scene().second_mesh().unwrap_or_default()
     }
@@ -141,7 +142,7 @@ impl<T: Tally> Session<'_, T> {
     #[cold]
     #[inline(never)]
     fn tie<const N: usize>(&self, question: Question, args: [Vertex; N], exact_stage: impl FnOnce() -> usize) -> Sign {
-        // Between input vertices most ties are a derivative away; all others take polynomials.
+        // Between input vertices a derivative breaks most ties; all others need polynomials.
         let shifted = match (question, &args[..]) {
             (Question::Compare(axis), &[a, b]) => shift::compare(&self.exact, axis, [a, b]),
             (Question::Orient2d(plane), &[a, b, c]) => shift::orient2d(&self.exact, plane, [a, b, c]),
@@ -152,7 +153,7 @@ impl<T: Tally> Session<'_, T> {
         self.broken(question.kind(), decided, exact_stage)
     }
 
-    /// Tallies a tie: by the power that decides, or by the exact backend's stage.
+    /// Tallies a tie: by the deciding power, or by the exact backend's stage.
     fn broken(&self, kind: PredicateKind, decided: Option<(Sign, usize)>, exact_stage: impl FnOnce() -> usize) -> Sign {
         if let Some((sign, power)) = decided {
             self.tally.settled(kind, stage_of(power.max(1)));
@@ -164,8 +165,9 @@ impl<T: Tally> Session<'_, T> {
         Sign::Zero
     }
 
-    /// What the exact backend's first filter leaves open. Where vertices of the two meshes are at one place, nothing has to be computed
-    /// to see that it is a tie.
+    /// Answers a query that the exact backend's first filter leaves open.
+    ///
+    /// If vertices of the two meshes coincide, it is a tie without any computation.
     #[cold]
     #[inline(never)]
     fn next_orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
@@ -221,7 +223,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn orient3d_plane(&self, plane: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
         let [a, b, c] = plane;
         if T::LISTENS {
-            // Which of the exact backend's stages settled a query is known only where it is asked alone.
+            // Only single queries tell which of the exact backend's stages settled them.
             return points.iter().zip(out).for_each(|(&d, out)| *out = self.orient3d(a, b, c, d));
         }
         self.exact.orient3d_plane(plane, points, out);

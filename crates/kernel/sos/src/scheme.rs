@@ -1,40 +1,36 @@
-//! Which infinitesimal moves which coordinate.
+//! The perturbation schemes: the infinitesimal of each coordinate.
 
 use predicament_predicates::PredicateKind;
 
 use crate::{Term, tables};
 
-/// A perturbation scheme: a total order of infinitesimals over the coordinates
-/// of a scene.
+/// A perturbation scheme: a total order of infinitesimals over the coordinates of a scene.
 ///
-/// Both schemes make a vertex with a smaller index move further, and differ
-/// within a vertex and in how they treat the lifted predicates. A scheme is a
-/// value, so two schemes can be compared in one run.
+/// In both schemes a vertex with a smaller index moves further. The schemes differ within a vertex and in their
+/// treatment of the lifted predicates. A scheme is a value, so two schemes can be compared in one run.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub enum Scheme {
-    /// Coordinate number i of the scene (2k, 2k+1 or 3k, 3k+1, 3k+2 for vertex
-    /// k) moves by ε^(3^i): x is the strongest coordinate of a vertex. The
-    /// points are really moved, so `incircle` and `insphere` lift the moved
-    /// points.
+    /// Coordinate number i of the scene (2k, 2k+1 or 3k, 3k+1, 3k+2 for vertex k) moves by ε^(3^i).
     ///
-    /// Franklin and Magalhães write ε^(2^i), which serves multilinear
-    /// determinants only. A lifted determinant is quadratic in each coordinate,
-    /// and (ε^(2^i))² is the next coordinate's infinitesimal: monomials
-    /// collide. In base 3 they can't, as the exponents' digits are the degrees
-    /// 0, 1 and 2 of the coordinates. A multilinear determinant has the digits
-    /// 0 and 1 only; in both bases its monomials are then ordered
-    /// lexicographically from the highest coordinate down, so both bases give
-    /// the same signs. One base therefore serves all five predicates.
+    /// So x is the strongest coordinate of a vertex. The points are really moved, so `incircle` and `insphere` lift the
+    /// moved points.
+    ///
+    /// Franklin and Magalhães write ε^(2^i), which works for multilinear determinants only. A lifted determinant is
+    /// quadratic in each coordinate, and (ε^(2^i))² is the next coordinate's infinitesimal: monomials collide. In base
+    /// 3 they can't, as the exponents' digits are the degrees 0, 1 and 2 of the coordinates. A multilinear determinant
+    /// has the digits 0 and 1 only; in both bases its monomials are then ordered lexicographically from the highest
+    /// coordinate down, so both bases give the same signs. One base therefore serves all five predicates.
     #[default]
     PerCoordinate,
-    /// Edelsbrunner and Mücke (ACM Transactions on Graphics 9(1), 1990):
-    /// coordinate j = 1…δ of vertex i moves by ε^(2^(iδ − j)), so the *last*
-    /// coordinate of a vertex is its strongest. In `incircle` and `insphere`
-    /// the lifted coordinate is coordinate number d + 1 and moves on its own,
-    /// as the strongest of its vertex: every predicate stays multilinear.
+    /// Coordinate j = 1…δ of vertex i moves by ε^(2^(iδ − j)) (Edelsbrunner and Mücke, ACM Transactions on Graphics
+    /// 9(1), 1990).
     ///
-    /// δ is the same for all predicates of a scene, but its value is of no
-    /// matter: only the order of the exponents decides.
+    /// So the *last* coordinate of a vertex is its strongest. In `incircle` and `insphere` the lifted coordinate is
+    /// coordinate number d + 1 and moves independently, as the strongest of its vertex: every predicate stays
+    /// multilinear.
+    ///
+    /// δ is the same for all predicates of a scene, but its value does not matter: only the order of the exponents
+    /// decides.
     EdelsbrunnerMucke,
 }
 
@@ -42,7 +38,7 @@ impl Scheme {
     /// Both schemes.
     pub const ALL: [Scheme; 2] = [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke];
 
-    /// The name in parameters and files.
+    /// The scheme's name in parameters and files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -51,9 +47,9 @@ impl Scheme {
         }
     }
 
-    /// The terms that break a tie of this predicate, the largest first. The
-    /// unperturbed determinant is not among them; the last term is a constant,
-    /// so the list always decides.
+    /// The terms that break a tie of this predicate, the largest first.
+    ///
+    /// The unperturbed determinant is not among them. The last term is a constant, so the list always decides.
     #[must_use]
     pub const fn terms(self, kind: PredicateKind) -> &'static [Term] {
         match (self, kind) {

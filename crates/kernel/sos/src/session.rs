@@ -1,4 +1,4 @@
-//! The backend's session: what a [`Breaker`] finds, tallied.
+//! The backend's session: the results of a [`Breaker`], tallied.
 
 use predicament_exact::{Exact, stage::COMPARE};
 use predicament_predicates::{
@@ -24,7 +24,7 @@ impl<'s, T: Tally> Session<'s, T> {
         sign
     }
 
-    /// An answer: the exact backend's, or that of the tie if it is one.
+    /// The exact backend's answer, or that of the tie if it is zero.
     #[inline(always)]
     fn settle(&self, kind: PredicateKind, exact: (Sign, usize), tie: impl FnOnce() -> (Sign, usize)) -> Sign {
         if !exact.0.is_zero() {
@@ -36,7 +36,9 @@ impl<'s, T: Tally> Session<'s, T> {
         }
     }
 
-    /// Which of the exact backend's stages settled a query is known only where it is asked alone.
+    /// Answers a batch, one by one if a tally listens.
+    ///
+    /// Only single queries tell which of the exact backend's stages settled them.
     #[inline(always)]
     fn batch<Q>(
         &self,
@@ -67,7 +69,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
         Some(&Exact)
     }
 
-    /// Circles and spheres are those of input vertices.
+    /// Circles and spheres take input vertices only.
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         let scene = self.scene();
         if matches!(kind, PredicateKind::Incircle | PredicateKind::Insphere) && !scene.constructions().is_empty() {
@@ -82,7 +84,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
         let (Some(x), Some(y)) = (points.coordinate(axis, a), points.coordinate(axis, b)) else {
             return self.tallied(kind, self.breaker.compare_constructed(axis, a, b));
         };
-        // What is not equal has one of two orders, for which the exact backend has to look twice.
+        // Unequal coordinates have one of two orders; the exact backend would need two comparisons.
         if x != y {
             return self.tallied(kind, (if x > y { Sign::Positive } else { Sign::Negative }, COMPARE));
         }

@@ -1,10 +1,11 @@
-//! Ties between input vertices of two meshes, of which one has moved as a whole: by the determinant's derivatives.
+//! Ties between input vertices of two meshes, of which one has moved as a whole, by the determinant's derivatives.
 //!
-//! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all others is that of
-//! the one by the opposite. So with one vertex of the one mesh and the rest of the other, the tie is broken by the first
-//! derivative that is not zero: with δ = (ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are differences of
-//! coordinates, those of `orient3d` are `orient2d` of the other three vertices. With p, q of the one mesh and u, v of the other,
-//! det(p − v, q − v, u − v) changes by δ · ((q − p) × (v − u)) as u and v move by δ, and by nothing more.
+//! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all
+//! others equals the opposite translation of that one. So with one vertex of one mesh and the rest of the other, the
+//! first nonzero derivative breaks the tie: with δ = (ε, ε², ε³), by x, y, z in turn. Derivatives of `orient2d` are
+//! differences of coordinates, those of `orient3d` are `orient2d` of the other three vertices. With p, q of one mesh
+//! and u, v of the other, det(p − v, q − v, u − v) changes by δ · ((q − p) × (v − u)) as u and v move by δ, and by
+//! nothing more.
 
 use predicament_predicates::{Axis, Off, Plane, Predicates, Scene, Sign, Vertex};
 
@@ -12,11 +13,12 @@ use crate::crossed;
 
 type Exact<'s> = predicament_exact::Session<'s, Off>;
 
-/// The sign after the move and the power of ε that decides, or that it is zero however far the mesh moves; none where this
-/// is not the way to find it.
+/// The sign after the move and the deciding power of ε.
+///
+/// The inner `None`: zero however far the mesh moves. The outer `None`: this method does not apply.
 pub(crate) type Shifted = Option<Option<(Sign, usize)>>;
 
-/// Which of N vertices move, a bit for each; none where one is constructed.
+/// A bit mask of the N vertices that move; `None` if one is constructed.
 #[inline(always)]
 fn moving<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<u32> {
     let second = exact.scene().second_mesh()?;
@@ -28,8 +30,9 @@ fn moving<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<u32> {
     Some(moving)
 }
 
-/// The one of N vertices that is of another mesh than the rest, and the sign of its move relative to them. The outer none stands
-/// for two and two, the inner one for vertices of one mesh.
+/// The one of N vertices that is of another mesh than the rest, and the sign of its move relative to them.
+///
+/// The outer `None` stands for two and two, the inner one for vertices of one mesh.
 #[inline(always)]
 fn odd_one<const N: usize>(exact: &Exact, args: [Vertex; N]) -> Option<Option<(usize, Sign)>> {
     let moving = moving(exact, args)?;
@@ -50,7 +53,7 @@ pub(crate) fn compare(exact: &Exact, axis: Axis, args: [Vertex; 2]) -> Shifted {
 /// Breaks a tie of `orient2d`.
 pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifted {
     let Some((at, moves)) = odd_one(exact, args)? else { return Some(None) };
-    // Turned until the odd one comes last.
+    // Rotated until the odd one comes last.
     let [a, b] = [args[(at + 1) % 3], args[(at + 2) % 3]];
     let [i, j] = plane.axes();
     let order = |axis: Axis, u: Vertex, v: Vertex| {
@@ -69,7 +72,8 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
     Some(first.map(|(axis, sign)| (sign * moves, axis.index() + 1)))
 }
 
-/// Whether two of some input vertices are at one place in a scene in space: of the two meshes, if they are not one vertex.
+/// Returns true if two input vertices of a scene in space coincide: two of different meshes, if they are distinct
+/// vertices.
 pub(crate) fn has_twins(scene: &Scene, [a, b, c, d]: [Vertex; 4]) -> bool {
     let points = scene.coordinates().as_chunks::<3>().0;
     let at = |v: Vertex| points.get(v.index());
@@ -78,16 +82,17 @@ pub(crate) fn has_twins(scene: &Scene, [a, b, c, d]: [Vertex; 4]) -> bool {
     is_one(a, b) | is_one(a, c) | is_one(a, d) | is_one(b, c) | is_one(b, d) | is_one(c, d)
 }
 
-/// The sign of `orient3d` after the move, and the power that decides, for all points of a plane of input vertices of one mesh that are
-/// input vertices of the other: the first component of the normal that is not zero, as all of them move alike.
+/// The sign of `orient3d` after the move, and the deciding power, for points of one mesh in a plane of the other.
+///
+/// All are input vertices. All points move alike, so the first nonzero component of the plane's normal decides.
 pub(crate) struct PlaneTies {
-    /// Whether the plane moves.
+    /// True if the plane moves.
     moves: bool,
     first: Option<(Sign, usize)>,
 }
 
 impl PlaneTies {
-    /// None where the plane has constructed vertices, or some of both meshes.
+    /// The ties of a plane; `None` if it has constructed vertices, or vertices of both meshes.
     pub(crate) fn new(exact: &Exact, [a, b, c]: [Vertex; 3]) -> Option<PlaneTies> {
         let second = exact.scene().second_mesh()?;
         if [a, b, c].iter().any(|v| v.is_constructed()) {
@@ -100,7 +105,7 @@ impl PlaneTies {
         Some(PlaneTies { moves, first: normal(exact, [a, b, c]) })
     }
 
-    /// The tie of an input vertex; the inner none stands for one that no move breaks.
+    /// The tie of an input vertex; the inner `None` stands for a tie that no move breaks.
     pub(crate) fn of(&self, exact: &Exact, d: Vertex) -> Shifted {
         if d.is_constructed() {
             return None;
@@ -109,13 +114,13 @@ impl PlaneTies {
         if moves == self.moves {
             return Some(None);
         }
-        // The derivative by the last vertex is the normal's opposite.
+        // The derivative by the last vertex is the negated normal.
         let sign = if moves { Sign::Negative } else { Sign::Positive };
         Some(self.first.map(|(first, power)| (first * sign, power)))
     }
 }
 
-/// The first component of a plane's normal that is not zero, and the power of ε by which a move along that axis is multiplied.
+/// The first nonzero component of a plane's normal, and the power of ε of a move along that axis.
 fn normal(exact: &Exact, [a, b, c]: [Vertex; 3]) -> Option<(Sign, usize)> {
     let mut planes = [Plane::Yz, Plane::Zx, Plane::Xy].into_iter().zip(1..);
     planes.find_map(|(plane, power)| {
@@ -133,7 +138,7 @@ pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
         return Some(None);
     };
     let [mut a, mut b, mut c, d] = args;
-    // Exchanged with the last, which turns the sign over, as does the derivative by the last.
+    // Exchanged with the last, which changes the sign, as does the derivative by the last.
     let sign = if at == 3 { -moves } else { moves };
     match at {
         0 => a = d,
@@ -144,10 +149,10 @@ pub(crate) fn orient3d(exact: &Exact, args: [Vertex; 4]) -> Shifted {
     Some(normal(exact, [a, b, c]).map(|(derivative, power)| (derivative * sign, power)))
 }
 
-/// Breaks a tie of `orient3d` about two vertices of either mesh.
+/// Breaks a tie of `orient3d` about two vertices of each mesh.
 fn two_and_two(exact: &Exact, args: [Vertex; 4]) -> Shifted {
     let [a, b, c, d] = args;
-    // Those that stay first: an even permutation of the arguments, or an odd one.
+    // The vertices that stay first: an even permutation of the arguments, or an odd one.
     let (stay, move_, is_even) = match moving(exact, args)? {
         0b1100 => ([a, b], [c, d], true),
         0b0011 => ([c, d], [a, b], true),
@@ -175,7 +180,7 @@ mod tests {
         at.map(Vertex::input)
     }
 
-    /// Six points, of which the last three are of the second mesh: the corners of a triangle, and of the same one again.
+    /// Six points, of which the last three are of the second mesh: the corners of a triangle, twice.
     fn twice() -> Scene {
         let triangle = [0.0, 0.0, 0.0, 4.0, 1.0, 0.0, 1.0, 4.0, 0.0];
         let scene = Scene::new(Dimension::Three, [triangle, triangle].concat()).unwrap();
@@ -211,7 +216,9 @@ mod tests {
         all.filter(|args| (0..N).all(|at| !args[..at].contains(&args[at])))
     }
 
-    /// All predicates are linear in the move, so a tie is broken as by a move of 1, along the first axis along which that breaks it.
+    /// All predicates are linear in the move.
+    ///
+    /// So a tie is broken as by a move of 1, along the first axis along which that breaks it.
     #[test]
     fn ties_are_broken_as_by_a_move_of_a_whole_unit() {
         let mut seen = [[0; 4]; 3];
@@ -257,7 +264,7 @@ mod tests {
         }
     }
 
-    /// What is asked of many points about one plane is what is asked of each.
+    /// The batch about one plane gives the same signs as its single queries.
     #[test]
     fn a_plane_breaks_ties_as_its_vertices_do() {
         let mut ties = 0;
@@ -311,7 +318,7 @@ mod tests {
     fn derivatives_break_ties_of_one_and_three_and_of_two_and_two() {
         let scene = twice();
         let exact = Backend.prepare(&scene, Off).unwrap();
-        // All in one plane, so that only a move along z is seen: by the third power.
+        // All in one plane, so that only a move along z has an effect: by the third power.
         let breaks = |args| orient3d(&exact, vertices(args));
         assert_eq!(breaks([0, 1, 2, 3]), Some(Some((Sign::Negative, 3))));
         assert_eq!(breaks([3, 4, 5, 0]), Some(Some((Sign::Positive, 3))));

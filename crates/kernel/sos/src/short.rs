@@ -1,21 +1,18 @@
 //! Minors with a lift column in integers of one limb.
 //!
-//! Where the filter gives up, a minor is zero, as a rule: the vertex moves along
-//! the circle or sphere, or the others are degenerate among themselves. Then
-//! this is the cheapest proof. It is the filter's formula, in differences to
-//! the last row, the origin's among them, in units of some power of two.
+//! If the filter gives up, a minor is usually zero: the vertex moves along the circle or sphere, or the others are
+//! degenerate among themselves. Then this is the cheapest proof. It is the filter's formula, in differences to the last
+//! row, including the origin's, in units of some power of two.
 //!
-//! With differences less than M = 2^61 in magnitude: t = (x − x′) − 2(o − x′) is
-//! less than 3M < 2^63, a lift less than 5M² < 2^125, a minor in the plane less
-//! than 8M³ < 2^187, and one in space less than 3 · 2M² · 5M² < 2^249.
+//! With differences less than M = 2^61 in magnitude: t = (x − x′) − 2(o − x′) is less than 3M < 2^63, a lift less than
+//! 5M² < 2^125, a minor in the plane less than 8M³ < 2^187, and one in space less than 3 · 2M² · 5M² < 2^249.
 
 use predicament_arithmetic::{Fixed, short_rows};
 use predicament_predicates::Sign;
 
 use crate::filter::Struck;
 
-/// The sign of the minor of three points with one coordinate, the lift and 1,
-/// if a limb is enough.
+/// The sign of the minor of three points with one coordinate, the lift and 1; `None` if one limb is not enough.
 #[cold]
 #[inline(never)]
 pub(crate) fn flat<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, struck: Struck) -> Option<Sign> {
@@ -27,8 +24,7 @@ pub(crate) fn flat<const D: usize>([p, q, r]: [&[f64; D]; 3], column: usize, str
     Some(sign(left.minus(p_lift.times(q))))
 }
 
-/// The sign of the minor of four points with two coordinates, the lift and 1,
-/// if a limb is enough.
+/// The sign of the minor of four points with two coordinates, the lift and 1; `None` if one limb is not enough.
 #[cold]
 #[inline(never)]
 pub(crate) fn solid([p, q, r, s]: [&[f64; 3]; 4], columns: [usize; 2], struck: Struck) -> Option<Sign> {

@@ -1,19 +1,20 @@
-//! The names of the stages that settle queries: the exact backend's, those of
-//! constructed vertices, then one for each term.
+//! The names of the stages that settle queries: the exact backend's, those of constructed vertices, then one for each
+//! term.
 
 use predicament_exact::stage::NAMES as EXACT;
 use predicament_predicates::{MAX_STAGES, PredicateKind};
 
 use crate::Scheme;
 
-/// Ties about constructed vertices: the total degree of the monomial that decides.
+/// The stages of ties about constructed vertices: the total degree of the deciding monomial.
 const DEGREES: [&str; 4] = ["degree 1", "degree 2", "degree 3", "degree 4 or more"];
 
 /// The index of the stage of a table's first term.
 pub(crate) const FIRST_TERM: usize = EXACT.len() + DEGREES.len();
 
-/// The stage of a tie about constructed vertices. A constant decides where the
-/// exact determinant is of a point that is there after the move only.
+/// The stage of a tie about constructed vertices.
+///
+/// Degree 0, a constant, decides if the exact determinant is of a point that exists only after the move.
 pub(crate) fn of_degree(degree: usize) -> usize {
     EXACT.len() + degree.clamp(1, DEGREES.len()) - 1
 }
@@ -62,7 +63,7 @@ const fn longest(scheme: Scheme) -> usize {
     longest
 }
 
-// Every term has a stage of its own.
+// Every term has a separate stage.
 const _: () = assert!(FIRST_TERM + longest(Scheme::PerCoordinate) <= MAX_STAGES);
 const _: () = assert!(FIRST_TERM + longest(Scheme::EdelsbrunnerMucke) <= MAX_STAGES);
 

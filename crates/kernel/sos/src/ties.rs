@@ -1,10 +1,8 @@
-//! Breaking a tie by a term list.
+//! The breaking of a tie by a term list.
 //!
-//! These are the parts that [`Session`](crate::Session) is made of, open for
-//! experiments and planted faults: a table with one sign swapped, a sorting
-//! whose parity is dropped, or the arguments taken in the order in which they
-//! stand, as if positions were identities, each make a wrong backend out of
-//! the right pieces.
+//! [`Session`](crate::Session) uses these parts. They are public for experiments and planted faults. Three examples
+//! make a wrong backend from right parts: a table with one sign swapped, a sorting whose parity is dropped, and
+//! arguments in their given order, as if positions were identities.
 
 use predicament_predicates::{Axis, Plane, Predicates, Question, Scene, Sign, Vertex};
 
@@ -18,18 +16,20 @@ use crate::{
 pub struct Sorted<const N: usize> {
     /// The vertices, ascending.
     pub vertices: [Vertex; N],
-    /// The sign of the permutation that sorts them: a determinant of the
-    /// sorted rows times this is the determinant of the rows as given.
+    /// The sign of the permutation that sorts the vertices.
+    ///
+    /// A determinant of the sorted rows times this sign is the determinant of the rows as given.
     pub parity: Sign,
 }
 
 impl<const N: usize> Sorted<N> {
-    /// Sorts; none if a vertex comes twice. Two equal rows stay equal under
-    /// every perturbation, so the perturbed determinant is zero as well.
+    /// Sorts the vertices; `None` if a vertex occurs twice.
+    ///
+    /// Two equal rows stay equal under every perturbation, so the perturbed determinant is zero as well.
     #[inline]
     #[must_use]
     pub fn new(mut vertices: [Vertex; N]) -> Option<Sorted<N>> {
-        // Without branches: the order of arguments is as good as random.
+        // Without branches: the order of arguments is unpredictable.
         let mut odd = false;
         for end in (1..N).rev() {
             for i in 0..end {
@@ -45,14 +45,12 @@ impl<const N: usize> Sorted<N> {
     }
 }
 
-/// The first term that is not zero: its sign, and its place in `terms`.
+/// The first nonzero term: its sign, and its place in `terms`.
 ///
-/// `rows[k]` is the vertex that the terms call row k: for a right answer, the
-/// k-th smallest of distinct vertices. None if every term is zero, which can
-/// happen only for a list that has lost its last, constant term.
+/// `rows[k]` is the vertex that the terms call row k: for a right answer, the k-th smallest of distinct vertices.
+/// `None` if every term is zero, which can happen only for a list that has lost its last, constant term.
 ///
-/// `signs` must answer exactly; it evaluates the minors that are predicates of
-/// fewer dimensions.
+/// `signs` must answer exactly; it evaluates the minors that are predicates of fewer dimensions.
 ///
 /// # Panics
 /// If a term names a row or column that the question doesn't have.
@@ -68,8 +66,9 @@ pub fn decide<P: Predicates>(signs: &P, question: Question, terms: &[Term], rows
     Some((sign * orientation, place))
 }
 
-/// Which rows are equal, vertices apart: the commonest tie of all, and the
-/// reason why many terms are zero that need not be looked at then.
+/// Rows with equal coordinates: the most frequent tie.
+///
+/// Many terms are zero for that reason and need not be evaluated.
 struct Twins {
     /// For each row, the first one with the same coordinates.
     firsts: [u8; PLACES],
@@ -78,7 +77,7 @@ struct Twins {
 impl Twins {
     fn new(scene: &Scene, axes: &[Axis], rows: &[Vertex]) -> Twins {
         let mut firsts = [0, 1, 2, 3, 4];
-        // (A constructed vertex has no coordinates to look at.)
+        // (A constructed vertex has no coordinates to compare.)
         let are_equal = |a: Vertex, b: Vertex| {
             let is_input = !a.is_constructed() & !b.is_constructed();
             is_input && axes.iter().all(|&axis| scene.coordinate(axis, a) == scene.coordinate(axis, b))
@@ -91,7 +90,7 @@ impl Twins {
         Twins { firsts }
     }
 
-    /// Whether two of these rows are equal, so that every minor of them is zero.
+    /// Returns true if two of these rows are equal, so that every minor of them is zero.
     fn are_among(&self, rows: &[u8]) -> bool {
         let mut seen = 0_u8;
         rows.iter().any(|&row| {
@@ -103,8 +102,9 @@ impl Twins {
     }
 }
 
-/// The axes behind the columns, ascending as the tables have them, and the
-/// sign of bringing them into that order: zx is the mirror image of xz.
+/// The axes behind the columns, ascending as in the tables, and the sign of that permutation.
+///
+/// The plane zx is the mirror image of xz.
 fn columns(question: Question) -> (&'static [Axis], Sign) {
     match question {
         Question::Compare(Axis::X) => (&[Axis::X], Sign::Positive),
@@ -133,7 +133,7 @@ fn coefficient<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, rows: &[Ver
     term.sign * gap * minor
 }
 
-/// A minor of coordinates and ones is a predicate of a projection.
+/// The sign of a minor of coordinates and ones, which is a predicate of a projection.
 fn linear<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, vertex: impl Fn(u8) -> Vertex) -> Sign {
     match (term.rows, term.columns) {
         (&[_], &[]) => Sign::Positive,
@@ -149,8 +149,9 @@ fn linear<P: Predicates>(signs: &P, axes: &[Axis], term: &Term, vertex: impl Fn(
     }
 }
 
-/// The plane of two ascending axes, and the sign of the predicate there: zx is
-/// the mirror image of xz.
+/// The plane of two ascending axes, and the sign of the predicate there.
+///
+/// The plane zx is the mirror image of xz.
 #[inline(always)]
 pub(crate) const fn projection(x: Axis, y: Axis) -> Option<(Plane, Sign)> {
     match (x, y) {
@@ -169,7 +170,7 @@ mod tests {
 
     #[test]
     fn rows_with_the_coordinates_of_another_are_twins() {
-        // Rows 0 and 2 are at one place, and so are 1, 3 and 4.
+        // Rows 0 and 2 coincide, and so do 1, 3 and 4.
         let points = vec![1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 4.0, 3.0, 4.0, 1.0, 4.0];
         let scene = Scene::new(Dimension::Two, points).unwrap();
         let twins = |axes: &[Axis], rows: &[usize]| {
@@ -190,11 +191,11 @@ mod tests {
         ] {
             assert_eq!(all.are_among(rows), are, "{rows:?}");
         }
-        // One coordinate in common is not enough, unless the other is not looked at.
+        // One coordinate in common is not enough, unless the other is ignored.
         assert_eq!(twins(&both, &[0, 1, 5]).firsts, [0, 1, 2, 3, 4]);
         assert_eq!(twins(&[Axis::X], &[0, 1, 5]).firsts, [0, 1, 0, 3, 4]);
         assert_eq!(twins(&[Axis::Y], &[0, 1, 5]).firsts, [0, 1, 1, 3, 4]);
-        // A constructed vertex is at no place that is known.
+        // A constructed vertex has no known position.
         let constructed = [Vertex::input(0), Vertex::constructed(0), Vertex::constructed(0)];
         assert_eq!(Twins::new(&scene, &both, &constructed).firsts, [0, 1, 2, 3, 4]);
     }

@@ -1,10 +1,12 @@
-//! Tolerances beside exact signs, where floating point settles both: what the scheme costs, and what its band saves.
+//! The cost of the tolerance scheme and the savings of its band, compared with exact signs, where floating point
+//! settles both.
 //!
-//! Every query has points of its own, uniform in a unit cube or square. The engines take turns, pass by pass, on queries in cache, one by
-//! one and in batches. Medians are printed, and their ratio: 1 is the time of the filters of `exact`.
+//! Every query has its own points, uniform in a unit cube or square. The engines alternate, pass by pass, on queries in
+//! cache, one by one and in batches. The benchmark prints medians and their ratio: 1 is the time of the filters of
+//! `exact`.
 
 #[path = "../../exact/tests/it/common.rs"]
-#[allow(dead_code)] // what the tests need beside
+#[allow(dead_code)] // the tests use the rest
 mod common;
 
 use std::hint::black_box;
@@ -16,11 +18,11 @@ use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Dimension, Off, Plane, Predicates, Scene, Sign, Vertex};
 use predicament_tolerance::Tolerance;
 
-/// Queries of a pass, all in cache.
+/// The number of queries of a pass; all fit in cache.
 const PASS: usize = 1 << 12;
 const PASSES: usize = 64;
 
-/// Both engines on a predicate.
+/// Times both engines on a predicate.
 fn contest<const D: usize, const N: usize>(name: &str, predicate: &impl Ask<N>) {
     let mut random = Random(43);
     let points: Vec<[[f64; D]; N]> = (0..PASS * PASSES).map(|_| random.points(Random::unit)).collect();
@@ -34,7 +36,7 @@ fn contest<const D: usize, const N: usize>(name: &str, predicate: &impl Ask<N>) 
         let mut signs = [(); 2].map(|()| vec![Sign::Zero; PASS]);
         let mut times = [const { Vec::new() }; 2];
         for queries in queries.chunks_exact(PASS) {
-            // Once for the caches, once for the clock.
+            // The first round warms the caches, the second is timed.
             for times in [&mut [const { Vec::new() }; 2], &mut times] {
                 let [by_exact, by_tolerance] = &mut signs;
                 let queries = black_box(queries);
@@ -76,7 +78,7 @@ trait Ask<const N: usize> {
     fn many<P: Predicates>(&self, session: &P, queries: &[[Vertex; N]], out: &mut [Sign]);
 }
 
-/// A type for a predicate: its vertices, one query of it and many.
+/// Declares a type for a predicate: its vertices, one query and many queries.
 macro_rules! predicate {
     ($type:ident, $count:literal, |$session:ident, $query:pat_param| $one:expr, |$same:ident, $queries:ident, $out:ident| $many:expr) => {
         struct $type;

@@ -18,31 +18,25 @@ const STAGES: [&str; 1] = ["float"];
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///
-/// The paper has no tolerance for the other predicates: those of `incircle` and
-/// `insphere` are ours, derived with its calculus in [`circles`]; the order of
-/// coordinates is the raw one, zero where they are equal (what to do with the
-/// tie is the caller's business).
+/// The paper has no tolerance for the other predicates. The tolerances of `incircle` and `insphere` are ours, derived
+/// with its calculus in [`circles`]. The order of coordinates is exact, and zero if they are equal (the caller decides
+/// how to treat the tie).
 ///
-/// L is the largest edge of the bounding box of all points in the scene; for
-/// `orient2d` in a 3D scene, of their projection to its plane, so that the
-/// projections are three 2D scenes of their own.
+/// L is the largest edge of the bounding box of all points in the scene. For `orient2d` in a 3D scene it is the largest
+/// edge of their projection to its plane, so that the projections are three separate 2D scenes.
 ///
-/// Contacts are the paper's Algorithms 2 to 5 and 7 to 12, with the tolerances
-/// of Algorithm 1 or 6 for the scene's
-/// [primitive lengths](Scene::primitive_lengths), and without such lengths
-/// declined. They have an L of their own, [`Session::contact_tolerances`].
+/// Contacts are the paper's Algorithms 2 to 5 and 7 to 12, with the tolerances of Algorithm 1 or 6 for the scene's
+/// [primitive lengths](Scene::primitive_lengths). Without such lengths the backend declines contacts. They have a
+/// separate L, [`Session::contact_tolerances`].
 ///
-/// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates
-/// are numbers of it; other scenes are declined. So are those with constructed
-/// vertices, and sessions construct none: κ and ξ bound the rounding of
-/// determinants of input vertices, not that of a computed vertex beside it.
+/// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates are numbers of `f32`; the backend
+/// declines other scenes. It also declines scenes with constructed vertices, and sessions construct none: κ and ξ bound
+/// the rounding of determinants of input vertices, not that of a computed vertex as well.
 ///
-/// A scene where L, a product of coordinate differences or a tolerance leaves
-/// the range of normal numbers of `F` is declined, as the paper assumes "no
-/// underflow or overflow"; where only those of `incircle` or `insphere` do,
-/// that predicate is. Where all points coincide (L = 0) the tolerances are
-/// zero and everything is degenerate, which is right; where all primitives are
-/// points, only equal ones are in contact.
+/// The backend declines a scene if L, a product of coordinate differences or a tolerance leaves the range of normal
+/// numbers of `F`, as the paper assumes "no underflow or overflow". If this happens only for `incircle` or `insphere`,
+/// the backend declines that predicate. If all points coincide (L = 0) the tolerances are zero and everything is
+/// degenerate, which is right. If all primitives are points, only equal points are in contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Tolerance<F = f64> {
     form: EdgeVertex,
@@ -51,24 +45,25 @@ pub struct Tolerance<F = f64> {
 }
 
 /// The backend in double precision.
-#[allow(non_upper_case_globals)] // it reads as the unit struct that it would be without its parameter
+#[allow(non_upper_case_globals)] // reads like the unit struct that it would be without its parameter
 pub const Tolerance: Tolerance = Tolerance::new();
 
 impl<F> Tolerance<F> {
-    /// The scheme as it has to be.
+    /// The correct scheme.
     #[must_use]
     pub const fn new() -> Tolerance<F> {
         Tolerance { form: EdgeVertex::Corrected, misscaled: None, float: PhantomData }
     }
 
-    /// The scheme with Algorithms 3 and 8 as the paper prints them, which is
-    /// wrong: see [`as_printed`](crate::algorithms::as_printed).
+    /// The scheme with Algorithms 3 and 8 as the paper prints them, which is wrong.
+    ///
+    /// See [`as_printed`](crate::algorithms::as_printed).
     #[must_use]
     pub const fn as_printed() -> Tolerance<F> {
         Tolerance { form: EdgeVertex::AsPrinted, misscaled: None, float: PhantomData }
     }
 
-    /// The scheme with a tolerance that is not the paper's: a planted fault.
+    /// The scheme with a tolerance that differs from the paper's: a planted fault.
     #[must_use]
     pub const fn misscaled(by: Misscaled) -> Tolerance<F> {
         Tolerance { form: EdgeVertex::Corrected, misscaled: Some(by), float: PhantomData }
@@ -84,7 +79,7 @@ impl<F> Default for Tolerance<F> {
 impl<F: Float> Backend for Tolerance<F> {
     type Session<'s, T: Tally + 's> = Session<'s, T, F>;
 
-    /// `tolerance`, `tolerance:f32`, or that of a planted fault for the printed form.
+    /// The name `tolerance`, `tolerance:f32`, or that of a planted fault.
     fn name(&self) -> String {
         let name = match (self.form, self.misscaled) {
             (_, Some(misscaled)) => format!("fault:{}", misscaled.fault),
@@ -107,7 +102,7 @@ impl<F: Float> Backend for Tolerance<F> {
         &STAGES
     }
 
-    /// In vector registers, in both formats.
+    /// Batches run in vector registers, in both formats.
     fn batches(&self, _: PredicateKind) -> Batches {
         Batches::Own
     }
@@ -144,7 +139,7 @@ impl<F: Float> Backend for Tolerance<F> {
     }
 }
 
-/// Whether all coordinates are numbers of `F`.
+/// Checks that all coordinates are numbers of `F`.
 fn check_coordinates<F: Float>(scene: &Scene) -> Result<(), Declined> {
     let is_exact = |x: &f64| F::nearest(*x).wide() == *x;
     let Some(at) = scene.coordinates().iter().position(|x| !is_exact(x)) else { return Ok(()) };
@@ -155,7 +150,7 @@ fn check_coordinates<F: Float>(scene: &Scene) -> Result<(), Declined> {
     )))
 }
 
-/// The tolerances of one projection, if `F` can hold them.
+/// The tolerances of one projection, if `F` can represent them.
 fn planar<F: Float>(scene: &Scene, plane: Plane) -> Result<Tolerances2d<F>, Declined> {
     let tolerances = Tolerances2d::from_length(F::above(largest_extent(scene, &plane.axes())));
     let check = tolerances.check_range();
@@ -163,7 +158,7 @@ fn planar<F: Float>(scene: &Scene, plane: Plane) -> Result<Tolerances2d<F>, Decl
     Ok(tolerances)
 }
 
-/// The tolerances of space, if `F` can hold those of volumes.
+/// The tolerances of space, if `F` can represent those of volumes.
 fn spatial<F: Float>(scene: &Scene) -> Result<Tolerances3d<F>, Declined> {
     let tolerances = Tolerances3d::from_length(F::above(largest_extent(scene, &[Axis::X, Axis::Y, Axis::Z])));
     let Tolerances3d { length, sigma, xi, .. } = tolerances;

@@ -4,8 +4,9 @@ use predicament_predicates::Band;
 
 use crate::Float;
 
-/// What the coefficients of a tolerance are multiples of: as the algorithm
-/// computes it, and in double precision for the bounds that are never computed.
+/// The unit that the coefficients of a tolerance multiply.
+///
+/// It is stored as the algorithm computes it, and in double precision for the bounds that the algorithm never computes.
 #[derive(Clone, Copy)]
 pub(crate) struct Unit<F> {
     pub(crate) here: F,
@@ -17,20 +18,21 @@ impl<F: Float> Unit<F> {
         std::array::from_fn(|i| Unit { here: here[i], wide: wide[i] })
     }
 
-    /// T₋, T and T₊. The printed coefficients of T are numbers of every format.
+    /// The band T₋, T and T₊; every format can represent the printed coefficients of T.
     pub(crate) fn band(self, [lower, width, upper]: [f64; 3]) -> Band {
         let width = F::nearest(width) * self.here;
         Band { lower: lower * self.wide, width: width.wide(), upper: upper * self.wide }
     }
 }
 
-/// Whether a band is what its formula says in the format: neither infinite nor
-/// NaN, and nothing of it lost to underflow.
+/// Returns true if a band has the value of its formula in the format.
+///
+/// It must be neither infinite nor NaN, and not have lost precision to underflow.
 pub(crate) fn is_sound<F: Float>(band: Band) -> bool {
     [band.lower, band.width, band.upper].into_iter().all(|x| is_normal(F::nearest(x)))
 }
 
-/// For what is positive: finite, with a full significand.
+/// Returns true for a positive number that is finite and has a full significand.
 pub(crate) fn is_normal<F: Float>(x: F) -> bool {
     x >= F::MIN_POSITIVE && x.wide().is_finite()
 }

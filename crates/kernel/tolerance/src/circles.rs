@@ -1,21 +1,19 @@
-//! Bands for `incircle` and `insphere`, which the paper has no tolerance for:
-//! they are ours, made the way it makes κ and ξ.
+//! Bands for `incircle` and `insphere`, derived as the paper derives κ and ξ.
 //!
-//! Both determinants are translated to the last point, and evaluated in the
-//! order of [`incircle`] and [`insphere`]. For that order the error calculus gives
-//! E\[incircle\] ≤ 129 ε L⁴ and E\[insphere\] ≤ 1129 ε L⁵, and the constraints,
-//! in the paper's form, are
+//! The paper has no tolerance for these two predicates, so the bands are ours.
+//!
+//! Both determinants are translated to the last point, and evaluated in the order of [`incircle`] and [`insphere`]. For
+//! that order the error calculus gives E\[incircle\] ≤ 129 ε L⁴ and E\[insphere\] ≤ 1129 ε L⁵. The constraints, in the
+//! paper's form, are
 //!
 //! min(T₊ − T, T − T₋) > E + R\[T\] T, and T₋ ≥ E.
 //!
-//! The first makes everything up to T₋ registered and nothing beyond T₊; the
-//! second is more than it takes for a sign outside of the band to be right.
-//! As the paper's κ does, T stands in the middle and the steps are even.
+//! The first constraint registers everything up to T₋ and nothing beyond T₊. The second is more than enough for a sign
+//! outside of the band to be right. As for the paper's κ, T is in the middle and the steps are equal.
 //!
 //! # Underflow
-//! A product that underflows errs by up to half the smallest subnormal, times
-//! at most 2 L² (6 L³) further on. Where T₋ is a normal number that is less than
-//! 2⁻⁵⁰ of the ε L⁴ (ε L⁵) by which T₋ and the steps exceed E, in either precision.
+//! A product that underflows errs by up to half the smallest subnormal, times at most 2 L² (6 L³) further on. If T₋ is
+//! a normal number, that is less than 2⁻⁵⁰ of the ε L⁴ (ε L⁵) by which T₋ and the steps exceed E, in either precision.
 
 use predicament_error_calculus::Ring;
 use predicament_error_calculus::vector::{minus, norm_squared, perp};
@@ -25,33 +23,34 @@ use crate::Float;
 use crate::band::{Unit, is_sound};
 use crate::extent::largest_extent;
 
-/// T₋, T and T₊ of `incircle` over ε L⁴.
+/// The values T₋, T and T₊ of `incircle` over ε L⁴.
 pub const INCIRCLE: [f64; 3] = [130.0, 260.0, 390.0];
 
-/// T₋, T and T₊ of `insphere` over ε L⁵.
+/// The values T₋, T and T₊ of `insphere` over ε L⁵.
 pub const INSPHERE: [f64; 3] = [1130.0, 2260.0, 3390.0];
 
-/// The band of `incircle`, for points no further apart than L along each axis.
+/// The band of `incircle`, for points at most L apart along each axis.
 #[must_use]
 pub fn incircle_band<F: Float>(length: F) -> Band {
     Unit { here: quartic(length, F::EPSILON), wide: quartic(length.wide(), F::EPSILON.wide()) }.band(INCIRCLE)
 }
 
-/// The band of `insphere`, for points no further apart than L along each axis.
+/// The band of `insphere`, for points at most L apart along each axis.
 #[must_use]
 pub fn insphere_band<F: Float>(length: F) -> Band {
     let wide = length.wide();
     Unit { here: quartic(length, F::EPSILON) * length, wide: quartic(wide, F::EPSILON.wide()) * wide }.band(INSPHERE)
 }
 
-/// ε L⁴.
+/// The product ε L⁴.
 fn quartic<F: Float>(length: F, epsilon: F) -> F {
     let square = length * length;
     epsilon * (square * square)
 }
 
-/// d in the circle of a, b and c: the sum of each squared distance from d times
-/// the area of the other two, (‖a‖² b×c + ‖b‖² c×a) + ‖c‖² a×b.
+/// The determinant of d in the circle of a, b and c.
+///
+/// It is the sum of each squared distance from d times the area of the other two, (‖a‖² b×c + ‖b‖² c×a) + ‖c‖² a×b.
 #[inline(always)]
 pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
     let [a, b, c] = [minus(a, d), minus(b, d), minus(c, d)];
@@ -59,10 +58,10 @@ pub fn incircle<N: Ring>([a, b, c, d]: &[[N; 2]; 4]) -> N {
     term(&a, &b, &c) + term(&b, &c, &a) + term(&c, &a, &b)
 }
 
-/// e in the sphere of a, b, c and d: in pairs,
-/// (‖d‖² \[abc\] − ‖c‖² \[dab\]) + (‖b‖² \[cda\] − ‖a‖² \[bcd\]).
+/// The determinant of e in the sphere of a, b, c and d.
 ///
-/// A volume \[pqr\] is (p_z q×r − q_z p×r) + r_z p×q, with × of x and y.
+/// In pairs, (‖d‖² \[abc\] − ‖c‖² \[dab\]) + (‖b‖² \[cda\] − ‖a‖² \[bcd\]). A volume \[pqr\] is (p_z q×r − q_z p×r) +
+/// r_z p×q, with × of x and y.
 #[inline(always)]
 pub fn insphere<N: Ring>([a, b, c, d, e]: &[[N; 3]; 5]) -> N {
     let [a, b, c, d] = [minus(a, e), minus(b, e), minus(c, e), minus(d, e)];
@@ -78,10 +77,10 @@ fn lifted_volume<N: Ring>(p: &[N; 3], q: &[N; 3], r: &[N; 3]) -> N {
     (term(p, q, r) - term(q, p, r)) + term(r, p, q)
 }
 
-/// The band of `incircle` for a 2D scene and of `insphere` for a 3D one, if doubles can hold it; zero where all points coincide.
+/// The band of `incircle` for a 2D scene and of `insphere` for a 3D one; zero if all points coincide.
 ///
 /// # Errors
-/// [`Declined`] where the band or a product leaves the range of normal doubles.
+/// [`Declined`] if the band or a product leaves the range of normal doubles.
 pub(crate) fn prepared<F: Float>(scene: &Scene) -> Result<Band, Declined> {
     let axes: &[Axis] = match scene.dimension() {
         Dimension::Two => &[Axis::X, Axis::Y],

@@ -1,34 +1,33 @@
-//! Contacts of a session: the paper's algorithms on pairs of a scene's simplices.
+//! Contact queries of a session: the paper's algorithms on pairs of a scene's simplices.
 
 use predicament_predicates::{Band, Declined, Dimension, Scene, Vertex};
 
 use crate::algorithms::{as_printed, plane, space};
 use crate::{Float, Tolerances2d, Tolerances3d};
 
-/// Which form of Algorithms 3 and 8 is used.
+/// The form of Algorithms 3 and 8.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum EdgeVertex {
-    /// û = B − A.
+    /// The corrected form, û = B − A.
     Corrected,
-    /// û = A − B.
+    /// The printed form, û = A − B.
     AsPrinted,
 }
 
 /// The tolerances of Algorithm 1 or 6 for the two meshes of a scene.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum ContactTolerances<F = f64> {
-    /// Of a 2D scene.
+    /// The tolerances of a 2D scene.
     Plane(Tolerances2d<F>),
-    /// Of a 3D scene.
+    /// The tolerances of a 3D scene.
     Space(Tolerances3d<F>),
 }
 
 impl<F: Float> ContactTolerances<F> {
-    /// For the scene's primitive lengths.
+    /// The tolerances for the scene's primitive lengths.
     ///
     /// # Errors
-    /// [`Declined`] where the scene has none, or where `F` has no room for
-    /// what is computed with them.
+    /// [`Declined`] if the scene has no lengths, or if `F` cannot represent the intermediate values.
     pub fn new(scene: &Scene) -> Result<ContactTolerances<F>, Declined> {
         let lengths = scene.primitive_lengths().ok_or_else(|| {
             Declined::scene(
@@ -50,7 +49,7 @@ impl<F: Float> ContactTolerances<F> {
         })
     }
 
-    /// L: no coordinate difference within a pair that is nearer than σ₊ exceeds it.
+    /// L: an upper bound of all coordinate differences within a pair that is nearer than σ₊.
     #[must_use]
     pub fn length(&self) -> F {
         match self {
@@ -59,7 +58,7 @@ impl<F: Float> ContactTolerances<F> {
         }
     }
 
-    /// All of Figure 1 or 5, by the symbols that the paper has.
+    /// All tolerances of Figure 1 or 5, by the paper's symbols.
     #[must_use]
     pub fn bands(&self) -> Vec<(&'static str, Band)> {
         match *self {
@@ -68,8 +67,7 @@ impl<F: Float> ContactTolerances<F> {
         }
     }
 
-    /// The tolerance that is a distance, by the ranks of a pair: σ, τ, and in
-    /// space δ or γ.
+    /// The tolerance that is a distance, by the ranks of a pair: σ, τ, and in space δ or γ.
     #[must_use]
     pub fn band(&self, ranks: [u8; 2]) -> Option<Band> {
         let ranks = [ranks[0].min(ranks[1]), ranks[0].max(ranks[1])];
@@ -85,13 +83,12 @@ impl<F: Float> ContactTolerances<F> {
     }
 }
 
-/// The pairs of one scene.
+/// The pairs of simplices of one scene.
 ///
-/// A pair whose points are further apart along an axis than L is never
-/// registered, and nothing is computed about it: L holds both primitives with
-/// σ₊ between them, so they are further apart than every tolerance. That keeps
-/// the algorithms within the range that they are proved and checked for, and
-/// where all primitives are points (L = 0) only equal ones are registered.
+/// A pair whose points are further apart along an axis than L is never registered, and nothing is computed about it. L
+/// holds both primitives with σ₊ between them, so such points are further apart than every tolerance. That keeps the
+/// algorithms within their proved and checked range. If all primitives are points (L = 0) only equal points are
+/// registered.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pairs<'a, F> {
     pub(crate) scene: &'a Scene,
@@ -183,7 +180,7 @@ impl<F: Float> Pairs<'_, F> {
         }
     }
 
-    /// The scene's coordinates are numbers of `F`.
+    /// The point of a vertex; the scene's coordinates are numbers of `F`.
     #[inline]
     fn point<const D: usize>(&self, v: Vertex) -> [F; D] {
         let point = self.scene.point(v);
@@ -191,8 +188,9 @@ impl<F: Float> Pairs<'_, F> {
     }
 }
 
-/// Whether no coordinates of the points differ by more than `length`. Rounding
-/// is monotone: an exact difference of `length` at most is rounded to such.
+/// Returns true if no coordinates of the points differ by more than `length`.
+///
+/// Rounding is monotone: an exact difference of `length` at most is rounded to at most `length`.
 #[inline]
 fn are_near<F: Float, const D: usize>(s: &[[F; D]], t: &[[F; D]], length: F) -> bool {
     (0..D).all(|axis| {

@@ -1,10 +1,11 @@
-//! The length L of bare points: the largest edge of their bounding box.
+//! The length L of a set of points: the largest edge of their bounding box.
 
 use predicament_arithmetic::difference_up;
 use predicament_predicates::{Axis, Scene};
 
-/// The extent of the scene along the given axes, rounded up, so that no exact
-/// coordinate difference is larger; infinite where no double is large enough.
+/// The largest extent of the scene along the given axes, rounded up, so that no exact coordinate difference is larger.
+///
+/// It is infinite if no double is large enough.
 pub(crate) fn largest_extent(scene: &Scene, axes: &[Axis]) -> f64 {
     axes.iter().map(|&axis| extent(scene, axis)).fold(0.0, f64::max)
 }

@@ -1,4 +1,4 @@
-//! The binary formats that the scheme runs in.
+//! The binary floating-point formats of the scheme.
 
 use std::fmt::Debug;
 
@@ -7,20 +7,19 @@ use predicament_predicates::Declined;
 
 /// A binary floating-point format that rounds to nearest.
 ///
-/// ε is the *machine* epsilon, the distance from 1 to the next number. The
-/// paper proves its tolerances for ε < 10⁻⁵; other formats are refused
-/// wherever tolerances are made.
+/// ε is the *machine* epsilon, the distance from 1 to the next number. The paper proves its tolerances for ε < 10⁻⁵;
+/// every constructor of tolerances refuses other formats.
 pub trait Float: Root + Copy + PartialOrd + Debug + Send + Sync + 'static {
     /// The type's name.
     const NAME: &'static str;
 
-    /// ε: 2⁻⁵² for `f64`, 2⁻²³ for `f32`.
+    /// The machine epsilon ε: 2⁻⁵² for `f64`, 2⁻²³ for `f32`.
     const EPSILON: Self;
 
     /// The smallest number with a full significand.
     const MIN_POSITIVE: Self;
 
-    /// Zero.
+    /// The number zero.
     const ZERO: Self;
 
     /// The same value as a double, which holds it exactly.
@@ -67,7 +66,7 @@ impl Float for f32 {
     }
 
     #[inline]
-    #[allow(clippy::cast_possible_truncation)] // rounds to nearest, as it says
+    #[allow(clippy::cast_possible_truncation)] // rounds to nearest
     fn nearest(x: f64) -> f32 {
         x as f32
     }
@@ -79,10 +78,10 @@ impl Float for f32 {
     }
 }
 
-/// What ε has to stay below, 10⁻⁵: section 2 of the paper.
+/// The upper limit of ε, 10⁻⁵: section 2 of the paper.
 const EPSILON_LIMIT: f64 = 1e-5;
 
-/// Whether the format is fine enough for the proofs.
+/// Checks that the format is fine enough for the proofs.
 ///
 /// # Errors
 /// [`Declined`] with the epsilon and the limit.

@@ -1,34 +1,33 @@
-//! Tolerances that are not the paper's.
+//! Planted faults: tolerances that differ from the paper's.
 //!
-//! T₋, T and T₊ are off together, so that the backend keeps what it claims. Only
-//! who holds it to the published figures can see it.
+//! T₋, T and T₊ are off together, so the backend keeps its declared band. Only a comparison with the published figures
+//! detects the fault.
 //!
-//! A tolerance that is twice what it should be is beyond the published T₊, and breaks
-//! its promise, all 16 of them. One that is half of it is below T₋ where T₋ > T/2: σ, τ, γ,
-//! δ, σ̂, λ and μ. Of the others T/2 ≥ T₋, and what is promised, that all up to T₋ is
-//! registered, is kept but for rounding: [`Misscaled::keeps_its_promise`]. For λ it is
-//! kept too, as the test after it takes its place.
+//! A tolerance of twice the correct value is beyond the published T₊, and breaks its promise; this holds for all 16. A
+//! tolerance of half the correct value is below T₋ if T₋ > T/2: σ, τ, γ, δ, σ̂, λ and μ. For the others T/2 ≥ T₋, and
+//! the promise, that all up to T₋ is registered, is kept except for rounding: [`Misscaled::keeps_its_promise`]. For λ
+//! it is kept too, as the test after it takes its place.
 
 use predicament_predicates::{Band, Dimension};
 
 use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d};
 
-/// A tolerance that is twice or half of what it should be.
+/// A tolerance of twice or half its correct value.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Misscaled {
-    /// The figure that it is of: 1 or 5.
+    /// The dimension of its figure: 2D for Figure 1, 3D for Figure 5.
     pub dimension: Dimension,
-    /// The tolerance, as the paper writes it.
+    /// The tolerance's symbol in the paper.
     pub symbol: &'static str,
-    /// Whether it is half of what it should be, and not twice.
+    /// True if the tolerance is halved, false if it is doubled.
     pub halved: bool,
-    /// What it is called as a fault of a backend.
+    /// The fault's name in a backend's name.
     pub fault: &'static str,
-    /// The same in one line.
+    /// The fault in one line.
     pub what: &'static str,
 }
 
-/// Both ways of a tolerance to be off.
+/// Lists both faults of a tolerance, doubled and halved.
 macro_rules! misscaled {
     ($($dimension:ident $symbol:literal $name:literal $of:literal,)*) => {
         [$(
@@ -51,7 +50,7 @@ macro_rules! misscaled {
 }
 
 impl Misscaled {
-    /// All of them: each tolerance of figures 1 and 5 that an algorithm compares with.
+    /// All such faults: each tolerance of Figures 1 and 5 that an algorithm compares with.
     pub const ALL: [Misscaled; 32] = misscaled![
         Two "σ" "sigma-2d" "σ of the plane, of two vertices:",
         Two "τ" "tau-2d" "τ of the plane, of an edge and a vertex:",
@@ -71,32 +70,30 @@ impl Misscaled {
         Three "ρ" "rho" "ρ, volumes of a vertex with the faces of a tetrahedron:",
     ];
 
-    /// Those whose effect on an answer can be seen.
+    /// The faults whose effect on an answer can be detected.
     pub fn visible() -> impl Iterator<Item = Misscaled> {
         Misscaled::ALL.into_iter().filter(|misscaled| !misscaled.keeps_its_promise())
     }
 
-    /// In words, with dashes.
+    /// The fault in words, with dashes.
     #[must_use]
     pub fn name(self) -> &'static str {
         self.fault.trim_start_matches("tolerance-")
     }
 
-    /// Whether all that the paper promises of the tolerance holds all the same, but for the room
-    /// that rounding is given.
+    /// Returns true if the paper's promise about the tolerance still holds, except for the slack for rounding.
     ///
-    /// Up to T₋ everything is found to be within T, beyond T₊ nothing: that holds of T/2 where
-    /// T/2 ≥ T₋. κ 10.5 against 10, φ 235 against 150, ν 3422.25 against the same, ζ 658.5
-    /// against 658, ξ and ρ 28 against 28. What is lost is T − T₋, the room for rounding,
-    /// which `predicament bounds` decides about. Where T/2 is T₋ itself, pairs at T₋ show it in single
-    /// precision, by rounding, about one of a hundred. λ/2 is below λ₋, but where m² ≤ λ₋ = 910 ε L⁴ one of â and ā is 455 ε L⁴
-    /// at most, below φ = 470 ε L⁴: the pair is not registered for that.
+    /// Everything up to T₋ must be found within T, and nothing beyond T₊. This holds for T/2 if T/2 ≥ T₋: κ 10.5
+    /// against 10, φ 235 against 150, ν 3422.25 against the same, ζ 658.5 against 658, ξ and ρ 28 against 28. The fault
+    /// loses T − T₋, the slack for rounding, which `predicament bounds` decides about. If T/2 is T₋ itself, about one
+    /// in a hundred pairs at T₋ shows the fault in single precision, by rounding. λ/2 is below λ₋. But if m² ≤ λ₋ = 910
+    /// ε L⁴, then â or ā is 455 ε L⁴ at most, below φ = 470 ε L⁴, so the pair is not registered anyway.
     #[must_use]
     pub fn keeps_its_promise(self) -> bool {
         self.halved && matches!(self.symbol, "κ" | "λ" | "φ" | "ν" | "ζ" | "ξ" | "ρ")
     }
 
-    /// The tolerances of the plane with the one that is off.
+    /// The tolerances of the plane with this fault.
     #[must_use]
     pub fn plane<F: Float>(self, mut tolerances: Tolerances2d<F>) -> Tolerances2d<F> {
         if self.dimension == Dimension::Two {
@@ -105,7 +102,7 @@ impl Misscaled {
         tolerances
     }
 
-    /// Those of space.
+    /// The tolerances of space with this fault.
     #[must_use]
     pub fn space<F: Float>(self, mut tolerances: Tolerances3d<F>) -> Tolerances3d<F> {
         if self.dimension == Dimension::Three {
@@ -114,7 +111,7 @@ impl Misscaled {
         tolerances
     }
 
-    /// Those of contacts.
+    /// The contact tolerances with this fault.
     #[must_use]
     pub fn contacts<F: Float>(self, tolerances: ContactTolerances<F>) -> ContactTolerances<F> {
         match tolerances {

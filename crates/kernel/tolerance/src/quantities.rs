@@ -1,22 +1,23 @@
-//! The quantities of sections 4 and 5, each one function over any number: in
-//! floating point it is what the algorithms compute, on rationals the exact
-//! value, and on the numbers of the error calculus the bound.
+//! The quantities of sections 4 and 5, each one function over any number type.
 //!
-//! Names are the paper's. Where it leaves the order of evaluation open the one
-//! here is that of its pseudocode, and unit vectors are û · (1/m): one
-//! division, and the order that the published bounds are of.
+//! In floating point it is the value that the algorithms compute, on rationals the exact value, and on the numbers of
+//! the error calculus the bound.
+//!
+//! Names are the paper's. If the paper leaves the order of evaluation open, the order here is that of its pseudocode.
+//! Unit vectors are û · (1/m): one division, in the order of the published bounds.
 
 use predicament_error_calculus::vector::{cross, dot, minus, norm, norm_squared, perp, scaled};
 use predicament_error_calculus::{Ring, Root};
 
-/// ‖A − B‖², (3) and (10).
+/// The squared distance ‖A − B‖², (3) and (10).
 #[inline]
 pub fn distance_squared<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
     norm_squared(&minus(a, b))
 }
 
-/// û = B − A and its length m. (With the printed û = A − B the weight â/m
-/// would have the wrong sign.)
+/// The edge û = B − A and its length m.
+///
+/// With the printed û = A − B the weight â/m would have the wrong sign.
 #[inline]
 pub fn edge<N: Root, const D: usize>(a: &[N; D], b: &[N; D]) -> ([N; D], N) {
     let u_hat = minus(b, a);
@@ -24,25 +25,25 @@ pub fn edge<N: Root, const D: usize>(a: &[N; D], b: &[N; D]) -> ([N; D], N) {
     (u_hat, m)
 }
 
-/// u = û · (1/m).
+/// The unit vector u = û · (1/m).
 #[inline]
 pub fn unit<N: Root, const D: usize>(u_hat: &[N; D], m: &N) -> [N; D] {
     scaled(u_hat, &(N::one() / m.clone()))
 }
 
-/// d = |u × w|, (5): the distance from the line in the plane.
+/// The distance from the line in the plane, d = |u × w|, (5).
 #[inline]
 pub fn line_distance<N: Ring>(u: &[N; 2], w: &[N; 2]) -> N {
     perp(u, w).abs()
 }
 
-/// d² = ‖u × w‖², (12): the squared distance from the line in space.
+/// The squared distance from the line in space, d² = ‖u × w‖², (12).
 #[inline]
 pub fn line_distance_squared<N: Ring>(u: &[N; 3], w: &[N; 3]) -> N {
     norm_squared(&cross(u, w))
 }
 
-/// â = u · w and ā = m − â, (5) and (12): signed distances of the foot to A and B.
+/// The signed distances of the foot to A and B: â = u · w and ā = m − â, (5) and (12).
 #[inline]
 pub fn along<N: Ring, const D: usize>(u: &[N; D], w: &[N; D], m: &N) -> [N; 2] {
     let a_hat = dot(u, w);
@@ -56,14 +57,13 @@ pub fn area<N: Ring>(p: &[N; 2], q: &[N; 2], r: &[N; 2]) -> N {
     perp(&minus(q, p), &minus(r, p))
 }
 
-/// Six times the signed volume of a tetrahedron, (17) to (21):
-/// ((A − D) × (B − D)) · (C − D).
+/// Six times the signed volume of a tetrahedron, (17) to (21): ((A − D) × (B − D)) · (C − D).
 #[inline(always)]
 pub fn volume<N: Ring>(a: &[N; 3], b: &[N; 3], c: &[N; 3], d: &[N; 3]) -> N {
     dot(&cross(&minus(a, d), &minus(b, d)), &minus(c, d))
 }
 
-/// m² = ‖u × v‖² with the vector r = u × v itself, (13) and (15).
+/// The normal vector r = u × v and its squared length m², (13) and (15).
 #[inline]
 pub fn normal<N: Ring>(u: &[N; 3], v: &[N; 3]) -> ([N; 3], N) {
     let r = cross(u, v);
@@ -71,13 +71,13 @@ pub fn normal<N: Ring>(u: &[N; 3], v: &[N; 3]) -> ([N; 3], N) {
     (r, m_squared)
 }
 
-/// d̂ = r · w, (14) and (16): m times the distance.
+/// The height d̂ = r · w, (14) and (16): m times the distance.
 #[inline]
 pub fn height<N: Ring>(r: &[N; 3], w: &[N; 3]) -> N {
     dot(r, w)
 }
 
-/// â, b̂, ā and b̂'s complement b̄ of two edges, (14), all times m².
+/// The weights â, b̂, ā and b̂'s complement b̄ of two edges, (14), all times m².
 #[inline]
 pub fn edge_edge_weights<N: Ring>(r: &[N; 3], w: &[N; 3], u: &[N; 3], v: &[N; 3], m_squared: &N) -> [N; 4] {
     let n = cross(r, w);
@@ -88,7 +88,7 @@ pub fn edge_edge_weights<N: Ring>(r: &[N; 3], w: &[N; 3], u: &[N; 3], v: &[N; 3]
     [a_hat, b_hat, a_bar, b_bar]
 }
 
-/// â, b̂ and ĉ of a triangle and a vertex, (16), all times m².
+/// The weights â, b̂ and ĉ of a triangle and a vertex, (16), all times m².
 #[inline]
 pub fn triangle_vertex_weights<N: Ring>(r: &[N; 3], w: &[N; 3], u: &[N; 3], v: &[N; 3], m_squared: &N) -> [N; 3] {
     let n = cross(r, w);

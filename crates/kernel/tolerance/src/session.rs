@@ -1,6 +1,7 @@
-//! The session: points and widths at hand, queries one by one and in batches.
+//! The session of the tolerance backend: points and widths are prepared, queries run one by one and in batches.
 //!
-//! A batch is computed in vector registers, in the order of operations of one query, so that its answers are the same bit by bit.
+//! A batch is computed in vector registers, in the order of operations of one query, so its answers are the same bit by
+//! bit.
 
 use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
@@ -11,14 +12,14 @@ use predicament_predicates::{
 use crate::contacts::{EdgeVertex, Pairs};
 use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, quantities};
 
-/// Why a scene or a construction is declined.
+/// The reason to decline a scene with constructed vertices, or a construction.
 pub(crate) const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constructed ones";
 
 /// [`Tolerance`](struct@crate::Tolerance), prepared for one scene.
 #[derive(Clone, Debug)]
 pub struct Session<'s, T, F = f64> {
     scene: &'s Scene,
-    /// The scene's points, in the view of its dimension; the other one is empty.
+    /// The scene's points, in the view of its dimension; the other view is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
     widths: Widths,
@@ -27,21 +28,21 @@ pub struct Session<'s, T, F = f64> {
     form: EdgeVertex,
 }
 
-/// The tolerances of a scene, or why it has none.
+/// The tolerances of a scene, or the reason why it has none.
 #[derive(Clone, Debug)]
 pub(crate) struct Tolerances<F> {
-    /// One for each plane, in their order; a 2D scene has the first only.
+    /// The tolerances of each plane, in the order of planes; a 2D scene has the first only.
     pub(crate) planar: Vec<Result<Tolerances2d<F>, Declined>>,
     pub(crate) spatial: Option<Tolerances3d<F>>,
-    /// That of `incircle` in 2D, of `insphere` in 3D.
+    /// The band of `incircle` in 2D, of `insphere` in 3D.
     pub(crate) circular: Result<Band, Declined>,
     pub(crate) contacts: Result<ContactTolerances<F>, Declined>,
 }
 
-/// T of each predicate, as queries look it up; NaN where it is declined.
+/// The width T of each predicate, as queries look it up; NaN if the predicate is declined.
 #[derive(Clone, Copy, Debug)]
 struct Widths {
-    /// κ of each plane.
+    /// The width κ of each plane.
     kappa: [f64; 3],
     xi: f64,
     incircle: f64,
@@ -66,28 +67,32 @@ impl Widths {
     }
 }
 
-/// The number whose sign is answered: a computed value beyond the tolerance, else zero, as for NaN.
+/// The number whose sign is the answer: a computed value beyond the tolerance, else zero, also for NaN.
 #[inline(always)]
 fn beyond(width: f64, value: f64) -> f64 {
     if value.abs() > width { value } else { 0.0 }
 }
 
-/// The order of two coordinates.
+/// The difference of two coordinates.
 #[inline(always)]
 fn order([[a], [b]]: [[f64; 1]; 2]) -> f64 {
-    // Zero for equal coordinates only, since differences underflow gradually.
+    // Zero for equal coordinates only, since underflow is gradual.
     a - b
 }
 
-// The points of a scene are numbers of `F`: nothing is rounded here before it is computed with.
+// The points of a scene are numbers of `F`: they are not rounded before the computation.
 
-/// Twice the signed area, as Algorithm 5 computes its first: edge vectors from the last point, then their cross product.
+/// Twice the signed area, in the order of Algorithm 5's first area.
+///
+/// Edge vectors from the last point, then their cross product.
 #[inline(always)]
 fn area<F: Float>([a, b, c]: [[f64; 2]; 3]) -> f64 {
     quantities::area(&flat::<F>(c), &flat::<F>(a), &flat::<F>(b)).wide()
 }
 
-/// Six times the signed volume, as Algorithm 11 computes its first: edge vectors from the last point, a cross product and a dot product.
+/// Six times the signed volume, in the order of Algorithm 11's first volume.
+///
+/// Edge vectors from the last point, a cross product and a dot product.
 #[inline(always)]
 fn volume<F: Float>([a, b, c, d]: [[f64; 3]; 4]) -> f64 {
     quantities::volume(&solid::<F>(a), &solid::<F>(b), &solid::<F>(c), &solid::<F>(d)).wide()
@@ -130,7 +135,7 @@ impl<T, F: Float> Session<'_, T, F> {
     /// The tolerances of a projection; a 2D scene has only [`Plane::Xy`].
     ///
     /// # Errors
-    /// [`Declined`] where the projection has none, or is not of this scene.
+    /// [`Declined`] if the projection has none, or is not of this scene.
     #[inline]
     pub fn tolerances2d(&self, plane: Plane) -> Result<&Tolerances2d<F>, Declined> {
         match self.tolerances.planar.get(plane as usize) {
@@ -148,7 +153,7 @@ impl<T, F: Float> Session<'_, T, F> {
     /// The tolerances of contacts.
     ///
     /// # Errors
-    /// [`Declined`] where the scene has no primitive lengths, or `F` no room for them.
+    /// [`Declined`] if the scene has no primitive lengths, or `F` cannot represent them.
     pub fn contact_tolerances(&self) -> Result<&ContactTolerances<F>, Declined> {
         self.tolerances.contacts.as_ref().map_err(Clone::clone)
     }
@@ -160,7 +165,7 @@ impl<T, F: Float> Session<'_, T, F> {
         }
     }
 
-    /// The points of some vertices as seen along an axis.
+    /// The points of some vertices, projected to a plane.
     #[inline(always)]
     fn flat<const N: usize>(&self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
         let mut points = [[0.0; 2]; N];
@@ -187,7 +192,7 @@ impl<T, F: Float> Session<'_, T, F> {
         points
     }
 
-    /// A width, which is there.
+    /// A width, which must exist.
     #[inline(always)]
     fn width(&self, width: f64, question: Question) -> f64 {
         if width.is_nan() {
@@ -291,7 +296,7 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         }
     }
 
-    /// κ of the projection, ξ, or a band of [`circles`].
+    /// The band κ of the projection, ξ, or a band of [`circles`].
     fn band(&self, question: Question) -> Option<Band> {
         match question {
             Question::Orient2d(plane) => self.tolerances2d(plane).ok().map(|tolerances| tolerances.kappa),
@@ -302,8 +307,9 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         }
     }
 
-    /// σ₊, the largest of the tolerances that are distances: that of contacts,
-    /// where the scene has primitive lengths.
+    /// The distance σ₊, the largest tolerance that is a distance.
+    ///
+    /// It is the σ₊ of contacts, if the scene has primitive lengths.
     fn reach(&self) -> f64 {
         if let Ok(tolerances) = &self.tolerances.contacts {
             return tolerances.band([0, 0]).map_or(0.0, |sigma| sigma.upper);
@@ -414,13 +420,13 @@ impl<T: Tally, F: Float> Session<'_, T, F> {
         queries: &[[Vertex; 2]],
         out: &mut [Sign],
     ) {
-        // Within zero of it: a comparison has no band.
+        // Zero width: a comparison has no band.
         let band = (0.0, Question::Compare(axis));
         let one = |query: [Vertex; 2]| order(query.map(|v| [points[v.index()][axis.index()]]));
         self.many::<V, E, 1, 2>(band, points, (queries, out), order, one);
     }
 
-    /// Turns of `N` vertices each, and what they are with those that are the same in all.
+    /// Answers turns of `N` vertices each, where `all` adds the vertices that all turns share.
     fn turn_many<const N: usize>(
         &self,
         plane: Plane,
@@ -439,7 +445,8 @@ impl<T: Tally, F: Float> Session<'_, T, F> {
         }
     }
 
-    /// Answers a batch: by `evaluate` from points in view, and by `one` where a vertex is none of the scene's points.
+    /// Answers a batch: `evaluate` on points in view, and `one` for queries with a vertex that is not one of the
+    /// scene's points.
     #[inline(always)]
     fn many<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
         &self,

@@ -9,13 +9,12 @@ use crate::float::check_precision;
 
 /// The tolerances for 2D, each as T₋, T and T₊, for the arithmetic of `F`.
 ///
-/// The middle values are computed in `F`, in the order of Algorithm 1; the
-/// outer ones bound exact quantities and are Figure 1's with `F`'s ε, computed
-/// in double precision. The room between them is 10⁶ times larger than that
-/// rounding for `f32` and 10¹⁵ times for `f64`, for κ as for the lengths.
+/// The middle values are computed in `F`, in the order of Algorithm 1. The outer values bound exact quantities and are
+/// Figure 1's with `F`'s ε, computed in double precision. The gap between them is 10⁶ times larger than that rounding
+/// for `f32` and 10¹⁵ times for `f64`, for κ as for the lengths.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tolerances2d<F = f64> {
-    /// L: no coordinate difference exceeds it.
+    /// L: the upper bound of all coordinate differences.
     pub length: F,
     /// σ, vertex-vertex: a distance; 6.0, 6.5, 7.0 times √ε L.
     pub sigma: Band,
@@ -28,12 +27,10 @@ pub struct Tolerances2d<F = f64> {
 }
 
 impl<F: Float> Tolerances2d<F> {
-    /// Algorithm 1: for two meshes, from the largest bounding-box edge of a
-    /// primitive of each.
+    /// Algorithm 1: the tolerances for two meshes, from the largest bounding-box edge of a primitive of each.
     ///
-    /// L = (1 + 5ε)/(1 − 7√ε) · (La + Lb) holds two primitives side by side
-    /// with σ₊ between them, and its own rounding. (The text of 4.1 has 8√ε
-    /// in the denominator; σ₊ = 7√ε L needs the 7 of the algorithm.)
+    /// L = (1 + 5ε)/(1 − 7√ε) · (La + Lb) holds two primitives side by side with σ₊ between them, and its own rounding.
+    /// (The text of 4.1 has 8√ε in the denominator; σ₊ = 7√ε L needs the 7 of the algorithm.)
     ///
     /// # Panics
     /// If the machine epsilon of `F` is 10⁻⁵ or more.
@@ -45,7 +42,7 @@ impl<F: Float> Tolerances2d<F> {
         Tolerances2d::from_length((one + of(5.0) * F::EPSILON) / (one - of(7.0) * s) * (la + lb))
     }
 
-    /// From L itself, which must bound every coordinate difference.
+    /// The tolerances for a given L, which must bound every coordinate difference.
     ///
     /// # Panics
     /// If the machine epsilon of `F` is 10⁻⁵ or more.
@@ -63,7 +60,7 @@ impl<F: Float> Tolerances2d<F> {
         }
     }
 
-    /// All of Figure 1, by the symbols that the paper has.
+    /// All tolerances of Figure 1, by the paper's symbols.
     #[must_use]
     pub fn bands(mut self) -> [(&'static str, Band); 4] {
         self.bands_mut().map(|(symbol, band)| (symbol, *band))
@@ -73,11 +70,10 @@ impl<F: Float> Tolerances2d<F> {
         [("σ", &mut self.sigma), ("τ", &mut self.tau), ("σ̂", &mut self.sigma_hat), ("κ", &mut self.kappa)]
     }
 
-    /// Whether `F` has room for everything that Algorithms 2 to 5 compute, as
-    /// the paper assumes "no underflow or overflow"; L = 0 needs none.
+    /// Checks that `F` can represent everything that Algorithms 2 to 5 compute.
     ///
-    /// σ² and κ stand for what is compared: where both are normal numbers, what
-    /// underflow adds to an error is nothing beside the room around them.
+    /// The paper assumes "no underflow or overflow"; L = 0 needs no range. σ² and κ stand for the compared values: if
+    /// both are normal numbers, underflow adds to an error an amount that is negligible beside the gaps around them.
     ///
     /// # Errors
     /// [`Declined`] with L.
@@ -97,7 +93,7 @@ impl<F: Float> Tolerances2d<F> {
     }
 }
 
-/// √ε L and L², in the order of Algorithm 1.
+/// The units √ε L and L², in the order of Algorithm 1.
 pub(crate) fn units<N: Root>(epsilon: N, length: N) -> [N; 2] {
     [epsilon.sqrt() * length.clone(), length.clone() * length]
 }

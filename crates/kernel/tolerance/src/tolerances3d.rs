@@ -9,13 +9,12 @@ use crate::float::check_precision;
 
 /// The tolerances for 3D, each as T₋, T and T₊, for the arithmetic of `F`.
 ///
-/// The middle values are computed in `F`, in the order of Algorithm 6; the
-/// outer ones bound exact quantities and are Figure 5's with `F`'s ε, computed
-/// in double precision. Where the figure says "≈" the value is that of the
-/// constraint which defines it.
+/// The middle values are computed in `F`, in the order of Algorithm 6. The outer values bound exact quantities and are
+/// Figure 5's with `F`'s ε, computed in double precision. Where the figure says "≈" the value is that of the constraint
+/// which defines it.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Tolerances3d<F = f64> {
-    /// L: no coordinate difference exceeds it.
+    /// L: the upper bound of all coordinate differences.
     pub length: F,
     /// σ, vertex-vertex: a distance; 6.0, 6.5, 7.0 times ε^¼ L.
     pub sigma: Band,
@@ -46,11 +45,10 @@ pub struct Tolerances3d<F = f64> {
 }
 
 impl<F: Float> Tolerances3d<F> {
-    /// Algorithm 6: for two meshes, from the largest bounding-box edge of a
-    /// primitive of each.
+    /// Algorithm 6: the tolerances for two meshes, from the largest bounding-box edge of a primitive of each.
     ///
-    /// L = (1 + 5ε)/(1 − 7ε^¼) · (La + Lb) holds two primitives side by side
-    /// with σ₊ between them, and its own rounding.
+    /// L = (1 + 5ε)/(1 − 7ε^¼) · (La + Lb) holds two primitives side by side with σ₊ between them, and its own
+    /// rounding.
     ///
     /// # Panics
     /// If the machine epsilon of `F` is 10⁻⁵ or more.
@@ -62,7 +60,7 @@ impl<F: Float> Tolerances3d<F> {
         Tolerances3d::from_length((one + of(5.0) * F::EPSILON) / (one - of(7.0) * a) * (la + lb))
     }
 
-    /// From L itself, which must bound every coordinate difference.
+    /// The tolerances for a given L, which must bound every coordinate difference.
     ///
     /// # Panics
     /// If the machine epsilon of `F` is 10⁻⁵ or more.
@@ -88,7 +86,7 @@ impl<F: Float> Tolerances3d<F> {
         }
     }
 
-    /// All of Figure 5, by the symbols that the paper has.
+    /// All tolerances of Figure 5, by the paper's symbols.
     #[must_use]
     pub fn bands(mut self) -> [(&'static str, Band); 12] {
         self.bands_mut().map(|(symbol, band)| (symbol, *band))
@@ -111,12 +109,11 @@ impl<F: Float> Tolerances3d<F> {
         ]
     }
 
-    /// Whether `F` has room for everything that Algorithms 7 to 12 compute, as
-    /// the paper assumes "no underflow or overflow"; L = 0 needs none.
+    /// Checks that `F` can represent everything that Algorithms 7 to 12 compute.
     ///
-    /// The smallest of what is compared is γ²m² where m² is λ₋, 3640 ε^(3/2) L⁶;
-    /// the largest value is d̂² ≤ 36 L⁶. Where the first is a normal number,
-    /// what underflow adds to an error is nothing beside the room around it.
+    /// The paper assumes "no underflow or overflow"; L = 0 needs no range. The smallest compared value is γ²m² for m² =
+    /// λ₋, 3640 ε^(3/2) L⁶; the largest value is d̂² ≤ 36 L⁶. If the first is a normal number, underflow adds to an
+    /// error an amount that is negligible beside the gap around it.
     ///
     /// # Errors
     /// [`Declined`] with L.
@@ -139,7 +136,7 @@ impl<F: Float> Tolerances3d<F> {
     }
 }
 
-/// c = ε^¼ L, e = ε^¾ L³ and f = ε L⁴, in the order of Algorithm 6.
+/// The units c = ε^¼ L, e = ε^¾ L³ and f = ε L⁴, in the order of Algorithm 6.
 pub(crate) fn units<N: Root>(epsilon: N, length: N) -> [N; 3] {
     let s = epsilon.clone().sqrt();
     let a = s.clone().sqrt();

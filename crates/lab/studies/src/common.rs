@@ -5,7 +5,7 @@ use std::path::PathBuf;
 /// Seed, threads and folder of a study.
 #[derive(Clone, PartialEq, Eq, Debug, clap::Args)]
 pub struct Common {
-    /// The seed of all that is drawn
+    /// The seed of all random choices
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
 
@@ -19,7 +19,7 @@ pub struct Common {
 }
 
 impl Default for Common {
-    /// As if none was given.
+    /// The default arguments, as if none was given.
     fn default() -> Common {
         Common { seed: 1, threads: None, out: None }
     }

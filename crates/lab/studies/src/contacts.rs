@@ -1,7 +1,6 @@
 //! The contacts of two complexes, as a backend registers them.
 //!
-//! Parity and resolution are about contacts; how a backend is asked for them is
-//! written here only.
+//! Parity and resolution use contacts; the code to query a backend for them is only here.
 
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_contacts::task;
@@ -9,10 +8,10 @@ use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Scene};
 use predicament_tasks::{AnswerError, Contestant};
 
-/// All contacts of two complexes of a scene, which has to know the lengths of their primitives.
+/// All contacts of two complexes of a scene, which must have the lengths of their primitives.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 pub(crate) fn contacts(
     backend: &dyn Contestant,
     scene: &Scene,

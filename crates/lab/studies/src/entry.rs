@@ -1,4 +1,4 @@
-//! A study whose type is hidden, as a list of them has it.
+//! A study with a hidden type, for lists of studies.
 
 use std::path::Path;
 
@@ -7,12 +7,12 @@ use predicament_tasks::Contestant;
 
 use crate::{Error, Host, Report, Study};
 
-/// A study as a command line needs it.
+/// A study in the form that a command line needs.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// The name of its command.
+    /// The name of the study's command.
     pub name: &'static str,
-    /// What it asks, in one line.
+    /// The study's question, in one line.
     pub asks: &'static str,
     command: fn() -> Command,
     parse: fn(&ArgMatches) -> Result<Box<dyn Ready>, clap::Error>,
@@ -25,7 +25,7 @@ impl Entry {
         Entry { name: S::NAME, asks: S::ASKS, command: command::<S>, parse: parse::<S> }
     }
 
-    /// Its command, with arguments and help.
+    /// The study's command, with arguments and help.
     #[must_use]
     pub fn command(&self) -> Command {
         (self.command)()
@@ -34,14 +34,14 @@ impl Entry {
     /// The study with the arguments that its [command](Entry::command) matched.
     ///
     /// # Errors
-    /// Those of clap, for arguments that do not fit.
+    /// The errors of clap, for invalid arguments.
     pub fn parse(&self, matches: &ArgMatches) -> Result<Box<dyn Ready>, clap::Error> {
         (self.parse)(matches)
     }
 }
 
 fn command<S: Study>() -> Command {
-    // Arguments come with the first line of their type's documentation, which is for readers of the code.
+    // Clap takes the first line of the arguments' documentation, which is for readers of the code.
     let command = S::augment_args(Command::new(S::NAME)).about(S::ASKS).long_about(None).after_help(S::HELP);
     if S::NEEDS_FOLDER { command.mut_arg("out", |out| out.required(true)) } else { command }
 }
@@ -50,21 +50,21 @@ fn parse<S: Study + 'static>(matches: &ArgMatches) -> Result<Box<dyn Ready>, cla
     Ok(Box::new(S::from_arg_matches(matches)?))
 }
 
-/// A study with its arguments, ready to be started. Every [`Study`] is one.
+/// A study with its arguments, ready to run; every [`Study`] implements it.
 pub trait Ready {
-    /// As [`Study::backends`].
+    /// The same as [`Study::backends`].
     fn backends(&self) -> Vec<String>;
 
-    /// As [`Study::threads`].
+    /// The same as [`Study::threads`].
     fn threads(&self) -> Option<usize>;
 
-    /// As [`Study::out`].
+    /// The same as [`Study::out`].
     fn out(&self) -> Option<&Path>;
 
-    /// As [`Study::report`].
+    /// The same as [`Study::report`].
     ///
     /// # Errors
-    /// Those of [`Study::report`].
+    /// The errors of [`Study::report`].
     fn report(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Report, Error>;
 }
 

@@ -1,25 +1,25 @@
-//! Why a study has no result.
+//! The reasons why a study has no result.
 
 use predicament_tasks::Stop;
 
-/// Why a study has no result.
+/// The reason why a study has no result.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Error {
     /// The watch stopped it.
     Stopped(Stop),
     /// An argument or a backend does not fit the study, in one line.
     Unfit(String),
-    /// A result cannot be written in the format asked for, in one line.
+    /// A result cannot be written in the requested format, in one line.
     Format(String),
 }
 
 impl Error {
-    /// An argument or a backend that does not fit the study.
+    /// The error for an argument or a backend that does not fit the study.
     pub fn unfit(why: impl std::fmt::Display) -> Error {
         Error::Unfit(why.to_string())
     }
 
-    /// A result that cannot be written.
+    /// The error for a result that cannot be written.
     pub fn format(why: impl std::fmt::Display) -> Error {
         Error::Format(why.to_string())
     }

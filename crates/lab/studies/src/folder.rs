@@ -1,11 +1,11 @@
-//! What a study has written, read back for a report.
+//! The files of a study, read back for a report.
 
 use std::path::{Path, PathBuf};
 
 use predicament_report::{Block, Picture};
 use serde::de::DeserializeOwned;
 
-/// Why what a study has written is not read back.
+/// The reason why a study's files cannot be read back.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum FolderError {
@@ -13,16 +13,16 @@ pub enum FolderError {
     Unread {
         /// The file or folder.
         path: PathBuf,
-        /// What the operating system, or the reader, says.
+        /// The message of the operating system, or of the reader.
         why: String,
     },
-    /// A row is not one of the table.
+    /// A row does not fit the table.
     Row {
         /// The file.
         path: PathBuf,
         /// The line of the row, from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The error of the row.
         why: String,
         /// The command that writes the file.
         command: String,
@@ -32,18 +32,18 @@ pub enum FolderError {
         /// The file.
         path: PathBuf,
     },
-    /// A table lacks rows that a page is made of.
+    /// A table lacks rows that a page needs.
     Lacks {
         /// The file, in the folder of a run.
         file: &'static str,
-        /// What it has no row of.
+        /// The missing rows.
         what: String,
     },
     /// No part of a page has this name.
     UnknownPart {
-        /// The name.
+        /// The unknown name.
         name: String,
-        /// The names that there are.
+        /// The known names.
         known: Vec<&'static str>,
     },
 }
@@ -69,12 +69,12 @@ impl std::error::Error for FolderError {}
 /// The rows of a table that `predicament COMMAND` writes.
 ///
 /// # Errors
-/// [`FolderError`] with the file, and the line that is wrong.
+/// [`FolderError`] with the file, and the wrong line.
 pub fn rows_of<T: DeserializeOwned>(path: &Path, command: &str) -> Result<Vec<T>, FolderError> {
     let mut rows = csv::Reader::from_path(path)
         .map_err(|why| FolderError::Unread { path: path.to_owned(), why: why.to_string() })?;
     let row = |(at, row): (usize, Result<T, csv::Error>)| {
-        // Under a header, from one on.
+        // Below a header, counted from one.
         row.map_err(|why| FolderError::Row {
             path: path.to_owned(),
             line: at + 2,
@@ -85,7 +85,7 @@ pub fn rows_of<T: DeserializeOwned>(path: &Path, command: &str) -> Result<Vec<T>
     rows.deserialize().enumerate().map(row).collect()
 }
 
-/// The plots of a folder whose names are this, or begin with this and a dash, in their order.
+/// The plots of a folder with this name, or whose names begin with it and a dash, in their order.
 ///
 /// # Errors
 /// [`FolderError`] with the folder or the file, and why it can't be read.

@@ -1,7 +1,7 @@
-//! The host of a study: where it reports progress and is told to stop.
+//! The host of a study, to which it reports progress and which can stop it.
 //!
-//! A study knows neither terminals nor signals: whoever starts it watches it.
-//! The tool draws a progress bar and listens to Ctrl-C; a test does neither.
+//! A study knows neither terminals nor signals: the program that starts it watches it. The tool draws a progress bar
+//! and listens to Ctrl-C; a test does neither.
 
 use std::sync::atomic::AtomicBool;
 
@@ -9,32 +9,34 @@ use predicament_tasks::{AnyTask, Contestant, Watch};
 
 use crate::Error;
 
-/// Follows a study while it measures, and can stop it.
+/// An observer of a running study, which can also stop it.
 pub trait Host {
-    /// What the work looks at between its chunks, and reports to.
+    /// The watch that the work checks between its chunks, and reports to.
     fn watch(&self) -> &Watch<'_>;
 
-    /// The tasks that there are, for a study that goes through them.
+    /// The available tasks, for a study that goes through them.
     fn tasks(&self) -> &[&'static dyn AnyTask];
 
-    /// A backend on these tasks, by its name: one that the study needs besides those that it was asked for.
+    /// A backend on these tasks, by its name.
+    ///
+    /// It is for backends that the study needs besides the requested ones.
     ///
     /// # Errors
-    /// [`Error::Unfit`] with the names that there are.
+    /// [`Error::Unfit`] with the known names.
     fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error>;
 
-    /// A part of the work begins: so many units, which are called so.
+    /// Begins a part of the work, with this many units of this name.
     fn begin(&self, total: u64, unit: &str) {
         let _ = (total, unit);
     }
 
-    /// The study turns to this backend or algorithm.
+    /// Reports the backend or algorithm that the study measures next.
     fn turn_to(&self, what: &str) {
         let _ = what;
     }
 }
 
-/// How a backend is found by its name.
+/// A function that finds a backend by its name.
 type Find = fn(&str) -> Result<Box<dyn Contestant>, Error>;
 
 /// A host that shows no progress and never stops a study.
@@ -45,13 +47,13 @@ pub struct Quiet {
 }
 
 impl Quiet {
-    /// A host for tests and for programs that wait, without tasks and backends of its own.
+    /// A host for tests and for programs that wait, without tasks and backends.
     #[must_use]
     pub fn new() -> Quiet {
         Quiet::on(&[], |name| Err(Error::Unfit(format!("no backend is called `{name}`"))))
     }
 
-    /// The same with these tasks and backends.
+    /// A host with these tasks and backends.
     #[must_use]
     pub fn on(tasks: &'static [&'static dyn AnyTask], find: Find) -> Quiet {
         static NEVER: AtomicBool = AtomicBool::new(false);

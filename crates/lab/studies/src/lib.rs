@@ -1,12 +1,10 @@
 //! Studies: one question about predicates each, measured across backends.
 //!
-//! A study answers one question about backends by measuring many random or
-//! exhausted cases, and shows the answer as rows, tables and plots. It never
-//! judges the scenes of a suite (that is the crate `oracle`), never decides
-//! what is true by itself (that is the crate `judge`, and the checks of systems), and reads
-//! and writes no files: whoever starts it does. Go next to the trait [`Study`]
-//! for the common shape, to [`laws`] for the shortest example of it, and to
-//! `harness/src/cmd/study.rs` for how the tool runs one.
+//! A study answers one question about backends by measuring many random or exhausted cases, and shows the answer as
+//! rows, tables and plots. It never judges the scenes of a suite (the crate `oracle` does). It never decides the truth
+//! itself (the crate `judge` and the checks of systems do). It reads and writes no files: the program that starts it
+//! does. Read next the trait [`Study`] for the common structure, then [`laws`] for the shortest example, and
+//! `harness/src/cmd/study.rs` for the tool's use of a study.
 //!
 //! * [`compare`]: when should one use which backend?
 //! * [`stress`]: where do backends break as one knob is turned?
@@ -15,14 +13,15 @@
 //! * [`resolution`]: how small can a feature be before tolerances lose it?
 //! * [`audit`]: do the tolerance paper's algorithms keep their guarantee at their thresholds?
 //! * [`worst`]: how near do the worst inputs come to that paper's bounds?
-//! * [`cascades`]: what becomes of a polygon when results are operands of the next step?
-//! * [`cut`]: what is a tetrahedral mesh worth that is cut by the contacts of a backend?
-//! * [`Study`]: the shape of all of them; [`Entry`]: one whose type is hidden.
+//! * [`cascades`]: how does a polygon change if each result is an operand of the next step?
+//! * [`cut`]: how good is a tetrahedral mesh that is cut by the contacts of a backend?
+//! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //!
 //! # Adding a study
 //!
-//! A study is a type in anybody's crate that the tool is told of: `predicament::cli().study::<Order>()`. This is a whole study: is zero smaller than one?
+//! A study is a type in any crate, registered with the tool: `predicament::cli().study::<Order>()`. This is a complete
+//! study: is zero smaller than one?
 //!
 //! ```
 //! use predicament_oracle::roster;

@@ -1,19 +1,19 @@
-//! The binary formats that the tolerance backend exists in.
+//! The binary formats of the tolerance backend.
 
-/// The format of coordinates.
+/// The binary format of coordinates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Precision {
-    /// `f64`, ε = 2⁻⁵².
+    /// Double precision: `f64`, ε = 2⁻⁵².
     Double,
-    /// `f32`, ε = 2⁻²³. Doubles hold all its values.
+    /// Single precision: `f32`, ε = 2⁻²³; doubles can represent all its values.
     Single,
 }
 
 impl Precision {
-    /// Both.
+    /// Both precisions.
     pub const ALL: [Precision; 2] = [Precision::Double, Precision::Single];
 
-    /// As in `f64`.
+    /// The type's name, such as `f64`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -22,7 +22,7 @@ impl Precision {
         }
     }
 
-    /// The precision of the scenes that a backend can take.
+    /// The precision of the scenes that a backend accepts.
     #[must_use]
     pub fn of_backend(name: &str) -> Precision {
         if name.ends_with(":f32") { Precision::Single } else { Precision::Double }

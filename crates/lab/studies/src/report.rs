@@ -1,4 +1,4 @@
-//! The files of a study.
+//! The files and the report of a study.
 
 use std::fmt::Display;
 use std::path::Path;
@@ -12,9 +12,9 @@ use crate::Error;
 /// A file that a study writes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct File {
-    /// Its name, with the extension; a path where it goes to another folder than the rest.
+    /// The file's name, with the extension; a path if it goes to another folder than the rest.
     pub name: String,
-    /// Its contents.
+    /// The contents of the file.
     pub bytes: Vec<u8>,
 }
 
@@ -24,14 +24,14 @@ impl File {
         File { name: name.into(), bytes: contents.into() }
     }
 
-    /// A plot, where there is one, as SVG and as PDF, with this name before the extension.
+    /// A plot as SVG and as PDF, with this name before the extension; no files without a picture.
     pub fn plot(name: impl Display, picture: impl Into<Option<Picture>>) -> Vec<File> {
         let Some(Picture { svg, pdf }) = picture.into() else { return Vec::new() };
         let svg = File::new(format!("{name}.svg"), svg);
         [svg].into_iter().chain(pdf.map(|pdf| File::new(format!("{name}.pdf"), pdf))).collect()
     }
 
-    /// Its contents as text; nothing if they are none.
+    /// The contents as text; empty if they are not text.
     #[must_use]
     pub fn text(&self) -> &str {
         std::str::from_utf8(&self.bytes).unwrap_or_default()
@@ -48,19 +48,19 @@ impl File {
     }
 }
 
-/// Everything that a study has to show.
+/// The complete output of a study.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Report {
-    /// What goes to standard output: the page, or the rows where the arguments ask for them.
+    /// The text for standard output: the page, or the rows if the arguments ask for them.
     pub printed: String,
     /// The rows, the page, plots and suites.
     pub files: Vec<File>,
-    /// Whether every promise held that the study is about.
+    /// True if every promise that the study tests held.
     pub holds: bool,
 }
 
 impl Report {
-    /// Writes all files to a folder that exists; other folders are made.
+    /// Writes all files to an existing folder; it makes other folders.
     ///
     /// # Errors
     /// The path that cannot be written, and why.

@@ -1,8 +1,7 @@
 //! Delta debugging: the smallest scene that still shows a finding.
 //!
-//! The search is greedy: a scene proposes [reductions](Shrink::reductions)
-//! of itself, the boldest first; the first that still shows the finding takes
-//! its place, until none does. The same scene gives the same result every time.
+//! The search is greedy: a scene proposes [reductions](Shrink::reductions), the boldest first. The first one that still
+//! shows the finding replaces the scene, until none does. The same scene always gives the same result.
 
 use predicament_search::shrink::descent::{Descent, Evaluations};
 
@@ -14,26 +13,28 @@ pub trait Shrink: Sized {
     /// The size of the scene.
     fn size(&self) -> Self::Size;
 
-    /// Scenes that may be smaller, the boldest first. Those that are not are
-    /// passed over untried.
+    /// Scenes that may be smaller, the boldest first.
+    ///
+    /// The search skips those that are not smaller.
     fn reductions(&self) -> Vec<Self>;
 }
 
-/// The smallest scene found, and how it was found.
+/// The smallest scene found, and the effort.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Shrunk<S> {
-    /// The scene.
+    /// The smallest scene.
     pub scene: S,
-    /// How many reductions were taken.
+    /// The number of reductions that were taken.
     pub taken: u64,
-    /// How many scenes were tried.
+    /// The number of scenes that were tried.
     pub tried: u64,
-    /// Whether no reduction of it shows the finding; not so if the limit came first.
+    /// True if no reduction of it shows the finding; false if the limit came first.
     pub minimal: bool,
 }
 
-/// Shrinks a scene while `shows` says that it shows the finding, trying at
-/// most `limit` scenes. The scene itself is not tried.
+/// Shrinks a scene while `shows` says that it shows the finding, trying at most `limit` scenes.
+///
+/// It does not try the scene itself.
 pub fn shrink<S: Shrink>(scene: S, limit: u64, mut shows: impl FnMut(&S) -> bool) -> Shrunk<S> {
     let mut shows = |candidate: &S, evaluations: &mut Evaluations| {
         evaluations.count()?;
@@ -51,8 +52,9 @@ pub fn shrink<S: Shrink>(scene: S, limit: u64, mut shows: impl FnMut(&S) -> bool
     Shrunk { scene: search.best, taken: search.taken, tried: search.evaluations.made, minimal }
 }
 
-/// How long a coordinate is: the bits from its first to its last that is set,
-/// and for a fraction those behind the point again. Zero for zero.
+/// The length of a coordinate: the bits from its first to its last set bit.
+///
+/// For a fraction the number of bits after the point is added. Zero for zero.
 #[must_use]
 pub fn length(x: f64) -> u32 {
     if x == 0.0 {
@@ -68,9 +70,9 @@ pub fn length(x: f64) -> u32 {
     (64 - odd.leading_zeros()) + behind
 }
 
-/// Shorter coordinates close to this one, the shortest first: zero, then
-/// roundings to ever more bits, each down and up in magnitude. An infinity is
-/// none of them.
+/// Shorter coordinates close to this one, the shortest first.
+///
+/// They are zero, then roundings to more and more bits, each down and up in magnitude. Infinities are excluded.
 #[must_use]
 pub fn shorter(x: f64) -> Vec<f64> {
     let mut candidates = vec![0.0];
@@ -86,7 +88,7 @@ pub fn shorter(x: f64) -> Vec<f64> {
     candidates
 }
 
-/// The list without each of its elements.
+/// The lists with one element removed, for each element.
 pub fn without_each<T: Clone>(list: &[T]) -> impl Iterator<Item = Vec<T>> {
     (0..list.len()).map(|at| [&list[..at], &list[at + 1..]].concat())
 }
@@ -117,7 +119,7 @@ mod tests {
                     Numbers(numbers)
                 })
             });
-            // Growing is no reduction, and must not keep the search from ending.
+            // Growing is not a reduction, and must not keep the search from ending.
             dropped.chain(rounded).chain([Numbers([&self.0[..], &[1.0]].concat())]).collect()
         }
     }
@@ -139,7 +141,7 @@ mod tests {
     }
 
     proptest! {
-        /// Against rationals.
+        /// Compares with rationals.
         #[test]
         fn length_is_that_of_numerator_and_denominator(x in any::<f64>()) {
             prop_assume!(x.is_finite() && x != 0.0);

@@ -1,8 +1,7 @@
-//! The shape of a study: arguments, a survey, and ways to show what it found.
+//! The structure of a study: arguments, a survey, and ways to show its results.
 //!
-//! The type of a study *is* its arguments, so its help, its defaults and its
-//! survey stand in one place. Measuring and showing are apart: rows, page,
-//! plots and suites are made of the same measurements and cannot disagree.
+//! The type of a study *is* its arguments, so its help, its defaults and its survey are in one place. Measuring and
+//! showing are separate: rows, page, plots and suites are made from the same measurements and cannot disagree.
 
 use std::path::Path;
 
@@ -15,89 +14,88 @@ pub trait Study: clap::Args {
     /// The name of the command, and of the page.
     const NAME: &'static str;
 
-    /// What it asks, in one line: the first line of the help.
+    /// The study's question, in one line: the first line of the help.
     const ASKS: &'static str;
 
-    /// What it does, what it writes, its exit codes and examples: the end of the help.
+    /// A description of the method, the output, exit codes and examples: the end of the help.
     const HELP: &'static str;
 
-    /// Whether it is refused without a folder: what it finds is in its files.
+    /// True if the study is refused without a folder, because its results are in its files.
     const NEEDS_FOLDER: bool = false;
 
-    /// What was measured.
+    /// The type of the measurements.
     type Measured;
 
-    /// The backends that it is given, by name; none if it asks none.
+    /// The backends to measure, by name; empty if it needs none.
     fn backends(&self) -> Vec<String> {
         Vec::new()
     }
 
-    /// Seed, threads and folder, where it has those that studies have in common.
+    /// The common arguments seed, threads and folder, if the study has them.
     fn common(&self) -> Option<&Common> {
         None
     }
 
-    /// Threads to measure on; all cores if `None`.
+    /// The number of threads to measure on; all cores if `None`.
     fn threads(&self) -> Option<usize> {
         self.common().and_then(|common| common.threads)
     }
 
-    /// The folder that its files go to; nothing is written if `None`.
+    /// The folder for the study's files; nothing is written if `None`.
     fn out(&self) -> Option<&Path> {
         self.common().and_then(|common| common.out.as_deref())
     }
 
-    /// Measures. The result must not depend on the number of threads.
+    /// Measures the backends; the result must not depend on the number of threads.
     ///
     /// `backends` are those of [`Study::backends`], in that order, each once.
     ///
     /// # Errors
-    /// [`Error::Stopped`] where the host's watch says so, [`Error::Unfit`]
-    /// where a backend cannot be measured.
+    /// [`Error::Stopped`] if the host's watch says so, [`Error::Unfit`] if a backend cannot be measured.
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Self::Measured, Error>;
 
     /// The rows, as CSV files.
     ///
     /// # Errors
-    /// [`Error::Format`].
+    /// [`Error::Format`] if the rows cannot be written as CSV.
     fn rows(&self, measured: &Self::Measured) -> Result<Vec<File>, Error>;
 
     /// The tables, as Markdown.
     fn page(&self, measured: &Self::Measured) -> String;
 
-    /// Plots, as SVG and PDF.
+    /// The plots, as SVG and PDF.
     ///
     /// # Errors
-    /// [`Error::Format`].
+    /// [`Error::Format`] if a plot cannot be drawn.
     fn plots(&self, measured: &Self::Measured) -> Result<Vec<File>, Error> {
         let _ = measured;
         Ok(Vec::new())
     }
 
-    /// Scenes worth keeping, as suites that `predicament run` reads.
+    /// The scenes worth keeping, as suites that `predicament run` reads.
     ///
     /// # Errors
-    /// [`Error::Format`].
+    /// [`Error::Format`] if a suite cannot be written.
     fn suites(&self, measured: &Self::Measured) -> Result<Vec<File>, Error> {
         let _ = measured;
         Ok(Vec::new())
     }
 
-    /// Whether every promise held that the study is about.
+    /// Returns true if every promise that the study tests held.
     fn holds(&self, measured: &Self::Measured) -> bool {
         let _ = measured;
         true
     }
 
-    /// Whether rows are printed in place of the page.
+    /// Returns true if rows are printed instead of the page.
     fn prints_rows(&self) -> bool {
         false
     }
 
-    /// Measures and shows everything.
+    /// Measures the backends and makes all output.
     ///
     /// # Errors
-    /// Those of [`Study::survey`], and [`Error::Format`].
+    /// The errors of [`Study::survey`], and [`Error::Format`].
     fn report(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Report, Error> {
         let measured = self.survey(backends, host)?;
         let (rows, page) = (self.rows(&measured)?, self.page(&measured));

@@ -1,25 +1,26 @@
-//! The RustSec advisory database: a folder `crates/PACKAGE` with a Markdown file for each advisory, which begins with TOML.
+//! The RustSec advisory database: a folder `crates/PACKAGE` with one Markdown file per advisory, which begins with
+//! TOML.
 
 use std::path::{Path, PathBuf};
 
 use super::version::{Version, meets};
 
-/// An advisory, as far as it says who is affected.
+/// An advisory, reduced to the fields that say which versions are affected.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Advisory {
-    /// Its id, such as `RUSTSEC-2024-0001`.
+    /// The advisory's id, such as `RUSTSEC-2024-0001`.
     pub id: String,
-    /// The package that it is about.
+    /// The affected package.
     pub package: String,
-    /// The day on which it was published.
+    /// The day of publication.
     pub date: String,
-    /// What it is if it is not a vulnerability: `unsound`, `unmaintained` or `notice`.
+    /// The kind of an advisory that is not a vulnerability: `unsound`, `unmaintained` or `notice`.
     pub informational: Option<String>,
-    /// The versions that are mended, as requirements.
+    /// The fixed versions, as requirements.
     pub patched: Vec<String>,
-    /// The versions that never had it, as requirements.
+    /// The versions that were never affected, as requirements.
     pub unaffected: Vec<String>,
-    /// Whether it was withdrawn.
+    /// True if the advisory was withdrawn.
     pub is_withdrawn: bool,
 }
 
@@ -27,7 +28,7 @@ impl Advisory {
     /// Reads the text of an advisory's file.
     ///
     /// # Errors
-    /// What is missing, or the line that can't be read.
+    /// The missing field, or the line that can't be read.
     pub fn read(text: &str) -> Result<Advisory, String> {
         let front = text.trim_start().strip_prefix("```toml\n").and_then(|rest| rest.split_once("\n```"));
         let (front, _) = front.ok_or("it does not begin with a block of TOML")?;
@@ -40,7 +41,7 @@ impl Advisory {
             }
             let (key, value) = line.split_once('=').ok_or_else(|| format!("`{line}` is not a key with a value"))?;
             let mut value = value.trim().to_owned();
-            // An array may go on over several lines.
+            // An array may continue over several lines.
             while value.starts_with('[') && !strings(&value)?.1 {
                 value.push('\n');
                 value += lines.next().ok_or_else(|| format!("the array of `{}` does not end", key.trim()))?;
@@ -68,7 +69,7 @@ impl Advisory {
         Ok(())
     }
 
-    /// Whether a version has what the advisory is about: it is neither patched nor unaffected.
+    /// Returns true if the advisory affects a version: the version is neither patched nor unaffected.
     ///
     /// # Errors
     /// If a requirement can't be read.
@@ -82,7 +83,7 @@ impl Advisory {
     }
 }
 
-/// The quoted strings of a TOML value, and whether a bracket ends it. What stands after `#` outside of quotes is a comment.
+/// The quoted strings of a TOML value, and true if a bracket ends it; text after `#` outside of quotes is a comment.
 pub fn strings(value: &str) -> Result<(Vec<String>, bool), String> {
     let (mut all, mut rest) = (Vec::new(), value);
     while let Some(at) = rest.find(['"', '\'', ']', '#']) {
@@ -102,7 +103,7 @@ pub fn strings(value: &str) -> Result<(Vec<String>, bool), String> {
 
 /// The advisories of a database.
 pub struct Database {
-    /// All that could be read.
+    /// All advisories that could be read.
     pub advisories: Vec<Advisory>,
     /// The files that could not be read, each with the reason.
     pub unread: Vec<String>,
@@ -137,7 +138,7 @@ impl Database {
     }
 }
 
-/// What is in a folder, in order.
+/// The entries of a folder, sorted.
 pub fn entries(folder: &Path) -> Result<Vec<PathBuf>, String> {
     let failed = |error: std::io::Error| format!("{}: {error}", folder.display());
     let entries = std::fs::read_dir(folder).map_err(failed)?;

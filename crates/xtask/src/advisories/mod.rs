@@ -1,6 +1,7 @@
-//! `cargo xtask advisories`: the lock files against a RustSec advisory database that is on this machine.
+//! `cargo xtask advisories`: checks the lock files against a RustSec advisory database on this machine.
 //!
-//! It reads the database itself and asks no network, so that it runs wherever a copy is at hand, and can be tested with a copy of two files.
+//! It reads the database itself and does not use the network. So it runs wherever a copy exists, and can be tested with
+//! a copy of two files.
 
 mod database;
 mod version;
@@ -11,11 +12,11 @@ use crate::command::root;
 use database::{Advisory, Database, entries, strings};
 use version::Version;
 
-/// What a database can't say about the other lock files.
+/// The message about everything that this check does not cover.
 const NOT_CHECKED: &str = "not checked: yanked versions, the toolchain, C code of crates (GMP), and the lists of npm and pip (package-lock.json, \
                            requirements.txt), for which `npm audit` and `pip-audit` ask the network";
 
-/// Holds all lock files against the database that is named by `--db DIR`, or against one that cargo-audit or cargo-deny has left.
+/// Checks all lock files against the database of `--db DIR`, or against one that cargo-audit or cargo-deny has left.
 ///
 /// # Errors
 /// If there is no database, something in it can't be read, or a locked version is vulnerable or unsound.
@@ -42,10 +43,10 @@ pub fn check(args: &[String]) -> Result<(), String> {
     findings.tell()
 }
 
-/// Does the same in `nightly`, which goes on without a database and says so.
+/// Runs the same check in `nightly`, which continues without a database and reports that.
 ///
 /// # Errors
-/// As [`check`], but for a missing database.
+/// As [`check`], except for a missing database.
 pub fn check_if_at_hand() -> Result<(), String> {
     println!("\n== advisories");
     if at_hand().is_none() {
@@ -55,7 +56,7 @@ pub fn check_if_at_hand() -> Result<(), String> {
     check(&[])
 }
 
-/// The database that cargo-audit or cargo-deny keeps in cargo's folder.
+/// The database that cargo-audit or cargo-deny stores in cargo's folder.
 fn at_hand() -> Option<PathBuf> {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| std::env::home_dir().map(|home| home.join(".cargo")))?;
@@ -89,23 +90,23 @@ fn ignored(config: &str) -> Result<Vec<(String, String)>, String> {
     entries.collect()
 }
 
-/// What was found, a line for each.
+/// The findings, one line for each.
 #[derive(Default, PartialEq, Eq, Debug)]
 struct Findings {
-    /// Versions that are vulnerable or unsound.
+    /// Vulnerable or unsound versions.
     hits: Vec<String>,
-    /// Versions of crates that nobody maintains or that have a notice, and hits that are let pass.
+    /// Versions of unmaintained crates or with a notice, and ignored hits.
     notes: Vec<String>,
-    /// What could not be read.
+    /// The files that could not be read.
     unread: Vec<String>,
-    /// Advisories that are let pass, each with the reason.
+    /// Ignored advisories, each with the reason.
     ignored: Vec<(String, String)>,
-    /// How many packages were held against the advisories.
+    /// The number of checked packages.
     packages: usize,
 }
 
 impl Findings {
-    /// Holds each package of a lock file against the advisories.
+    /// Checks each package of a lock file against the advisories.
     fn hold(&mut self, lock: &str, text: &str, advisories: &[Advisory]) {
         for (package, version) in packages(text) {
             self.packages += 1;
@@ -132,7 +133,7 @@ impl Findings {
         }
     }
 
-    /// Prints the lines; an error if one of them asks for a change.
+    /// Prints the lines; returns an error if one of them requires a change.
     fn tell(&self) -> Result<(), String> {
         self.hits.iter().for_each(|line| println!("{line}"));
         self.notes.iter().for_each(|line| println!("note: {line}"));
@@ -163,7 +164,7 @@ fn packages(lock: &str) -> Vec<(&str, &str)> {
 mod tests {
     use super::*;
 
-    /// A lock file with a crate of this version from a registry, and one of its own.
+    /// A lock file with a crate of this version from a registry, and a local crate.
     fn lock(version: &str) -> String {
         format!(
             "version = 4\n\n[[package]]\nname = \"leaky\"\nversion = \"{version}\"\nsource = \"registry+r\"\n\
@@ -171,7 +172,7 @@ mod tests {
         )
     }
 
-    /// A database in a folder of its own, with one advisory about `leaky`, of this kind.
+    /// A database in a separate folder, with one advisory of this kind about `leaky`.
     fn database(name: &str, kind: &str) -> Database {
         let folder = std::env::temp_dir().join(format!("predicament-advisories-{name}-{}", std::process::id()));
         let of = folder.join("crates/leaky");

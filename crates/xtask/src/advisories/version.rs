@@ -1,8 +1,10 @@
-//! Versions and requirements as cargo orders them: as much of semantic versioning as advisories use.
+//! Versions and requirements in cargo's order: the part of semantic versioning that advisories use.
 
 use std::cmp::Ordering;
 
-/// A version: three numbers, and a pre-release tag if there is one. Build metadata is dropped: it does not order.
+/// A version: three numbers, and a pre-release tag if there is one.
+///
+/// Build metadata is dropped, since it does not affect the order.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Version {
     numbers: [u64; 3],
@@ -10,19 +12,19 @@ pub struct Version {
 }
 
 impl Version {
-    /// The version of a lock file, or `None` if the text is not one.
+    /// Parses the version of a lock file; `None` if the text is not a version.
     pub fn parse(text: &str) -> Option<Version> {
         let (version, given) = partial(text)?;
         (given == 3).then_some(version)
     }
 
-    /// The first version that `^self` excludes: the leftmost number that is not 0 goes up by one.
+    /// The first version that `^self` excludes: the leftmost nonzero number is incremented.
     fn after_caret(&self, given: usize) -> Version {
         let leftmost = self.numbers.iter().take(given).position(|&number| number > 0).unwrap_or(given - 1);
         self.next(leftmost)
     }
 
-    /// The version with this number one higher and zeros after it.
+    /// The version with this number incremented and zeros after it.
     fn next(&self, at: usize) -> Version {
         let mut numbers = [0; 3];
         numbers[..=at].copy_from_slice(&self.numbers[..=at]);
@@ -53,7 +55,7 @@ impl PartialOrd for Version {
     }
 }
 
-/// A part of a pre-release tag. Numbers come before words.
+/// A part of a pre-release tag; numbers sort before words.
 #[derive(PartialEq, Eq, PartialOrd, Ord)]
 enum Part {
     Number(u64),
@@ -66,7 +68,7 @@ impl Part {
     }
 }
 
-/// A version of which the last numbers may be missing, and how many numbers it has.
+/// A version that may lack its last numbers, and its count of numbers.
 fn partial(text: &str) -> Option<(Version, usize)> {
     let text = text.split('+').next().unwrap_or_default();
     let (numbers, tag) = text.split_once('-').unwrap_or((text, ""));
@@ -79,10 +81,10 @@ fn partial(text: &str) -> Option<(Version, usize)> {
     Some((Version { numbers, tag: tag.to_owned() }, given.len()))
 }
 
-/// Whether a version meets a requirement such as `>= 1.2.3, < 2` or `^0.4.1`; `None` if the requirement can't be read.
+/// Returns true if a version meets a requirement such as `>= 1.2.3, < 2` or `^0.4.1`.
 ///
-/// Unlike cargo, a requirement without a pre-release tag is met by pre-releases within its range: whether somebody is affected is
-/// not a question of what cargo would choose.
+/// `None` if the requirement can't be read. Unlike in cargo, pre-releases within its range meet a requirement without a
+/// pre-release tag: whether a version is affected does not depend on what cargo would choose.
 pub fn meets(version: &Version, requirement: &str) -> Option<bool> {
     let each = requirement.split(',').map(|comparison| holds(version, comparison.trim()));
     each.collect::<Option<Vec<bool>>>().map(|all| all.into_iter().all(|it| it))
@@ -92,7 +94,7 @@ fn holds(version: &Version, comparison: &str) -> Option<bool> {
     let split = comparison.find(|c: char| !"<>=^~".contains(c))?;
     let (operator, rest) = comparison.split_at(split);
     let (bound, given) = partial(rest.trim())?;
-    // `> 1.2` is about the whole of 1.2, as is `<= 1.2`.
+    // `> 1.2` excludes all of 1.2, and `<= 1.2` includes all of it.
     let is_past = || if given == 3 { *version > bound } else { *version >= bound.next(given - 1) };
     let is_within = |end: Version| *version >= bound && *version < end;
     Some(match operator {

@@ -1,35 +1,35 @@
-//! What is true is found without the algorithm: what `truth`, `checks` and `answer` of the systems may import.
+//! The truth must be found without the algorithm: the allowed imports of `truth`, `checks` and `answer` of the systems.
 //!
-//! The judge, the vocabulary, a scene's content, and the same folders of other systems. No algorithm, no backend, no
-//! broad phase of algorithms. The imports are read as they are written, those in braces one by one.
+//! Allowed are the judge, the vocabulary, a scene's content, and the same folders of other systems; no algorithm, no
+//! backend, no broad phase of algorithms. The check reads imports as written, and each path in braces separately.
 
 use std::path::Path;
 
 use super::sources;
 
-/// The folders, or files, of a system that are held to it.
+/// The folders, or files, of a system to which the rule applies.
 const HELD: [&str; 3] = ["truth", "checks", "answer"];
 
-/// Crates that are vocabulary, and the judge.
+/// The vocabulary crates, and the judge.
 const ALLOWED: [&str; 3] = ["predicament_judge", "predicament_predicates", "predicament_mesh"];
 
-/// How a truth that takes long is stopped.
+/// The types that stop a slow truth.
 const STOPPING: [&str; 2] = ["predicament_tasks::Stop", "predicament_tasks::Watch"];
 
-/// Files that may import more: the start of their path, the crates, and why.
+/// Files that may import more: the start of their path, the crates, and the reason.
 const EXCEPTIONS: [(&str, &[&str], &str); 1] = [(
     "contacts/src/checks/audit",
     &["predicament_arithmetic", "predicament_error_calculus", "predicament_laws"],
     "the published bounds that tolerances are held to are enclosures in rationals, which the error calculus derives",
 )];
 
-/// What is written without comments, up to the tests in the file.
+/// The code without comments, up to the tests in the file.
 fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
 
-/// The words of code, and what may stand between those of a path.
+/// The words of code, and the separators within paths.
 fn tokens(code: &str) -> Vec<&str> {
     let mut all = Vec::new();
     let mut rest = code.trim_start();
@@ -51,7 +51,7 @@ fn is_word(token: &str) -> bool {
     token.starts_with(|c: char| c.is_alphabetic() || c == '_')
 }
 
-/// All words and paths; of a path with braces each one by itself.
+/// All words and paths; a path with braces is split into its paths.
 fn paths(code: &str) -> Vec<String> {
     let tokens = tokens(code);
     let (mut all, mut at) = (Vec::new(), 0);
@@ -61,7 +61,7 @@ fn paths(code: &str) -> Vec<String> {
     all
 }
 
-/// Reads the path that begins at a place; returns where it ends.
+/// Reads the path that begins at an index; returns the index of its end.
 fn path(tokens: &[&str], mut at: usize, before: &str, all: &mut Vec<String>) -> usize {
     let mut path = format!("{before}{}", tokens[at]);
     at += 1;
@@ -85,7 +85,7 @@ fn path(tokens: &[&str], mut at: usize, before: &str, all: &mut Vec<String>) -> 
     at
 }
 
-/// Whether a truth may not name this path; `more` are crates that it may name as an exception.
+/// Returns true if a truth must not name this path; `more` are crates that it may name as an exception.
 fn is_refused(path: &str, more: &[&str]) -> bool {
     let words: Vec<&str> = path.split("::").collect();
     let is_of = |crates: &[&str]| crates.contains(&words[0]);
@@ -100,12 +100,13 @@ fn is_refused(path: &str, more: &[&str]) -> bool {
     of_algorithm || of_task || of_a_crate
 }
 
-/// What a file may not name and does.
+/// The forbidden paths that a file names.
 fn refused(text: &str, more: &[&str]) -> Vec<String> {
     paths(&code(text)).into_iter().filter(|path| is_refused(path, more)).collect()
 }
 
-/// Whether a file of a system, from the system's folder on, is held to this; tests may import anything.
+/// Returns true if the rule applies to a file of a system, by its path in the system's folder; tests may import
+/// anything.
 fn is_held(path: &Path) -> bool {
     let mut words = path.iter().skip(1).filter_map(|word| word.to_str());
     let is_test = path.file_stem().is_some_and(|name| name == "tests");

@@ -1,8 +1,8 @@
-//! Faults that are known by name, planted one by one in a copy of the tree: each has to be seen.
+//! Known faults, planted one by one in a copy of the tree: each must be detected.
 //!
-//! Spoiled answers prove that judges can fail. What they do not prove is that the scenes of the corpora, or the tests, lead an
-//! algorithm to the place where it can go wrong, and that it shows. A fault is data: the text of a file as it is, and what it becomes.
-//! It is beside the crate that it is of, in `tests/faults.toml`; no algorithm knows of it.
+//! Spoiled answers prove that judges can fail. They do not prove that the scenes of the corpora, or the tests, reach
+//! the place of an algorithm's error and show it. A fault is data: a text of a file, and its replacement. It is stored
+//! in its crate, in `tests/faults.toml`; algorithms do not know it.
 
 mod read;
 
@@ -12,29 +12,29 @@ use std::process::{Command, Stdio};
 
 use crate::command::{cargo_command, root};
 
-/// Where the copy of the tree is, and what runs in it leave.
+/// The folder of the copied tree, and of the runs in it.
 const FOLDER: &str = "target/planted";
 
-/// A fault.
+/// A planted fault.
 #[derive(Debug)]
 struct Planted {
     name: String,
-    /// What is wrong, in one line.
+    /// A description of the fault, in one line.
     what: String,
     changes: Vec<Change>,
     seen: Seen,
 }
 
-/// A text that is in a file once, and what it becomes.
+/// A text that occurs once in a file, and its replacement.
 #[derive(Debug)]
 struct Change {
-    /// The file, from the root of the tree on.
+    /// The file, relative to the root of the tree.
     file: PathBuf,
     is: String,
     becomes: String,
 }
 
-/// What has to see a fault, and sees nothing without it.
+/// The check that must detect a fault, and passes without it.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Seen {
     /// A test of this package with this in its name fails.
@@ -44,10 +44,10 @@ enum Seen {
 }
 
 impl Change {
-    /// The file as it is, and with the change.
+    /// The file's text without and with the change.
     ///
     /// # Errors
-    /// If the text is not in it exactly once.
+    /// If the old text does not occur exactly once.
     fn texts(&self, tree: &Path) -> Result<[String; 2], String> {
         let path = tree.join(&self.file);
         let text = std::fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
@@ -63,10 +63,10 @@ impl Change {
     }
 }
 
-/// Plants the faults with these names, or all, and says which were seen.
+/// Plants the faults with these names, or all, and prints which were detected.
 ///
 /// # Errors
-/// If one is not seen, does not compile, or there is no such fault.
+/// If a fault is not detected or does not compile, or no fault has the name.
 pub(super) fn try_all(names: &[String]) -> Result<(), String> {
     let all = read::all(&root())?;
     if let Some(unknown) = names.iter().find(|name| all.iter().all(|fault| fault.name != **name)) {
@@ -98,7 +98,7 @@ pub(super) fn try_all(names: &[String]) -> Result<(), String> {
     }
 }
 
-/// What was seen.
+/// The result of a check.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sight {
     Fault,
@@ -107,7 +107,7 @@ enum Sight {
     Part,
     /// The faulty tree does not compile.
     Unbuilt,
-    /// Something is seen without the fault.
+    /// The check fails without the fault.
     Unclear,
 }
 
@@ -123,7 +123,7 @@ impl Sight {
     }
 }
 
-/// A copy of the tree, where its builds are, and a folder for a run.
+/// A copy of the tree, its build folder, and a folder for a run.
 struct Tree {
     path: PathBuf,
     built: PathBuf,
@@ -131,7 +131,9 @@ struct Tree {
 }
 
 impl Tree {
-    /// Makes it the same as the tree, without what git ignores. Files that are the same already stay, and are not compiled again.
+    /// Updates the copy to equal the tree, without files that git ignores.
+    ///
+    /// Unchanged files stay, and are not compiled again.
     fn copy(&self) -> Result<(), String> {
         let listed = Command::new("git")
             .args(["ls-files", "-z", "--cached", "--others", "--exclude-standard"])
@@ -168,7 +170,7 @@ impl Tree {
         Ok(())
     }
 
-    /// What is seen with a fault in it.
+    /// The result of the check with a fault planted.
     fn planted(&self, fault: &Planted) -> Result<Sight, String> {
         let mut before: Vec<(PathBuf, String)> = Vec::new();
         let write =
@@ -192,7 +194,7 @@ impl Tree {
         seen
     }
 
-    /// What a test or a run sees in the tree as it is.
+    /// The result of a test or a run in the tree.
     fn sees(&self, seen: &Seen) -> Result<Sight, String> {
         match seen {
             Seen::Test { package, name } => {
@@ -218,7 +220,7 @@ impl Tree {
                 let path = self.out.join("findings.csv");
                 let findings = std::fs::read_to_string(&path).map_err(|why| format!("{}: {why}", path.display()))?;
                 Ok(match (code, has_all(&findings, backend, finds)) {
-                    // Findings that are expected are no fault's.
+                    // Expected findings do not come from a fault.
                     (0 | 100, [_, false]) => Sight::Nothing,
                     (100, [true, _]) => Sight::Fault,
                     (code, [all, any]) => {
@@ -236,7 +238,7 @@ impl Tree {
         self.run(words[0].as_ref(), &args)
     }
 
-    /// Runs a program in the tree; what it ended with.
+    /// Runs a program in the tree; returns its exit code.
     fn run(&self, program: &std::ffi::OsStr, args: &[&str]) -> Result<i32, String> {
         let status = Command::new(program)
             .args(args)
@@ -249,13 +251,13 @@ impl Tree {
     }
 }
 
-/// Whether there are findings of a backend of all of these classes and checks, and whether there are any.
+/// True if a backend has findings of all of these classes and checks, and true if it has any.
 fn has_all(findings: &str, backend: &str, finds: &[[String; 2]]) -> [bool; 2] {
     let has = |[class, check]: &[String; 2]| findings.contains(&format!(",{backend},{class},{check},"));
     [finds.iter().all(has), finds.iter().any(has)]
 }
 
-/// The files in a folder, and in those in it.
+/// The files in a folder and its subfolders.
 fn files_in(folder: &Path) -> Vec<PathBuf> {
     let entries =
         std::fs::read_dir(folder).into_iter().flatten().filter_map(|entry| entry.ok().map(|entry| entry.path()));
@@ -269,7 +271,9 @@ mod tests {
 
     use super::*;
 
-    /// Each fault can be planted in the tree as it is; whether it is seen takes minutes, and is for the command to say.
+    /// Each fault can be planted in the current tree.
+    ///
+    /// The command, which takes minutes, shows whether it is detected.
     #[test]
     fn every_text_is_in_its_file_once() {
         let all = read::all(&root()).unwrap_or_else(|why| panic!("{why}"));

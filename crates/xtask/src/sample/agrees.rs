@@ -1,4 +1,4 @@
-//! README, the sample report and its figures tell one story.
+//! Tests that README, the sample report and its figures agree.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ fn read(file: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|why| panic!("{}: {why}", path.display())).replace("\r\n", "\n")
 }
 
-/// The cells of the first table about backends of a page, after their heading if there is one, row by row.
+/// The cells of a page's first table about backends, row by row, after a heading if there is one.
 fn table(page: &str) -> Vec<Vec<&str>> {
     let page = page.split_once("## Which backend to use").map_or(page, |(_, rest)| rest);
     let lines =
@@ -27,12 +27,12 @@ fn value<'c>(row: &[(&str, &'c str)], column: &str) -> &'c str {
     row.iter().find(|(name, _)| *name == column).unwrap_or_else(|| panic!("no column {column}")).1
 }
 
-/// Whether a factor such as `0.41×` is this ratio, rounded to its digits.
+/// Returns true if a factor such as `0.41×` is this ratio, rounded to its digits.
 fn is_rounded(factor: &str, ratio: f64) -> bool {
     let digits = factor.trim_end_matches('×').replace(',', "");
     let decimals = digits.split_once('.').map_or(0, |(_, decimals)| decimals.len());
     let decimals = i32::try_from(decimals).unwrap_or(i32::MAX);
-    // Two digits of a number from 100 on are rounded to tens or more.
+    // Two digits of a number of at least 100 are rounded to tens or more.
     let unit =
         if decimals == 0 { 10_f64.powi(i32::try_from(digits.len()).unwrap_or(2) - 2) } else { 0.1_f64.powi(decimals) };
     digits.parse().is_ok_and(|shown: f64| (shown - ratio).abs() <= 0.501 * unit)
@@ -89,8 +89,10 @@ fn is_of(row: &[(&str, &str)], panel: &str, code: &str) -> bool {
     value(row, "panel") == panel && format!("`{}`", value(row, "backend")) == code
 }
 
-/// The cheapest backend that answers everything, is never wrong and breaks no law, of rows of these panels, with its ratio for
-/// single queries: the geometric mean over all their families.
+/// The cheapest backend that answers everything, is never wrong and breaks no law, with its time ratio for single
+/// queries.
+///
+/// It considers rows of these panels. The ratio is the geometric mean over all their families.
 fn cheapest<'c>(figures: &[Vec<(&str, &'c str)>], panels: &[&str]) -> Option<(&'c str, f64)> {
     let of_panels = || figures.iter().filter(|row| panels.contains(&value(row, "panel")));
     let faults = ["undecided", "wrong", "not_done", "scenes_broken", "scenes_not_done"];

@@ -1,4 +1,5 @@
-//! The sample report: what the tool says of the embedded and the fetched suites, in `reports/sample`, in README and in `docs/WHICH.md`.
+//! The sample report: the tool's results on the embedded and the fetched suites, in `reports/sample`, README and
+//! `docs/WHICH.md`.
 
 #[cfg(test)]
 mod agrees;
@@ -8,18 +9,18 @@ use std::process::Command;
 
 use crate::command::{cargo, fresh, root, step, target_directory};
 
-/// Where the runs are made, beside the build.
+/// The folder of the runs, beside the build.
 const WORK: &str = "target/sample";
-/// Where the sample is kept.
+/// The folder of the sample.
 const SAMPLE: &str = "reports/sample";
-/// What `corpus list` says of suites whose data have to be fetched.
+/// The text of `corpus list` for suites whose data must be fetched.
 const FETCHED: &str = "(needs `predicament corpus fetch`)";
 
 /// Backends that differ in one parameter: the curves of errors over time.
 const CURVES: &str = "exact,epsilon:1e-16,epsilon:1e-14,epsilon:1e-12,epsilon:1e-10,epsilon:1e-8,epsilon:1e-6,epsilon:1e-4,\
     exact:stages=1,exact:stages=2,exact:stages=3,exact:stages=4,exact:stages=5,exact:stages=6";
 
-/// The files of studies, in their folders in that of the run, from which the figures of `docs/WHICH.md` are made.
+/// The files of studies from which the figures of `docs/WHICH.md` are made, relative to the folder of the run.
 const STUDIED: [&str; 9] = [
     "compare/compare.csv",
     "compare/promises.csv",
@@ -32,7 +33,7 @@ const STUDIED: [&str; 9] = [
     "parity-space/parity-space.csv",
 ];
 
-/// Measures that no figure of the page is of: their rows are left out of the sample.
+/// Measures that no figure of the page uses: the sample omits their rows.
 const UNUSED: [&str; 10] = [
     "stage: ",
     "topology: ",
@@ -46,7 +47,9 @@ const UNUSED: [&str; 10] = [
     "inconsistent,",
 ];
 
-/// Runs, times and compares everything, writes the report, and puts what is kept of it into the sample, README and `docs/WHICH.md`.
+/// Runs, times and compares everything, and writes the report.
+///
+/// It puts a selection into the sample, README and `docs/WHICH.md`.
 pub fn make() -> Result<(), String> {
     let work = fresh(WORK)?;
     let path = |name: &str| work.join(name).display().to_string();
@@ -87,7 +90,7 @@ pub fn make() -> Result<(), String> {
     Ok(())
 }
 
-/// The suites whose data have to be fetched.
+/// The suites whose data must be fetched.
 fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
     let output =
         Command::new(program).args(["corpus", "list"]).output().map_err(|error| format!("corpus list: {error}"))?;
@@ -97,7 +100,7 @@ fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
     if suites.is_empty() { Err("corpus list names no suite that has to be fetched".to_owned()) } else { Ok(suites) }
 }
 
-/// Replaces the sample by what a forge shows of the report: the page in Markdown, its plots, and the figures.
+/// Replaces the sample by the parts of the report that a forge shows: the page in Markdown, its plots, and the figures.
 fn keep(report: &Path) -> Result<(), String> {
     let sample = root().join(SAMPLE);
     let is_kept = |name: &str| ["report.md", "figures.csv"].contains(&name) || name.ends_with(".svg");

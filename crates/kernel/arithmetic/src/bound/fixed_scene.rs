@@ -1,33 +1,27 @@
 //! Static filters: one bound for all queries of a scene.
 //!
-//! Differences of coordinates are no larger than the scene's extent along their
-//! axis, so the permanent of any query is at most that of a query made of
-//! extents: the sum of its terms' magnitudes is 2XY for orient2d, 6XYZ for
-//! orient3d, 3·(X² + Y²)·2XY for incircle, 4·(X² + Y² + Z²)·6XYZ for insphere.
-//! Queries between points at opposite corners of the scene's box come as close
-//! to that as doubles allow.
+//! Differences of coordinates are at most the scene's extent along their axis. So the permanent of any query is at most
+//! the permanent of a query made of extents. The sum of its terms' magnitudes is 2XY for orient2d, 6XYZ for orient3d,
+//! 3·(X² + Y²)·2XY for incircle, 4·(X² + Y² + Z²)·6XYZ for insphere. Queries between points at opposite corners of the
+//! scene's box come as close to that as doubles allow.
 //!
-//! With the constant B of the semi-static filter and P ≤ M, the largest
-//! permanent, **d has the sign of D if |d| ≥ B·M** by the proof in
-//! [`bound`](super): what that proof pays for roundings of the permanent,
-//! (1 − u)^−(m + 1), pays here for extents that were rounded to nearest, which
-//! makes each of them too small by a factor of 1 − u at worst.
+//! With the constant B of the semi-static filter and P ≤ M, the largest permanent, **d has the sign of D if |d| ≥ B·M**
+//! by the proof in [`bound`](super). The factor (1 − u)^−(m + 1), which that proof needs for roundings of the
+//! permanent, covers here extents that were rounded to nearest: each of them is too small by a factor of 1 − u at
+//! worst.
 //!
-//! The products are rounded up, whatever happens to them: the double above a
-//! product rounded to nearest is not below the product, also where that is
-//! subnormal; overflow gives infinity, with which no finite determinant is
-//! certain. An extent of zero makes every determinant an exact zero, and a bound
-//! of zero then says so.
+//! The products are rounded up in every case. The double above a product rounded to nearest is not below the product,
+//! also if that is subnormal. Overflow gives infinity, with which no finite determinant is certain. An extent of zero
+//! makes every determinant an exact zero, and a bound of zero then says so.
 
 use super::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
 
 /// The magnitude from which on any orient2d of the scene has the right sign.
 ///
-/// `extent` is the largest difference of coordinates along each axis, as floating
-/// point finds it (largest less smallest, rounded to nearest) or larger; the unit
-/// is theirs, squared. The proviso is that of all filters: nothing underflows or
-/// overflows in the determinant itself. A bound that overflows is infinite, or NaN
-/// where an extent of zero follows: then nothing is certain.
+/// `extent` is the largest difference of coordinates along each axis, as floating point finds it (largest minus
+/// smallest, rounded to nearest) or larger. The result's unit is the square of the coordinates' unit. As for all
+/// filters, the bound assumes that nothing underflows or overflows in the determinant itself. A bound that overflows is
+/// infinite, or NaN if an extent of zero follows: then nothing is certain.
 #[must_use]
 pub fn static_orient2d([x, y]: [f64; 2]) -> f64 {
     product([ORIENT2D, 2.0, x, y])
@@ -51,19 +45,19 @@ pub fn static_insphere([x, y, z]: [f64; 3]) -> f64 {
     product([INSPHERE, 24.0, x, y, z, lift([x, y, z])])
 }
 
-/// A squared diagonal, or more.
+/// A squared diagonal, rounded up.
 fn lift<const D: usize>(extent: [f64; D]) -> f64 {
     extent.into_iter().map(|x| product([x, x])).fold(0.0, |sum, square| up(sum + square, sum == 0.0))
 }
 
-/// A product of numbers that aren't negative, or more; zero only if one of them is.
+/// A product of nonnegative numbers, rounded up; zero only if a factor is zero.
 fn product<const N: usize>(factors: [f64; N]) -> f64 {
-    // Large factors first would overflow, small ones underflow, where the whole does neither; both
-    // only cost answers, and a scene with such extents has no plan that would let a filter run.
+    // Large factors first could overflow, and small factors first underflow, where the whole product does neither. Both
+    // only cost answers, and for a scene with such extents no plan allows a filter.
     factors.into_iter().reduce(|x, y| up(x * y, x == 0.0 || y == 0.0)).unwrap_or(1.0)
 }
 
-/// The double above what rounding to nearest gave, unless that is known to be exact.
+/// The double above a result rounded to nearest, unless the result is known to be exact.
 fn up(rounded: f64, exact: bool) -> f64 {
     if exact { rounded } else { rounded.next_up() }
 }
@@ -76,7 +70,7 @@ mod tests {
     use super::*;
     use crate::{bound::requirement::REQUIREMENTS, rational};
 
-    /// The bounds of all four predicates beside what they must exceed, exactly.
+    /// The bounds of all four predicates, and the exact values that they must exceed.
     fn all([x, y, z]: [f64; 3]) -> [(f64, Rational); 4] {
         let exact = [x, y, z].map(|x| rational(x).unwrap());
         let volume = |axes: &[Rational]| axes.iter().fold(Rational::from(1), |v, x| v * x);
@@ -104,18 +98,19 @@ mod tests {
             }
         }
 
-        /// Each sum is rounded up for itself, not by the room that squares leave: a large square just below a power of two
-        /// has half of the unit of the sum that a small one makes.
+        /// Each sum is rounded up itself, and does not rely on the slack of the squares.
+        ///
+        /// A large square just below a power of two has half of the unit of its sum with a small square.
         #[test]
         fn squared_diagonals_are_rounded_up(small in 0.08..0.1f64, large in 1.9985..2f64) {
             let exact = [small, large].map(|x| rational(x).unwrap().square());
             let least: Rational = exact.iter().sum();
             let found = rational(lift([small, large])).unwrap();
-            // In units of epsilon: 1.5 times 2 of the large square, 4 of the sum, and what is left of the small one.
+            // In units of epsilon: 1.5 times 2 of the large square, 4 of the sum, and the rest of the small one.
             prop_assert!(found > least && found < least + rational(10.0 * f64::EPSILON).unwrap());
         }
 
-        /// Any extents at all: what is too small or too large for a double is rounded up as well.
+        /// Arbitrary extents: values too small or too large for a double are rounded up as well.
         #[test]
         fn bounds_are_rounded_up_everywhere(extent in prop::array::uniform3(0..=f64::MAX.to_bits())) {
             for (bound, least) in all(extent.map(f64::from_bits)) {

@@ -5,7 +5,7 @@
 pub(super) fn accumulate(window: &mut [u64], a: &[u64], b: &[u64], minus: bool) {
     let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
     for (i, &factor) in short.iter().enumerate() {
-        // Sums of far-apart numbers are full of zeros.
+        // Sums of numbers with far-apart exponents have many zero limbs.
         if factor != 0 {
             let row = &mut window[i..];
             if minus { subtract_row(row, long, factor) } else { add_row(row, long, factor) }
@@ -13,7 +13,7 @@ pub(super) fn accumulate(window: &mut [u64], a: &[u64], b: &[u64], minus: bool) 
     }
 }
 
-/// The carry is a limb at most: (2^64 − 1)² + 2(2^64 − 1) = 2^128 − 1.
+/// Adds a row of products; the carry is a limb at most: (2^64 − 1)² + 2(2^64 − 1) = 2^128 − 1.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
 fn add_row(row: &mut [u64], long: &[u64], factor: u64) {
@@ -34,8 +34,10 @@ fn add_row(row: &mut [u64], long: &[u64], factor: u64) {
     }
 }
 
-/// The borrow is a limb at most: of (2^64 − 1)² + 2^64 − 1 = (2^64 − 1)·2^64
-/// the lower half is zero, and the upper half of anything less leaves room for one.
+/// Subtracts a row of products; the borrow is a limb at most.
+///
+/// The lower half of (2^64 − 1)² + 2^64 − 1 = (2^64 − 1)·2^64 is zero, and any smaller value has an upper half that can
+/// take one more.
 #[inline(always)]
 #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
 fn subtract_row(row: &mut [u64], long: &[u64], factor: u64) {
@@ -57,7 +59,7 @@ fn subtract_row(row: &mut [u64], long: &[u64], factor: u64) {
     }
 }
 
-/// The negative in two's complement.
+/// Replaces the number by its negative in two's complement.
 pub(super) fn negate(window: &mut [u64]) {
     let mut carry = true;
     for limb in window {

@@ -1,29 +1,24 @@
 //! Exact dyadic numbers, sign × limbs × 2^(64·k), on the stack.
 //!
-//! A double is an integer times a power of two, and so is every sum and every
-//! product of doubles. A [`Number`] holds such a value without rounding: 64-bit
-//! limbs, and the place of the lowest one. The place keeps products of far-away
-//! numbers short (2^−1000 · 2^−1000 is one limb), and since places count whole
-//! limbs, numbers are added without shifting bits.
+//! A double is an integer times a power of two, and so is every sum and every product of doubles. A [`Number`] holds
+//! such a value without rounding: 64-bit limbs, and the place of the lowest limb. The place keeps products of numbers
+//! with distant exponents short (2^−1000 · 2^−1000 is one limb). Places count whole limbs, so numbers are added without
+//! bit shifts.
 //!
-//! Determinants are nested sums of one to six products, so that is the one
-//! operation: [`Number::sum`] multiplies straight into one accumulator in two's
-//! complement and looks at the sign once, at the end. Lengths are those of the
-//! values: a coordinate of one limb costs one row of multiplications, whatever
-//! the longest intermediate needs. Limbs come from a [`Space`] on the caller's
-//! stack, so nothing is allocated and nothing moved.
+//! Determinants are nested sums of one to six products, so that is the only operation: [`Number::sum`] multiplies
+//! directly into one accumulator in two's complement and inspects the sign once, at the end. A number is as long as its
+//! value needs: a coordinate of one limb costs one row of multiplications, whatever the longest intermediate needs.
+//! Limbs come from a [`Space`] on the caller's stack, so nothing is allocated or moved.
 //!
 //! # Space
-//! Callers prove that the space suffices; what does not fit panics, and never
-//! wraps. Let all products of a sum be multiples of 2^(64·l) and less than 2^h,
-//! in magnitude. The sum of N of them takes as many limbs as hold h − 64·l + b + 1
-//! bits, b the logarithm of N rounded up, or two limbs where that is less.
+//! Callers prove that the space suffices; a value that does not fit panics, and never wraps. Let all products of a sum
+//! be multiples of 2^(64·l) and less than 2^h, in magnitude. The sum of N of them takes as many limbs as hold h −
+//! 64·l + b + 1 bits, with b the logarithm of N rounded up, or two limbs if that is less.
 //!
-//! So **if all inputs are integers below 2^(64n − 3)**, an intermediate of
-//! degree j takes j·n limbs, two at least: differences are below 2^(64n − 2), products of j
-//! of them below 2^(64jn − 2j), and that leaves room for a sign and for adding up
-//! 2^(2j − 1) of them. Any one power of two may be taken out of the inputs beforehand
-//! ([`Number::scaled`]), as signs of homogeneous polynomials don't see it.
+//! So **if all inputs are integers below 2^(64n − 3)**, an intermediate of degree j takes j·n limbs, two at least:
+//! differences are below 2^(64n − 2), products of j of them below 2^(64jn − 2j), and that leaves room for a sign and
+//! for adding up 2^(2j − 1) of them. Any one power of two may be factored out of the inputs beforehand
+//! ([`Number::scaled`]), as it does not change signs of homogeneous polynomials.
 
 mod limbs;
 
@@ -31,20 +26,22 @@ use std::cmp::Ordering;
 
 use crate::Parts;
 
-/// Limbs to compute in, handed out one after another.
+/// A stack buffer of limbs, handed out one after another.
 #[derive(Debug)]
 pub struct Space<'a>(&'a mut [u64]);
 
 impl<'a> Space<'a> {
-    /// All of these limbs, which must be zero.
+    /// A space of these limbs, which must be zero.
     #[inline(always)]
     #[must_use]
     pub fn new(zeros: &'a mut [u64]) -> Space<'a> {
         Space(zeros)
     }
 
+    /// Takes the next limbs of the space.
+    ///
     /// # Panics
-    /// If there is less left: that is a wrong proof at the caller.
+    /// If fewer limbs remain: then the caller's proof is wrong.
     #[inline(always)]
     fn take(&mut self, limbs: usize) -> &'a mut [u64] {
         let (taken, rest) = std::mem::take(&mut self.0).split_at_mut_checked(limbs).expect("the space suffices");
@@ -53,22 +50,23 @@ impl<'a> Space<'a> {
     }
 }
 
-/// sign · magnitude · 2^(64·`low`), the limbs of the magnitude least
-/// significant first, without zeros at either end. Zero has no limbs.
+/// The number sign · magnitude · 2^(64·`low`).
+///
+/// The limbs of the magnitude are least significant first, without zeros at either end. Zero has no limbs.
 #[derive(Clone, Copy, Debug)]
 pub struct Number<'a> {
-    /// The limbs of the magnitude, none of the outer ones zero.
+    /// The limbs of the magnitude; the first and the last are nonzero.
     pub limbs: &'a [u64],
     /// The place of the first limb.
     pub low: i32,
-    /// Whether the number is below zero, if it is not zero.
+    /// True if the number is below zero; without meaning for zero.
     pub negative: bool,
 }
 
-/// A product, and what a sum does with it.
+/// A product, and its role in a sum.
 pub type Term<'a> = (Number<'a>, Number<'a>, Take);
 
-/// What a sum does with a product.
+/// The role of a product in a sum.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Take {
     /// Adds it.
@@ -78,16 +76,17 @@ pub enum Take {
 }
 
 impl<'a> Number<'a> {
-    /// Zero.
+    /// The number zero.
     pub const ZERO: Number<'static> = Number { limbs: &[], low: 0, negative: false };
-    /// One.
+    /// The number one.
     pub const ONE: Number<'static> = Number { limbs: &[1], low: 0, negative: false };
 
-    /// x·2^`shift`, exactly, for a finite x, in two limbs. (Infinities and NaN count
-    /// as if they were some number of 2^1024 or more.)
+    /// The number x·2^`shift`, exactly, for a finite x, in two limbs.
+    ///
+    /// Infinities and NaN count as an unspecified number of 2^1024 or more.
     ///
     /// # Panics
-    /// If the space has too few limbs left: that is a wrong proof at the caller.
+    /// If the space has too few limbs left: then the caller's proof is wrong.
     #[inline]
     #[must_use]
     #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
@@ -104,7 +103,7 @@ impl<'a> Number<'a> {
     /// The sum of products, exactly, in as few limbs as its terms allow.
     ///
     /// # Panics
-    /// If the space has too few limbs left: that is a wrong proof at the caller.
+    /// If the space has too few limbs left: then the caller's proof is wrong.
     #[inline(always)]
     #[must_use]
     pub fn sum<const N: usize>(space: &mut Space<'a>, terms: [Term; N]) -> Number<'a> {
@@ -142,7 +141,7 @@ impl<'a> Number<'a> {
         Number::trimmed(window, low, negative)
     }
 
-    /// Products of one limb each, all at one place, whose sum has 128 bits with its sign.
+    /// The sum of products of one limb each, all at one place, with at most 128 bits including the sign.
     #[inline(always)]
     #[allow(clippy::cast_possible_truncation)] // halves of 128 bits
     fn short_sum(space: &mut Space<'a>, low: i32, terms: &[Term]) -> Number<'a> {
@@ -174,21 +173,21 @@ impl<'a> Number<'a> {
         Number { limbs, low, negative }
     }
 
-    /// Whether the number is zero.
+    /// Returns true if the number is zero.
     #[inline(always)]
     #[must_use]
     pub fn is_zero(self) -> bool {
         self.limbs.is_empty()
     }
 
-    /// Whether the number is one.
+    /// Returns true if the number is one.
     #[inline]
     #[must_use]
     pub fn is_one(self) -> bool {
         self.limbs == [1] && self.low == 0 && !self.negative
     }
 
-    /// How the number compares to zero.
+    /// The comparison of the number with zero.
     #[inline]
     #[must_use]
     pub fn cmp0(self) -> Ordering {
@@ -207,7 +206,7 @@ impl<'a> Number<'a> {
         self.low + self.limbs.len() as i32
     }
 
-    /// The least exponent e with |x| < 2^e, for what is not zero.
+    /// The least exponent e with |x| < 2^e, for a nonzero number.
     #[inline]
     #[must_use]
     pub fn high(self) -> i32 {
@@ -215,14 +214,14 @@ impl<'a> Number<'a> {
         64 * self.top() - empty.cast_signed()
     }
 
-    /// m and e with |x/y| = m·2^e(1 + δ), |δ| ≤ u(1 + 2^-7), u = 2^-53, and m
-    /// between 2^63 and 2^65; none where x or y is zero.
+    /// The quotient |x/y| = m·2^e(1 + δ) as (m, e); `None` if x or y is zero.
+    ///
+    /// |δ| ≤ u(1 + 2^-7) with u = 2^-53, and m is between 2^63 and 2^65.
     #[must_use]
     pub fn quotient(self, divisor: Number) -> Option<(f64, i32)> {
         let (x, x_exponent) = self.leading()?;
         let (y, y_exponent) = divisor.leading()?;
-        // Cut off: x by 2^-127, y by 2^-63, their quotient by 2^-63, in relation to
-        // themselves. One rounding follows.
+        // Relative truncation errors: 2^-127 of x, 2^-63 of y, 2^-63 of the quotient. One rounding follows.
         let quotient = x / (y >> 64);
         #[allow(clippy::cast_precision_loss)]
         Some((quotient as f64, x_exponent - y_exponent - 64))

@@ -10,7 +10,7 @@ fn value(number: Number) -> Rational {
     if number.negative { -magnitude } else { magnitude }
 }
 
-/// Limbs that are often all zeros, all ones or a lone bit; trimmed by the test.
+/// Limbs that are often all zeros, all ones or a single bit; the test trims them.
 fn limbs() -> impl Strategy<Value = (Vec<u64>, i32, bool)> {
     let limb = prop_oneof![any::<u64>(), Just(0), Just(u64::MAX), (0..64_u32).prop_map(|bit| 1 << bit)];
     (proptest::collection::vec(limb, 0..6), -3..4, any::<bool>())
@@ -68,7 +68,7 @@ proptest! {
         check::<6>(&parts, takes);
     }
 
-    /// Numbers of a limb have a way of their own.
+    /// Numbers of one limb have their own code path.
     #[test]
     fn short_sums_too(parts in proptest::collection::vec(any::<(u64, bool)>(), 12), bits in 0..64_u32, takes in any::<u8>()) {
         let parts: Vec<_> = parts.into_iter().map(|(limb, negative)| (vec![limb >> bits], 0, negative)).collect();

@@ -7,7 +7,7 @@ use rug::Rational;
 fn finite() -> impl Strategy<Value = f64> {
     prop_oneof![
         any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()),
-        // Few bits anywhere, so that terms meet and cancel.
+        // Few bits anywhere, so that terms overlap and cancel.
         (-3i32..4, -1074i32..1022).prop_map(|(few, e)| f64::from(few) * 2f64.powi(e / 2) * 2f64.powi(e - e / 2)),
         (-300i32..300).prop_map(f64::from),
         Just(-0.0),
@@ -17,8 +17,7 @@ fn finite() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(4000))]
 
-    /// What a ball says is true, also about what little is left of a value
-    /// after its nearest double is taken away.
+    /// A ball's answer is right, also about the small rest of a value after its nearest double is subtracted.
     #[test]
     fn balls_are_right_or_silent(x in proptest::collection::vec(finite(), 6)) {
         let b: Vec<Ball> = x.iter().map(|&x| Ball::new(x)).collect();

@@ -12,13 +12,13 @@ use predicament_arithmetic::{
 use proptest::prelude::*;
 use rug::{Integer, Rational, integer::Order};
 
-/// Enough for all numbers of a test that multiplies four sums of doubles.
+/// Enough limbs for all numbers of a test that multiplies four sums of doubles.
 const ROOM: usize = 40 * 34;
 
 fn finite() -> impl Strategy<Value = f64> {
     prop_oneof![
         any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite()),
-        // Few bits anywhere, so that terms meet, cancel and leave zero limbs.
+        // Few bits anywhere, so that terms overlap, cancel and leave zero limbs.
         (-3i32..4, -1074i32..1022).prop_map(|(few, e)| f64::from(few) * 2f64.powi(e / 2) * 2f64.powi(e - e / 2)),
         (-300i32..300).prop_map(f64::from),
         Just(-0.0),
@@ -30,7 +30,7 @@ fn value(number: Number) -> Rational {
     if number.negative { -magnitude } else { magnitude }
 }
 
-/// How long a number must be: the limbs from its lowest to its highest set bit.
+/// The required length of a number: the limbs from its lowest to its highest set bit.
 fn limbs_of(value: &Rational) -> usize {
     if value.is_zero() {
         return 0;
@@ -49,7 +49,7 @@ fn limbs_of(value: &Rational) -> usize {
     usize::try_from((low + odd - 1).div_euclid(64) - low.div_euclid(64) + 1).unwrap()
 }
 
-/// That both are the same number, in its only form.
+/// Checks that both are the same number, in its unique form.
 fn same(number: Number, expected: &Rational) -> Result<(), TestCaseError> {
     prop_assert_eq!(&value(number), expected);
     prop_assert_eq!(number.cmp0(), expected.cmp0());
@@ -95,11 +95,11 @@ proptest! {
         same(product(space, a, a), &Rational::from(p.square_ref()))?;
     }
 
-    /// Long numbers: products of sums, and sums of those.
+    /// Long numbers: products of sums, and sums of those products.
     #[test]
     fn polynomials(x in prop_oneof![
         prop::array::uniform8(finite()),
-        // Few bits and exponents: much cancels.
+        // Few bits and exponents, so that much cancels.
         prop::array::uniform8((-128i32..128, -9i32..9).prop_map(|(x, e)| f64::from(x) * 2f64.powi(e * 100))),
     ]) {
         let mut limbs = [0; ROOM];
@@ -114,7 +114,7 @@ proptest! {
         same(sum(space, ab, cd), &Rational::from(&pq + &rs))?;
         same(difference(space, ab, cd), &Rational::from(&pq - &rs))?;
         same(product(space, ab, cd), &Rational::from(&pq * &rs))?;
-        // In one go, as determinants do.
+        // In one sum, as determinants do.
         same(Number::sum(space, [(a, b, Minus), (c, d, Plus)]), &Rational::from(&rs - &pq))?;
         // (a + b)(a − b) = a² − b², to the last bit.
         let [both, apart] = [sum(space, a, b), difference(space, a, b)];
@@ -141,11 +141,11 @@ const FULL: Number = Number { limbs: &[u64::MAX; 2], low: 0, negative: false };
 
 #[test]
 fn what_fits_is_right_to_the_last_limb() {
-    // A sign takes a bit beside the four limbs of the square.
+    // The sign takes a bit in addition to the four limbs of the square.
     let mut limbs = [0; 5];
     let square = product(&mut Space::new(&mut limbs), FULL, FULL);
     assert_eq!(value(square), Rational::from((Integer::from(1) << 128) - 1u32).square());
-    // The carry leaves a single limb behind, but asks for a third one on its way.
+    // The carry leaves a single limb, but needs a third limb temporarily.
     let mut limbs = [0; 3];
     assert_eq!(sum(&mut Space::new(&mut limbs), FULL, Number::ONE).limbs, [1]);
 }

@@ -1,5 +1,5 @@
-//! Plans at their edges: on the safe side arithmetic must be as promised, and
-//! a little beyond it must be possible to break it.
+//! Plans at their limits: within the limits arithmetic keeps its promise, and a little beyond them some input breaks
+//! it.
 
 use predicament_arithmetic::{Arithmetic, Form, Plan, exact_tail, rational, units};
 
@@ -9,7 +9,7 @@ fn power(exponent: i32) -> f64 {
     2f64.powi(exponent)
 }
 
-/// The plan for values along one axis, zero among them.
+/// The plan for values along one axis, including zero.
 fn plan(values: &[f64]) -> Plan<1> {
     Plan::of(&[values, &[0.0]].concat().iter().map(|&x| [x]).collect::<Vec<_>>())
 }
@@ -49,7 +49,7 @@ fn points_in_one_place_have_differences_of_one_bit() {
     assert_eq!(Plan::<2>::of(&[]).bits(), 1);
 }
 
-/// A power of two that is a normal double, by which coordinates are integers of 63 bits.
+/// A power of two that is a normal double and scales coordinates to integers of 63 bits.
 #[test]
 fn scales_are_normal_and_make_integers() {
     assert_eq!(plan(&[3.0, power(62)]).scale(), Some(1.0));
@@ -77,7 +77,7 @@ fn extents_are_rounded_up_and_only_if_they_must() {
 fn each_arithmetic_is_chosen_up_to_its_last_bit() {
     let product = Form { degree: 2, growth: 1, ..PRODUCT };
     let arithmetic = |bits: i32, lowest: i32| {
-        // From 1 to 2^bits − 1 where that is a double, else just below 2^bits.
+        // From 1 to 2^bits − 1 if that is a double, else just below 2^bits.
         let largest = power(bits).next_down();
         let largest = if bits < 53 { power(bits) - 1.0 } else { largest };
         let plan = plan(&[power(lowest), largest * power(lowest)]);
@@ -105,7 +105,7 @@ fn units_reach_both_ends_of_the_range() {
     }
 }
 
-/// Its significand has no bit to lose, however far away the unit is.
+/// Its significand has no bit to lose, whatever the unit is.
 #[test]
 fn zero_is_zero_in_any_unit() {
     for lowest in [-1074, -1011, -1010, -1000, 0, 971, 1023] {
@@ -115,7 +115,7 @@ fn zero_is_zero_in_any_unit() {
     }
 }
 
-/// By the processor's conversion as by shifts, and far from the origin modulo 2^64.
+/// The processor's conversion equals the shifts, also modulo 2^64 far from the origin.
 #[test]
 fn both_kinds_of_units_are_the_same() {
     let values = [0.0, -0.0, 1.0, -1.5, 0.1, -3.0 * power(-40), 1024.0];
@@ -138,7 +138,7 @@ fn both_kinds_of_units_are_the_same() {
 
 #[test]
 fn products_are_exact_up_to_the_lower_edge_and_not_far_below() {
-    // Two factors at the edge: their product is a multiple of 2^-969, and rounding it as usual.
+    // Two factors at the limit: their product is a multiple of 2^-969, and its rounding error is normal.
     let factor = (1.0 + f64::EPSILON) * power(52 - 484);
     assert!(plan(&[factor]).allows_filters(PRODUCT));
     let relative = |x: f64| {

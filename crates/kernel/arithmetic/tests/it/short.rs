@@ -1,12 +1,12 @@
-//! The last bits of short rows: 61 are taken, 62 are not, whatever the exponent.
+//! The bit limit of short rows: 61 bits are accepted, 62 are not, whatever the exponent.
 
 use predicament_arithmetic::{rational, short_rows};
 use rug::Rational;
 
-/// Bits that differences may span.
+/// The number of bits that differences may span.
 const BITS: i32 = 61;
 
-/// Differences of one number each, to zero: their rows, if they are taken; in proportion to them.
+/// The rows of differences of one number each, to zero, if they are accepted; in proportion to the differences.
 fn rows<const N: usize>(differences: [f64; N]) -> Option<[i64; N]> {
     let mut points = [[0.0; 4]; 2];
     points[0][..N].copy_from_slice(&differences);
@@ -24,14 +24,14 @@ fn rows<const N: usize>(differences: [f64; N]) -> Option<[i64; N]> {
     Some(integers)
 }
 
-/// 2^k, a normal double.
+/// The normal double 2^k.
 fn power(k: i32) -> f64 {
     f64::from_bits(u64::try_from(k + 1023).expect("normal") << 52)
 }
 
 #[test]
 fn the_last_bit_that_is_taken_and_the_first_that_is_not() {
-    // The unit is 2^(low): it has to be such that its inverse is a double, and so is the largest.
+    // The unit is 2^(low): its inverse must be a double, and so must the largest value.
     for low in -1021..=1023 - BITS {
         for bits in [1, 2, 53, 54, BITS - 1, BITS, BITS + 1, BITS + 2, 64, 65] {
             let top = low + bits - 1;
@@ -39,7 +39,7 @@ fn the_last_bit_that_is_taken_and_the_first_that_is_not() {
                 continue;
             }
             let (least, largest) = (power(low), power(top));
-            // The largest number of so many bits; beyond 53, of those that are doubles.
+            // The largest number of this many bits; beyond 53 bits, the largest double.
             let full = if bits <= 53 { 2.0 * (largest - least / 2.0) } else { largest * (2.0 - f64::EPSILON) };
             let least_first = [least, -largest, 0.0];
             let taken = rows(least_first).is_some();
@@ -47,7 +47,7 @@ fn the_last_bit_that_is_taken_and_the_first_that_is_not() {
             if full.is_finite() {
                 assert_eq!(taken, rows([-full, least]).is_some(), "{full:e} and {least:e}");
             }
-            // Where the unit is no double, nothing is taken, and nobody is wrong.
+            // If the unit is not a double, nothing is accepted, and no answer is wrong.
             let has_unit = top + 1023 >= BITS - 1;
             assert_eq!(taken, bits <= BITS && has_unit, "{bits} bits from 2^{low}");
         }
@@ -57,7 +57,7 @@ fn the_last_bit_that_is_taken_and_the_first_that_is_not() {
 #[test]
 fn differences_are_what_is_counted() {
     let far = power(80);
-    // Far from the origin, and from each other as far as 61 and 62 bits.
+    // Far from the origin, and 61 or 62 bits apart from each other.
     for (bits, taken) in [(BITS, true), (BITS + 1, false)] {
         let step = power(80 - 52);
         let wide = step * power(bits - 1);

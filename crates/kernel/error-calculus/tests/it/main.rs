@@ -1,4 +1,5 @@
-//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+//! The integration tests, as one binary, because each further binary would link the crate and compile shared code
+//! again.
 
 mod quantities;
 mod rules;

@@ -1,4 +1,4 @@
-//! Which rule applies, and that whole formulas keep what their bounds promise.
+//! Tests that the right rule applies, and that whole formulas keep the promise of their bounds.
 
 use predicament_error_calculus::rules::{Error, largest_epsilon};
 use predicament_error_calculus::{Adversary, Field, Perturbed, Quantity, Ring, Root};
@@ -119,12 +119,12 @@ fn a_lower_bound_makes_an_error_relative() {
     let one_minus = Quantity::one() - Quantity::constant(7) * Quantity::epsilon().sqrt();
     assert!(!one_minus.is_relative());
     let bound = one_minus.absolute().unwrap();
-    // √ε and 7√ε bring 2 of 7√ε, which is at most 7 ε^½ at the largest ε; the rounding is 1.
+    // √ε and 7√ε contribute an error of 2 times 7√ε, which is at most 7 ε^½ at the largest ε; the rounding error is 1.
     let (half, root) = (Rational::from((1, 2)), largest_epsilon().to_f64().sqrt());
     let relative = one_minus.clone().at_least(&half).relative().unwrap();
     assert!((relative.first.to_f64() - (1.0 + 2.0 * 2.0 * 7.0 * root)).abs() < 1e-9, "{relative:?}");
     assert!(relative.first < bound.first * 2, "twice its own rounding is too much");
-    // a product has nothing of its own to keep apart
+    // a product has no inherited error
     let product = one_minus.clone() * one_minus;
     let bound = product.absolute().unwrap();
     assert_eq!(product.at_least(&half).relative().unwrap().first, bound.first * 2);
@@ -148,7 +148,7 @@ fn a_product_with_a_power_of_two_rounds_nothing() {
     }
 }
 
-/// One step of a formula, on values made so far, counted from the last.
+/// One step of a formula on the values so far, counted from the last.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Add(usize, usize),
@@ -158,7 +158,7 @@ enum Step {
     Neg(usize),
     Abs(usize),
     Sqrt(usize),
-    /// x · (1/√(x² + y²)): what the paper divides for.
+    /// x · (1/√(x² + y²)): the paper's use of division.
     Unit(usize, usize),
 }
 
@@ -194,8 +194,7 @@ fn apply<N: Root>(step: Step, values: &[N]) -> N {
     }
 }
 
-/// Whether a step divides by zero or takes the root of something that is negative
-/// but for its roundoff, on values.
+/// Returns true if the step neither divides by zero nor takes the root of a value that is negative beyond roundoff.
 fn is_defined(step: Step, values: &[Perturbed]) -> bool {
     let value = |at: usize| &values[values.len() - 1 - at % values.len()];
     match step {
@@ -207,7 +206,7 @@ fn is_defined(step: Step, values: &[Perturbed]) -> bool {
     }
 }
 
-/// Errors of ε, −ε, 0 or anything between, by lot.
+/// Random errors: ε, −ε, 0 or anything between.
 fn adversary(seed: u64, epsilon: Rational) -> Adversary {
     let mut state = seed;
     Adversary::new(move || {
@@ -232,10 +231,10 @@ proptest! {
         let adversary = adversary(seed, epsilon.clone());
         let mut values: Vec<Perturbed> = coordinates.iter().map(|&k| adversary.input((k, 128))).collect();
         let mut quantities: Vec<Quantity> = ["x", "y", "z", "w"].map(Quantity::coordinate).to_vec();
-        // far beyond the error of an exact value's own root
+        // far beyond the error of the root of an exact value
         let tiny = Rational::from(1) >> 150_u32;
         for step in steps {
-            // the c of rule G is only for vectors of c ≥ 1
+            // the c of rule G holds only for vectors of c ≥ 1
             if let Step::Unit(i, _) = step
                 && c(&quantities[quantities.len() - 1 - i % quantities.len()]) < 1
             {

@@ -1,5 +1,4 @@
-//! Each rule against the worst that can happen: all operands at the ends of
-//! their errors, both ways, in exact rationals.
+//! Each rule against the worst case: all operands at both ends of their errors, in exact rationals.
 
 use predicament_error_calculus::rules::{self, Error, as_printed, largest_epsilon};
 use proptest::prelude::*;
@@ -7,7 +6,7 @@ use rug::Rational;
 
 const SIGNS: [i32; 3] = [-1, 0, 1];
 
-/// Zero, the paper's a and b, and ones far beyond.
+/// Zero, the paper's a and b, and far larger errors.
 fn errors() -> impl Strategy<Value = Error> {
     let a = prop_oneof![Just(0), 1..100, 1..5000];
     let b = prop_oneof![Just(0), 1..1000, 1..50_000_000];
@@ -18,7 +17,7 @@ fn magnitudes() -> impl Strategy<Value = Rational> {
     (1_i64..1_000_000, 1_i64..1000).prop_map(Rational::from)
 }
 
-/// Up to 10⁻⁵, and often it.
+/// Values of ε up to 10⁻⁵, which is drawn often.
 fn epsilons() -> impl Strategy<Value = Rational> {
     prop_oneof![
         Just(largest_epsilon()),
@@ -45,8 +44,9 @@ fn at_most(error: Rational, bound: &Rational) -> bool {
     error.abs() <= *bound
 }
 
-/// Whether a rule for sums holds for all values up to c₁ and c₂, which are taken at
-/// their ends and in the middle.
+/// Returns true if a rule for sums holds for all values up to c₁ and c₂.
+///
+/// The values are tested at their ends and in the middle.
 fn sum_holds(error: &Error, epsilon: &Rational, [c1, c2]: [&Rational; 2], e1: &Error, e2: &Error) -> bool {
     let bound = error.at(epsilon) * Rational::from(c1 + c2);
     let parts = [(1, 1), (-1, 1), (1, 2), (-1, 3)].map(Rational::from);
@@ -54,7 +54,7 @@ fn sum_holds(error: &Error, epsilon: &Rational, [c1, c2]: [&Rational; 2], e1: &E
     worst(epsilon, e1, e2).into_iter().all(|[x, y, z]| {
         values.iter().all(|(part1, part2)| {
             let (x1, x2) = (Rational::from(c1 * *part1), Rational::from(c2 * *part2));
-            // absolute errors: of c, whatever the value is
+            // absolute errors: relative to c, whatever the value is
             let off = |c: &Rational, factor: &Rational| Rational::from(factor - 1) * c;
             let computed = ((&x1 + off(c1, &x)) + (&x2 + off(c2, &y))) * &z;
             at_most(computed - x1 - x2, &bound)
@@ -62,7 +62,7 @@ fn sum_holds(error: &Error, epsilon: &Rational, [c1, c2]: [&Rational; 2], e1: &E
     })
 }
 
-/// Whether a rule for roots holds: by squares, so that nothing is rounded.
+/// Returns true if a rule for roots holds, by comparing squares, so that nothing is rounded.
 fn root_holds(error: &Error, epsilon: &Rational, e: &Error) -> bool {
     let bound = error.at(epsilon);
     let low = Rational::from(1 - &bound).max(Rational::new());
@@ -126,7 +126,7 @@ proptest! {
         }
     }
 
-    /// The b of the paper, where it is right, is the b here.
+    /// The second-order coefficient b of the calculus equals the paper's, where the paper's is right.
     #[test]
     fn small_errors_have_the_columns_of_the_paper(
         a1 in 0..20_i32, a2 in 0..20_i32, b1 in 0..300_i32, b2 in 0..300_i32, c1 in magnitudes(), c2 in magnitudes(),
@@ -158,8 +158,8 @@ fn the_printed_b_of_sums_is_unsound_for_large_b() {
     assert!(sum_holds(&as_printed::sum(&c, &small, &c, &small), &epsilon, [&c, &c], &small, &small));
 }
 
-/// Without the bars the column is too small from a₁ = 2 + 2√2 on, as for the squared
-/// distance in space (a₁ = 5, b₁ = 13): they are part of the rule.
+/// Without the bars the column is too small for a₁ ≥ 2 + 2√2, as for the squared distance in space (a₁ = 5, b₁ = 13):
+/// the bars are part of the rule.
 #[test]
 fn the_b_of_roots_needs_its_bars() {
     for (a, b, without) in [((4, 1), 8, true), ((19, 4), 0, true), ((5, 1), 0, false), ((5, 1), 13, false)] {

@@ -1,8 +1,8 @@
-//! Points of scenes in which any few are as hard to tell apart as others.
+//! Point families of the benchmark, in which all small subsets are equally hard to decide.
 
 use crate::common::{Random, nudge};
 
-/// What a scene is made of.
+/// The distribution of a scene's points.
 #[derive(Clone, Copy, PartialEq)]
 pub enum Family {
     Uniform,
@@ -25,7 +25,7 @@ impl Family {
         (Family::Mesh, "mesh"),
     ];
 
-    /// So many points, of a circle or sphere if `round`, else of a line or plane.
+    /// `count` points, on a circle or sphere if `round`, else on a line or plane.
     pub fn points<const D: usize>(self, random: &mut Random, count: usize, round: bool) -> Vec<[f64; D]> {
         if self == Family::Mesh {
             return height_field(random, count);
@@ -61,7 +61,7 @@ impl Family {
 }
 
 impl Family {
-    /// The vertices of a query of a scene with so many: any, or neighbours of one in a mesh.
+    /// The vertices of a query of a scene with this many vertices: any, or neighbours in a mesh.
     pub fn query<const N: usize>(self, random: &mut Random, vertices: usize) -> [usize; N] {
         if self != Family::Mesh {
             return std::array::from_fn(|_| random.below(vertices));
@@ -77,7 +77,9 @@ fn width(vertices: usize) -> usize {
     vertices.isqrt().max(3)
 }
 
-/// A terrain over a grid whose vertices have been moved by up to a third of its width, row after row; in the plane, the grid.
+/// A terrain over a jittered grid, row after row; in the plane, the grid alone.
+///
+/// The grid's vertices are moved by up to a third of its width.
 fn height_field<const D: usize>(random: &mut Random, count: usize) -> Vec<[f64; D]> {
     let width = width(count);
     let each = |at: usize| {
@@ -91,7 +93,7 @@ fn height_field<const D: usize>(random: &mut Random, count: usize) -> Vec<[f64; 
     (0..count).map(each).collect()
 }
 
-/// A point of a circle or sphere, or of a line or plane, but for rounding.
+/// A point of a circle or sphere, or of a line or plane, except for rounding.
 fn surface<const D: usize>(random: &mut Random, round: bool) -> [f64; D] {
     let mut p: [f64; D] = random.points::<1, D>(Random::unit)[0];
     if round {

@@ -1,7 +1,9 @@
-//! The filters of CGAL and of Attene's predicates, as peers: a determinant, the largest differences, a published constant.
+//! The filters of CGAL and of Attene's predicates, for comparison: a determinant, the largest differences, a published
+//! constant.
 //!
-//! FPG (Meyer and Pion 2008) derives, for each predicate, a constant that is multiplied with the largest difference along each axis, and
-//! the range of these in which nothing underflows or overflows. Constants and ranges are those of CGAL's static filters.
+//! FPG (Meyer and Pion 2008) derives, for each predicate, a constant that is multiplied with the largest difference
+//! along each axis, and the range of these differences in which nothing underflows or overflows. Constants and ranges
+//! are those of CGAL's static filters.
 
 use predicament_predicates::Sign;
 
@@ -9,7 +11,9 @@ fn largest<const N: usize>(differences: [f64; N]) -> f64 {
     differences.into_iter().fold(0.0, |largest, x| if x.abs() > largest { x.abs() } else { largest })
 }
 
-/// The sign if the determinant is beyond the bound; none if not, or where the extents (in order) are outside of the range.
+/// The sign if the determinant is beyond the bound, else `None`.
+///
+/// `None` as well if the extents (sorted) are outside of the range.
 #[inline(always)]
 fn certain(determinant: f64, least: f64, most: f64, range: [f64; 2], bound: f64) -> Option<Sign> {
     if least < range[0] || most > range[1] {

@@ -1,10 +1,10 @@
-//! Times over sizes of scenes, as a picture.
+//! A plot of times over sizes of scenes.
 
 use std::path::PathBuf;
 
 use plotters::prelude::*;
 
-/// Nanoseconds a query over the number of vertices.
+/// The time of an engine in nanoseconds per query, over the number of vertices.
 pub struct Line {
     pub predicate: &'static str,
     pub family: &'static str,
@@ -12,7 +12,7 @@ pub struct Line {
     pub points: Vec<(f64, f64)>,
 }
 
-/// Engines in Okabe and Ito's colours.
+/// The engines, in Okabe and Ito's colours.
 const ENGINES: [(&str, RGBColor); 5] = [
     ("robust", RGBColor(0, 0, 0)),
     ("fpg", RGBColor(230, 159, 0)),
@@ -21,7 +21,7 @@ const ENGINES: [(&str, RGBColor); 5] = [
     ("raw", RGBColor(204, 121, 167)),
 ];
 
-/// Draws a panel for each predicate and family into `target/exact-access-sizes.svg`, and says where that is.
+/// Draws a panel for each predicate and family into `target/exact-access-sizes.svg`, and prints the path.
 pub fn draw(lines: &[Line]) {
     let mut panels: Vec<(&str, &str)> = Vec::new();
     for line in lines {

@@ -1,9 +1,8 @@
 //! Many queries at once: the static filter on whole registers.
 //!
-//! Queries are taken a block at a time: their points are gathered, the
-//! determinants of the block are computed lane by lane, and their signs are
-//! written where they are certain. The few that are not are collected and
-//! climb the ladder one by one, so that they don't hold up the others.
+//! Queries are processed one block at a time: their points are gathered, the determinants of the block are computed
+//! lane by lane, and their signs are written where they are certain. The few uncertain queries are collected and climb
+//! the ladder one by one, so that they don't delay the others.
 
 #![allow(clippy::needless_range_loop)]
 #![allow(unsafe_code)]
@@ -22,25 +21,24 @@ use crate::predicate::Predicate;
 use crate::stage;
 pub(crate) use sweep::{Sweep, sweep};
 
-/// How many queries of a batch each stage has settled, by the stage's index.
+/// The number of queries of a batch that each stage has settled, by the stage's index.
 pub(crate) type Settled = [u64; stage::NAMES.len()];
-/// No query yet.
+/// The counts before the first query.
 pub(crate) const NONE: Settled = [0; stage::NAMES.len()];
 
-/// Queries of `N` vertices each, and what to do about them.
+/// Queries of `N` vertices each, with the filter's bound and the function for open queries.
 pub(crate) struct Batch<'a, B, C, const E: usize, const N: usize> {
     /// The bound of the static filter, or NaN.
     pub static_bound: f64,
-    /// The points of the vertices. With what has none nothing is certain, and
-    /// the vertex is seen to where it climbs.
+    /// The points of the vertices; a query with a vertex without a point is never certain and climbs.
     pub points: &'a [[f64; E]],
-    /// What is asked.
+    /// The vertices of each query.
     pub queries: &'a [[Vertex; N]],
     /// A place for each answer.
     pub out: &'a mut [Sign],
-    /// Whether doubles make no error: asked if filters leave something open.
+    /// Returns true if doubles make no error; called only if filters leave something open.
     pub is_double: B,
-    /// Answers a query that is left open, and says by which stage.
+    /// Answers an open query, and returns the stage that settled it.
     pub climb: C,
 }
 
@@ -77,23 +75,23 @@ where
         let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            // SAFETY: the kernel runs wide only on processors with AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
             let Filtered { signs, open, zeros } =
                 filter(&block, |points| (P::estimate(points).determinant, static_bound));
             let open = open & (u64::MAX >> (BLOCK - queries.len()));
-            // (What the second filter is certain of has the sign that the first one has found: the determinant is the same.)
+            // (Where the second filter is certain, the first one has found the same sign: the determinant is the same.)
             out.copy_from_slice(&signs[..queries.len()]);
             settled[stage::STATIC] += queries.len() as u64 - u64::from(open.count_ones());
             if open == 0 {
                 continue;
             }
-            // (The second filter is never certain of zero: where there is nothing else, it is not asked.)
+            // (The second filter is never certain of zero: if only zeros remain, it does not run.)
             let mut left = open;
             if open & !zeros != 0 {
                 let second = filter(&block, |points| {
                     let Bounded { determinant, bound } = P::anywhere(points);
-                    // Strictly beyond it; zero is not.
+                    // Strictly beyond the bound; zero is not.
                     (determinant, if determinant.abs() > bound { 0.0 } else { f64::NAN })
                 });
                 left = open & second.open;
@@ -102,7 +100,7 @@ where
                     continue;
                 }
             }
-            // (Vertices without points have NaN for a determinant, which is no zero.)
+            // (Vertices without points have a NaN determinant, which is not zero.)
             if left & !zeros == 0 && is_double() {
                 settled[stage::DOUBLE] += u64::from(left.count_ones());
                 continue;
@@ -117,7 +115,7 @@ where
     }
 }
 
-/// The places of the ones in a mask, in order.
+/// The positions of the ones in a mask, in order.
 fn ones(mut mask: u64) -> impl Iterator<Item = usize> {
     std::iter::from_fn(move || {
         let at = mask.trailing_zeros() as usize;
@@ -125,16 +123,16 @@ fn ones(mut mask: u64) -> impl Iterator<Item = usize> {
     })
 }
 
-/// What a filter finds of a block.
+/// The results of a filter on a block.
 struct Filtered {
     signs: [Sign; BLOCK],
-    /// The queries whose signs are not certain, in the bits of a mask.
+    /// The queries whose signs are not certain, as bits of a mask.
     open: u64,
-    /// Those whose determinants are zero.
+    /// The queries whose determinants are zero, as bits of a mask.
     zeros: u64,
 }
 
-/// Asks a filter about a block: `evaluate` gives a determinant and the magnitude from which on it is certain.
+/// Runs a filter on a block: `evaluate` gives a determinant and the magnitude from which on it is certain.
 #[inline(always)]
 fn filter<const D: usize, const N: usize>(
     block: &Block<D, N>,
@@ -155,7 +153,7 @@ fn filter<const D: usize, const N: usize>(
         } else {
             Sign::Zero
         };
-        // With a bound that is NaN nothing is certain.
+        // With a NaN bound nothing is certain.
         let certain = determinants[at].abs() >= bounds[at];
         open |= u64::from(!certain) << at;
         zeros |= u64::from(determinants[at] == 0.0) << at;

@@ -1,4 +1,4 @@
-//! Many queries of a value that a caller has a formula for, and one filter.
+//! Batches of a value for which the caller provides the formula, with one filter.
 
 #![allow(unsafe_code)]
 
@@ -9,21 +9,19 @@ use predicament_predicates::{Sign, Vertex};
 
 use super::{Filtered, NONE, Settled, filter, ones};
 
-/// Queries of `N` vertices each, their value, and what to do about them.
+/// Queries of `N` vertices each, with the formula and the function for open queries.
 pub(crate) struct Sweep<'a, F, C, const E: usize, const N: usize> {
-    /// The value whose sign is asked for, from the points, and the magnitude
-    /// from which on its sign is certain.
+    /// The value whose sign is the answer, from the points, and the magnitude from which on its sign is certain.
     pub evaluate: F,
-    /// The points of the vertices. With what has none nothing is certain, and
-    /// the vertex is seen to where it climbs.
+    /// The points of the vertices; a query with a vertex without a point is never certain and climbs.
     pub points: &'a [[f64; E]],
-    /// What is asked.
+    /// The vertices of each query.
     pub queries: &'a [[Vertex; N]],
     /// A place for each answer.
     pub out: &'a mut [Sign],
-    /// What the filter is as a stage.
+    /// The stage of the filter.
     pub stage: usize,
-    /// Answers a query that it leaves open, and says by which stage.
+    /// Answers an open query, and returns the stage that settled it.
     pub climb: C,
 }
 
@@ -35,7 +33,7 @@ pub(crate) fn sweep<V: View<E, D>, const E: usize, const D: usize, const N: usiz
     dispatch(In { sweep, view: PhantomData::<(V, [(); D])> })
 }
 
-/// Queries about points seen in a view.
+/// Queries about points in a view.
 pub(super) struct In<B, V> {
     pub sweep: B,
     pub view: PhantomData<V>,
@@ -55,7 +53,7 @@ where
         let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
-            // SAFETY: the kernel is run wide where the processor has AVX-512F.
+            // SAFETY: the kernel runs wide only on processors with AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
             let Filtered { signs, open, .. } = filter(&block, &evaluate);
             let open = open & (u64::MAX >> (BLOCK - queries.len()));

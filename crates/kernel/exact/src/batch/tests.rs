@@ -1,4 +1,4 @@
-//! Every width of registers answers as one query at a time would.
+//! Tests that every width of registers answers like single queries.
 
 use predicament_lanes::{Along, View, Whole, Width, Xy, Yz, Zx, run_on};
 use predicament_predicates::{Sign, Vertex};
@@ -9,17 +9,17 @@ use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::side::Side;
 use crate::stage;
 
-/// A bound of the static filter that leaves about half of all queries to the other.
+/// A bound of the static filter that leaves about half of all queries to the second filter.
 const STATIC_BOUND: f64 = 0.3;
 const POINTS: usize = 40;
 
-/// What the ladder says in these tests, where it is only seen who gets there.
+/// The ladder's answer in these tests, which only check which queries reach it.
 const CLIMBED: Sign = Sign::Zero;
 
 /// Vertices of a scene; the last few have no points.
 fn vertices() -> impl Strategy<Value = Vec<Vertex>> {
     let within = |end: usize| prop::collection::vec((0..end).prop_map(Vertex::input), 0..700);
-    // Often none is the last, and often there are some that are not there.
+    // Often no vertex is the last, and often some vertices do not exist.
     prop_oneof![within(POINTS - 1), within(POINTS), within(POINTS + 2)]
 }
 
@@ -118,7 +118,7 @@ proptest! {
 
     #[test]
     fn all_widths_see_the_same_side(flat in points::<2>(), solid in points::<3>(), vertices in vertices()) {
-        // Written out: in this order they're evaluated.
+        // Written out, in the order of evaluation.
         let side = Side::of_line([flat[0], flat[1]], [2.0; 2]);
         let ([nx, ny], [x, y]) = (side.normal, side.pivot);
         check_sweep::<Whole, 2, 2, 1>(|[p]| nx * (x - p[0]) + ny * (y - p[1]), &flat, &vertices);

@@ -1,23 +1,20 @@
-//! Where lines and planes meet, in floating point: doubles near the point, and how far off they may be.
+//! Intersection points of lines and planes in floating point: doubles near the point, with a proved error bound.
 //!
-//! The formulas are those of [`points`](super::points): a vertex of the definition, and from there
-//! an offset, P = p + (n/w)·u. Points that are close together are far more precise so
-//! than in relation to the origin.
+//! The formulas are those of [`points`](super::points): a vertex of the definition, and from there an offset, P = p +
+//! (n/w)·u. For points that are close together this is far more precise than coordinates relative to the origin.
 //!
 //! # What is proved
-//! Vertices that define the point are given by doubles within s·u of the true coordinates, u = 2^-53, s their
-//! *slack*: none for input vertices. A difference of two is computed as d = fl(x − y), so
-//! |d − D| ≤ u·M with M = |d| + s_x + s_y. Sums and products of differences are polynomials:
-//! written out as a sum of products, each product of k differences goes through k roundings by those of the
-//! differences and some more, n in all. Then
-//! |f − F| ≤ ((1 + u)^n − 1)·P, where the *permanent* P is the sum of the products of the M. n is
-//! counted by rules: a difference is one rounding ([`DIFFERENCE`]), a product has
-//! those of both factors and one ([`product`]), a sum those of the worse term and one ([`sum`]). They
-//! are compile-time expressions below, along the formulas.
+//! Vertices that define the point are given by doubles within s·u of the true coordinates, u = 2^-53, s their *slack*:
+//! zero for input vertices. A difference of two is computed as d = fl(x − y), so |d − D| ≤ u·M with M = |d| + s_x +
+//! s_y. Sums and products of differences are polynomials: written out as a sum of products, each product of k
+//! differences goes through k roundings by those of the differences and some more, n in all. Then |f − F| ≤ ((1 + u)^n
+//! − 1)·P, where the *permanent* P is the sum of the products of the M. n is counted by rules: a difference is one
+//! rounding ([`DIFFERENCE`]), a product has those of both factors and one ([`product`]), a sum those of the worse term
+//! and one ([`sum`]). They are compile-time expressions below, along the formulas.
 //!
-//! Permanents are bounded by norms. Let m be the largest M of a difference of points, over the axes, and for two differences
-//! a and b in space C the largest |a_j·b_k| + |a_k·b_j| with M in place of magnitudes: that bounds the permanent of
-//! a component of a × b.
+//! Permanents are bounded by norms. Let m be the largest M of a difference of points, over the axes, and for two
+//! differences a and b in space C the largest |a_j·b_k| + |a_k·b_j| with M in place of magnitudes: that bounds the
+//! permanent of a component of a × b.
 //!
 //! | kind | permanent of w | error of w, in u: E | permanent of n | error of n, in u |
 //! |---|---|---|---|---|
@@ -25,28 +22,29 @@
 //! | `Lpi` | 3·C·m_u | 8·3·C·m_u | 3·C·m_s | 8·3·C·m_s |
 //! | `Tpi` | 6·Π, Π = C_L·C_M·C_N | 17·6·Π | 6·Π·(m_q + m_r) | 20·6·Π·(m_q + m_r) |
 //!
-//! (`Tpi`: a component of M × N has 2·C_M·C_N; w = L·(M × N), three times that and C_L; M·(q − p) has 3·C_M·m_q, and its product with
-//! a component of N × L is one of two in n.)
+//! (`Tpi`: a component of M × N has 2·C_M·C_N; w = L·(M × N), three times that and C_L; M·(q − p) has 3·C_M·m_q, and
+//! its product with a component of N × L is one of two in n.)
 //!
-//! **There is a point** where u·E ≤ 2^-10·|w|: then w is not zero, and |W| ≥ (1 − 2^-10)·|w|. Else exact numbers decide.
+//! **There is a point** if u·E ≤ 2^-10·|w|: then w is not zero, and |W| ≥ (1 − 2^-10)·|w|. Otherwise exact numbers
+//! decide.
 //!
-//! **The slack.** With g = fl(n/w) and E_n for n,
-//! |g − N/W| ≤ u·|g| + u·(|g|·E + E_n)/|w| times a factor that is hardly more than one. `Tpi` adds g to p. The
-//! others add fl(g·u), which takes twice |g|·m_u more, for u and for the product. Adding to p is off by u·|x|, and p itself by u·s. So
+//! **The slack.** With g = fl(n/w) and E_n for n, |g − N/W| ≤ u·|g| + u·(|g|·E + E_n)/|w| times a factor that is hardly
+//! more than one. `Tpi` adds g to p. The others add fl(g·u), which takes twice |g|·m_u more, for u and for the product.
+//! Adding to p is off by u·|x|, and p itself by u·s. So
 //!
 //! s_x = |x| + s + 3·|g|·m_u + m_u·(|g|·E + E_n)/|w|, for `Tpi` |x| + s + |g| + (|g|·E + E_n)/|w|.
 //!
-//! [`ROOM`] multiplies this: it pays for 1/(1 − 2^-10), for terms of second order in u, and for the roundings of norms,
-//! E and s itself, fewer than a hundred. One slack is kept for all axes.
+//! [`ROOM`] multiplies this: it covers 1/(1 − 2^-10), terms of second order in u, and the roundings of norms, E and s
+//! itself, fewer than a hundred. One slack is kept for all axes.
 //!
-//! **Overflow and underflow.** Every m is asked to be at most 2^60, and the product of Cs and ms in the permanent of w at least 2^-350; else
-//! exact numbers decide. So nothing overflows that is not seen: the largest intermediate of w and n is below 2^430; what divides
-//! by w may, and then s is not finite, which is asked.
-//! A product that underflows is wrong by 2^-1075, times other factors: components of normals are below 2^121, their products' below
-//! 2^243. That is less than 2^-820 for w, while u·E is more than 2^-402, and less than 2^-760 for n. As |w| ≥ 2^10·u·E ≥ 2^-392, n/w is off
-//! by 2^-368 at most for it (`Ssi` and `Lpi`: by 2^-619, times u); [`FLOOR`]·u = 2^-353 is more than that and what products and quotients
-//! later lose. A C may lose 2^-1074, which is nothing to one of 2^-600, and the other factors leave it more. Differences underflow
-//! exactly.
+//! **Overflow and underflow.** The code requires every m to be at most 2^60, and the product of Cs and ms in the
+//! permanent of w at least 2^-350; otherwise exact numbers decide. So no overflow goes unnoticed: the largest
+//! intermediate of w and n is below 2^430. A division by w may overflow, and then s is not finite, which is checked. A
+//! product that underflows is wrong by 2^-1075, times other factors: components of normals are below 2^121, their
+//! products' below 2^243. That is less than 2^-820 for w, while u·E is more than 2^-402, and less than 2^-760 for n. As
+//! |w| ≥ 2^10·u·E ≥ 2^-392, it moves n/w by 2^-368 at most (`Ssi` and `Lpi`: by 2^-619, times u); [`FLOOR`]·u = 2^-353
+//! is more than that and the later losses of products and quotients. A C may lose 2^-1074, which is negligible beside
+//! one of 2^-600, and the other factors leave it more. Differences underflow exactly.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -54,30 +52,30 @@ use predicament_arithmetic::{bound::UNIT_ROUNDOFF, power_of_two};
 
 use super::filter::FLOOR;
 
-/// Doubles near a point.
+/// Doubles near a point, with a slack.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Near<const D: usize> {
-    /// The doubles.
+    /// The approximate coordinates.
     pub point: [f64; D],
-    /// Each of them is within this times 2^-53 of the true coordinate.
+    /// The slack: each coordinate is within `slack`·2^-53 of the true one.
     pub slack: f64,
 }
 
-/// The difference of two coordinates: one rounding.
+/// The roundings of a difference of two coordinates.
 const DIFFERENCE: u32 = 1;
 /// The roundings of a product.
 const fn product(a: u32, b: u32) -> u32 {
     a + b + 1
 }
-/// The roundings of a sum of two that have as many.
+/// The roundings of a sum of two terms with equally many.
 const fn sum(a: u32) -> u32 {
     a + 1
 }
-/// ad − bc.
+/// The roundings of ad − bc.
 const fn cross(a: u32, b: u32) -> u32 {
     sum(product(a, b))
 }
-/// A dot product in space: its first product goes through two sums.
+/// The roundings of a dot product in space, whose first product goes through two sums.
 const fn dot(a: u32, b: u32) -> u32 {
     sum(sum(product(a, b)))
 }
@@ -90,22 +88,22 @@ const LINE_PLANE: f64 = 3.0 * dot(NORMAL, DIFFERENCE) as f64;
 const PLANES_WEIGHT: f64 = 6.0 * dot(NORMAL, cross(NORMAL, NORMAL)) as f64;
 const PLANES_POINT: f64 = 6.0 * sum(product(dot(NORMAL, DIFFERENCE), cross(NORMAL, NORMAL))) as f64;
 
-/// What is left over for all that is smaller: see the module.
+/// The factor for all smaller errors; see the module.
 const ROOM: f64 = 1.0 + 1.0 / 64.0;
-/// u·E of the largest w that may be zero, at most: 2^-10.
+/// The largest ratio u·E/|w| for which w is certainly not zero: 2^-10.
 const CERTAIN: f64 = 1.0 / 1024.0;
-/// The largest difference: 2^60.
+/// The largest allowed difference: 2^60.
 const LARGEST: f64 = power_of_two(60);
-/// The least product in a permanent of w: 2^-350.
+/// The least allowed product in a permanent of w: 2^-350.
 const LEAST: f64 = power_of_two(-350);
 
 /// A difference of points.
 #[derive(Clone, Copy)]
 struct Way<const D: usize> {
     by: [f64; D],
-    /// The largest M.
+    /// The largest M over the axes.
     norm: f64,
-    /// What the ends' slacks add to every M.
+    /// The slack of the ends, part of every M.
     slack: f64,
 }
 
@@ -117,13 +115,14 @@ impl<const D: usize> Way<D> {
         Way { by, norm: largest(by) + slack, slack }
     }
 
-    /// Whether M is in the range of the proof; not if it is NaN.
+    /// Returns true if M is in the range of the proof; false for NaN.
     #[inline(always)]
     fn is_short(&self) -> bool {
         self.norm <= LARGEST
     }
 
-    /// |a_i·b_j| + |a_j·b_i| grows by this at most, where M is in place of magnitudes:
+    /// The largest growth of |a_i·b_j| + |a_j·b_i| if M replaces the magnitudes.
+    ///
     /// (|a| + s)(|b| + t) − |a||b| = s·|b| + t·(|a| + s), twice.
     #[inline(always)]
     fn slack_beside(&self, other: &Way<D>) -> f64 {
@@ -141,9 +140,9 @@ impl<const D: usize> Way<D> {
 /// The normal of a plane.
 struct Normal {
     by: [f64; 3],
-    /// C.
+    /// The norm C.
     norm: f64,
-    /// Whether both edges are in the range of the proof.
+    /// True if both edges are in the range of the proof.
     is_short: bool,
 }
 
@@ -157,7 +156,7 @@ impl Normal {
     }
 }
 
-/// The point of two lines; none if it isn't certain that there is one, or out of range.
+/// The point of two lines; `None` if its existence is not certain, or out of range.
 #[inline(always)]
 pub(super) fn segments([[a, b], [c, d]]: &[[Near<2>; 2]; 2]) -> Option<Near<2>> {
     let [u, v, s] = [Way::new(a, b), Way::new(c, d), Way::new(a, c)];
@@ -170,7 +169,7 @@ pub(super) fn segments([[a, b], [c, d]]: &[[Near<2>; 2]; 2]) -> Option<Near<2>> 
     moved(a, n / w, &u, |g| (g * errors + SEGMENTS * of_n) / w.abs())
 }
 
-/// The point of a line and a plane; none as above.
+/// The point of a line and a plane; `None` if its existence is not certain, or out of range.
 #[inline(always)]
 pub(super) fn line_plane([p, q]: &[Near<3>; 2], plane: &[Near<3>; 3]) -> Option<Near<3>> {
     let (u, s, normal) = (Way::new(p, q), Way::new(p, &plane[0]), Normal::new(plane));
@@ -183,7 +182,7 @@ pub(super) fn line_plane([p, q]: &[Near<3>; 2], plane: &[Near<3>; 3]) -> Option<
     moved(p, n / w, &u, |g| (g * errors + LINE_PLANE * (normal.norm * s.norm)) / w.abs())
 }
 
-/// The point of three planes; none as above.
+/// The point of three planes; `None` if its existence is not certain, or out of range.
 #[inline(always)]
 pub(super) fn planes(planes: &[[Near<3>; 3]; 3]) -> Option<Near<3>> {
     let [[p, ..], [q, ..], [r, ..]] = planes;
@@ -205,7 +204,7 @@ pub(super) fn planes(planes: &[[Near<3>; 3]; 3]) -> Option<Near<3>> {
     near(point, p.slack + quotient)
 }
 
-/// p + g·u, where g is off by u·g and u times `quotient` of its magnitude.
+/// The point p + g·u, where g is off by u·g and u times `quotient` of its magnitude.
 #[inline(always)]
 fn moved<const D: usize>(p: &Near<D>, g: f64, u: &Way<D>, quotient: impl Fn(f64) -> f64) -> Option<Near<D>> {
     let point = std::array::from_fn(|i| p.point[i] + g * u.by[i]);
@@ -213,11 +212,11 @@ fn moved<const D: usize>(p: &Near<D>, g: f64, u: &Way<D>, quotient: impl Fn(f64)
     near(point, p.slack + u.norm * (3.0 * g + quotient(g)))
 }
 
-/// With what else there is to its slack, if that is finite.
+/// The point with its total slack, if the slack is finite.
 #[inline(always)]
 fn near<const D: usize>(point: [f64; D], errors: f64) -> Option<Near<D>> {
     let slack = ROOM * (largest(point) + errors) + FLOOR;
-    // (Not if it is NaN.)
+    // (Not for NaN.)
     (slack < f64::INFINITY).then_some(Near { point, slack })
 }
 
@@ -226,13 +225,15 @@ fn is_certain(w: f64, errors: f64) -> bool {
     UNIT_ROUNDOFF * errors <= CERTAIN * w.abs()
 }
 
-/// The largest magnitude. (Infinities are the largest; NaN may be passed over, and is only where a slack is infinite or NaN too.)
+/// The largest magnitude.
+///
+/// (Infinities are the largest; NaN may be ignored, and occurs only if a slack is infinite or NaN too.)
 #[inline(always)]
 fn largest<const D: usize>(values: [f64; D]) -> f64 {
     values.into_iter().fold(0.0, |most, x| if x.abs() > most { x.abs() } else { most })
 }
 
-/// ad − bc.
+/// The minor ad − bc.
 #[inline(always)]
 fn minor<T: Number>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
     a * d - b * c
@@ -256,7 +257,7 @@ fn mixed<T: Number>([second, third]: [T; 2], [nl, lm]: [T; 2]) -> T {
     second * nl + third * lm
 }
 
-/// Doubles, or what a test counts instead.
+/// Doubles, or the counting numbers of a test.
 trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
 impl Number for f64 {}
 
@@ -266,7 +267,7 @@ mod tests {
 
     use super::*;
 
-    /// A number that knows the most roundings of a term on its way into it, and its permanent.
+    /// A number that stores the largest number of roundings of a term, and its permanent.
     #[derive(Clone, Copy, PartialEq, Debug)]
     struct Counted {
         roundings: u32,
@@ -283,7 +284,7 @@ mod tests {
 
     impl Sub for Counted {
         type Output = Counted;
-        #[allow(clippy::suspicious_arithmetic_impl)] // as many roundings, and magnitudes
+        #[allow(clippy::suspicious_arithmetic_impl)] // the same number of roundings, and magnitudes
         fn sub(self, other: Counted) -> Counted {
             self + other
         }
@@ -299,7 +300,7 @@ mod tests {
 
     impl Number for Counted {}
 
-    /// The formulas themselves are counted, with every M = 1: constants have no less and no more than that.
+    /// The formulas themselves are counted, with every M = 1: the constants are exactly the counts.
     #[test]
     fn constants_are_the_roundings_of_the_formulas() {
         let one = Counted { roundings: 1, permanent: 1.0 };
@@ -318,8 +319,10 @@ mod tests {
         assert_eq!(errors(mixed([way; 2], [along[0]; 2]), 8.0 * 2.0), PLANES_POINT);
     }
 
-    /// 1/(1 − 2^-10), three factors of 1 + u that are not counted (|U| and |N/W| instead of |u| and |g|), what 20 roundings are more
-    /// than 20u, and 100 roundings of the bound itself, two of its factors being norms of norms.
+    /// The factor covers the smaller errors.
+    ///
+    /// They are 1/(1 − 2^-10), three factors of 1 + u that are not counted (|U| and |N/W| instead of |u| and |g|), the
+    /// excess of 20 roundings over 20u, and 100 roundings of the bound itself, two of its factors being norms of norms.
     #[test]
     fn there_is_room_for_what_is_smaller() {
         let u = Rational::from(1) >> 53;
@@ -330,7 +333,7 @@ mod tests {
         assert!(Rational::from_f64(ROOM).expect("finite") > needed);
     }
 
-    /// Slacks of the ends count in every norm.
+    /// The slacks of the ends count in every norm.
     #[test]
     fn a_slack_reaches_every_norm() {
         let at = |x: f64, y: f64, slack: f64| Near { point: [x, y], slack };

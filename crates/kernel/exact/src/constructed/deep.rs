@@ -1,15 +1,12 @@
 //! Vertices that constructed vertices define, at any depth.
 //!
-//! Each level multiplies the degree of a row: by four for lines, by nine for
-//! three planes. Most cascades do not need such numbers, as lines and planes
-//! come back (the line through two vertices of one line is that line), and
-//! common factors with them. So rows are integers of any length in lowest
-//! terms: the rational point, kept whole.
+//! Each level multiplies the degree of a row: by four for lines, by nine for three planes. Most cascades do not need
+//! such numbers, as lines and planes recur (the line through two vertices of one line is that line), and common factors
+//! with them. So rows are integers of any length in lowest terms, which represent the rational point exactly.
 //!
-//! Joins and meets of homogeneous rows need no case for weights: the line
-//! through two points and the plane through three are the cross products of
-//! their rows, and so is the point of two lines or three planes; the line p, q
-//! meets the plane f where f(q)·p − f(p)·q is.
+//! Joins and meets of homogeneous rows need no special case for weights: the line through two points and the plane
+//! through three are the cross products of their rows, and so is the point of two lines or three planes; the line p, q
+//! meets the plane f at f(q)·p − f(p)·q.
 
 use predicament_predicates::{
     Axis::{X, Y, Z},
@@ -24,10 +21,12 @@ use super::{
     whole,
 };
 
-/// Coordinates and weight.
+/// A homogeneous row: coordinates and weight.
 type Row<const N: usize> = [Integer; N];
 
-/// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
+/// The construction's row, or the reason why it defines no point.
+///
+/// The rows of the vertices that define it must exist.
 pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, NoPoint> {
     Ok(match *construction {
         Construction::Ssi(lines) => {
@@ -61,7 +60,7 @@ fn solid(rows: View, v: Vertex) -> Row<4> {
 /// The line through two points of the plane.
 fn join([p, q]: &[Row<3>; 2]) -> Result<Row<3>, NoPoint> {
     let line = cross(p, q);
-    // Two points with weights have a line through them unless they are one point.
+    // Two points with weights have a line through them unless they are equal.
     if line.iter().all(Integer::is_zero) { Err(NoPoint::SegmentEnds) } else { Ok(line) }
 }
 
@@ -96,7 +95,7 @@ fn cross(p: &Row<3>, q: &Row<3>) -> Row<3> {
     [minor(p, q, 1, 2), minor(p, q, 2, 0), minor(p, q, 0, 1)]
 }
 
-/// The 3 × 3 minors with their signs: what is orthogonal to all three rows.
+/// The signed 3 × 3 minors: a vector orthogonal to all three rows.
 fn minors([p, q, r]: &[Row<4>; 3]) -> Row<4> {
     let without = |column: usize| {
         let [i, j, k] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]][column];

@@ -1,8 +1,8 @@
-//! The rows of constructed vertices, computed when they are first asked for.
+//! The rows of constructed vertices, computed on first use.
 //!
-//! The row of a constructed vertex depends on definitions and coordinates alone, so it does not matter who asks first,
-//! on which thread. What defines a vertex comes before it: its rows are computed first, one by one in a list of what is
-//! to do, as a cascade can be deeper than a stack.
+//! The row of a constructed vertex depends only on definitions and coordinates, so the result does not depend on which
+//! thread asks first. The vertices that define a vertex come before it: their rows are computed first, one by one from
+//! a work list, as a cascade can be deeper than the stack.
 
 use predicament_predicates::{Construction, NoPoint, Vertex};
 
@@ -10,7 +10,7 @@ use super::points;
 use super::rows::{Found, Row, View};
 
 impl<'a> View<'a> {
-    /// A vertex with what is exactly known of it.
+    /// A vertex with its exact coordinates.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -22,7 +22,7 @@ impl<'a> View<'a> {
         }
     }
 
-    /// The row of the constructed vertex with this index, which is known to be a point.
+    /// The row of the constructed vertex with this index, which is known to have a point.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -31,7 +31,7 @@ impl<'a> View<'a> {
         self.computed(index).unwrap_or_else(|| self.row_and_before(index))
     }
 
-    /// [`View::row`], where it has to be computed.
+    /// Computes the row for [`View::row`], after the rows that it depends on.
     #[cold]
     #[inline(never)]
     fn row_and_before(self, index: usize) -> &'a Row {
@@ -40,7 +40,7 @@ impl<'a> View<'a> {
         self.slot(index).get_or_init(row)
     }
 
-    /// The row of the last constructed vertex, or why it is no point.
+    /// The row of the last constructed vertex, or the reason why it has no point.
     pub fn admit(self) -> Result<&'a Row, NoPoint> {
         let last = self.rows.count - 1;
         self.compute_before(last);
@@ -48,7 +48,7 @@ impl<'a> View<'a> {
         Ok(self.slot(last).get_or_init(|| row))
     }
 
-    /// Computes the rows of what a vertex is constructed from.
+    /// Computes the rows of the vertices that define a vertex.
     fn compute_before(self, index: usize) {
         if self.definition(index).is_of_inputs() {
             return;

@@ -1,21 +1,18 @@
 //! The predicates as determinants of homogeneous rows, exactly.
 //!
-//! A point is a row (x, y, w) or (x, y, z, w) with w > 0, an input vertex one
-//! with w = 1. The rows' determinant is that of the points times all the w: it
-//! has the sign that is asked for, and no division is needed.
+//! A point is a row (x, y, w) or (x, y, z, w) with w > 0; an input vertex has w = 1. The rows' determinant is that of
+//! the points times all the w: it has the sign of the predicate, and no division is needed.
 //!
-//! With an input vertex among four, subtracting its row makes three rows of
-//! differences, and most of the numbers short.
+//! If one of four vertices is an input vertex, subtracting its row makes three rows of differences, and most of the
+//! numbers short.
 //!
 //! # Capacity
-//! Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i):
-//! it spans t_i − l_i limbs. A determinant of up to four rows sums products of
-//! one entry of each, at most 24, in two steps of [`Number::sum`]: seven bits
-//! for rounding the number of terms up to powers of two and for the signs fit
-//! one limb more than all rows span. Differences from a pivot row span as much
-//! as both rows, and take a bit each. Minors need less, as each row spans at
-//! least one limb. Rows that input vertices define always fit; others may not,
-//! and are then [`whole`] integers.
+//! Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i): it spans t_i − l_i limbs. A
+//! determinant of up to four rows sums products of one entry of each, at most 24, in two steps of [`Number::sum`]:
+//! seven bits for rounding the number of terms up to powers of two and for the signs fit one limb more than all rows
+//! span. Differences from a pivot row span as much as both rows, and take a bit each. Minors need less, as each row
+//! spans at least one limb. Rows that input vertices define always fit; others may not, and are then [`whole`]
+//! integers.
 
 use predicament_arithmetic::dyadic::{
     Number, Space, Take,
@@ -51,7 +48,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
             needed => with_capacity!(needed, CAP => side::<CAP>(rows)),
         };
     };
-    // A cyclic change of four places is odd.
+    // A cyclic permutation of four elements is odd.
     let [d, a, b, c] = std::array::from_fn(|i| &rows[(pivot + i) % 4]);
     let needed = span(a) + span(b) + span(c) + 3 * span(d) + 1;
     if needed > LARGEST {
@@ -61,7 +58,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
     if pivot.is_multiple_of(2) { -sign } else { sign }
 }
 
-#[inline(never)] // so that the stack frame is that of this capacity
+#[inline(never)] // so that the stack frame has the size of this capacity
 fn order<const CAP: usize>([a, b]: &[[Number; 2]; 2]) -> Sign {
     let mut limbs = [0; CAP];
     sign(Number::sum(&mut Space::new(&mut limbs), cross(*a, *b)))
@@ -73,7 +70,7 @@ fn turn<const CAP: usize>([a, b, c]: &[[Number; 3]; 3]) -> Sign {
     expand(&mut Space::new(limbs.as_flattened_mut()), a, b, c)
 }
 
-/// Laplace's expansion: minors of two rows times minors of the other two.
+/// The side by Laplace's expansion: minors of two rows times minors of the other two.
 #[inline(never)]
 fn side<const CAP: usize>([a, b, c, d]: &[[Number; 4]; 4]) -> Sign {
     // The complement of the k-th pair is the k-th from the end.
@@ -90,8 +87,9 @@ fn side<const CAP: usize>([a, b, c, d]: &[[Number; 4]; 4]) -> Sign {
     sign(Number::sum(space, terms))
 }
 
-/// The side seen from a row of weight 1: subtracting it from the others, times
-/// their weights, leaves three rows of differences.
+/// The side relative to a row of weight 1.
+///
+/// Subtracting it from the others, times their weights, leaves three rows of differences.
 #[inline(never)]
 fn side_of<const CAP: usize>([a, b, c]: [&[Number; 4]; 3], pivot: &[Number; 4]) -> Sign {
     let mut limbs = [[0; CAP]; 13];
@@ -106,10 +104,10 @@ fn side_of<const CAP: usize>([a, b, c]: [&[Number; 4]; 3], pivot: &[Number; 4]) 
     expand(space, a, b, c)
 }
 
-/// The sign of a 3 × 3 determinant. Four sums.
+/// The sign of a 3 × 3 determinant, by four sums.
 #[inline(always)]
 fn expand<'a>(space: &mut Space<'a>, a: &[Number<'a>; 3], b: &[Number<'a>; 3], c: &[Number<'a>; 3]) -> Sign {
-    // Minors are for short rows. A cyclic change of three places is even.
+    // Minors are taken of short rows. A cyclic permutation of three elements is even.
     let long = |row: &[Number<'a>; 3]| row.iter().map(|x| x.limbs.len()).max();
     let [a, b, c] = match [long(a), long(b), long(c)] {
         [a_long, b_long, c_long] if b_long > a_long && b_long >= c_long => [b, c, a],
@@ -139,7 +137,7 @@ fn limbs<const N: usize>(rows: &[[Number; N]]) -> usize {
     rows.iter().map(span).sum::<usize>() + 1
 }
 
-/// How many limbs the entries of a row spread over.
+/// The number of limbs between the lowest and the highest of a row's entries.
 #[inline]
 fn span<const N: usize>(row: &[Number; N]) -> usize {
     let (mut low, mut top) = (i32::MAX, i32::MIN);

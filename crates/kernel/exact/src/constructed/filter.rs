@@ -1,42 +1,37 @@
 //! Floating point on approximations, with a bound on the error of both.
 //!
 //! # What is proved
-//! A constructed vertex is given by doubles, each within e·u of the true
-//! coordinate; u = 2^-53, and e is the coordinate's *slack*, 2^-300 or more. For doubles that were computed in
-//! floating point it is what is proved there (`approximate`). For rounded exact
-//! coordinates, which are within κu in relation to themselves or within 2^-400, κ = 65/64, it is κ|x| + 2^-300, and
-//! for coordinates of input vertices 2^-300. The difference of two is computed as d = fl(x − y), with
-//! |d − D| ≤ u|d| + u·e_x + u·e_y = u·M for **M = |d| + e_x + e_y**, and |d| ≤ M.
-//! (Subtraction underflows exactly.) That is what [`bound`](predicament_arithmetic::bound)
-//! supposes of a difference: one rounding, in relation to M. So its proof
-//! holds with the permanent P taken of M in place of |d|, and n as counted
-//! there: 3 for orient2d, 7 for orient3d. In p each M has four roundings, so m
-//! is 2·4 + 2 and 3·4 + 5.
+//! A constructed vertex is given by doubles, each within e·u of the true coordinate; u = 2^-53, and e is the
+//! coordinate's *slack*, 2^-300 or more. For doubles computed in floating point the slack is proved in `approximate`.
+//! For rounded exact coordinates, which are within κu relative to themselves or within 2^-400, κ = 65/64, it is κ|x| +
+//! 2^-300, and for coordinates of input vertices 2^-300. The difference of two is computed as d = fl(x − y), with |d −
+//! D| ≤ u|d| + u·e_x + u·e_y = u·M for **M = |d| + e_x + e_y**, and |d| ≤ M. (Subtraction underflows exactly.)
+//! [`bound`](predicament_arithmetic::bound) assumes the same of a difference: one rounding, relative to M. So its proof
+//! holds with the permanent P of M in place of |d|, and n as counted there: 3 for orient2d, 7 for orient3d. In p each M
+//! has four roundings, so m is 2·4 + 2 and 3·4 + 5.
 //!
-//! **Underflow.** Each M is at least 2^-299, so a product that underflows, and
-//! is wrong by 2^-1075 then, is wrong by less than 2^-170·P for the whole
-//! determinant. The constants exceed what they have to by more than that, as a
-//! test says. P and B·P never underflow.
+//! **Underflow.** Each M is at least 2^-299, so a product that underflows, and is wrong by 2^-1075 then, is wrong by
+//! less than 2^-170·P for the whole determinant. The constants exceed the requirement by more than that, which a test
+//! checks. P and B·P never underflow.
 //!
-//! **Overflow.** Rounding keeps the order, so no intermediate of d exceeds that
-//! of p at the same place. If p is finite, nothing overflowed; if not, |d| > B·p
-//! is false. It is false as well for a NaN, and for d = 0: a tie is never
-//! answered. No plan of the scene is needed.
+//! **Overflow.** Rounding is monotone, so no intermediate of d exceeds that of p at the same place. If p is finite,
+//! nothing overflowed; if not, |d| > B·p is false. It is false as well for a NaN, and for d = 0: the filter never
+//! answers a tie. No plan of the scene is needed.
 
 use predicament_arithmetic::{bound::semi_static, power_of_two};
 use predicament_predicates::Sign;
 
-/// For a difference of coordinates.
+/// The constant for a difference of coordinates.
 pub const COMPARE: f64 = semi_static(1, 4);
-/// For (a − c) × (b − c).
+/// The constant for (a − c) × (b − c).
 pub const ORIENT2D: f64 = semi_static(3, 10);
-/// For det(a − d, b − d, c − d), expanded along one column.
+/// The constant for det(a − d, b − d, c − d), expanded along one column.
 pub const ORIENT3D: f64 = semi_static(7, 17);
 
-/// The slack that every coordinate has, so that no permanent underflows: 2^-300.
+/// The minimum slack of every coordinate, so that no permanent underflows: 2^-300.
 pub(super) const FLOOR: f64 = power_of_two(-300);
 
-/// A number and what bounds its error, in units of u.
+/// A number and a bound of its error, in units of u.
 #[derive(Clone, Copy, Debug)]
 pub struct Approximate {
     value: f64,
@@ -44,15 +39,16 @@ pub struct Approximate {
 }
 
 impl Approximate {
-    /// A coordinate that is within `slack`·u of the true one; 2^-300 at least.
+    /// A coordinate that is within `slack`·u of the true one; the slack is 2^-300 at least.
     #[inline(always)]
     #[must_use]
     pub fn near(value: f64, slack: f64) -> Approximate {
         Approximate { value, slack }
     }
 
-    /// A coordinate that is within `errors`·u of the true one, in relation to
-    /// itself: none for input vertices, 65/64 for constructed ones.
+    /// A coordinate that is within `errors`·u of the true one, relative to itself.
+    ///
+    /// `errors` is zero for input vertices, 65/64 for constructed ones.
     #[inline(always)]
     #[must_use]
     pub fn within(value: f64, errors: f64) -> Approximate {
@@ -65,7 +61,7 @@ impl Approximate {
         Approximate { value, slack: value.abs() + (self.slack + other.slack) }
     }
 
-    /// ad − bc.
+    /// The minor ad − bc.
     #[inline(always)]
     fn cross([a, b]: [Approximate; 2], [c, d]: [Approximate; 2]) -> Approximate {
         let value = a.value * d.value - b.value * c.value;
@@ -78,14 +74,14 @@ impl Approximate {
     }
 }
 
-/// The sign of a − b, or none if the errors may have changed it.
+/// The sign of a − b; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn compare(a: Approximate, b: Approximate, bound: f64) -> Option<Sign> {
     a.minus(b).certain(bound)
 }
 
-/// The turn a, b, c, or none if the errors may have changed it.
+/// The turn a, b, c; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn orient2d(a: [Approximate; 2], b: [Approximate; 2], c: [Approximate; 2], bound: f64) -> Option<Sign> {
@@ -93,7 +89,7 @@ pub fn orient2d(a: [Approximate; 2], b: [Approximate; 2], c: [Approximate; 2], b
     Approximate::cross(ac, bc).certain(bound)
 }
 
-/// The side of d on the plane of a, b, c, or none if the errors may have changed it.
+/// The side of d on the plane of a, b, c; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn orient3d(
@@ -131,7 +127,7 @@ mod tests {
 
     use super::*;
 
-    /// The requirement of `predicament_arithmetic::bound`, with room for what underflow loses.
+    /// The requirement of `predicament_arithmetic::bound`, plus a margin for losses by underflow.
     #[test]
     fn constants_meet_the_requirement_and_half_of_them_do_not() {
         let u = Rational::from(1) >> 53;

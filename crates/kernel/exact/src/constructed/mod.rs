@@ -1,29 +1,26 @@
-//! Questions about constructed vertices, answered without rounding them.
+//! Predicates on constructed vertices, answered without rounding the vertices.
 //!
-//! A vertex that lines and planes define has rational coordinates in general.
-//! [`Constructed`] keeps, for each of a scene's [`Construction`]s, what is
-//! needed to answer about the very point (*indirect predicates*: Attene,
-//! "Indirect predicates for geometric constructions", 2020):
+//! A vertex that lines and planes define has rational coordinates in general. [`Constructed`] stores, for each of a
+//! scene's [`Construction`]s, the data to answer about the exact point (*indirect predicates*: Attene, "Indirect
+//! predicates for geometric constructions", 2020):
 //!
-//! * coordinates in doubles, and how far they can be off, for a [`filter`] that knows it: about the price of a question
-//!   about input vertices. They are computed at once, in floating point (`approximate`), which also says
-//!   that there is a point at all; only where it can't, exact numbers do;
-//! * its exact homogeneous coordinates, integers over a common positive weight, when
-//!   they are first asked for, and from then on (`rows`). With them come coordinates that are rounded only once, for
-//!   the same filter; then determinants of homogeneous rows, in integers on the stack whose
-//!   capacity suffices for every finite input: no rational, no allocation, and
-//!   no condition on exponents.
+//! * coordinates in doubles with an error bound, for a [`filter`] that uses it, at about the price of a query about
+//!   input vertices. They are computed at construction, in floating point (`approximate`), which also proves that there
+//!   is a point; exact numbers are used only if it can't;
+//! * its exact homogeneous coordinates, integers over a common positive weight, computed on first use and then kept
+//!   (`rows`). With them come coordinates that are rounded only once, for the same filter. Then come determinants of
+//!   homogeneous rows, in integers on the stack whose capacity suffices for every finite input: no rational, no
+//!   allocation, and no condition on exponents.
 //!
-//! Which of these settles a question depends on the question alone, not on what was asked before.
+//! The stage that settles a query depends on the query alone, not on earlier queries.
 //!
-//! Lines and planes may go through constructed vertices in turn. Such `deep`
-//! vertices have approximations and a row like the others, in lowest terms, and the same filter;
-//! only where their rows are longer than any that input vertices define,
-//! determinants are `whole` integers on the heap.
+//! Lines and planes may go through constructed vertices in turn. Such `deep` vertices have approximations and a row
+//! like the others, in lowest terms, and the same filter. Only if their rows are longer than any that input vertices
+//! define, determinants are `whole` integers on the heap.
 //!
-//! Compare, orient2d in all projections, orient3d and incircle take constructed
-//! vertices in any place and input vertices in the others; incircle has no filter
-//! and is a determinant of `whole` integers. Insphere takes input vertices only.
+//! Compare, orient2d in all projections, orient3d and incircle take constructed vertices in any place and input
+//! vertices in the others; incircle has no filter and is a determinant of `whole` integers. Insphere takes input
+//! vertices only.
 
 #[macro_use]
 mod capacity;
@@ -46,21 +43,21 @@ use approximate::Near;
 use filter::{Approximate, FLOOR};
 use rows::{Found, Row, Rows, View};
 
-/// The stage that settles a question which floating point can settle.
+/// The stage that settles a query which floating point can settle.
 pub const FILTER: usize = stage::SEMI_STATIC;
-/// The stage that settles the others.
+/// The stage that settles all other queries.
 pub const EXACT: usize = stage::DYADIC;
 
 /// The constructed vertices of one scene.
 #[derive(Clone, Debug)]
 pub struct Constructed {
-    /// With the vertices that were constructed since.
+    /// The scene, including the vertices constructed since.
     scene: Scene,
     table: Table,
     rows: Rows,
 }
 
-/// Doubles and their slack, vertex after vertex; the list of the scene's dimension, the other one is empty.
+/// Doubles and slack of each vertex; only the list of the scene's dimension is filled.
 #[derive(Clone, Default, Debug)]
 struct Table {
     flat: Vec<[f64; 3]>,
@@ -68,12 +65,13 @@ struct Table {
 }
 
 impl Constructed {
-    /// Finds the scene's constructed points; where there is none, nothing is
-    /// computed and nothing allocated.
+    /// Computes the scene's constructed points.
+    ///
+    /// For a scene without constructed vertices nothing is computed and nothing allocated.
     ///
     /// # Errors
-    /// [`Declined`] names the first construction that does not define a point:
-    /// parallel lines, a plane of collinear vertices, and the like.
+    /// [`Declined`] names the first construction that does not define a point: parallel lines, a plane of collinear
+    /// vertices, and the like.
     pub fn new(scene: &Scene) -> Result<Constructed, Declined> {
         let mut constructed = Constructed { scene: scene.clone(), table: Table::default(), rows: Rows::default() };
         let Constructed { table, rows, .. } = &mut constructed;
@@ -88,7 +86,7 @@ impl Constructed {
         Ok(constructed)
     }
 
-    /// Adds vertices, as [`Session::construct_where`](crate::Session::construct_where) says.
+    /// Adds vertices, as described in [`Session::construct_where`](crate::Session::construct_where).
     pub(crate) fn construct_where(
         &mut self,
         definitions: &[Construction],
@@ -113,17 +111,18 @@ impl Constructed {
         vertices
     }
 
-    /// The scene, with all vertices that were constructed.
+    /// The scene, with all constructed vertices.
     #[inline(always)]
     #[must_use]
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// The approximate coordinates of a vertex, for output and broad phases: an
-    /// input vertex' own, a constructed one's rounded to the nearest
-    /// doubles or next to them, or within 2^-400. NaN where they are 2^1000 or more.
-    /// Takes the exact row: the first time that costs what the row does.
+    /// The approximate coordinates of a vertex, for output and broad phases.
+    ///
+    /// An input vertex has its own coordinates. A constructed vertex has the nearest doubles, or doubles next to them,
+    /// or doubles within 2^-400; NaN for coordinates of 2^1000 or more. The method uses the exact row: the first call
+    /// for a vertex costs as much as the row.
     ///
     /// # Panics
     /// If the scene has no such vertex.
@@ -135,8 +134,10 @@ impl Constructed {
         }
     }
 
-    /// Doubles near a vertex, and their slack: times 2^-53 it is how far they may be off. An input vertex' own
-    /// are exact; a constructed one's are those that were computed when it was constructed. Where a coordinate is NaN, so is the slack.
+    /// Doubles near a vertex, and their slack: they are off by at most the slack times 2^-53.
+    ///
+    /// The coordinates of an input vertex are exact. For a constructed vertex they were computed at construction. If a
+    /// coordinate is NaN, so is the slack.
     ///
     /// # Panics
     /// If the scene has no such vertex.
@@ -200,10 +201,10 @@ impl Constructed {
         determinant::compare(&[self.view().of(space, a, [axis]), self.view().of(space, b, [axis])])
     }
 
-    /// The sign of [`Constructed::compare`], or none if its filters leave it open.
+    /// The sign of [`Constructed::compare`]; `None` if its filters leave it open.
     ///
     /// # Panics
-    /// As there.
+    /// As [`Constructed::compare`].
     #[inline]
     #[must_use]
     pub fn compare_by_filter(&self, axis: Axis, a: Vertex, b: Vertex) -> Option<Sign> {
@@ -253,10 +254,10 @@ impl Constructed {
         determinant::orient2d(&[row(a), row(b), row(c)])
     }
 
-    /// The sign of [`Constructed::orient2d`], or none if its filters leave it open.
+    /// The sign of [`Constructed::orient2d`]; `None` if its filters leave it open.
     ///
     /// # Panics
-    /// As there.
+    /// As [`Constructed::orient2d`].
     #[inline]
     #[must_use]
     pub fn orient2d_by_filter(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
@@ -300,7 +301,7 @@ impl Constructed {
         determinant::orient3d(&[row(a), row(b), row(c), row(d)])
     }
 
-    /// Whether d is in the circle of a, b, c, and the stage that settled it.
+    /// The position of d relative to the circle of a, b, c, and the stage that settled it.
     ///
     /// # Panics
     /// If the scene has no such vertex or is 3D.
@@ -314,10 +315,10 @@ impl Constructed {
         (whole::incircle(&[row(a), row(b), row(c), row(d)]), EXACT)
     }
 
-    /// [`Constructed::compare`] without its filters.
+    /// The answer of [`Constructed::compare`] without its filters.
     ///
     /// # Panics
-    /// As there.
+    /// As [`Constructed::compare`].
     #[cold]
     #[inline(never)]
     #[must_use]
@@ -326,10 +327,10 @@ impl Constructed {
         self.order(axis, vertices.map(|v| self.view().find(v)))
     }
 
-    /// [`Constructed::orient2d`] without its filters.
+    /// The answer of [`Constructed::orient2d`] without its filters.
     ///
     /// # Panics
-    /// As there.
+    /// As [`Constructed::orient2d`].
     #[cold]
     #[inline(never)]
     #[must_use]
@@ -338,10 +339,10 @@ impl Constructed {
         self.turn(plane, vertices.map(|v| self.view().find(v)))
     }
 
-    /// [`Constructed::orient3d`] without its filters.
+    /// The answer of [`Constructed::orient3d`] without its filters.
     ///
     /// # Panics
-    /// As there.
+    /// As [`Constructed::orient3d`].
     #[cold]
     #[inline(never)]
     #[must_use]
@@ -350,7 +351,7 @@ impl Constructed {
         self.side(vertices.map(|v| self.view().find(v)))
     }
 
-    /// What the first filter knows of a vertex.
+    /// The coordinates of a vertex for the first filter.
     #[inline(always)]
     fn computed<const K: usize>(&self, v: Vertex, axes: [Axis; K]) -> [Approximate; K] {
         let (point, slack) = self.near(v);
@@ -373,7 +374,7 @@ impl Table {
         self.solid.truncate(count);
     }
 
-    /// What is known of a vertex of a 2D scene.
+    /// The approximate point of a vertex of a 2D scene.
     #[inline(always)]
     fn flat(&self, points: &[[f64; 2]], v: Vertex) -> Near<2> {
         match v.construction() {
@@ -385,7 +386,7 @@ impl Table {
         }
     }
 
-    /// What is known of a vertex of a 3D scene.
+    /// The approximate point of a vertex of a 3D scene.
     #[inline(always)]
     fn solid(&self, points: &[[f64; 3]], v: Vertex) -> Near<3> {
         match v.construction() {
@@ -398,7 +399,7 @@ impl Table {
     }
 }
 
-/// Adds the next vertex of the scene, or says why it is no point.
+/// Adds the next vertex of the scene, or returns the reason why it has no point.
 #[inline]
 fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Construction) -> Result<(), NoPoint> {
     rows.push();
@@ -435,7 +436,9 @@ fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Constr
     Ok(())
 }
 
-/// Doubles and slack of the last vertex, of which floating point can't say that there is a point. N is one more than there are axes.
+/// Doubles and slack of the last vertex, for which floating point can't prove that there is a point.
+///
+/// N is the number of axes plus one.
 #[cold]
 #[inline(never)]
 fn admitted<const N: usize>(rows: View) -> Result<[f64; N], NoPoint> {

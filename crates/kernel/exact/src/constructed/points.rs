@@ -1,10 +1,9 @@
-//! Where lines and planes meet: the exact homogeneous row of a construction.
+//! The exact homogeneous row of a construction through input vertices.
 //!
-//! This is for lines and planes through input vertices; those through
-//! constructed ones are in [`deep`].
+//! Lines and planes through constructed vertices are in [`deep`].
 //!
-//! Each point is a vertex plus a multiple of a direction, P = p + (n/w)·u, by
-//! Cramer's rule on differences; then (w·p + n·u, w) is its row.
+//! Each point is a vertex plus a multiple of a direction, P = p + (n/w)·u, by Cramer's rule on differences; then (w·p +
+//! n·u, w) is its row.
 //!
 //! | kind | w | row |
 //! |---|---|---|
@@ -13,15 +12,12 @@
 //! | planes with normals L, M, N through p, q, r | L·(M × N), degree 6 | w·p + (M·(q − p))(N × L) + (N·(r − p))(L × M), degree 7 |
 //!
 //! # Capacity
-//! With coordinates below 2^58, differences are below 2^59, normals below
-//! 2^119, w of degree 3 below 2^180 and of degree 6 below 2^360, and the rows
-//! below 2^179, 2^240 and 2^421: degree k stays below 2^(61·k). With
-//! coordinates that are multiples of 2^(64·l), l ≤ 0, degree k is a multiple of
-//! 2^(64·k·l). [`Number::sum`] takes a sign and up to two bits for three terms;
-//! four are granted. So degree k takes as many limbs as its share of degree 7
-//! has, and less than 17/16 beside. The 48 sums for three planes have degrees
-//! that add up to 111: less than 16 capacities and 51 limbs. The other kinds,
-//! whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside.
+//! With coordinates below 2^58, differences are below 2^59, normals below 2^119, w of degree 3 below 2^180 and of
+//! degree 6 below 2^360, and the rows below 2^179, 2^240 and 2^421: degree k stays below 2^(61·k). With coordinates
+//! that are multiples of 2^(64·l), l ≤ 0, degree k is a multiple of 2^(64·k·l). [`Number::sum`] takes a sign and up to
+//! two bits for three terms; four are granted. So degree k takes as many limbs as its share of degree 7 has, and less
+//! than 17/16 beside. The 48 sums for three planes have degrees that add up to 111: less than 16 capacities and 51
+//! limbs. The other kinds, whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside.
 
 use predicament_arithmetic::dyadic::{
     Number, Space,
@@ -39,10 +35,12 @@ use super::{
 
 type Point<'a, const D: usize> = [Number<'a>; D];
 
-/// The capacities that one construction takes at most: 16, and 51 limbs in capacities of 9 or more.
+/// The maximum number of capacities for one construction: 16, and 51 limbs in capacities of 9 or more.
 const NUMBERS: usize = 16 + 6;
 
-/// The construction's row, or why it defines no point. Rows of the vertices that define it are there.
+/// The construction's row, or the reason why it defines no point.
+///
+/// The rows of the vertices that define it must exist.
 #[cold]
 #[inline(never)]
 pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, NoPoint> {
@@ -71,7 +69,7 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, NoPoin
     }
 }
 
-#[inline(never)] // so that the stack frame is that of this capacity
+#[inline(never)] // so that the stack frame has the size of this capacity
 fn segments<const CAP: usize>(rows: View, lines: [[Point<2>; 2]; 2]) -> Result<Row, NoPoint> {
     let mut limbs = [[0; CAP]; NUMBERS];
     let space = &mut Space::new(limbs.as_flattened_mut());
@@ -146,7 +144,7 @@ fn dot<'a>(space: &mut Space<'a>, p: Point<3>, q: Point<3>) -> Number<'a> {
     Number::sum(space, [(p[0], q[0], Plus), (p[1], q[1], Plus), (p[2], q[2], Plus)])
 }
 
-/// w·p + n·u.
+/// The coordinates w·p + n·u.
 fn moved<'a, const D: usize>(
     space: &mut Space<'a>,
     p: Point<D>,

@@ -1,16 +1,15 @@
 //! Exact homogeneous coordinates of vertices, input and constructed.
 //!
-//! Rows are kept here once they are computed, [on demand](super::demand).
+//! Rows are stored here once they are computed, [on demand](super::demand).
 //!
 //! # Alignment
-//! All coordinates of a scene are scaled by one power of two, so that the
-//! largest lies just below 2^58 (signs don't see it). A coordinate whose lowest
-//! bit is no more than 58 bits below the scene's top is then one limb, and six
-//! bits are left for sums: a line and plane's point has entries below 2^240 and
-//! takes four limbs, that of three planes has entries below 2^421 and takes seven.
+//! All coordinates of a scene are scaled by one power of two, so that the largest lies just below 2^58 (this changes no
+//! sign). A coordinate whose lowest bit is at most 58 bits below the scene's top is then one limb, and six bits remain
+//! for sums: a line and plane's point has entries below 2^240 and takes four limbs, that of three planes has entries
+//! below 2^421 and takes seven.
 //!
-//! Rows of vertices that constructed vertices define have no such limit. They
-//! are in lowest terms instead: see [`deep`](super::deep).
+//! Rows of vertices that constructed vertices define have no such limit. They are in lowest terms instead: see
+//! [`deep`](super::deep).
 
 use std::sync::OnceLock;
 
@@ -22,29 +21,30 @@ use predicament_predicates::{Axis, Scene, Vertex};
 
 use super::filter::Approximate;
 
-/// The bits of the scene's largest coordinate after scaling.
+/// The bit length of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
 
-/// The error of a rounded coordinate in units of u, in relation to the
-/// coordinate: a hair more than rounding, in relation to what is rounded.
+/// The error of a rounded coordinate in units of u, relative to the coordinate.
+///
+/// It is slightly more than the rounding error relative to the rounded number.
 pub(super) const ERRORS: f64 = 1.0 + 1.0 / 64.0;
 
-/// Vertices whose slots are allocated together, when the first of their rows is.
+/// The number of vertices whose slots are allocated together, when the first of their rows is needed.
 const TOGETHER: usize = 16;
 
 type Slots = [OnceLock<Row>; TOGETHER];
 
-/// The rows that have been asked for.
+/// The rows that have been computed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
-    /// The exponent of the scale, once it is needed.
+    /// The exponent of the scale, computed on first use.
     shift: OnceLock<i32>,
     slots: Vec<OnceLock<Box<Slots>>>,
     pub count: usize,
 }
 
 impl Rows {
-    /// One more vertex, whose row nobody has asked for.
+    /// Adds a vertex whose row is not computed yet.
     #[inline]
     pub fn push(&mut self) {
         if self.count.is_multiple_of(TOGETHER) {
@@ -53,7 +53,7 @@ impl Rows {
         self.count += 1;
     }
 
-    /// Removes all constructed vertices but the first so many.
+    /// Removes all constructed vertices after the first `count`.
     pub fn truncate(&mut self, count: usize) {
         self.slots.truncate(count.div_ceil(TOGETHER));
         if let Some(slots) = self.slots.get_mut(count / TOGETHER).and_then(OnceLock::get_mut) {
@@ -62,7 +62,7 @@ impl Rows {
         self.count = count;
     }
 
-    /// Makes place for so many more.
+    /// Reserves space for `more` vertices.
     pub fn reserve(&mut self, more: usize) {
         self.slots.reserve(more.div_ceil(TOGETHER));
     }
@@ -71,15 +71,17 @@ impl Rows {
 /// An exact row: coordinates and a positive weight, and the coordinates as doubles.
 #[derive(Clone, Debug)]
 pub(super) struct Row {
-    /// Coordinates: within [`ERRORS`]·u, in relation to the double, or within 2^-400. NaN from about 2^1000 on.
+    /// The coordinates as doubles.
+    ///
+    /// They are within [`ERRORS`]·u relative to the double, or within 2^-400. NaN from about 2^1000 on.
     rounded: [f64; 3],
-    /// For each entry its [`head`].
+    /// The [`head`] of each entry.
     heads: [u64; 4],
-    /// The limbs of all of them.
+    /// The limbs of all entries.
     limbs: Box<[u64]>,
 }
 
-/// A number without its limbs: how many they are, its sign, and its place.
+/// A number without its limbs: its length, its sign, and its place.
 #[allow(clippy::cast_sign_loss)] // bits of an i32
 fn head(number: Number, negative: bool) -> u64 {
     let length = u64::try_from(number.limbs.len()).expect("a length of 31 bits");
@@ -88,7 +90,7 @@ fn head(number: Number, negative: bool) -> u64 {
 }
 
 impl Row {
-    /// A coordinate by its axis, and the weight by the number of axes.
+    /// A coordinate by its axis; the index after the last axis is the weight.
     #[inline(always)]
     #[allow(clippy::cast_possible_wrap, clippy::cast_possible_truncation)] // the lower half, bits of an i32; a length of 31 bits
     fn entry(&self, at: usize) -> Number<'_> {
@@ -99,24 +101,24 @@ impl Row {
         Number { limbs, low: head as u32 as i32, negative: head >> 32 & 1 == 1 }
     }
 
-    /// The coordinates of this dimension, rounded.
+    /// The rounded coordinates, as many as the dimension.
     #[inline(always)]
     pub fn rounded(&self, dimension: usize) -> &[f64] {
         &self.rounded[..dimension]
     }
 }
 
-/// What is exactly known of a vertex.
+/// The exact coordinates of a vertex.
 #[derive(Clone, Copy)]
 pub(super) enum Found<'a> {
-    /// Its coordinates.
+    /// The coordinates of an input vertex.
     Input(&'a [f64]),
-    /// Its row.
+    /// The row of a constructed vertex.
     Constructed(&'a Row),
 }
 
 impl Found<'_> {
-    /// Coordinates as doubles, and how far they may be off.
+    /// Coordinates as doubles, with their error bounds.
     #[inline(always)]
     pub fn rounded<const K: usize>(self, axes: [Axis; K]) -> [Approximate; K] {
         let (point, errors): (&[f64], f64) = match self {
@@ -127,17 +129,18 @@ impl Found<'_> {
     }
 }
 
-/// The exact rows of a scene's vertices: those of input vertices are read
-/// from the scene, those of constructed ones are computed and kept, with w > 0.
+/// The exact rows of a scene's vertices, with w > 0.
+///
+/// Rows of input vertices are read from the scene, those of constructed vertices are computed and stored.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
-    /// Asked for input vertices, and for definitions of constructed ones.
+    /// The scene, for input vertices and for definitions of constructed ones.
     pub scene: &'a Scene,
     pub rows: &'a Rows,
 }
 
 impl<'a> View<'a> {
-    /// The exponent of the scale: one look at all coordinates, when it is first asked for.
+    /// The exponent of the scale, from one pass over all coordinates on first use.
     #[inline]
     fn shift(self) -> i32 {
         let scale = || ExponentRange::of(self.scene.coordinates()).map_or(0, |range| TOP - range.highest);
@@ -160,8 +163,9 @@ impl<'a> View<'a> {
         numbers
     }
 
-    /// The row of a vertex, seen along these axes: R is K + 1, the weight
-    /// comes last. The space is for input vertices, two limbs a coordinate.
+    /// The row of a vertex, seen along these axes, with the weight last: R is K + 1.
+    ///
+    /// The space is for input vertices, two limbs per coordinate.
     #[inline]
     pub fn of<'s, const K: usize, const R: usize>(
         self,
@@ -184,10 +188,10 @@ impl<'a> View<'a> {
         row
     }
 
-    /// A vertex with what is exactly known of it, where its row has been computed if it is constructed.
+    /// A vertex with its exact coordinates; the row of a constructed vertex must have been computed.
     ///
     /// # Panics
-    /// If there is no such vertex, or no row of it yet.
+    /// If there is no such vertex, or its row is not computed yet.
     pub fn known(self, v: Vertex) -> Found<'a> {
         match v.construction() {
             None => Found::Input(self.scene.point(v)),
@@ -203,14 +207,14 @@ impl<'a> View<'a> {
         self.rows.slots[index / TOGETHER].get().and_then(|slots| slots[index % TOGETHER].get())
     }
 
-    /// Where the row of the constructed vertex with this index is kept.
+    /// The slot for the row of the constructed vertex with this index.
     pub fn slot(self, index: usize) -> &'a OnceLock<Row> {
         let slots =
             self.rows.slots[index / TOGETHER].get_or_init(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
         &slots[index % TOGETHER]
     }
 
-    /// A row of these numbers. Weights that are negative turn the row's signs.
+    /// A row of these numbers; a negative weight negates the whole row.
     pub fn store(self, coordinates: &[Number], weight: Number) -> Row {
         let numbers = coordinates.iter().chain([&weight]);
         let mut limbs = Vec::with_capacity(numbers.clone().map(|number| number.limbs.len()).sum());
@@ -232,7 +236,7 @@ impl<'a> View<'a> {
             return 0.0;
         };
         let exponent = exponent - self.shift();
-        // A number of 65 bits at this exponent: no double here is subnormal, none infinite.
+        // A number of 65 bits at this exponent: no double here is subnormal or infinite.
         let magnitude = match exponent {
             ..-465 => 0.0,
             -465..=935 => quotient * 2f64.powi(exponent),

@@ -1,12 +1,11 @@
-//! Determinants of rows in integers of any length, for rows that are longer
-//! than what fits the stack.
+//! Determinants of rows in integers of any length, for rows that are too long for the stack.
 
 use predicament_predicates::Sign;
 use rug::{Integer, integer::Order};
 
 use predicament_arithmetic::dyadic::Number;
 
-/// A row as integers: times a power of two, which changes no point.
+/// A row as integers: times a power of two, which does not change the point.
 pub(super) fn integers<const N: usize>(row: &[Number; N]) -> [Integer; N] {
     let lowest = row.iter().filter(|x| !x.is_zero()).map(|x| x.low).min().unwrap_or(0);
     row.map(|x| {
@@ -26,10 +25,10 @@ pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
     minor(&rows, 0).cmp0().into()
 }
 
-/// Whether the last point is in the circle of the others.
+/// The position of the last point relative to the circle of the others.
 ///
-/// With differences (x, y) over the weight w of both points, which is positive, a row of the determinant is
-/// (x/w, y/w, (x² + y²)/w²); times w² it is (x·w, y·w, x² + y²).
+/// With differences (x, y) over the weight w of both points, which is positive, a row of the determinant is (x/w, y/w,
+/// (x² + y²)/w²); times w² it is (x·w, y·w, x² + y²).
 #[cold]
 #[inline(never)]
 pub(super) fn incircle(points: &[[Number; 3]; 4]) -> Sign {
@@ -44,7 +43,7 @@ pub(super) fn incircle(points: &[[Number; 3]; 4]) -> Sign {
     minor(&[row(a), row(b), row(c)], 0).cmp0().into()
 }
 
-/// By Laplace: of these rows and the columns from `column` on.
+/// The minor of these rows and the columns from `column` on, by Laplace's expansion.
 fn minor<const N: usize>(rows: &[[Integer; N]], column: usize) -> Integer {
     if let [row] = rows {
         return row[column].clone();

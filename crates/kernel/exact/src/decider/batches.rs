@@ -1,4 +1,4 @@
-//! Answers in batches, with the number that each stage has settled.
+//! Answers in batches, with the number of queries that each stage has settled.
 
 use predicament_arithmetic::bound;
 use predicament_lanes::{Along, View, Whole, Xy, Yz, Zx};
@@ -16,7 +16,7 @@ impl Decider<'_> {
         match (self.constructed.scene().dimension(), axis) {
             (Dimension::Two, Axis::X) => self.compare_all::<Along<0>, 2>(axis, self.points2, queries, out),
             (Dimension::Two, Axis::Y) => self.compare_all::<Along<1>, 2>(axis, self.points2, queries, out),
-            // There's no such axis, which is said where one is asked.
+            // There is no such axis; the single query reports it.
             (Dimension::Two, Axis::Z) => singly(queries, out, |&[a, b]| self.decide_compare(axis, a, b)),
             (Dimension::Three, Axis::X) => self.compare_all::<Along<0>, 3>(axis, self.points3, queries, out),
             (Dimension::Three, Axis::Y) => self.compare_all::<Along<1>, 3>(axis, self.points3, queries, out),
@@ -108,7 +108,7 @@ impl Decider<'_> {
         batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb })
     }
 
-    /// Where points lie beside a line or plane; `static_bound` is that of the predicate.
+    /// Answers where points lie beside a line or plane; `static_bound` is the predicate's.
     #[inline]
     fn beside<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
         &self,
@@ -118,7 +118,7 @@ impl Decider<'_> {
         (vertices, out): (&[Vertex], &mut [Sign]),
         climb: impl Fn(Vertex) -> (Sign, usize),
     ) -> Settled {
-        // Where the scene has no bound, there is none here; where that is zero, all determinants are.
+        // If the scene has no bound, there is none here; if the bound is zero, all determinants are.
         let bound = match static_bound {
             0.0 => 0.0,
             bound if bound.is_nan() => f64::NAN,
@@ -153,7 +153,7 @@ impl Decider<'_> {
         out: &mut [Sign],
     ) -> Settled {
         batch::sweep::<V, E, 1, 2>(Sweep {
-            // Never rounded to zero and never to the other sign, so as good as exact. (It may overflow.)
+            // Never rounded to zero or to the other sign, so as good as exact. (It may overflow.)
             evaluate: |[[x], [y]]: [[f64; 1]; 2]| (x - y, 0.0),
             points,
             queries,

@@ -1,7 +1,7 @@
-//! What filters leave open: queries that climb to integers and beyond, and constructed vertices.
+//! Queries that filters leave open: they climb to integers and beyond, or involve constructed vertices.
 //!
-//! These functions take vertices and not points, so that filters keep points in registers. The points have just been read.
-//! A vertex that is no input vertex gets here because its index is beyond all points.
+//! These functions take vertices and not points, so that filters keep points in registers. The points have just been
+//! read. A constructed vertex gets here because its index is beyond all points.
 
 use predicament_arithmetic::power_of_two;
 use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
@@ -34,11 +34,11 @@ impl Decider<'_> {
         self.climb_orient2d(plane, a, b, c)
     }
 
-    /// What its filter leaves open.
+    /// Answers a turn that its filter leaves open.
     #[inline(never)]
     pub(super) fn climb_orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points2.get(v.index());
-        // (No vertex of a 2D scene is among the points of a 3D one, and the other way round.)
+        // (A vertex of a 2D scene is never among the points of a 3D scene, and vice versa.)
         if plane == Plane::Xy
             && let (Some(p), Some(q), Some(r)) = (at(a), at(b), at(c))
         {
@@ -64,7 +64,7 @@ impl Decider<'_> {
         solid.orient2d[plane as usize].exactly::<Orient2d, 2, 3, 3>(&points, integers)
     }
 
-    // By the query's own filter, in scenes whose bounds are too large for most of their figures.
+    // Answers by the query's own filter, in scenes whose bounds are too large for most of their figures.
 
     #[inline(never)]
     pub(super) fn orient3d_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
@@ -99,12 +99,14 @@ impl Decider<'_> {
         self.open_insphere(f64::NAN, [a, b, c, d, e])
     }
 
-    // What filters leave open: the static one, which has found this determinant; or, with NaN, the query's own.
+    // Answers a query that its filter leaves open.
+    //
+    // `determinant` is the static filter's value, or NaN if the query's own filter left it open.
 
     #[cold]
     #[inline(never)]
     pub(super) fn open_orient3d(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.orient3d.is_double()) {
             return (Sign::Zero, stage::DOUBLE);
         }
@@ -127,7 +129,7 @@ impl Decider<'_> {
     #[cold]
     #[inline(never)]
     pub(super) fn open_incircle(&self, determinant: f64, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
-        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.flat.get().is_some_and(|plan| plan.incircle.is_double()) {
             return (Sign::Zero, stage::DOUBLE);
         }
@@ -150,7 +152,7 @@ impl Decider<'_> {
     #[cold]
     #[inline(never)]
     pub(super) fn open_insphere(&self, determinant: f64, vertices: [Vertex; 5]) -> (Sign, usize) {
-        // A tie where doubles make no error; once that is known, nothing else has to be looked at.
+        // A tie if doubles make no error; once the plan is known, nothing else is needed.
         if determinant == 0.0 && self.solid.get().is_some_and(|plan| plan.insphere.is_double()) {
             return (Sign::Zero, stage::DOUBLE);
         }
@@ -176,14 +178,15 @@ impl Decider<'_> {
 
 /// A query that a filter has left open.
 struct Open {
-    /// What the static filter has found; NaN if the query's own filter has been asked.
+    /// The static filter's determinant; NaN if the query's own filter has run.
     determinant: f64,
     static_bound: f64,
 }
 
 impl Open {
-    /// The sign where a vertex is named twice or the last point is where another one is, or by the query's own filter if that is
-    /// likely to decide.
+    /// The sign if two points coincide, or by the query's own filter if that is likely to decide.
+    ///
+    /// Points coincide if a vertex is named twice or the last point equals another one.
     #[inline(always)]
     fn early<P: Predicate<D, N>, const D: usize, const N: usize>(
         &self,
@@ -203,8 +206,9 @@ impl Open {
         if self.is_small() { self.by_query::<P, D, N>(points) } else { None }
     }
 
-    /// The sign by the query's own filter, if it has not been asked and no integers of the scene would do as well. (It has to be
-    /// asked before integers in units of the query; of a determinant of zero it would say nothing.)
+    /// The sign by the query's own filter, if it has not run and the scene's integers would not do as well.
+    ///
+    /// It must run before integers in units of the query; for a determinant of zero it would decide nothing.
     #[inline(always)]
     fn late<P: Predicate<D, N>, const D: usize, const N: usize>(
         &self,
@@ -223,8 +227,10 @@ impl Open {
         P::anywhere(*points).certain().map(|sign| (sign, stage::SEMI_STATIC))
     }
 
-    /// Whether a determinant is so small that it is more likely that of a small figure, with roundings as small, than the remains
-    /// of a large one that has cancelled: those are some hundred times smaller than the bound.
+    /// Returns true if a determinant probably belongs to a small figure.
+    ///
+    /// A small figure has equally small roundings. The alternative is a large determinant that has cancelled: its
+    /// remainder is some hundred times smaller than the bound.
     #[inline(always)]
     fn is_small(&self) -> bool {
         const FRACTION: f64 = power_of_two(-20);
@@ -232,8 +238,9 @@ impl Open {
     }
 }
 
-/// Whether both products of `orient2d` have a factor of zero. A difference of doubles is zero only if they are equal: then its product is zero,
-/// and not rounded to it.
+/// Returns true if both products of `orient2d` have a factor of zero.
+///
+/// A difference of doubles is zero only if they are equal: then its product is zero, and not rounded to zero.
 #[inline(always)]
 fn vanishes([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> bool {
     ((ax == cx) | (by == cy)) & ((ay == cy) | (bx == cx))

@@ -1,8 +1,8 @@
 //! Inputs that round as badly as the constants of the filters allow.
 //!
-//! A constant is right if no input errs more than it says, and it is the best one
-//! if some input errs that much. A search finds inputs within two percent of each
-//! constant; a filter whose constant is two percent too small is caught by them.
+//! A constant is right if no input errs more than it says, and it is the best one if some input errs that much. A
+//! search finds inputs within two percent of each constant; they expose a filter whose constant is two percent too
+//! small.
 
 mod climb;
 mod fixed_scene;
@@ -18,7 +18,7 @@ use predicament_predicates::Sign;
 use traced::Formula;
 use verdict::Verdict;
 
-/// (a − c) × (b − c): both products, one too large and one too small.
+/// The recipe for (a − c) × (b − c): both products, one too large and one too small.
 const ORIENT2D: Recipe<2, 3> = Recipe {
     formula: traced::orient2d,
     entries: [[over(0), minus(under(0))], [minus(under(0)), over(0)], [steer(0); 2]],
@@ -27,7 +27,7 @@ const ORIENT2D: Recipe<2, 3> = Recipe {
     steps: 1_000_000,
 };
 
-/// The products a_z·b_x·c_y and c_z·a_x·b_y; all others are half an ulp of those, and steer.
+/// The recipe with the products a_z·b_x·c_y and c_z·a_x·b_y; all others are half an ulp of those, and steer.
 const ORIENT3D: Recipe<3, 4> = Recipe {
     formula: traced::orient3d,
     entries: [
@@ -41,10 +41,12 @@ const ORIENT3D: Recipe<3, 4> = Recipe {
     steps: 3_000_000,
 };
 
-/// The side of the first point on the line from the last to the second: as `ORIENT2D`.
+/// The recipe for the side of the first point on the line from the last to the second: as `ORIENT2D`.
 const LINE: Recipe<2, 3> = Recipe { formula: traced::line, ..ORIENT2D };
 
-/// The side of the first point on the plane of the others: as `ORIENT3D`, rows and columns exchanged.
+/// The recipe for the side of the first point on the plane of the others.
+///
+/// It is as `ORIENT3D`, with rows and columns exchanged.
 const PLANE: Recipe<3, 4> = Recipe {
     formula: traced::plane,
     entries: [
@@ -57,7 +59,7 @@ const PLANE: Recipe<3, 4> = Recipe {
     ..ORIENT3D
 };
 
-/// The terms a_x²·b_x·c_y and c_x²·a_x·b_y.
+/// The recipe with the terms a_x²·b_x·c_y and c_x²·a_x·b_y.
 const INCIRCLE: Recipe<2, 4> = Recipe {
     formula: traced::incircle,
     entries: [[over(0), steer(-26)], [over(-11), minus(under(-26))], [under(11), over(7)], [steer(0); 2]],
@@ -66,8 +68,9 @@ const INCIRCLE: Recipe<2, 4> = Recipe {
     steps: 3_000_000,
 };
 
-/// The terms b_x²·(a_x·c_y·d_z) and d_x²·(a_z·b_y·c_x), far from a tie: no near tie is
-/// needed for the constant's proof either.
+/// The recipe with the terms b_x²·(a_x·c_y·d_z) and d_x²·(a_z·b_y·c_x), far from a tie.
+///
+/// The constant's proof does not need a near tie either.
 const INSPHERE: Recipe<3, 5> = Recipe {
     formula: traced::insphere,
     entries: [
@@ -82,7 +85,7 @@ const INSPHERE: Recipe<3, 5> = Recipe {
     steps: 1_500_000,
 };
 
-/// The same terms, at near ties.
+/// The same recipe at near ties.
 const INSPHERE_NEAR: Recipe<3, 5> = Recipe {
     entries: [
         [over(3), steer(-18), under(-10)],
@@ -97,9 +100,9 @@ const INSPHERE_NEAR: Recipe<3, 5> = Recipe {
     ..INSPHERE
 };
 
-/// Runs a recipe with these seeds: nothing errs beyond the constant, and something
-/// beyond this share of it, which is the planted fault. The first seed is one that finds it. What is left
-/// of the seeds once it is found is run at whole effort.
+/// Runs a recipe with these seeds: nothing errs beyond the constant, and something errs beyond `share` of it.
+///
+/// That share is the planted fault. The first seed finds it. The remaining seeds run only at full effort.
 fn hunt<const D: usize, const N: usize>(
     recipe: &Recipe<D, N>,
     (first, seeds): (u64, std::ops::Range<u64>),
@@ -158,8 +161,8 @@ fn seven_percent_of_insphere_are_caught_at_near_ties() {
     hunt(&INSPHERE_NEAR, (2, 1..5), [bound::INSPHERE, 0.93], |&[a, b, c, d, e]| rational::insphere(a, b, c, d, e));
 }
 
-/// The search is only as good as its view: it must see the estimates of the crate, bit by bit,
-/// and errors as rationals know them.
+/// The search is only as good as its model: it must compute the crate's estimates, bit by bit, and the true errors, as
+/// rationals compute them.
 #[test]
 fn the_search_sees_what_the_filters_do() {
     fn check<const D: usize, const N: usize>(
@@ -184,7 +187,7 @@ fn the_search_sees_what_the_filters_do() {
         let p @ [a, b, c, d] = random.points(Random::unit);
         let determinant = estimate::orient3d(a, b, c, d).determinant;
         check(traced::orient3d, &p, determinant, &rational::orient3d(a, b, c, d), common::orient3d(&p));
-        // Without the last point for a pivot: rows are relative to the first of the line or plane.
+        // The last point is not the pivot: rows are relative to the first point of the line or plane.
         let p @ [c, b, a] = random.points(Random::unit);
         let d = -Side::of_line([a, b], [1.0; 2]).determinant(c);
         check(traced::line, &p, d, &rational::orient2d(c, b, a), common::orient2d(&p));

@@ -1,5 +1,5 @@
-//! The filter for any finite doubles: what it is certain of is right, also where everything underflows or overflows, and its slack
-//! is needed.
+//! The filter for any finite doubles: its certain answers are right, also if everything underflows or overflows, and
+//! its slack is needed.
 
 use crate::common::{self, Random, nudge};
 use predicament_arithmetic::bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
@@ -7,7 +7,7 @@ use predicament_exact::anywhere::{self, Bounded};
 use predicament_exact::estimate::{self, Estimate};
 use predicament_predicates::Sign;
 
-/// A predicate as it is looked at here.
+/// A predicate with the functions under test.
 struct Subject<const D: usize, const N: usize> {
     constant: f64,
     bounded: fn([[f64; D]; N]) -> Bounded,
@@ -40,17 +40,17 @@ const SPHERE: Subject<3, 5> = Subject {
     truth: common::insphere,
 };
 
-/// Queries of each kind and exponent.
+/// The number of queries of each kind and exponent.
 fn queries() -> usize {
     usize::try_from(predicament_effort::cases(8_000)).expect("a number of cases")
 }
 
-/// What became of some queries.
+/// The counts of some queries' results.
 #[derive(Default)]
 struct Seen {
     certain: usize,
     open: usize,
-    /// Answers of the filter without its slack, with the wrong sign.
+    /// The number of wrong signs of the filter without its slack.
     wrong_without: usize,
 }
 
@@ -75,7 +75,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
         seen.wrong_without += usize::from(without && Sign::of(determinant) != truth);
     }
 
-    /// Small integers and what is some ulps beside them, in units of this power of two.
+    /// Small integers and points some ulps beside them, in units of this power of two.
     fn near(&self, random: &mut Random, exponent: i32) -> [[f64; D]; N] {
         let (half, rest) = (exponent / 2, exponent - exponent / 2);
         random.points(|random| {
@@ -89,7 +89,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
     fn check(&self, degree: i32) {
         let mut random = Random(71);
         let mut seen = Seen::default();
-        // Where products are about as small as doubles can be, and as large.
+        // Exponents at which products are about as small as doubles can be, and as large.
         let (least, most) = (-1074 / degree, 1020 / degree);
         for _ in 0..queries() {
             for exponent in
@@ -97,7 +97,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
             {
                 self.look(self.near(&mut random, exponent), &mut seen);
             }
-            // An exponent of its own for each coordinate, of all that there are, or of those near an end.
+            // A separate exponent for each coordinate, of the whole range, or near an end.
             for (low, high) in [(-1074, 1023), (-1074, -900), (900, 1023), (least - 60, least + 60), (-60, 60)] {
                 let points = random.points(|random| {
                     let range = usize::try_from(high - low + 1).expect("a range");
@@ -110,7 +110,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
             }
         }
         assert!(seen.certain > queries() && seen.open > queries() / 4, "{} {}", seen.certain, seen.open);
-        // (Products of two are rounded in order: without a slack orient2d errs by zeros, which are not certain.)
+        // (Products of two are rounded monotonically: without a slack orient2d errs by zeros, which are not certain.)
         assert_eq!(seen.wrong_without > 0, degree > 2, "without a slack");
     }
 }

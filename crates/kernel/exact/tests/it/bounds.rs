@@ -1,12 +1,10 @@
-//! Wrong signs, and the constants that let them through.
+//! Wrong signs, and the constants that accept them.
 //!
-//! Rounding gives these points determinants of 3 u, 6 u, 7.4 u and 12.8 u times
-//! the permanent where the true sign is another: the filters with their constants
-//! of 3 u, 6½ u, 8½ u and 15 u don't answer, filters with a little less do, and lie.
-//! A wrong sign is more than an error as large as the constant says (those are in
-//! `adversary`, up to two percent): it has to come out as a whole number of ulps.
-//! For orient2d it does. For the dominant products of orient3d, both just above a
-//! power of two, it is 6 ulps where the constant would allow 6½.
+//! Rounding gives these points determinants of 3 u, 6 u, 7.4 u and 12.8 u times the permanent although the true sign is
+//! another. The filters with their constants of 3 u, 6½ u, 8½ u and 15 u don't answer; filters with a little less do,
+//! and are wrong. A wrong sign is more than an error as large as the constant says (such errors are in `adversary`, up
+//! to two percent): it must come out as a whole number of ulps. For orient2d it does. For the dominant products of
+//! orient3d, both just above a power of two, it is 6 ulps where the constant would allow 6½.
 
 use crate::common::{self, Random, check_incircle, check_insphere, check_orient2d, check_orient3d, nudge};
 use predicament_arithmetic::{
@@ -19,10 +17,9 @@ use predicament_exact::{
 };
 use predicament_predicates::Sign;
 
-/// The least exponent of a determinant's lowest bit for which filters may run:
-/// u times it is normal.
+/// The least exponent of a determinant's lowest bit for which filters may run: u times it is normal.
 const LOWEST: i32 = -1022 + 53;
-/// The exponent that no term may reach.
+/// The exponent that every term must stay below.
 const HIGHEST: i32 = 1023;
 
 const ORIENT2D_WITNESS: [[f64; 2]; 3] = [
@@ -53,9 +50,10 @@ const INSPHERE_WITNESS: [[f64; 3]; 5] = [
     [1.1637535342268225e-10, -3.6379721925226578e-12, 3.5056954092559104e-12],
 ];
 
-/// The filter with its constant doesn't answer; with a share of it, it answers
-/// wrongly. And so it is for the same points at either end of the exponents that
-/// filters are made for: underflow doesn't begin there yet, nor does overflow.
+/// Checks that the filter doesn't answer with its constant, and answers wrongly with a share of it.
+///
+/// The same holds for these points at either end of the exponents that filters accept: underflow and overflow don't
+/// begin there yet.
 fn convict<const D: usize, const N: usize>(
     points: [[f64; D]; N],
     degree: i32,
@@ -120,8 +118,9 @@ fn a_sixth_of_insphere_is_caught() {
     );
 }
 
-/// The same points by every power of two around the ends of the ranges in which sessions and raw
-/// predicates trust filters: wherever those are, they are not too far out.
+/// The same points scaled by every power of two around the ends of the ranges of sessions and raw predicates.
+///
+/// Wherever these ranges end, they are not too wide.
 #[test]
 fn witnesses_are_judged_at_every_scale() {
     fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], shift: i32) -> [[f64; D]; N] {
@@ -135,8 +134,10 @@ fn witnesses_are_judged_at_every_scale() {
     }
 }
 
-/// The witness of orient2d fills its own bounding box: the bound from its extents, as raw predicates use
-/// it, does not answer, and with two percent less it would, and lie.
+/// The witness of orient2d fills its own bounding box.
+///
+/// The bound from its extents, as raw predicates use it, does not answer. With two percent less it would answer
+/// wrongly.
 #[test]
 fn two_percent_of_a_bound_from_extents_are_caught() {
     let points @ [a, b, c] = ORIENT2D_WITNESS;
@@ -146,8 +147,10 @@ fn two_percent_of_a_bound_from_extents_are_caught() {
     assert_eq!(estimate.above(0.98 * bound), Some(-common::orient2d(&points)));
 }
 
-/// |d| ≥ B·p, not >: a determinant that reaches the bound is certain, and so is a
-/// zero whose terms are all zero. Just below the bound nothing is.
+/// The comparison is |d| ≥ B·p, not >.
+///
+/// A determinant that equals the bound is certain, and so is a zero whose terms are all zero. Just below the bound
+/// nothing is certain.
 #[test]
 fn equality_is_certain() {
     for bound in [ORIENT2D, ORIENT3D, INCIRCLE, INSPHERE] {
@@ -165,9 +168,10 @@ fn equality_is_certain() {
     assert_eq!(filter::insphere([0.1; 3], [0.3; 3], [0.1; 3], [0.1; 3], [0.1; 3], INSPHERE), Some(Sign::Zero));
 }
 
-/// Nearly collinear points whose pivot rounds every difference: a random search
-/// in this family finds out half the constant of orient2d without further help,
-/// and never the constant itself.
+/// Nearly collinear points whose pivot rounds every difference.
+///
+/// A random search in this family finds half the constant of orient2d without further help, and never the constant
+/// itself.
 #[test]
 fn random_points_find_half_of_orient2d() {
     let mut random = Random(10);

@@ -1,12 +1,13 @@
-//! The independent judge, and points to be judged.
+//! The independent judge, and points for it.
 
 use predicament_exact::{Exact, raw};
 use predicament_predicates::{Axis, Backend, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
 
-/// The sign of the determinant of homogeneous rows (p, 1) or (p, |p|², 1), by
-/// Bareiss' elimination in integers: no differences, no expansion by minors.
+/// The sign of the determinant of homogeneous rows (p, 1) or (p, |p|², 1), by Bareiss' elimination in integers.
+///
+/// It uses no differences and no expansion by minors.
 fn judge<const D: usize>(points: &[[f64; D]], lifted: bool) -> Sign {
     let rows: Vec<Vec<Rational>> =
         points.iter().map(|p| p.iter().map(|&x| Rational::from_f64(x).expect("finite")).collect()).collect();
@@ -56,21 +57,22 @@ pub fn orient3d(points: &[[f64; 3]; 4]) -> Sign {
     judge(points, false)
 }
 
-/// The fourth point in the circle of three.
+/// The position of the fourth point relative to the circle of three.
 pub fn incircle(points: &[[f64; 2]; 4]) -> Sign {
     judge(points, true)
 }
 
-/// The fifth point in the sphere of four.
+/// The position of the fifth point relative to the sphere of four.
 pub fn insphere(points: &[[f64; 3]; 5]) -> Sign {
     judge(points, true)
 }
 
-/// Numbers that pin the exponents of a scene to all that doubles have.
+/// Numbers that widen a scene's exponent range to that of all doubles.
 const WIDE: [f64; 3] = [5e-324, f64::MAX, 0.0];
 
-/// Asks the exact backend twice: in a scene of these points alone, and in one
-/// so wide that each query has to be planned for itself.
+/// Asks the exact backend twice: in a scene of these points alone, and in a very wide scene.
+///
+/// In the wide scene each query must be planned separately.
 fn ask<const D: usize>(question: Question, points: &[[f64; D]], scene: impl Fn(&[[f64; D]]) -> Scene) -> Sign {
     let args: Vec<Vertex> = (0..points.len()).map(Vertex::input).collect();
     let answer = |points: &[[f64; D]]| {
@@ -78,11 +80,11 @@ fn ask<const D: usize>(question: Question, points: &[[f64; D]], scene: impl Fn(&
         let session = Exact.prepare(&scene, Off).expect("every scene can be prepared");
         session.supports(question.kind()).expect("a scene of the right dimension");
         let single = question.ask(&session, &args);
-        // Eight that are taken together, and one more.
+        // Eight that are processed together, and one more.
         let mut batch = [Sign::Zero; 9];
         QuerySet::new(question, args.repeat(batch.len())).ask_batch(&session, 0..batch.len(), &mut batch);
         assert_eq!([batch[0], batch[8]], [single; 2], "{question:?} as a batch: {points:?}");
-        // The last vertex for many, beside the line or plane of the others.
+        // The last vertex repeated, beside the line or plane of the others.
         let mut beside = [single; 9];
         match (question, &args[..]) {
             (Question::Orient2d(plane), &[a, b, c]) => session.orient2d_line(plane, [a, b], &[c; 9], &mut beside),
@@ -93,7 +95,7 @@ fn ask<const D: usize>(question: Question, points: &[[f64; D]], scene: impl Fn(&
         single
     };
     let with = |point: [f64; D]| answer(&[points, &[point]].concat());
-    // (A batch may take another way if it asks about the last point of the scene.)
+    // (A batch may use another code path if a query has the last point of the scene.)
     let answers = [answer(points), with(points[0]), with(std::array::from_fn(|i| WIDE[i]))];
     assert_eq!(answers, [answers[0]; 3], "{question:?} alone, with another point and in a wide scene: {points:?}");
     answers[0]
@@ -107,7 +109,7 @@ fn ask3(question: Question, points: &[[f64; 3]]) -> Sign {
     ask(question, points, |points| Scene::from_points3(points).expect("finite"))
 }
 
-/// Everything that can be asked about three points of the plane, judged.
+/// Judges all predicates of three points of the plane.
 pub fn check_orient2d(points: &[[f64; 2]; 3]) -> Sign {
     let truth = orient2d(points);
     assert_eq!(ask2(Question::Orient2d(Plane::Xy), points), truth, "orient2d {points:?}");
@@ -115,7 +117,7 @@ pub fn check_orient2d(points: &[[f64; 2]; 3]) -> Sign {
     truth
 }
 
-/// The side of the fourth point, judged.
+/// Judges the side of the fourth point.
 pub fn check_orient3d(points: &[[f64; 3]; 4]) -> Sign {
     let truth = orient3d(points);
     assert_eq!(ask3(Question::Orient3d, points), truth, "orient3d {points:?}");
@@ -123,7 +125,7 @@ pub fn check_orient3d(points: &[[f64; 3]; 4]) -> Sign {
     truth
 }
 
-/// The fourth point in the circle, judged.
+/// Judges the position of the fourth point relative to the circle.
 pub fn check_incircle(points: &[[f64; 2]; 4]) -> Sign {
     let truth = incircle(points);
     assert_eq!(ask2(Question::Incircle, points), truth, "incircle {points:?}");
@@ -131,7 +133,7 @@ pub fn check_incircle(points: &[[f64; 2]; 4]) -> Sign {
     truth
 }
 
-/// The fifth point in the sphere, judged.
+/// Judges the position of the fifth point relative to the sphere.
 pub fn check_insphere(points: &[[f64; 3]; 5]) -> Sign {
     let truth = insphere(points);
     assert_eq!(ask3(Question::Insphere, points), truth, "insphere {points:?}");
@@ -139,7 +141,7 @@ pub fn check_insphere(points: &[[f64; 3]; 5]) -> Sign {
     truth
 }
 
-/// Two coordinates on every axis, and three points in every plane, judged.
+/// Judges two coordinates on every axis, and three points in every plane.
 pub fn check_projections(points: &[[f64; 3]; 3]) {
     for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
         let axes = plane.axes().map(Axis::index);
@@ -152,12 +154,12 @@ pub fn check_projections(points: &[[f64; 3]; 3]) {
     }
 }
 
-/// Any finite double, all bit patterns alike.
+/// Any finite double, with all bit patterns equally likely.
 fn finite() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
 }
 
-/// Points of such coordinates.
+/// Points with such coordinates.
 pub fn points<const N: usize, const D: usize>() -> impl Strategy<Value = [[f64; D]; N]> {
     proptest::collection::vec(finite(), N * D)
         .prop_map(|flat| std::array::from_fn(|i| std::array::from_fn(|j| flat[i * D + j])))
@@ -188,7 +190,7 @@ impl Random {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// One of these.
+    /// A random element.
     pub fn pick<'a, X>(&mut self, from: &'a [X]) -> &'a X {
         &from[self.below(from.len())]
     }
@@ -202,7 +204,7 @@ impl Random {
     }
 }
 
-/// x moved by some ulps, up or down.
+/// The number x moved by some ulps, up or down.
 pub fn nudge(x: f64, ulps: i64) -> f64 {
     let step = if ulps < 0 { f64::next_down } else { f64::next_up };
     (0..ulps.unsigned_abs()).fold(x, |x, _| step(x))
@@ -213,7 +215,7 @@ pub fn every<const N: usize, const D: usize>(values: &[f64], mut f: impl FnMut(&
     let mut digits = [[0; D]; N];
     loop {
         f(&digits.map(|point| point.map(|i| values[i])));
-        // Count up; a carry out of the last digit is the end.
+        // Count up; a carry out of the last digit ends the loop.
         let carried = digits.as_flattened_mut().iter_mut().all(|digit| {
             *digit = (*digit + 1) % values.len();
             *digit == 0

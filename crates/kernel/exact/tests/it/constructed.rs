@@ -1,4 +1,4 @@
-//! Constructed vertices against the judge: ordinary, degenerate and wild.
+//! Constructed vertices against the judge: ordinary, degenerate and extreme.
 
 mod cascades;
 mod faults;
@@ -33,7 +33,7 @@ fn uniform_questions_are_the_filters() {
             let seen = check(&mut random, &scene, 100);
             let Seen { signs: [negative, zero, positive], filtered } = seen;
             assert!(negative.min(positive) > seen.all() / 4);
-            // A vertex that is asked about twice, or on its own plane.
+            // A vertex that occurs twice, or is on its own plane.
             assert!(negative + positive - filtered < 20, "{dimension:?}: {zero} {negative} {positive} {filtered}");
         }
     }
@@ -69,7 +69,7 @@ fn every_exponent_with_every_other() {
     }
 }
 
-/// Coordinates as long as they get, bit by bit longer: every length of rows and every capacity in turn.
+/// Coordinates of growing length, bit by bit: every length of rows and every capacity in turn.
 #[test]
 fn every_length_of_coordinates() {
     let mut random = Random(8);
@@ -77,7 +77,7 @@ fn every_length_of_coordinates() {
         let mut signs = [0; 3];
         for bits in (1..2098).step_by(predicament_effort::some_or_all(31, 11)) {
             let place = i32::try_from(random.below(2098 - bits)).expect("an exponent") - 1074;
-            // Of numbers below 2^(place + bits) the largest that are doubles, and the lowest bit.
+            // Of numbers below 2^(place + bits) the largest doubles, and the lowest bit.
             let power = |k: i32| if k < -1022 { f64::from_bits(1 << (k + 1074)) } else { 2f64.powi(k) };
             let top = i32::try_from(bits).expect("2098 at most") - 1;
             let (one, half) = (power(place), power(place + top));
@@ -94,7 +94,7 @@ fn every_length_of_coordinates() {
     }
 }
 
-/// The longest numbers there are: as many planes as can be, of the largest and the least doubles.
+/// The longest possible numbers: as many planes as possible, of the largest and the least doubles.
 #[test]
 fn from_the_largest_to_the_least() {
     let mut random = Random(7);
@@ -172,7 +172,7 @@ fn nearly_degenerate_at_every_scale() {
     }
 }
 
-/// What defines a point touches it, and the same point by other ids is the same.
+/// The lines and planes that define a point contain it, and the same point by other ids is equal.
 #[test]
 fn ties_by_construction() {
     let mut random = Random(5);
@@ -199,8 +199,9 @@ fn ties_by_construction() {
     }
 }
 
-/// Lines and planes through one point in thirds, which no double is: as many
-/// vertices at one place as there are ways to define it.
+/// Lines and planes through one point in thirds, which is not a double.
+///
+/// As many vertices are at one place as there are ways to define it.
 #[test]
 fn one_point_by_many_ids() {
     let mut random = Random(6);
@@ -252,7 +253,7 @@ fn one_point_by_many_ids() {
     }
 }
 
-/// What is no point is named, with the reason.
+/// A definition without a point is named, with the reason.
 #[test]
 fn what_does_not_meet_is_declined() {
     let declined = |scene: &Scene| Constructed::new(scene).expect_err("no point").to_string();

@@ -1,4 +1,4 @@
-//! Dyadic evaluation against the judge: any finite doubles, whatever the ladder would do with them.
+//! Dyadic evaluation against the judge, on any finite doubles, whatever rung would answer them.
 
 use std::collections::BTreeMap;
 
@@ -36,7 +36,7 @@ fn check_insphere(points: &[[f64; 3]; 5]) -> Sign {
     truth
 }
 
-/// All four predicates on numbers from one source; counts the signs seen.
+/// The signs seen of all four predicates, on numbers from one source.
 #[derive(Default)]
 struct Seen([BTreeMap<Sign, usize>; 4]);
 
@@ -57,7 +57,7 @@ impl Seen {
         }
     }
 
-    /// A test that only ever sees one sign tests nothing.
+    /// Checks that all signs occurred: a test that only sees one sign tests nothing.
     fn assert_all(&self, least: usize) {
         for (i, seen) in self.0.iter().enumerate() {
             assert!(seen.len() == 3 && seen.values().all(|&n| n >= least), "predicate {i}: {:?}", self.0);
@@ -65,7 +65,7 @@ impl Seen {
     }
 }
 
-/// A double of this many random leading bits and any exponent within these.
+/// A double with this many random leading bits and an exponent in this range.
 fn wide(random: &mut Random, bits: usize, exponents: std::ops::Range<i32>) -> f64 {
     let significand = 1 + random.below(1 << bits);
     let span = usize::try_from(exponents.end - exponents.start).unwrap();
@@ -93,7 +93,7 @@ fn mixed_exponents_of_every_span() {
     let mut seen = Seen::default();
     for round in 0..40_000 {
         let span = 1 + (round % 2045);
-        // By default every span five times, and the short ones always: only numbers that are alike have ties.
+        // By default every span five times, and the short ones always: only similar numbers have ties.
         if !whole() && span > 8 && round / 2045 % 4 != 0 {
             continue;
         }
@@ -152,8 +152,9 @@ fn wild_grids_exhaustively() {
     assert!(zeros.iter().all(|&count| count > 1000 / each), "grids are full of ties: {zeros:?}");
 }
 
-/// Points that are degenerate but for rounding and a few ulps, anywhere on the
-/// exponent scale, and with axes of different scales.
+/// Points that are degenerate except for rounding and a few ulps.
+///
+/// They are anywhere on the exponent scale, and with axes of different scales.
 #[test]
 fn nearly_degenerate_at_every_scale() {
     let mut random = Random(3);
@@ -188,8 +189,9 @@ fn nearly_degenerate_at_every_scale() {
     assert!(seen.0.iter().all(|seen| positive_and_negative(seen) > scaled(1000)), "{:?}", seen.0);
 }
 
-/// Exact ties between numbers as long as they get: the widest difference that
-/// doubles have, so that no approximation helps, and one bit beside the tie.
+/// Exact ties between the longest numbers, and one bit beside the tie.
+///
+/// The differences are the widest that doubles have, so no approximation helps.
 #[test]
 fn ties_of_the_longest_numbers() {
     let mut random = Random(4);
@@ -239,8 +241,9 @@ fn nothing_is_too_long() {
     seen.assert_all(scaled(100));
 }
 
-/// Ties in which every difference has all the bits that one can have: each point but one is at the upper end of the scale, the other at
-/// the lower end.
+/// Ties in which every difference has the maximum number of bits.
+///
+/// Each point but one is at the upper end of the scale, the other at the lower end.
 #[test]
 fn every_difference_is_as_long_as_it_gets() {
     let mut random = Random(6);
@@ -255,7 +258,7 @@ fn every_difference_is_as_long_as_it_gets() {
         let mut beside = |p: [f64; 3]| [p[0], p[1], nudge(p[2], [0, 0, 1, -1][random.below(4)])];
         let plane = [flat(p), flat(q), beside(flat(r)), flat(near)];
         let line = [[p[0], p[0]], [q[0], beside(flat(q))[2]], [near[0], near[0]]];
-        // A point that is there twice, or nearly, is on every circle and sphere of the others.
+        // A point that occurs twice, or nearly, is on every circle and sphere of the others.
         let twice = [p, q, beside(p)].map(|[x, _, z]| [x, z]);
         let circle = [twice[0], twice[1], twice[2], [near[0], near[1]]];
         let sphere = [p, q, r, beside(fourth), near];

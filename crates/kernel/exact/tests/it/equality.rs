@@ -1,8 +1,8 @@
 //! Determinants that equal the bound of the static filter, in sessions and batches.
 //!
-//! One difference is t and all others are 0, 1 or −1, so the determinant is t or 2t
-//! in floating point as well as in fact. With the scene's bound for t, or half
-//! of it, the filter has to answer; with the next double below it must not.
+//! One difference is t and all others are 0, 1 or −1, so the determinant is t or 2t in floating point as well as
+//! exactly. With the scene's bound for t, or half of it, the filter must answer; with the next double below it must
+//! not.
 
 use crate::common;
 use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
@@ -11,8 +11,9 @@ use predicament_predicates::{
     Backend, Counts, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };
 
-/// Asks about these points of the scene, alone and seventy times in a batch: all get the sign, and the batch is
-/// settled by the stage (alone, a turn asks its own filter).
+/// Queries these points of the scene, alone and seventy times in a batch.
+///
+/// All answers must be the sign, and the stage must settle the batch (alone, a turn runs its own filter).
 fn settled(question: Question, scene: &Scene, args: &[Vertex], sign: Sign, stage: usize) {
     let counts = Counts::new();
     let session = Exact.prepare(scene, &counts).expect("any scene");
@@ -27,9 +28,9 @@ fn settled(question: Question, scene: &Scene, args: &[Vertex], sign: Sign, stage
     assert_eq!(by_stage[stage], 70, "{question:?} {scene:?}: {by_stage:?}, not all by {}", stage::NAMES[stage]);
 }
 
-/// The stage at the bound and just below it, with either sign.
+/// Checks the stage at the bound and just below it, with either sign.
 fn at_the_bound(question: Question, bound: f64, points: impl Fn(f64) -> Vec<Vec<f64>>, truth: impl Fn(f64) -> Sign) {
-    // A session's bound pays for underflow.
+    // A session's bound covers underflow.
     let bound = bound * (1.0 + 4.0 * f64::EPSILON);
     for (t, stage) in [(bound, stage::STATIC), (bound.next_down(), stage::SEMI_STATIC)] {
         let points = points(t);
@@ -42,7 +43,7 @@ fn at_the_bound(question: Question, bound: f64, points: impl Fn(f64) -> Vec<Vec<
     }
 }
 
-/// The first N points, as the judge takes them.
+/// The first N points, in the judge's form.
 fn first<const D: usize, const N: usize>(points: &[Vec<f64>]) -> [[f64; D]; N] {
     std::array::from_fn(|i| std::array::from_fn(|j| points[i][j]))
 }

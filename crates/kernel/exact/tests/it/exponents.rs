@@ -1,11 +1,9 @@
 //! Every exponent with every other, on grids from the least subnormal to 2^1023.
 //!
-//! Queries that differ by the order of their points or axes count as one here, and
-//! come in an order that is drawn. Signs and significands are drawn too. Nothing else
-//! is: each combination of exponents that a test names is there at whole effort,
-//! and one in fifty, drawn, by default. Each query
-//! goes through sessions, batches, raw predicates and each rung that may be
-//! asked by itself, against exact values.
+//! Queries that differ by the order of their points or axes count as one here, and come in a random order. Signs and
+//! significands are random too, but nothing else: each combination of exponents that a test names occurs at full
+//! effort, and a random one in fifty by default. Each query goes through sessions, batches, raw predicates and each
+//! rung that can run alone, against exact values.
 //!
 //! | predicate | combinations | ties, each with its neighbours at one ulp |
 //! |---|---|---|
@@ -24,16 +22,16 @@ use exam::{Exam, INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, Seen, double};
 use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Off, Predicates, Scene, Sign};
 
-/// Exponents at which something begins or ends: doubles, normal doubles, and the filters of each predicate.
+/// Exponents at the limits of doubles, of normal doubles, and of the filters of each predicate.
 const GRID: [i32; 15] = [-1074, -1022, -850, -600, -484, -323, -242, -141, -53, 0, 53, 200, 340, 511, 1023];
 
-/// Zero, and these exponents of [`GRID`].
+/// Zero, and `count` exponents of [`GRID`].
 fn grid(count: usize) -> Vec<Option<i32>> {
     let some = (0..count).map(|i| GRID[i * (GRID.len() - 1) / (count - 1)]);
     std::iter::once(None).chain(some.map(Some)).collect()
 }
 
-/// Calls f with every multiset of N of so many things.
+/// Calls f with every multiset of N of this many things.
 fn multisets<const N: usize>(things: usize, mut f: impl FnMut([usize; N])) {
     let mut chosen = [0; N];
     loop {
@@ -44,8 +42,9 @@ fn multisets<const N: usize>(things: usize, mut f: impl FnMut([usize; N])) {
     }
 }
 
-/// Calls f with every way to give N points of D coordinates one of so many things each, up to the
-/// order of points and axes.
+/// Calls f with every assignment of one of this many things to each coordinate of N points.
+///
+/// Assignments that differ only by the order of points and axes count as one.
 fn combinations<const D: usize, const N: usize>(things: usize, mut f: impl FnMut([[usize; D]; N])) {
     let points = things.pow(u32::try_from(D).expect("2 or 3"));
     // All but the first, which changes nothing.
@@ -95,7 +94,9 @@ fn every_combination<const D: usize, const N: usize>(exam: &mut Exam<D, N>, grid
     });
 }
 
-/// All combinations of exponents that are close, at each place of [`GRID`], twelve times: what rungs for few bits are for.
+/// Tests all combinations of close exponents, at each place of [`GRID`], twelve times.
+///
+/// The rungs for few bits answer these.
 fn every_narrow_combination<const D: usize, const N: usize>(exam: &mut Exam<D, N>, above: &[i32]) {
     for base in GRID.repeat(12) {
         let grid: Vec<_> = above.iter().map(|above| Some((base + above).min(1023))).collect();
@@ -103,7 +104,7 @@ fn every_narrow_combination<const D: usize, const N: usize>(exam: &mut Exam<D, N
     }
 }
 
-/// Each coordinate has the exponent of its point plus that of its axis: all combinations of those.
+/// Tests all combinations of exponents of points and of axes, which are added for each coordinate.
 fn every_point_and_axis<const D: usize, const N: usize>(exam: &mut Exam<D, N>, exponents: usize) {
     let grid: Vec<i32> = grid(exponents).into_iter().flatten().collect();
     multisets::<N>(grid.len(), |points| {
@@ -115,14 +116,14 @@ fn every_point_and_axis<const D: usize, const N: usize>(exam: &mut Exam<D, N>, e
     });
 }
 
-/// Each sign so many times, and every rung; in proportion to the effort.
+/// Checks that each sign occurred this often, and every rung, in proportion to the effort.
 fn assert_all(seen: &Seen, signs: usize) {
     let [signs, each] = [signs, 500].map(|count| count / exam::one_in());
     assert!(seen.signs.iter().all(|&n| n > signs), "{seen:?}");
     assert!([seen.filtered, seen.double, seen.integer, seen.wide_integer].iter().all(|&n| n > each), "{seen:?}");
 }
 
-/// 2^k x if that is a double.
+/// The product 2^k x, if that is a double.
 fn times(x: f64, k: i32) -> Option<f64> {
     let half = |k: i32| 2f64.powi(k);
     let scaled = x * half(k / 2) * half(k - k / 2);
@@ -142,11 +143,11 @@ fn compare() {
     let points: Vec<[f64; 2]> = values.iter().map(|&x| [1.0, x]).collect();
     let scene = Scene::from_points2(&points).expect("finite");
     let session = Exact.prepare(&scene, Off).expect("any scene");
-    // Sorted by bits as integers, which is how doubles of one sign are ordered.
+    // Sorted by bits as integers, which is the order of doubles of one sign.
     let key = |x: f64| if x < 0.0 { -(x.abs().to_bits().cast_signed()) } else { x.abs().to_bits().cast_signed() };
     let keys: Vec<i64> = values.iter().map(|&x| key(x)).collect();
     let vertices: Vec<_> = scene.vertices().collect();
-    // Each with all others; by default every twentieth, and whose turn it is changes.
+    // Each with all others; by default every twentieth, with a changing offset.
     let step = predicament_effort::divisor();
     for (i, (&a, x)) in vertices.iter().zip(&keys).enumerate() {
         for (&b, y) in vertices.iter().zip(&keys).skip(i % step).step_by(step) {

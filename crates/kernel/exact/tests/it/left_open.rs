@@ -1,8 +1,8 @@
-//! What filters leave open fits in the limbs that it is given, and hardly in fewer.
+//! Tests that open determinants fit in their limbs, and nearly need all of them.
 //!
 //! Determinants that a filter leaves open are computed modulo a power of two
-//! (`determinant::Determinant::limbs_left_open`). Here points are moved, along one axis, to
-//! where the filter just gives up: determinants are as large as they get there.
+//! (`determinant::Determinant::limbs_left_open`). Here points are moved, along one axis, to the place where the filter
+//! just fails: determinants have their maximum there.
 
 use crate::common::Random;
 use predicament_arithmetic::{bound, rational};
@@ -13,7 +13,7 @@ use rug::Rational;
 
 const QUERIES: usize = 200;
 
-/// A predicate in the ways that it is looked at here.
+/// A predicate with the functions under test.
 struct Subject<const D: usize, const N: usize> {
     determinant: Determinant,
     static_bound: fn([f64; D]) -> f64,
@@ -26,14 +26,15 @@ fn power(exponent: i32) -> Rational {
     Rational::from(1) << exponent
 }
 
-/// Half of the range of so many limbs.
+/// Half of the range of this many limbs.
 fn capacity(limbs: usize) -> Rational {
     power(64 * i32::try_from(limbs).unwrap() - 1)
 }
 
 impl<const D: usize, const N: usize> Subject<D, N> {
-    /// Queries of numbers of so many bits that the static filter leaves open, as
-    /// large as they get: asked for, and the largest of their determinants.
+    /// The largest determinant of queries that the static filter leaves open, with coordinates of this many bits.
+    ///
+    /// It also asks these queries.
     fn largest(&self, bits: i32, random: &mut Random) -> Rational {
         let extent = 2f64.powi(bits).next_down();
         let bound = (self.static_bound)([extent; D]);
@@ -44,7 +45,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
             }
         }
         let mut points: Vec<[f64; D]> = queries.iter().copied().flatten().collect();
-        // The scene's lowest bit, and how far it reaches.
+        // The scene's lowest bit, and its extent.
         points.extend([[0.0; D], [1.0; D], [extent; D]]);
         let dimension = if D == 2 { Dimension::Two } else { Dimension::Three };
         let scene = Scene::new(dimension, points.as_flattened().to_vec()).unwrap();
@@ -86,7 +87,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
         None
     }
 
-    /// At the last number of bits for each number of limbs, and where one limb less would not do.
+    /// Checks the last number of bits for each number of limbs, and that one limb less is not enough there.
     fn check(&self) {
         let mut random = Random(61);
         let limbs = |bits| self.determinant.limbs_left_open(bits);
@@ -95,7 +96,7 @@ impl<const D: usize, const N: usize> Subject<D, N> {
         for edge in edges {
             assert_eq!(limbs(edge) + 1, limbs(edge + 1));
             assert!(self.largest(edge, &mut random) < capacity(limbs(edge)), "{edge} bits");
-            // What is proved is about twice what there is, in a power of M.
+            // The proved value is about twice the actual one, in a power of M.
             let beyond = (edge + 3).min(62);
             let largest = self.largest(beyond, &mut random);
             assert!(largest < capacity(limbs(beyond)), "{beyond} bits");
@@ -142,7 +143,7 @@ fn insphere() {
     .check();
 }
 
-/// The limbs hold what the proof says, and are the fewest that do.
+/// The limbs suffice for the proof's bound, and are the fewest that do.
 #[test]
 fn limbs_are_as_many_as_the_proof_needs() {
     let all = [

@@ -1,4 +1,4 @@
-//! The first stages alone: what they decide is right, and what they leave open is the sign of the estimate.
+//! The first stages alone: their decisions are right, and open queries get the sign of the estimate.
 
 use predicament_exact::{Exact, Partial, estimate, stage};
 use predicament_predicates::{
@@ -69,7 +69,7 @@ fn what_a_stage_decides_is_right_and_the_rest_is_estimated() {
             }
         }
     }
-    // Each stage leaves no more open than the one before, the last nothing.
+    // Each stage leaves no more open than the one before, and the last leaves nothing open.
     assert!(estimated.windows(2).skip(1).all(|pair| pair[0] >= pair[1]), "{estimated:?}");
     assert!(
         wrong[stage::DOUBLE] > 0 && estimated[stage::INTEGER] > estimated[stage::DYADIC],
@@ -78,14 +78,14 @@ fn what_a_stage_decides_is_right_and_the_rest_is_estimated() {
     assert_eq!(estimated[stage::DYADIC], 0);
 }
 
-/// Every predicate at sizes at which a bound that was made for another size would decide wrongly.
+/// Every predicate at sizes at which a bound for another size would decide wrongly.
 #[test]
 fn what_the_first_stages_decide_is_right_at_every_size() {
     let mut decided = [0; Partial::STAGES + 1];
     for exponent in [-300, -40, 0, 40, 200] {
         let size = f64::exp2(f64::from(exponent));
-        // On a line and on a plane whose slopes are no doubles, rounded to them: most determinants are rounding errors. One point of twenty
-        // is beside it, and decided early.
+        // On a line and on a plane with slopes that are not doubles, rounded to doubles: most determinants are rounding
+        // errors. One point of twenty is off it, and decided early.
         let mut random = Random(11);
         let beside = |at: usize| if at.is_multiple_of(20) { 0.25 } else { 0.0 };
         let unit = |random: &mut Random| [(); 2].map(|()| random.unit());

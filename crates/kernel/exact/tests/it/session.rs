@@ -1,4 +1,4 @@
-//! What a session is besides its signs: conventions, stages, refusals.
+//! A session's properties besides its signs: conventions, stages, refusals.
 
 use crate::common::Random;
 use predicament_exact::{Exact, Session, determinant, estimate, rational, stage};
@@ -47,7 +47,7 @@ fn the_convention_is_that_of_robust() {
     }
 }
 
-/// Points among which ties, near ties, huge and tiny numbers abound.
+/// Points with many ties, near ties, huge and tiny numbers.
 fn mixed<const D: usize>(seed: u64, n: usize) -> Vec<[f64; D]> {
     let values = [0.0, -0.0, 1.0, 1.0f64.next_up(), 0.1, 0.3, 5e-324, 1e-200, 1e180, -2.0, 1e25];
     let mut random = Random(seed);
@@ -112,7 +112,7 @@ fn every_query_is_tallied_once_where_it_was_decided() {
     }
 }
 
-/// The stage that settles the turn of three points, given others in the scene.
+/// The stage that settles the turn of three points, given other points in the scene.
 fn settled(points: [[f64; 2]; 3], others: &[[f64; 2]]) -> (Sign, usize) {
     let scene = Scene::from_points2(&[&points, others].concat()).unwrap();
     prepare(&scene, Off).decide_orient2d(Plane::Xy, v(0), v(1), v(2))
@@ -148,7 +148,7 @@ fn each_stage_settles_what_it_can_prove() {
     let long_tie = [[1e17, 1e17, 0.1], [1.0, 1.0, 1e-3], [0.3, 0.3, 7.7], [0.0, 0.0, 0.0]];
     let scene = Scene::from_points3(&long_tie).unwrap();
     assert_eq!(prepare(&scene, Off).decide_orient3d(v(0), v(1), v(2), v(3)), (Sign::Zero, stage::WIDE_INTEGER));
-    // Scenes that are too wide for anything but points alone.
+    // Scenes that are too wide for anything but the points alone.
     assert_eq!(settled(turn, &wide), (Sign::Positive, stage::SEMI_STATIC));
     assert_eq!(settled(long_turn, &wide), (Sign::Positive, stage::SEMI_STATIC));
     assert_eq!(settled(uneven_tie, &wide), (Sign::Zero, stage::INTEGER), "in a unit of its own");
@@ -161,7 +161,7 @@ fn each_stage_settles_what_it_can_prove() {
 /// Overflow and underflow that would make a filter without a guard answer wrongly.
 #[test]
 fn the_filter_does_not_answer_where_nothing_is_proved() {
-    // The products underflow to zero, exact as it may look.
+    // The products underflow to zero, although zero looks exact.
     let below = [[1e-200, 0.0], [0.0, 1e-200], [0.0, 0.0]];
     assert_eq!(estimate::orient2d(below[0], below[1], below[2]).certain(determinant::ORIENT2D.bound), Some(Sign::Zero));
     assert_eq!(settled(below, &[]), (Sign::Positive, stage::INTEGER));
@@ -215,7 +215,7 @@ fn the_backend_introduces_itself() {
     }
 }
 
-/// The static filter alone answers just where it is the stage that settles, and what that stage does.
+/// The static filter alone answers exactly if it is the settling stage, with the same sign.
 #[test]
 fn the_static_filter_alone_is_the_first_stage() {
     let mut random = Random(12);
@@ -223,7 +223,7 @@ fn the_static_filter_alone_is_the_first_stage() {
     for round in 0..200 {
         let mut points: [[f64; 3]; 5] = random.points(Random::unit);
         if round % 2 == 0 {
-            // The last one next to the plane of the first three.
+            // The last one is near the plane of the first three.
             let [a, b, c, d, _] = &mut points;
             *d = [0, 1, 2].map(|axis: usize| a[axis] + 0.25 * (b[axis] - a[axis]) + 0.5 * (c[axis] - a[axis]));
         }
@@ -236,13 +236,13 @@ fn the_static_filter_alone_is_the_first_stage() {
             assert_eq!(session.filter_orient3d(a, b, c, d), expected, "{points:?} {a} {b} {c} {d}");
             counts[usize::from(expected.is_some())] += 1;
         }
-        // It knows input vertices only.
+        // The static filter handles input vertices only.
         assert_eq!(session.filter_orient3d(v(0), v(1), v(3), x), None);
     }
     assert!(counts.iter().all(|&count| count > 150), "{counts:?}");
 }
 
-/// What a session on top of this one does not accept is refused by its place and for its reason, and nothing of the batch is left.
+/// A session on top of this one refuses a definition by its index and its reason, and nothing of the batch remains.
 #[test]
 fn definitions_that_are_not_accepted_are_refused() {
     let square =
@@ -260,7 +260,7 @@ fn definitions_that_are_not_accepted_are_refused() {
     assert_eq!(session.scene(), &square);
     let found = session.construct_where(&[first], without_4).unwrap();
     assert_eq!(session.orient2d(Plane::Xy, v(4), v(5), found[0]), Sign::Zero, "(2, 2) is on the line");
-    // What is there already is not asked about again.
+    // Existing definitions are not checked again.
     assert_eq!(
         session.construct_where(&[first], |_| Err(DefinitionError::Other("nothing new".into()))).unwrap(),
         found

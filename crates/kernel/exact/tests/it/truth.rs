@@ -1,4 +1,4 @@
-//! All five predicates against the judge: ordinary, degenerate and wild numbers.
+//! All five predicates against the judge: ordinary, degenerate and extreme numbers.
 
 use std::collections::BTreeSet;
 
@@ -30,7 +30,7 @@ fn uniform() {
 #[test]
 fn small_grids_exhaustively() {
     let (mut zeros, mut effort) = ([0; 4], Random(8));
-    // Of what are many, one in so many.
+    // Of many queries, one of this many runs.
     let mut is_left_out = || effort.below(predicament_effort::divisor()) > 0;
     for values in [[0.0, 1.0, 2.0], [0.1, 0.2, 0.3], [-5e-324, 0.0, 5e-324], [1e300, 2e300, 3e300], [1.0, -0.0, 1e-170]]
     {
@@ -44,7 +44,7 @@ fn small_grids_exhaustively() {
         every::<4, 3>(&values[..2], |p| zeros[2] += usize::from(check_orient3d(p).is_zero()));
         every::<5, 3>(&values[1..], |p| zeros[3] += usize::from(!is_left_out() && check_insphere(p).is_zero()));
     }
-    // None of orient2d and orient3d are left out.
+    // No orient2d or orient3d query is left out.
     let least = [1000, scaled(10_000), 10_000, scaled(100_000)];
     assert!(zeros.iter().zip(least).all(|(&count, least)| count > least), "grids are full of ties: {zeros:?}");
 }
@@ -77,8 +77,9 @@ fn every_exponent_with_every_other() {
     assert_eq!(signs.len(), 12, "all three signs of each predicate");
 }
 
-/// Points that are degenerate but for rounding and a few ulps, anywhere on the
-/// exponent scale; the edges of the plan lie in between.
+/// Points that are degenerate except for rounding and a few ulps, anywhere on the exponent scale.
+///
+/// The limits of the plan lie in between.
 #[test]
 fn nearly_degenerate_at_every_scale() {
     let mut random = Random(3);
@@ -110,8 +111,9 @@ fn nearly_degenerate_at_every_scale() {
     }
 }
 
-/// Integers of a size at which a rung just does, and of the next size: as large
-/// as they get, with small determinants among them.
+/// Integers of the largest size for which a rung suffices, and of the next size.
+///
+/// They are as large as possible, and some determinants are small.
 #[test]
 fn numbers_to_the_last_bit_of_each_rung() {
     let mut random = Random(11);
@@ -148,8 +150,9 @@ fn largest(bits: i32) -> f64 {
     if bits < 53 { 2f64.powi(bits) - 1.0 } else { 2f64.powi(bits).next_down() }
 }
 
-/// Five points of a sphere with integer coordinates, moved far from the origin:
-/// exact ties that no filter can see.
+/// Five points of a sphere with integer coordinates, moved far from the origin.
+///
+/// They are exact ties that no filter can prove.
 #[test]
 fn hidden_ties() {
     let corners = [[1, 2, 2], [2, 1, -2], [-2, 2, 1], [0, -3, 0], [0, 0, 3], [-1, 2, -2]];

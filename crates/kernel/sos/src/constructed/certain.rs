@@ -1,21 +1,18 @@
-//! Whether a determinant is zero for certain, wherever some coordinates are.
+//! A proof that a determinant is zero wherever some coordinates are.
 //!
-//! Its rows are the homogeneous coordinates of places, or some of those.
+//! Its rows are the homogeneous coordinates of places, or some of those coordinates.
 //!
-//! Homogeneous coordinates make everything multilinear: a plane is linear in each of its
-//! vertices, a point of three planes in each plane, the determinant in each
-//! point. So nothing has to be written out. A vertex that is free to move and occurs
-//! once stands for the space that its homogeneous coordinates span; planes and points are
-//! then spaces too, each spanned by the images of what spans its parts, and the determinant
-//! is zero exactly if it is zero for all of these.
+//! Homogeneous coordinates make everything multilinear: a plane is linear in each of its vertices, a point of three
+//! planes in each plane, the determinant in each point. So nothing has to be expanded. A vertex that is free to move
+//! and occurs once stands for the space that its homogeneous coordinates span. Planes and points are then spaces too,
+//! each spanned by the images of its parts' spanning vectors. The determinant is zero exactly if it is zero for all of
+//! these.
 //!
-//! Of a vertex that occurs k times the determinant is a polynomial of degree k. If
-//! it is zero even where each occurrence moves by itself, it is zero. If
-//! not, the vertex takes as many places as such a polynomial needs to be
-//! zero everywhere. This goes through all such vertices, and takes long where many occur often,
-//! but it ends, and it has proved the answer then. Where all vertices are free, some of
-//! them stand still: columns that are left out are as good as rows of unit vectors, and with
-//! these the determinant is zero or not in all projective frames alike.
+//! Of a vertex that occurs k times the determinant is a polynomial of degree k. If it is zero even with each occurrence
+//! moving independently, it is zero. If not, the vertex takes as many positions as such a polynomial needs to be zero
+//! everywhere. This loops over all such vertices, and takes long if many occur often, but it ends, and then it has
+//! proved the answer. If all vertices are free, some of them are fixed: omitted columns are equivalent to rows of unit
+//! vectors, and with these the determinant is zero or nonzero in all projective frames alike.
 //!
 //! Coefficients of powers of infinitesimals are [`Series`]; spaces are modules over them.
 
@@ -26,35 +23,37 @@ use smallvec::SmallVec;
 use super::place::Place;
 use super::series::{Cut, Series, difference, sum};
 
-/// By sets of places of one size, ascending as bit masks: of one place each, a point or a plane.
+/// The coordinates of an exterior product, by sets of places of one size, in ascending order of bit masks.
+///
+/// With sets of one place it is a point or a plane.
 type Blade = Vec<Series<Integer>>;
 
-/// What spans a space.
+/// Blades that span a space.
 type Spanning = Vec<Blade>;
 
-/// As many homogeneous coordinates of each place as there are places.
+/// A square matrix: each place has as many homogeneous coordinates as there are places.
 #[derive(Clone)]
 pub(super) struct Matrix {
     pub(super) places: SmallVec<[Place; 4]>,
-    /// By axis; the last one is the weight.
+    /// The columns by axis; the last one is the weight.
     pub(super) columns: SmallVec<[usize; 4]>,
 }
 
-/// A determinant, of which some coordinates are free.
+/// A determinant with some free coordinates.
 pub(super) struct Free<'q> {
     pub(super) cut: &'q Cut,
     pub(super) dimension: usize,
     pub(super) matrix: Matrix,
-    /// Ascending.
+    /// The input vertices, ascending.
     pub(super) inputs: &'q [Vertex],
-    /// Vertex after vertex, where those that are not free are.
+    /// The coordinates of vertices, vertex after vertex; used where they are not free.
     pub(super) coordinates: Vec<Series<Integer>>,
-    /// So many coordinates are free, from the first one on.
+    /// The number of free coordinates, from the first one on.
     pub(super) active: usize,
 }
 
 impl Free<'_> {
-    /// Whether the determinant is zero wherever the free coordinates are.
+    /// Returns true if the determinant is zero wherever the free coordinates are.
     pub(super) fn is_zero(&self) -> bool {
         let mut occurring = vec![0; self.inputs.len()];
         for v in self.matrix.places.iter().flat_map(Place::vertices) {
@@ -75,7 +74,7 @@ impl Free<'_> {
         self.is_zero_for_all(&often, &occurring, &mut fixed)
     }
 
-    /// The same for vertices in all places that matter.
+    /// Returns true if the determinant is zero for these vertices in all positions that matter.
     fn is_zero_for_all(&self, often: &[usize], occurring: &[usize], fixed: &mut Vec<Option<Blade>>) -> bool {
         if self.is_zero_by_occurrence(fixed) {
             return true;
@@ -95,7 +94,7 @@ impl Free<'_> {
         true
     }
 
-    /// Whether the determinant is zero where each occurrence of a free vertex moves by itself.
+    /// Returns true if the determinant is zero with each occurrence of a free vertex moving independently.
     fn is_zero_by_occurrence(&self, fixed: &[Option<Blade>]) -> bool {
         let Matrix { places, columns } = &self.matrix;
         let row = |place: &Place| {
@@ -109,13 +108,14 @@ impl Free<'_> {
         self.inputs.binary_search(&v).expect("a vertex of the question")
     }
 
-    /// How many axes of a vertex are free.
+    /// The number of free axes of a vertex.
     fn free_axes(&self, at: usize) -> usize {
         self.active.saturating_sub(at * self.dimension).min(self.dimension)
     }
 
-    /// The rest of the projective frame that has the columns left out for points: the other
-    /// unit vectors, and the sum of all.
+    /// The points that complete the omitted columns to a projective frame.
+    ///
+    /// They are the other unit vectors, and the sum of all.
     fn frame(&self) -> impl Iterator<Item = Blade> + '_ {
         let ones = vec![self.cut.constant(Integer::from(1)); self.dimension + 1];
         self.matrix.columns.iter().map(|&column| self.unit(column, self.dimension + 1)).chain([ones])
@@ -133,7 +133,7 @@ impl Free<'_> {
         point
     }
 
-    /// What an input vertex spans.
+    /// The span of an input vertex.
     fn vertex(&self, v: Vertex, fixed: &[Option<Blade>]) -> Spanning {
         let at = self.number(v);
         if let Some(point) = &fixed[at] {
@@ -147,7 +147,7 @@ impl Free<'_> {
         spanning
     }
 
-    /// What the homogeneous coordinates of a place span.
+    /// The span of the homogeneous coordinates of a place.
     fn row(&self, place: &Place, fixed: &[Option<Blade>]) -> Spanning {
         let all = self.dimension + 1;
         let flat = |vertices: &[Vertex]| {
@@ -171,7 +171,7 @@ impl Free<'_> {
         }
     }
 
-    /// What the products of spaces span.
+    /// The span of the exterior products of spaces.
     fn wedges(&self, factors: Vec<Spanning>, all: usize) -> Spanning {
         let mut factors = factors.into_iter().enumerate();
         let (_, first) = factors.next().expect("a product has factors");
@@ -200,7 +200,7 @@ impl Free<'_> {
         sets(all, size + 1).map(entry).collect()
     }
 
-    /// The point of a line, which is a product of two, on a plane.
+    /// The point of a line, given as a product of two vectors, on a plane.
     fn cross(&self, line: &Blade, plane: &Blade) -> Blade {
         let all = self.dimension + 1;
         let pairs: SmallVec<[usize; 6]> = sets(all, 2).collect();
@@ -214,7 +214,7 @@ impl Free<'_> {
         point
     }
 
-    /// Fewer that span the same.
+    /// A smaller set of blades with the same span.
     fn span(&self, blades: impl IntoIterator<Item = Blade>) -> Spanning {
         let mut spanning = Spanning::new();
         let mut rows: Vec<Vec<Integer>> = Vec::new();
@@ -228,7 +228,7 @@ impl Free<'_> {
             }
             spanning.push(blade);
             if rows.len() == rows[0].len() {
-                // All there is.
+                // The whole space.
                 return (0..len).map(|at| self.unit(at, len)).collect();
             }
         }
@@ -240,19 +240,19 @@ fn is_zero(x: &Series<Integer>) -> bool {
     x.iter().all(Integer::is_zero)
 }
 
-/// All sets of so many of the first places, ascending as bit masks.
+/// All sets of `size` of the first places, in ascending order of bit masks.
 fn sets(all: usize, size: usize) -> impl Iterator<Item = usize> {
     (0..1_usize << all).filter(move |set| set.count_ones() as usize == size)
 }
 
-/// What is orthogonal to a product of one vector less than there are places.
+/// The vector orthogonal to a product of one vector less than there are places.
 fn dual(product: Blade) -> Blade {
-    // In descending order of the place that is left out.
+    // In descending order of the omitted place.
     let negative = |x: Series<Integer>| x.into_iter().map(|x| -x).collect();
     product.into_iter().rev().enumerate().map(|(at, x)| if at % 2 == 1 { negative(x) } else { x }).collect()
 }
 
-/// All non-negative integers, as many as axes, with sum up to `most`.
+/// All tuples of non-negative integers, one per axis, with sum up to `most`.
 fn simplex(axes: usize, most: usize) -> Vec<Vec<u32>> {
     let mut points = vec![Vec::new()];
     for _ in 0..axes {
@@ -265,7 +265,7 @@ fn simplex(axes: usize, most: usize) -> Vec<Vec<u32>> {
     points
 }
 
-/// Adds a row to rows in echelon form, if it does not depend on them.
+/// Adds a row to rows in echelon form, unless it depends on them.
 fn insert(rows: &mut Vec<Vec<Integer>>, mut row: Vec<Integer>) -> bool {
     for other in rows.iter() {
         let pivot = other.iter().position(|x| !x.is_zero()).expect("no row is zero");
@@ -295,7 +295,7 @@ mod tests {
     fn the_points_of_a_simplex_are_all_with_a_sum_up_to_the_most() {
         assert_eq!(simplex(2, 2), [[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [2, 0]]);
         assert_eq!(simplex(0, 5), [Vec::<u32>::new()]);
-        // Binomial coefficients: as many as choices of three of eight.
+        // A binomial coefficient: the choices of three of eight.
         let points = simplex(3, 5);
         assert_eq!(points.len(), 56);
         assert!(points.is_sorted() && points.iter().all(|point| point.iter().sum::<u32>() <= 5));

@@ -1,25 +1,28 @@
-//! Ties that are broken by the first vertices of constructed ones.
+//! Tie breaking by the first vertices of constructed vertices.
 //!
-//! The determinant of a question is linear in each of its rows. Where rows have no vertex in common, a monomial is a product of one
-//! monomial of each row, and its coefficient is the determinant of theirs. Largest first, the monomials of a row begin with
+//! The determinant of a question is linear in each of its rows. If rows have no vertex in common, a monomial is a
+//! product of one monomial of each row, and its coefficient is the determinant of their coefficients. Largest first,
+//! the monomials of a row begin with
 //!
-//! * one, with the row where nothing moves;
-//! * the coordinates of its first vertex, with the derivatives that [`Row`] holds (the first coordinate only, where that vertex occurs twice);
-//! * a *rest* about which nothing is known but where it begins: all others have the second vertex, or, where the first one occurs twice, another
-//!   coordinate of it or two of its factors.
+//! * one, with the unperturbed row;
+//! * the coordinates of its first vertex, with the derivatives that [`Row`] holds (the first coordinate only, if that
+//!   vertex occurs twice);
+//! * a *rest* of which only the start is known: all other monomials have the second vertex, or, if the first one occurs
+//!   twice, another coordinate of it or two of its factors.
 //!
-//! Of products, the larger one has the lower degree in the smallest infinitesimal in which they differ. So with all *steps* of all rows
-//! sorted from the largest on, no row twice in one product, products go by their smallest step, then by their next one. They are tried
-//! in that order, and the first one whose determinant is not zero decides. A product with a rest has a determinant that nobody knows, but for
-//! one case: it is zero where two of the rows that are left are of one point, both of which stand still. That is how most
-//! ties of more than two points at one place come about. Any other product with a rest ends the search here: the answer
-//! is then up to [`Search`](super::search::Search).
+//! Of products, the larger one has the lower degree in the smallest infinitesimal in which they differ. So sort all
+//! *steps* of all rows from the largest on. Products, with no row twice, are then ordered by their smallest step, then
+//! by their next one. The code tries them in that order, and the first one whose determinant is not zero decides. The
+//! determinant of a product with a rest is unknown, with one exception: it is zero if two of the remaining rows are of
+//! one point, both unperturbed. Most ties of more than two points at one place come about that way. Any other product
+//! with a rest ends the search here, and [`Search`](super::search::Search) finds the answer.
 //!
 //! # A vertex in common
-//! All that has been said holds for products of infinitesimals that are larger than those of the first vertex that two rows share.
-//! If that one is the first vertex of all rows that have it, the coefficient of its first coordinate is a sum: one row's derivative in its
-//! row's place, row by row. If no other row has a first vertex before, its coordinates are all there is, and with one more monomial after
-//! the other it takes sums over all ways to share the factors of the monomial among the rows.
+//! All of the above holds for products of infinitesimals that are larger than those of the first vertex that two rows
+//! share. If that vertex is the first vertex of all rows that have it, the coefficient of its first coordinate is a
+//! sum: one row's derivative in its row's place, row by row. If no other row has a first vertex before, only its
+//! coordinates remain, and for one monomial after the other the coefficient is a sum over all ways to share the
+//! monomial's factors among the rows.
 
 use std::ops::ControlFlow;
 
@@ -33,29 +36,31 @@ use smallvec::{SmallVec, smallvec};
 use super::place::{Place, depend};
 use super::row::{Row, Rows, point};
 
-/// The largest number of determinants that are tried.
+/// The maximum number of determinants that are tried.
 const MOST: usize = 40;
 
-/// What is known about a tie.
+/// The result for a tie.
 pub(super) enum Known {
-    /// The sign, and the degree of the monomial that decides.
+    /// The sign, and the degree of the deciding monomial.
     Broken(Sign, usize),
     /// The determinant is zero wherever the input vertices are.
     Identity,
-    /// Nothing.
+    /// The tie remains open.
     Open,
 }
 
 /// A point of a question.
 #[derive(Clone, Copy)]
 enum Point<'a, const N: usize> {
-    /// Its coordinates and a weight of one, and the axes.
+    /// An input vertex: its coordinates and a weight of one, and the axes.
     Input([Number<'a>; N], [usize; N]),
     Meet(&'a Row, [usize; N]),
 }
 
 impl<'a, const N: usize> Point<'a, N> {
-    /// The row for 0, or its derivative by coordinate 0, 1… of its first vertex for 1, 2….
+    /// The unperturbed row for 0, or its derivative for 1, 2….
+    ///
+    /// The derivatives are by coordinates 0, 1… of the row's first vertex.
     fn vector(&self, which: usize) -> [Number<'a>; N] {
         match (self, which) {
             (Point::Input(row, _), 0) => *row,
@@ -66,7 +71,7 @@ impl<'a, const N: usize> Point<'a, N> {
         }
     }
 
-    /// Entries of all vectors are multiples of 2^(64·l) and below 2^(64·t): l and t.
+    /// The exponents [l, t]: entries of all vectors are multiples of 2^(64·l) and below 2^(64·t).
     fn span(&self) -> [i32; 2] {
         match self {
             Point::Input(row, _) => {
@@ -78,7 +83,7 @@ impl<'a, const N: usize> Point<'a, N> {
     }
 }
 
-/// What is known of a tie.
+/// Tries to break a tie.
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
@@ -92,7 +97,7 @@ pub(super) fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Quest
         Question::Incircle | Question::Insphere => panic!("circles are about input vertices"),
     }
     let meets = args.map(|v| v.construction().map(|index| rows.of(scene, index)));
-    // What is known by another name is an input vertex.
+    // A constructed vertex whose simplest definition is an input vertex is that input vertex.
     let places: [Place; N] = std::array::from_fn(|at| meets[at].map_or(Place::Input(args[at]), |row| row.place));
     if depend(question, &places) {
         return Known::Identity;
@@ -139,7 +144,7 @@ pub(super) fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Quest
     }
 }
 
-/// The smallest vertex that two rows have.
+/// The smallest vertex that two rows share.
 fn first_shared(inputs: &[&[Vertex]]) -> Option<Vertex> {
     let mut first: Option<Vertex> = None;
     for (at, these) in inputs.iter().enumerate() {
@@ -160,10 +165,10 @@ fn first_shared(inputs: &[&[Vertex]]) -> Option<Vertex> {
 /// A monomial of one row that is larger than those of any vertex that it shares.
 #[derive(Clone, Copy)]
 struct Step {
-    /// Larger for a smaller monomial.
+    /// The sort key; larger for a smaller monomial.
     order: usize,
     row: usize,
-    /// The derivative; none for the rest.
+    /// The derivative; `None` for the rest.
     vector: Option<usize>,
 }
 
@@ -174,7 +179,7 @@ fn steps<const N: usize>(
     inputs: &[&[Vertex]],
     shared: Option<Vertex>,
 ) -> SmallVec<[Step; 16]> {
-    // A rest comes just before the next vertex' first coordinate, or just behind the first one's.
+    // A rest comes just before the next vertex' first coordinate, or just after the first one's.
     let order = |v: Vertex, axis: usize| 2 * (dimension * v.index() + axis) + 1;
     let end = shared.map_or(usize::MAX, |v| order(v, 0) - 1);
     let mut steps: SmallVec<[Step; 16]> = SmallVec::new();
@@ -196,7 +201,7 @@ fn steps<const N: usize>(
     steps
 }
 
-/// What a row is in a product.
+/// The factor of a row in a product.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Factor {
     /// A derivative.
@@ -207,9 +212,9 @@ enum Factor {
 struct Search<'a, const N: usize> {
     points: SmallVec<[Point<'a, N>; 4]>,
     steps: SmallVec<[Step; 16]>,
-    /// The limbs that all rows span together.
+    /// The number of limbs that all rows span together.
     span: usize,
-    /// Whether two points are one, where nothing moves; for each pair once it has been seen.
+    /// True if two unperturbed points are equal; `None` until a pair has been compared.
     same: [[Option<bool>; N]; N],
     tried: usize,
 }
@@ -224,7 +229,7 @@ impl<'a, const N: usize> Search<'a, N> {
         Search { points, steps, span, same: [[None; N]; N], tried: 0 }
     }
 
-    /// Tries the products of steps before this one, with factors that rows have already; the largest first.
+    /// Tries the products of the steps before `before` with the factors that rows have already; the largest first.
     fn products(&mut self, before: usize, factors: &mut [Option<Factor>; N], degree: usize) -> ControlFlow<Known> {
         if degree > 0 {
             self.attempt(factors, degree)?;
@@ -240,7 +245,7 @@ impl<'a, const N: usize> Search<'a, N> {
         ControlFlow::Continue(())
     }
 
-    /// Breaks with an answer if this product's coefficient is not known to be zero.
+    /// Breaks with an answer unless this product's coefficient is known to be zero.
     fn attempt(&mut self, factors: &[Option<Factor>; N], degree: usize) -> ControlFlow<Known> {
         let still = |at: &usize| factors[*at].is_none();
         let pairs = || (0..N).filter(still).flat_map(move |i| (i + 1..N).filter(still).map(move |j| (i, j)));
@@ -265,7 +270,7 @@ impl<'a, const N: usize> Search<'a, N> {
                 return ControlFlow::Break(Known::Broken(sign, degree));
             }
         }
-        // The next ones may be zero for the same reason. Two points that are compared are always at one place.
+        // The next ones may be zero for the same reason. Two points of a comparison are always at one place.
         let mut is_zero = !has_rest;
         for (i, j) in pairs() {
             if self.same[i][j].is_none() {
@@ -277,7 +282,7 @@ impl<'a, const N: usize> Search<'a, N> {
         if is_zero { ControlFlow::Continue(()) } else { ControlFlow::Break(Known::Open) }
     }
 
-    /// What the first vertex decides that rows share, if all steps above it have been tried.
+    /// The result from the first vertex that rows share, if all steps above it have been tried.
     fn sums(&mut self, dimension: usize, inputs: &[&[Vertex]], shared: Vertex) -> Known {
         let sharing: SmallVec<[usize; 4]> = (0..N).filter(|&at| inputs[at].contains(&shared)).collect();
         if sharing.iter().any(|&at| inputs[at][0] != shared) {
@@ -287,7 +292,8 @@ impl<'a, const N: usize> Search<'a, N> {
             Point::Input(..) => true,
             Point::Meet(row, _) => row.is_linear,
         };
-        // What comes behind its first coordinate has factors of other rows' first vertices as well, or powers of it that rows don't tell.
+        // Monomials after its first coordinate also have factors of other rows' first vertices, or powers of it that
+        // rows don't store.
         let only_first = !self.steps.is_empty() || !sharing.iter().all(is_linear);
         let most = if only_first { 1 } else { sharing.len() };
         // Degrees in its coordinates: the last one is the smallest infinitesimal.
@@ -317,7 +323,7 @@ impl<'a, const N: usize> Search<'a, N> {
         Known::Open
     }
 
-    /// All ways to give so many rows the derivatives by each coordinate.
+    /// Enumerates all ways to give the rows the derivatives by each coordinate.
     fn share(
         &self,
         sharing: &[usize],
@@ -346,10 +352,10 @@ impl<'a, const N: usize> Search<'a, N> {
         }
     }
 
-    /// Whether two points are one, where nothing moves.
+    /// Returns true if two points are equal without perturbation.
     fn are_same(&self, i: usize, j: usize) -> bool {
         let [p, q] = [i, j].map(|at| self.points[at].vector(0));
-        // A product spans no more than both rows; two bits more for the sum and its sign.
+        // A product spans at most as much as both rows; two bits more are for the sum and its sign.
         let mut limbs: SmallVec<[u64; 64]> = smallvec![0; (N - 1) * (self.span + 1)];
         let space = &mut Space::new(&mut limbs);
         (0..N - 1).all(|at| Number::sum(space, [(p[at], q[N - 1], Plus), (p[N - 1], q[at], Minus)]).is_zero())
@@ -357,9 +363,9 @@ impl<'a, const N: usize> Search<'a, N> {
 
     /// The sign of a sum of determinants.
     ///
-    /// Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i). A determinant sums products of one entry of each row, at
-    /// most 24, in two steps; up to 2^6 of them are added up, as 40 are. 5 + 6 bits and those for rounding up the number of terms and
-    /// for signs, three in each step, fit one limb more than all rows span.
+    /// Let the entries of row i be multiples of 2^(64·l_i) and less than 2^(64·t_i). A determinant sums products of one
+    /// entry of each row, at most 24, in two steps; up to 2^6 of them are added, enough for 40. 5 + 6 bits and those
+    /// for rounding up the number of terms and for signs, three in each step, fit one limb more than all rows span.
     fn sign(&self, terms: &[[[Number<'a>; N]; N]]) -> Sign {
         let each = match N {
             2 => 1,
@@ -379,7 +385,7 @@ impl<'a, const N: usize> Search<'a, N> {
     }
 }
 
-/// One sum for two rows, four for three, 13 for four.
+/// The determinant: one sum for two rows, four for three, 13 for four.
 fn determinant<'a, const N: usize>(space: &mut Space<'a>, rows: &[[Number<'a>; N]; N]) -> Number<'a> {
     let mut minor = |i: usize, j: usize, [a, b]: [usize; 2]| {
         Number::sum(space, [(rows[i][a], rows[j][b], Plus), (rows[i][b], rows[j][a], Minus)])

@@ -1,15 +1,16 @@
-//! Questions about points of lines and planes of one mesh each, in integers of a fixed size.
+//! Predicates on points of lines and planes of one mesh each, in integers of a fixed size.
 //!
-//! Where the line through p with direction u meets the plane with normal n through a, the point is p + u·N/w with N = n·(a − p) and
-//! w = n·u. As the second mesh moves by δ, it moves by m·δ + s·u·(n·δ)/w, with m = 1 where the line moves and 0 where not, and s the same
-//! of the plane, less m. Nothing here is quadratic, so with δ = (ε, ε², ε³) a coordinate times w is the constant w·p + N·u, and three
-//! derivatives. A question is a polynomial in ε: of two coordinates with the powers up to 3, of a turn with those up to 6. The first
-//! coefficient that is not zero decides.
+//! Where the line through p with direction u meets the plane with normal n through a, the point is p + u·N/w with N =
+//! n·(a − p) and w = n·u. As the second mesh moves by δ, the point moves by m·δ + s·u·(n·δ)/w, with m = 1 if the line
+//! moves and 0 if not, and s the same of the plane, minus m. Nothing here is quadratic, so with δ = (ε, ε², ε³) a
+//! coordinate times w is the constant w·p + N·u, and three derivatives. A question is a polynomial in ε: of two
+//! coordinates with the powers up to 3, of a turn with those up to 6. The first nonzero coefficient decides.
 //!
-//! # How many limbs
-//! Coordinates are taken from a vertex of the question, in units of a power of two. With these below 2^b and B = b + 1, in magnitude:
+//! # The number of limbs
+//! Coordinates are relative to a vertex of the question, in units of a power of two. With these below 2^b and B = b +
+//! 1, in magnitude:
 //!
-//! | what | below | limbs: b = 61 | b = 124 |
+//! | value | below | limbs: b = 61 | b = 124 |
 //! |---|---|---:|---:|
 //! | a difference, as u | 2^B | 1 | 2 |
 //! | n | 2^(2B + 1) | 2 | 4 |
@@ -20,13 +21,14 @@
 //! | a minor of two rows: eight products at most of two coordinates times w | 2^(8B + 11) | 8 | 16 |
 //! | three of these, times a weight | 2^(11B + 16) | 11 | 22 |
 //!
-//! All of it takes one limb where B is up to 7 in a comparison, up to 4 in a turn; two limbs up to 17 and up to 10.
+//! All of it takes one limb if B is up to 7 in a comparison, up to 4 in a turn; two limbs up to 17 and up to 10.
 
 use predicament_arithmetic::{ExponentRange, Fixed, short_rows, units};
 use predicament_predicates::{Axis, Construction, Plane, Scene, Sign, Vertex};
 
-/// The sign and the power of ε that decides, 0 where none has to move; none where it is zero however far the second mesh moves.
-/// The outer none stands for other ways to find it.
+/// The sign and the deciding power of ε, 0 if no move is needed.
+///
+/// The inner `None`: zero however far the second mesh moves. The outer `None`: this method does not apply.
 pub(crate) type Decided = Option<Option<(Sign, usize)>>;
 
 /// The order of two points along an axis.
@@ -67,17 +69,17 @@ pub(crate) fn orient2d(scene: &Scene, second: &[bool], plane: Plane, args: [Vert
 
 /// The points of a question, by the vertices that define them.
 struct Named<const N: usize> {
-    /// Two of a line and three of a plane; five times the point itself if it is an input vertex.
+    /// Two vertices of a line and three of a plane; an input vertex is repeated five times.
     vertices: [[Vertex; 5]; N],
     is_meet: [bool; N],
-    /// Whether the line moves, and the plane; an input vertex itself for both.
+    /// True if the line moves, and the plane; for an input vertex both are that of the vertex.
     moves: [[bool; 2]; N],
 }
 
 type Point<const A: usize> = [Fixed<A>; 3];
 
 impl<const N: usize> Named<N> {
-    /// None where a vertex has another definition, or one with a line or a plane of both meshes.
+    /// The points; `None` if a vertex has another definition, or one with a line or a plane of both meshes.
     #[inline(always)]
     fn new(scene: &Scene, second: &[bool], args: [Vertex; N]) -> Option<Named<N>> {
         let (mut vertices, mut moves) = ([[args[0]; 5]; N], [[false; 2]; N]);
@@ -96,7 +98,7 @@ impl<const N: usize> Named<N> {
         Some(Named { vertices, is_meet: args.map(Vertex::is_constructed), moves })
     }
 
-    /// Their coordinates, and last those of the first one again: the origin. S is 5·N + 1.
+    /// The coordinates of these vertices, then again those of the first one, the origin; S is 5·N + 1.
     #[inline(always)]
     fn points<const S: usize>(&self, scene: &Scene) -> [[f64; 3]; S] {
         const { assert!(S == 5 * N + 1, "five points each, and the origin") };
@@ -126,7 +128,7 @@ impl<const N: usize> Named<N> {
     }
 }
 
-/// Differences to the last point in units of some power of two, and B; none if they take more than a limb.
+/// Differences to the last point in units of some power of two, and B; `None` if they take more than a limb.
 #[inline(always)]
 fn short<const S: usize>(points: &[[f64; 3]; S]) -> Option<([Point<1>; S], u32)> {
     let mut rows = short_rows::<3, S>(*points)?;
@@ -136,7 +138,7 @@ fn short<const S: usize>(points: &[[f64; 3]; S]) -> Option<([Point<1>; S], u32)>
         any |= x;
         size |= x.cast_signed().unsigned_abs();
     }
-    // The lowest bit that any of them has is the unit.
+    // The lowest bit of all of them is the unit.
     let low = any.trailing_zeros();
     for x in rows.as_flattened_mut() {
         *x = Fixed::from(x.limbs()[0].cast_signed() >> low);
@@ -147,7 +149,7 @@ fn short<const S: usize>(points: &[[f64; 3]; S]) -> Option<([Point<1>; S], u32)>
 /// The largest b of the table.
 const LONGEST: i32 = 124;
 
-/// Differences to the last point in units of some power of two; none if they take more than two limbs.
+/// Differences to the last point in units of some power of two; `None` if they take more than two limbs.
 #[inline(never)]
 fn long<const S: usize>(points: &[[f64; 3]; S]) -> Option<[Point<2>; S]> {
     let range = ExponentRange::of(points.as_flattened())?;
@@ -160,14 +162,16 @@ fn long<const S: usize>(points: &[[f64; 3]; S]) -> Option<[Point<2>; S]> {
     Some(points.map(|point| minus(point.map(whole), origin)))
 }
 
-/// A weight, and for some axes a coordinate times it: a constant, and derivatives by the three coordinates of δ.
+/// A weight, and for some axes a coordinate times the weight.
+///
+/// Each coordinate is a constant, and derivatives by the three coordinates of δ.
 struct Row<const C: usize, const D: usize, const K: usize> {
     weight: Fixed<C>,
     along: [[Fixed<D>; 4]; K],
 }
 
 impl<const C: usize, const D: usize, const K: usize> Row<C, D, K> {
-    /// An input vertex.
+    /// The row of an input vertex.
     #[inline(always)]
     fn input<const A: usize>(p: Point<A>, moves: bool, axes: [usize; K]) -> Row<C, D, K> {
         let mut along = [[Fixed::ZERO; 4]; K];
@@ -180,7 +184,7 @@ impl<const C: usize, const D: usize, const K: usize> Row<C, D, K> {
         Row { weight: ONE.extended(), along }
     }
 
-    /// Where a line meets a plane.
+    /// The row of the point where a line meets a plane.
     #[inline(always)]
     fn meet<const A: usize, const B: usize>(
         [p, q]: [Point<A>; 2],
@@ -255,7 +259,7 @@ fn turn<const C: usize, const D: usize, const E: usize, const F: usize>(
     first(7, power).map(|(sign, power)| (sign * weights, power))
 }
 
-/// The first of so many coefficients that is not zero.
+/// The first nonzero one of `count` coefficients.
 #[inline(always)]
 fn first<const L: usize>(count: usize, coefficient: impl Fn(usize) -> Fixed<L>) -> Option<(Sign, usize)> {
     (0..count).find_map(|power| {
@@ -264,7 +268,7 @@ fn first<const L: usize>(count: usize, coefficient: impl Fn(usize) -> Fixed<L>) 
     })
 }
 
-/// The sign of a number that is not zero.
+/// The sign of a nonzero number.
 #[inline(always)]
 fn sign_of<const L: usize>(x: Fixed<L>) -> Sign {
     if x.is_negative() { Sign::Negative } else { Sign::Positive }

@@ -1,13 +1,10 @@
-//! Where a constructed vertex is, and how it divides what defines it, as the
-//! perturbation goes to zero.
+//! The position of a constructed vertex, and its weights, in the limit of a vanishing perturbation.
 //!
-//! Coordinates and weights of a constructed vertex are ratios of polynomials
-//! in the infinitesimals. Where the lines and planes meet in one point as they
-//! are given, the limit of the ratio is the ratio at zero. Where they don't
-//! (lines in one line, a line in a plane), the point is there after the move
-//! only, and the limit is what the largest monomials of both say: their
-//! coefficients' ratio if they are of one kind, zero if the numerator's is
-//! infinitely smaller, and none if it is infinitely larger.
+//! Coordinates and weights of a constructed vertex are ratios of polynomials in the infinitesimals. If the given lines
+//! and planes meet in one point, the limit of the ratio is the ratio at zero. If they do not (two equal lines, a line
+//! in a plane), the point exists only after the move, and the largest monomials of both polynomials determine the
+//! limit. It is their coefficients' ratio if the monomials are equal, zero if the numerator's is infinitely smaller,
+//! and none if it is infinitely larger.
 
 use std::cmp::Ordering;
 
@@ -21,25 +18,25 @@ use super::place::Place;
 use super::search::{Expression, Leading, Search};
 use super::series::{Coefficient, Series};
 
-/// A constructed vertex in the limit. What has no limit, as it moves away
-/// without end, is none.
+/// A constructed vertex in the limit; a value that grows without bound is `None`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Limit {
-    /// Its coordinates.
+    /// The coordinates.
     pub position: Vec<Option<Rational>>,
-    /// How it divides what defines it: for two segments, the fraction of the way
-    /// from the first point to the second, of each; for a line and a
-    /// plane, that fraction along the line, and the barycentric coordinates in
-    /// the triangle that spans the plane; for three planes nothing.
+    /// The weights of the vertices that define it.
+    ///
+    /// For two segments, the fraction of the way from the first point to the second, of each. For a line and a plane,
+    /// that fraction along the line, and the barycentric coordinates in the triangle that spans the plane. For three
+    /// planes nothing.
     pub weights: Vec<Option<Rational>>,
 }
 
-/// The limit of a constructed vertex as the perturbation
-/// [`PerCoordinate`](crate::Scheme::PerCoordinate) goes to zero; none if the lines and
-/// planes meet in no single point however they are moved.
+/// The limit of a constructed vertex as the perturbation [`PerCoordinate`](crate::Scheme::PerCoordinate) goes to zero.
+///
+/// `None` if the lines and planes meet in no unique point however they are moved.
 ///
 /// # Panics
-/// If `v` is no constructed vertex of the scene, or one that others define than input vertices.
+/// If `v` is not a constructed vertex of the scene, or other constructed vertices define it.
 #[must_use]
 pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     let construction = scene.construction(v).expect("a constructed vertex of the scene");
@@ -67,7 +64,7 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     Some(Limit { position: position.collect(), weights: weights.collect() })
 }
 
-/// The limit of a ratio; a numerator that is none is zero.
+/// The limit of a ratio; a numerator of `None` is zero.
 fn ratio(numerator: Option<&Leading>, denominator: &Leading) -> Option<Rational> {
     let Some(numerator) = numerator else { return Some(Rational::new()) };
     match size(numerator, denominator) {
@@ -77,8 +74,8 @@ fn ratio(numerator: Option<&Leading>, denominator: &Leading) -> Option<Rational>
     }
 }
 
-/// Of two monomials the one with the lower degree in the smallest
-/// infinitesimal in which they differ is larger.
+/// The order of two monomials: the one with the lower degree in the smallest infinitesimal in which they differ is
+/// larger.
 fn size(a: &Leading, b: &Leading) -> Ordering {
     // Both lists begin with the smallest infinitesimal, the one with the largest number.
     for ((i, degree), (j, other)) in a.monomial.iter().zip(&b.monomial) {
@@ -92,16 +89,16 @@ fn size(a: &Leading, b: &Leading) -> Ordering {
     a.monomial.len().cmp(&b.monomial.len()).reverse()
 }
 
-/// What a ratio is made of.
+/// The polynomials of a ratio.
 #[derive(Clone, Copy)]
 enum Part {
     /// The weight of the homogeneous row.
     Weight,
-    /// Its entry along an axis.
+    /// The row's entry along an axis.
     Along(Axis),
-    /// The numerator of a weight, by its number.
+    /// The numerator of a weight, by the weight's index.
     Share(usize),
-    /// The denominator of a weight.
+    /// The denominator of a weight, by the weight's index.
     Whole(usize),
 }
 
@@ -124,7 +121,7 @@ impl Expression for Polynomial {
     fn matrix(&self) -> Matrix {
         let entry = |column| Matrix { places: smallvec![self.place], columns: smallvec![column] };
         let Place::Meet(construction) = self.place else { panic!("an input vertex has no parts") };
-        // On which side of a flat, or of a line that is spun around another one, something is.
+        // The side of a point relative to a line or plane, or to a line that is spun around another one.
         let side = |vertices: &[Vertex]| Matrix {
             places: vertices.iter().map(|&v| Place::Input(v)).collect(),
             columns: (0..vertices.len()).collect(),
@@ -136,7 +133,7 @@ impl Expression for Polynomial {
             | (Part::Share(1), Construction::Ssi([[a, b], [p, _]])) => side(&[a, b, p]),
             (Part::Share(0), Construction::Lpi { line: [p, _], plane: [a, b, c] }) => side(&[a, b, c, p]),
             (Part::Share(at), Construction::Lpi { line: [p, q], plane }) => {
-                // Of the three in a ring, the two that follow.
+                // The two that follow in the ring of three.
                 side(&[p, q, plane[at % 3], plane[(at + 1) % 3]])
             }
             (Part::Share(at), construction) => panic!("no weight {at} of {construction}"),

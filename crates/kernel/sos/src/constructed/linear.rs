@@ -1,9 +1,10 @@
 //! Ties between two meshes about vertices that lines and planes of one mesh each define.
 //!
-//! A rigid move δ of a mesh changes no direction. So the weight of such a vertex, which is a product of directions, is a constant,
-//! and its coordinates are linear in δ: where the line p, q meets the plane with normal n through a, the distances n·(p − a) and n·(q − a)
-//! both change by n·δ, and the quadratic terms of p·(n·(q − a)) − q·(n·(p − a)) cancel. With δ = (ε, ε², ε³) a coordinate
-//! is four integers, and a determinant is of degree 9 at most, where that of general constructions goes up to 84.
+//! A rigid move δ of a mesh changes no direction. So the weight of such a vertex, which is a product of directions, is
+//! a constant, and its coordinates are linear in δ. Where the line p, q meets the plane with normal n through a, the
+//! distances n·(p − a) and n·(q − a) both change by n·δ, and the quadratic terms of p·(n·(q − a)) − q·(n·(p − a))
+//! cancel. With δ = (ε, ε², ε³) a coordinate is four integers, and a determinant has degree 9 at most, whereas that of
+//! general constructions has up to 84.
 
 use predicament_predicates::{Axis, Construction, Question, Scene, Sign, Vertex};
 use rug::Integer;
@@ -17,15 +18,17 @@ type Series = Vec<Integer>;
 /// The coordinates of a vector, or of a point.
 type Space = [Integer; 3];
 
-/// A point as the second mesh moves: coordinates times the weight, and the weight. Each coordinate is its value, and its
-/// derivatives by the three coordinates of δ.
+/// A point that moves with the second mesh: coordinates times the weight, and the weight.
+///
+/// Each coordinate is its value, and its derivatives by the three coordinates of δ.
 struct Row {
     at: [[Integer; 4]; 3],
     weight: Integer,
 }
 
-/// The side of a tie, and the power of ε that decides, or that it is zero however far the second mesh moves; the outer none where
-/// this is not the way to find it.
+/// The side of a tie and the deciding power of ε.
+///
+/// The inner `None`: zero however far the second mesh moves. The outer `None`: this method does not apply.
 pub(super) fn decide(
     scene: &Scene,
     second: &[bool],
@@ -61,7 +64,7 @@ fn side(rows: &[Row]) -> Series {
     let column = |axis: Axis| -> Vec<Series> { rows.iter().map(|row| row.series(axis)).collect() };
     let [x, y, z] = [Axis::X, Axis::Y, Axis::Z].map(column);
     let mut all = Vec::new();
-    // Rows of the first minor, those of the second, and the sign.
+    // The rows of the first minor, those of the second, and the sign.
     for (i, j, k, l, is_even) in [
         (0, 1, 2, 3, true),
         (0, 2, 1, 3, false),
@@ -94,7 +97,7 @@ impl Points<'_> {
         [0, 1, 2].map(|axis: usize| all.get(axis).map_or_else(Integer::new, |&(m, k)| Integer::from(m) << k))
     }
 
-    /// Whether a line or a plane moves; none where its vertices are of two meshes.
+    /// Returns true if a line or a plane moves; `None` if its vertices are of two meshes.
     fn moves(&self, flat: &[Vertex]) -> Option<bool> {
         let first = self.second[flat[0].index()];
         flat.iter().all(|v| self.second[v.index()] == first).then_some(first)
@@ -136,13 +139,13 @@ impl Points<'_> {
         }
     }
 
-    /// A normal of a plane, and a point of it.
+    /// A normal of a plane, and a point on it.
     fn plane(&self, plane: [Vertex; 3]) -> (Space, Space) {
         let [a, b, c] = plane.map(|v| self.point(v));
         (cross(&minus(&b, &a), &minus(&c, &a)), a)
     }
 
-    /// Where a line meets the flat with this normal through a point.
+    /// The row of the point where a line meets the line or plane with this normal through a point.
     fn meet(&self, line: [Vertex; 2], normal: Space, through: Space, flat_moves: bool) -> Option<Row> {
         let line_moves = self.moves(&line)?;
         let [p, q] = line.map(|v| self.point(v));
@@ -224,7 +227,7 @@ fn difference(mut a: Series, b: &Series) -> Series {
     a
 }
 
-/// a·v − b·u.
+/// The polynomial a·v − b·u.
 fn wedge(a: &Series, v: &Integer, b: &Series, u: &Integer) -> Series {
     difference(scaled(a.clone(), v), &scaled(b.clone(), u))
 }
@@ -238,7 +241,7 @@ mod tests {
     use super::super::testing::Random;
     use super::*;
 
-    /// Points of a small grid, and places of lines and planes of vertices of one half of them each.
+    /// Points of a small grid, and points of lines and planes with vertices of one half each.
     fn scene(random: &mut Random, dimension: Dimension) -> Scene {
         let axes = dimension.count();
         let coordinates = (0..10 * axes).map(|_| f64::from(u32::try_from(random.below(3)).unwrap()));

@@ -1,9 +1,8 @@
-//! The latest ties about constructed vertices, with what was decided.
+//! A cache of the latest ties about constructed vertices, with their results.
 //!
-//! Such a tie costs several times what it takes to find it, some a hundred times, and algorithms ask
-//! about the same vertices again in another order soon: around a triangle, from both
-//! sides of an edge. A tie is decided with its vertices in ascending order; the parity of
-//! the order in which they were asked for is put on top. So the answer is the same with and
+//! Such a tie costs several times, sometimes a hundred times, as much as the zero that finds it. Algorithms soon ask
+//! about the same vertices again in another order: around a triangle, from both sides of an edge. A tie is decided with
+//! its vertices in ascending order; then the parity of the query's order is applied. So the answer is the same with and
 //! without a memo, and so is the tally of stages.
 
 use std::sync::Mutex;
@@ -14,38 +13,41 @@ use super::decide;
 use super::row::Rows;
 use crate::ties::Sorted;
 
-/// Ties that are kept: enough for the threads of a machine to keep out of each other's way, too few for a list of
-/// queries to be learnt by heart.
+/// The number of cached ties.
+///
+/// It is enough for the threads of a machine to avoid each other, and too small to cache a whole list of queries.
 const SLOTS: usize = 16;
 
-/// The largest number of vertices in a question about constructed ones.
+/// The maximum number of vertices in a question about constructed ones.
 const MOST: usize = 4;
 
 struct Tie {
     question: Question,
-    /// Ascending; the last one fills what is left.
+    /// The vertices, ascending; the last one is repeated to fill the array.
     vertices: [Vertex; MOST],
     decided: Option<(Sign, usize)>,
 }
 
-/// The latest ties of one session, and the rows of its constructed vertices. Ids of vertices never change, so what is known stays true when vertices are added.
+/// The latest ties of one session, and the rows of its constructed vertices.
+///
+/// Ids of vertices never change, so entries stay true when vertices are added.
 pub(crate) struct Memo {
     slots: [Mutex<Option<Tie>>; SLOTS],
     rows: Rows,
 }
 
 impl Memo {
-    /// Nothing is known yet.
+    /// An empty memo.
     pub(crate) fn new(scene: &Scene) -> Memo {
         Memo { slots: Default::default(), rows: Rows::new(scene) }
     }
 
-    /// Makes room for vertices that have been added to the scene.
+    /// Adds slots for new vertices of the scene.
     pub(crate) fn grow(&mut self, scene: &Scene) {
         self.rows.grow(scene);
     }
 
-    /// As [`decide`].
+    /// The result of [`decide`], cached.
     ///
     /// # Panics
     /// As [`decide`].
@@ -55,7 +57,7 @@ impl Memo {
         question: Question,
         args: [Vertex; N],
     ) -> Option<(Sign, usize)> {
-        // A vertex that comes twice makes no tie that is worth keeping.
+        // A tie with a vertex twice is not worth caching.
         let Some(Sorted { vertices: sorted, parity }) = Sorted::new(args) else {
             return decide(scene, &self.rows, question, args);
         };
@@ -67,7 +69,7 @@ impl Memo {
         });
         let decided = known.unwrap_or_else(|| {
             let decided = decide(scene, &self.rows, question, sorted);
-            // Nobody waits: what another thread is busy with is not kept.
+            // Never waits: if another thread holds the slot, the result is not cached.
             if let Ok(mut slot) = slot.try_lock() {
                 *slot = Some(Tie { question, vertices, decided });
             }
@@ -77,7 +79,7 @@ impl Memo {
     }
 }
 
-/// The slot of a tie.
+/// The slot index of a tie.
 fn place(question: Question, vertices: &[Vertex; MOST]) -> usize {
     let kind = question.kind() as usize;
     let mixed = vertices.iter().fold(kind, |sum, v| {
@@ -143,7 +145,7 @@ mod tests {
         let memo = Memo::new(&scene);
         let [a, b, c] = [0, 1, 2].map(Vertex::constructed);
         let first = memo.decide(&scene, Question::Orient2d(Plane::Xy), [a, b, c]).unwrap();
-        // Whoever decides anew would miss the vertices of this scene.
+        // A new decision would fail, since the empty scene lacks these vertices.
         let empty = Scene::from_points2(&[]).unwrap();
         let again = memo.decide(&empty, Question::Orient2d(Plane::Xy), [b, a, c]);
         assert_eq!(again, Some((-first.0, first.1)));
@@ -159,7 +161,7 @@ mod tests {
                 all[j + 1..].iter().for_each(|&c| slots[place(Question::Orient2d(Plane::Xy), &[a, b, c, c])] += 1);
             }
         }
-        // 680 of them, 42 a slot.
+        // There are 680, 42 per slot.
         assert!(slots.iter().all(|count| (20..80).contains(count)), "{slots:?}");
     }
 }

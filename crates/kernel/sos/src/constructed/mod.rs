@@ -1,35 +1,27 @@
 //! Ties about constructed vertices.
 //!
-//! A vertex where lines and planes meet moves with the input vertices that
-//! define it. Its determinants are polynomials of higher degree in the same
-//! infinitesimals, too many for lists of terms: every combination of shared
-//! vertices would need one. So the polynomial stays a program: rows and
-//! determinants ([`moved`]) in numbers that carry a few infinitesimals
-//! ([`series`]), and a search for the one monomial that decides ([`search`]).
-//! Definitions are put in their simplest terms first ([`place`]), and what the
-//! search takes for zero is proved to be zero ([`certain`]). Before that, most ties are
-//! broken by a few determinants ([`first`]) of rows that a session keeps ([`row`]).
+//! A vertex where lines and planes meet moves with the input vertices that define it. Its determinants are polynomials
+//! of higher degree in the same infinitesimals, too many for lists of terms: every combination of shared vertices would
+//! need one. So the polynomial stays a program: rows and determinants ([`moved`]) in numbers that carry a few
+//! infinitesimals ([`series`]), and a search for the one monomial that decides ([`search`]). Definitions are simplified
+//! first ([`place`]), and every zero of the search is proved to be zero ([`certain`]). Before that, a few determinants
+//! ([`first`]) of rows that a session stores ([`row`]) break most ties.
 //!
-//! Infinitesimals are compared as in [`Scheme::PerCoordinate`](crate::Scheme):
-//! coordinate number n of the scene by the n-th, each smaller than any power
-//! of the one before. With ε^(B^n) this is the order for every base B
-//! beyond the largest degree, so answers about input vertices and answers about
-//! constructed ones are answers about one moved scene.
+//! Infinitesimals are compared as in [`Scheme::PerCoordinate`](crate::Scheme): coordinate number n of the scene by the
+//! n-th, each smaller than any power of the one before. With ε^(B^n) this is the order for every base B beyond the
+//! largest degree, so answers about input vertices and answers about constructed ones are answers about one moved
+//! scene.
 //!
 //! # What remains zero
-//! Some determinants are zero wherever the input vertices are: a vertex
-//! constructed on a plane is on that plane, and two definitions can be of one
-//! point (two lines through a common vertex meet there). Those are identities of
-//! geometry and no ties; the answer is zero. Between input vertices there are
-//! none but those of a vertex that is asked for twice.
+//! Some determinants are zero wherever the input vertices are: a vertex constructed on a plane is on that plane, and
+//! two definitions can be of one point (two lines through a common vertex meet there). They are identities of geometry
+//! and not ties; the answer is zero. Between input vertices the only identity is a vertex that occurs twice.
 //!
 //! # One level
-//! Only input vertices may define a vertex here. Each further level multiplies
-//! the degree, by four for lines and by nine for three planes, and the number
-//! of input vertices behind one question: a determinant of four vertices of
-//! three planes has degree 28 in 36 vertices, and of four such vertices of the
-//! second level up to degree 252 in 324. The search for the deciding monomial
-//! is proved and affordable for the first, not for the second.
+//! Only input vertices may define a vertex here. Each further level multiplies the degree, by four for lines and by
+//! nine for three planes, and the number of input vertices behind one question: a determinant of four vertices of three
+//! planes has degree 28 in 36 vertices, and of four such vertices of the second level up to degree 252 in 324. The
+//! search for the deciding monomial is proved and affordable for the first level, not for the second.
 
 mod certain;
 mod first;
@@ -62,12 +54,12 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::Scheme;
 
-/// Why the schemes but one decline constructed vertices.
+/// The reason why all schemes but one decline constructed vertices.
 pub(crate) fn others_only() -> String {
     format!("constructed vertices are moved by the scheme `{}` only", Scheme::PerCoordinate)
 }
 
-/// Whether only input vertices define it, and why that has to be.
+/// Checks that only input vertices define a construction; the error says why that is required.
 pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), DefinitionError> {
     if construction.is_of_inputs() {
         return Ok(());
@@ -76,7 +68,7 @@ pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), Definition
     Err(DefinitionError::OfConstructed { reason })
 }
 
-/// The same for all constructions of a scene.
+/// Checks that only input vertices define the constructions of a scene.
 pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
     let checked = scene.constructions().iter().enumerate().try_for_each(|(index, construction)| {
         is_of_inputs(construction)
@@ -85,9 +77,10 @@ pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
     checked.map_err(Declined::scene)
 }
 
-/// The side of a tie (the determinant is zero where nothing moves), and the degree of the monomial that decides; none if
-/// the determinant is zero wherever the input vertices are. All constructed
-/// vertices are points of the scene as it is given.
+/// The side of a tie, whose unperturbed determinant is zero, and the degree of the deciding monomial.
+///
+/// `None` if the determinant is zero wherever the input vertices are. All constructed vertices are points of the given
+/// scene.
 ///
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
@@ -99,7 +92,7 @@ fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: 
     }
 }
 
-/// The same by a search through all monomials.
+/// The result of `decide` by a search through all monomials.
 fn search_all(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(scene, v)).collect();
     if depend(question, &places) {

@@ -1,8 +1,8 @@
 //! Determinants of a scene whose vertices are moved by infinitesimals.
 //!
-//! Nothing here knows how: coordinates are [`Series`], and everything is a
-//! polynomial of them. A constructed vertex is a homogeneous row, its
-//! coordinates times its weight and the weight; an input vertex has weight one.
+//! This module does not depend on the kind of move: coordinates are [`Series`], and everything is a polynomial of them.
+//! A constructed vertex is a homogeneous row, its coordinates times its weight and the weight; an input vertex has
+//! weight one.
 
 use predicament_predicates::{Axis, Construction, Dimension, Question, Vertex};
 
@@ -11,7 +11,7 @@ use smallvec::{SmallVec, smallvec};
 use super::place::Place;
 use super::series::{Coefficient, Cut, Series, difference, sum};
 
-/// The input vertices that places are defined by, each once, in ascending order.
+/// The input vertices that define places, each once, in ascending order.
 pub(super) fn inputs(places: &[Place]) -> Vec<Vertex> {
     let mut inputs: Vec<Vertex> = places.iter().flat_map(Place::vertices).collect();
     inputs.sort_unstable();
@@ -19,13 +19,13 @@ pub(super) fn inputs(places: &[Place]) -> Vec<Vertex> {
     inputs
 }
 
-/// Input vertices where they have been moved to.
+/// Input vertices in their moved positions.
 pub(super) struct Moved<'q, C> {
     pub(super) dimension: Dimension,
     pub(super) cut: &'q Cut,
-    /// Ascending.
+    /// The input vertices, ascending.
     pub(super) inputs: &'q [Vertex],
-    /// Vertex after vertex.
+    /// The coordinates, vertex after vertex.
     pub(super) coordinates: &'q [Series<C>],
 }
 
@@ -101,11 +101,12 @@ impl<C: Coefficient> Moved<'_, C> {
         }
     }
 
-    /// Numerator and denominator of one of the weights of a constructed vertex,
-    /// in the order of [`Limit::weights`](super::Limit::weights).
+    /// The numerator and denominator of a weight of a constructed vertex.
+    ///
+    /// The weights are in the order of [`Limit::weights`](super::Limit::weights).
     pub(super) fn fraction(&self, place: &Place, at: usize) -> [Series<C>; 2] {
         let zero = || self.cut.constant(C::zero());
-        // The way from where f is f(p) to where it is f(q), up to f = 0.
+        // The fraction of the way from f(p) to f(q) at which f = 0.
         let way = |at_p: Series<C>, at_q: Series<C>| [difference(zero(), &at_p), difference(at_q, &at_p)];
         match (*place, at) {
             (Place::Meet(Construction::Ssi([[p, q], [a, b]])), 0)
@@ -129,7 +130,9 @@ impl<C: Coefficient> Moved<'_, C> {
         }
     }
 
-    /// Where the line p, q has distance zero from a flat: (p·f(q) − q·f(p)) / (f(q) − f(p)).
+    /// The row of the point of line p, q at distance zero from a line or plane.
+    ///
+    /// The point is (p·f(q) − q·f(p)) / (f(q) − f(p)).
     fn between(&self, [p, q]: [Vertex; 2], [at_p, at_q]: [Series<C>; 2]) -> Row<C> {
         let along = self.point(p).iter().zip(self.point(q));
         let coordinates = along.map(|(p, q)| difference(self.times(p, &at_q), &self.times(q, &at_p)));
@@ -155,7 +158,7 @@ impl<C: Coefficient> Moved<'_, C> {
         self.cut.times(a, b)
     }
 
-    /// x₁y₂ − y₁x₂.
+    /// The product x₁y₂ − y₁x₂.
     fn perp(&self, a: &[Series<C>], b: &[Series<C>]) -> Series<C> {
         difference(self.times(&a[0], &b[1]), &self.times(&a[1], &b[0]))
     }
@@ -187,18 +190,18 @@ impl<C: Coefficient> Moved<'_, C> {
         total
     }
 
-    /// Two rows' minor of two columns.
+    /// The minor of two rows and two columns.
     fn minor(&self, rows: &[Row<C>], [r, s]: [usize; 2], [i, j]: [usize; 2]) -> Series<C> {
         difference(self.times(&rows[r][i], &rows[s][j]), &self.times(&rows[r][j], &rows[s][i]))
     }
 
-    /// Along the last row.
+    /// The determinant of three rows, expanded along the last row.
     fn turn(&self, rows: &[Row<C>]) -> Series<C> {
         let term = |at: usize, columns| self.times(&rows[2][at], &self.minor(rows, [0, 1], columns));
         sum(difference(term(0, [1, 2]), &term(1, [0, 2])), &term(2, [0, 1]))
     }
 
-    /// Minors of the first two rows times the others' of the other two.
+    /// The determinant of four rows: minors of the first two rows times minors of the other two.
     fn side(&self, rows: &[Row<C>]) -> Series<C> {
         // The complement of a pair is as far from the end; its sign is that of the sum of its places.
         const PAIRS: [[usize; 2]; 6] = [[0, 1], [0, 2], [0, 3], [1, 2], [1, 3], [2, 3]];

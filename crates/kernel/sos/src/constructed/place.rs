@@ -1,19 +1,18 @@
-//! What defines a point of a question, in the simplest terms.
+//! The simplest definition of a point of a question.
 //!
-//! Two lines through one vertex meet in that vertex, and two planes through
-//! two vertices meet in their line. Where the point is there at all, its row
-//! is that of the simpler definition times a factor, which the weight has as
-//! well; so signs can be asked of the simpler one. Many determinants that are
-//! zero wherever the vertices are can be told from the definitions alone then.
+//! Two lines through one vertex meet in that vertex, and two planes through two vertices meet in their line. If the
+//! point exists at all, its row is that of the simpler definition times a factor, which the weight has as well; so the
+//! simpler definition gives the signs. Then the definitions alone prove many determinants to be zero wherever the
+//! vertices are.
 
 use predicament_predicates::{Construction, Question, Scene, Vertex};
 use smallvec::SmallVec;
 
-/// A point of a question: an input vertex, or where lines and planes meet.
+/// A point of a question: an input vertex, or the point where lines and planes meet.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Place {
     Input(Vertex),
-    /// Canonical, if the place is [`simple`](Place::simple).
+    /// A construction; canonical, if the place is [`simple`](Place::simple).
     Meet(Construction),
 }
 
@@ -22,7 +21,7 @@ impl Place {
         v.construction().map_or(Place::Input(v), |index| Place::Meet(scene.constructions()[index]))
     }
 
-    /// The simplest definition of a vertex that is a point of the scene as it is given.
+    /// The simplest definition of a vertex that is a point of the given scene.
     pub(super) fn simple(scene: &Scene, v: Vertex) -> Place {
         match Place::of(scene, v) {
             Place::Input(v) => Place::Input(v),
@@ -30,7 +29,7 @@ impl Place {
         }
     }
 
-    /// The input vertices behind it, as often as they occur.
+    /// The input vertices behind the place, as often as they occur.
     pub(super) fn vertices(&self) -> SmallVec<[Vertex; 9]> {
         match self {
             Place::Input(v) => SmallVec::from_slice(&[*v]),
@@ -38,7 +37,7 @@ impl Place {
         }
     }
 
-    /// Whether it is on the plane of three vertices by definition.
+    /// Returns true if the place is on the plane of three vertices by definition.
     fn on_plane(&self, on: &[Vertex; 3]) -> bool {
         match self {
             Place::Input(v) => on.contains(v),
@@ -48,7 +47,7 @@ impl Place {
         }
     }
 
-    /// Whether it is on the line of two vertices by definition.
+    /// Returns true if the place is on the line of two vertices by definition.
     fn on_line(&self, on: &[Vertex; 2]) -> bool {
         match self {
             Place::Input(v) => on.contains(v),
@@ -63,7 +62,9 @@ fn common(a: &[Vertex], b: &[Vertex]) -> SmallVec<[Vertex; 3]> {
     a.iter().copied().filter(|v| b.contains(v)).collect()
 }
 
-/// A canonical construction in simpler terms. One that is no point however the vertices move stays as it is.
+/// The simplified form of a canonical construction.
+///
+/// A construction without a point, however the vertices move, is unchanged.
 fn simplified(construction: Construction) -> Place {
     match construction {
         Construction::Ssi([first, second]) => {
@@ -92,9 +93,10 @@ fn simplified(construction: Construction) -> Place {
     Place::Meet(construction)
 }
 
-/// Whether the determinant of simple places is zero, wherever the input
-/// vertices are, by two names of one point or by places on a common line or
-/// plane. There may be other reasons.
+/// Returns true if the definitions prove that the determinant of simple places is zero, wherever the input vertices
+/// are.
+///
+/// The proof is by two names of one point or by places on a common line or plane. There may be other reasons for zero.
 pub(super) fn depend(question: Question, places: &[Place]) -> bool {
     let twice = (1..places.len()).any(|at| places[..at].contains(&places[at]));
     twice
@@ -112,10 +114,10 @@ pub(super) fn depend(question: Question, places: &[Place]) -> bool {
         }
 }
 
-/// Whether all are on one line of two vertices, or of two planes.
+/// Returns true if all places are on one line of two vertices, or of two planes.
 fn collinear(places: &[Place]) -> bool {
     let on_all = |line: &[Vertex; 2]| places.iter().all(|place| place.on_line(line));
-    // Input vertices alone are on no line, so one of the others has it.
+    // Input vertices alone are on no line, so one of the others names it.
     let on_one = places.iter().any(|place| match place {
         Place::Meet(Construction::Ssi(lines)) => lines.iter().any(on_all),
         Place::Meet(Construction::Lpi { line, .. }) => on_all(line),
@@ -124,12 +126,12 @@ fn collinear(places: &[Place]) -> bool {
     on_one || planes_of_all(places).len() > 1
 }
 
-/// Whether all are on one plane of three vertices.
+/// Returns true if all places are on one plane of three vertices.
 fn coplanar(places: &[Place]) -> bool {
     !planes_of_all(places).is_empty()
 }
 
-/// The planes of three vertices that all places are on.
+/// The planes of three vertices that contain all places.
 fn planes_of_all(places: &[Place]) -> SmallVec<[[Vertex; 3]; 4]> {
     let mut planes: SmallVec<[[Vertex; 3]; 12]> = SmallVec::new();
     let mut spanning: SmallVec<[Vertex; 8]> = SmallVec::new();
@@ -144,7 +146,7 @@ fn planes_of_all(places: &[Place]) -> SmallVec<[[Vertex; 3]; 4]> {
             Place::Meet(Construction::Ssi(_)) => {}
         }
     }
-    // A plane that nothing names is spanned by vertices and lines that do.
+    // A plane without a name is spanned by vertices and lines with one.
     spanning.sort_unstable();
     spanning.dedup();
     for (i, &a) in spanning.iter().enumerate() {
@@ -224,7 +226,7 @@ mod tests {
             (turn, &[input(0), input(2), ssi([0, 1], [2, 3])], false),
             (turn, &[ssi([2, 3], [0, 1]), input(1), ssi([0, 2], [4, 5])], false),
             (turn, &[input(0), input(1), input(2)], false),
-            // In space: a line that is named, or that of two planes.
+            // In space: a named line, or the line of two planes.
             (turn, &[input(0), lpi([0, 1], [2, 3, 4]), input(1)], true),
             (turn, &[lpi([0, 1], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], true),
             (turn, &[lpi([0, 2], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], false),

@@ -1,4 +1,4 @@
-//! Integers modulo the Mersenne prime 2^61 − 1, for guesses whether a polynomial is zero.
+//! Integers modulo the Mersenne prime 2^61 − 1, to guess whether a polynomial is zero.
 
 /// The exponent of the prime.
 const E: u32 = 61;
@@ -13,12 +13,12 @@ impl Residue {
     pub(super) const ZERO: Residue = Residue(0);
     pub(super) const ONE: Residue = Residue(1);
 
-    /// Any integer of 64 bits.
+    /// The residue of any integer of 64 bits.
     pub(super) const fn new(n: u64) -> Residue {
         Residue(n % Self::PRIME)
     }
 
-    /// m · 2^k.
+    /// The residue of m · 2^k.
     pub(super) fn scaled(m: i64, k: u32) -> Residue {
         let magnitude = Residue::new(m.unsigned_abs()).times(Residue(1 << (k % E)));
         if m < 0 { Residue::ZERO.minus(magnitude) } else { magnitude }
@@ -37,7 +37,7 @@ impl Residue {
         Residue(if self.0 >= other.0 { self.0 - other.0 } else { self.0 + Self::PRIME - other.0 })
     }
 
-    #[allow(clippy::cast_possible_truncation)] // E bits and no more than E bits
+    #[allow(clippy::cast_possible_truncation)] // halves of E bits
     pub(super) const fn times(self, other: Residue) -> Residue {
         let product = self.0 as u128 * other.0 as u128;
         let (low, high) = (product as u64 & Self::PRIME, (product >> E) as u64);

@@ -1,8 +1,7 @@
 //! Ties between two meshes, of which one has moved as a whole.
 //!
-//! The second mesh is moved by (ε, ε², ε³). One infinitesimal is enough for
-//! whole polynomials: they are cut off at a power that most ties don't reach, then
-//! at larger ones, up to the largest that there can be.
+//! The second mesh moves by (ε, ε², ε³). There is only one infinitesimal, so whole polynomials are affordable: they are
+//! cut off at a power that most ties don't reach, then at larger ones, up to the largest possible power.
 
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 use rug::Integer;
@@ -14,17 +13,16 @@ use super::search::{Expression, integers};
 use super::series::Cut;
 use super::{Determinant, Weight};
 
-/// Where polynomials are cut off, one after the other. About input vertices the largest
-/// power is 12: ε, ε², ε³ and the square of ε³ in the four columns of
-/// `insphere`. Four points of three planes each have products of 4 · 7
-/// coordinates, of which each brings ε³ at most.
+/// The powers at which polynomials are cut off, one after the other.
+///
+/// About input vertices the largest power is 12: ε, ε², ε³ and the square of ε³ in the four columns of `insphere`. Four
+/// points of three planes each have products of 4 · 7 coordinates, each with ε³ at most.
 const POWERS: [usize; 3] = [3, 12, 84];
 
-/// The side of a tie, and the power of ε that decides; none if the
-/// determinant is zero however far the second mesh moves.
+/// The side of a tie, and the deciding power of ε; `None` if the determinant is zero however far the second mesh moves.
 ///
 /// # Panics
-/// If the scene lacks a vertex or has no two meshes.
+/// If the scene lacks a vertex or does not have two meshes.
 pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Option<(Sign, usize)> {
     let second = scene.second_mesh().expect("a scene with two meshes");
     let places: Vec<Place> = args.iter().map(|&v| Place::of(scene, v)).collect();
@@ -36,7 +34,7 @@ pub(crate) fn decide(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     linear::decide(scene, second, question, &places).unwrap_or_else(|| by_powers(scene, second, question, &places))
 }
 
-/// The same by whole polynomials, whatever the places are.
+/// The result of `decide` by whole polynomials, for all places.
 pub(super) fn by_powers(scene: &Scene, second: &[bool], question: Question, places: &[Place]) -> Option<(Sign, usize)> {
     let (dimension, inputs) = (scene.dimension().count(), inputs(places));
     let constructed = places.iter().any(|place| matches!(place, Place::Meet(_)));
@@ -52,7 +50,7 @@ struct Rigid<'q> {
     scene: &'q Scene,
     inputs: &'q [Vertex],
     second: &'q [bool],
-    /// Whether the question is about constructed vertices.
+    /// True if the question is about constructed vertices.
     constructed: bool,
 }
 

@@ -1,10 +1,12 @@
-//! Homogeneous rows of constructed vertices, and how they change with the first vertex that defines them.
+//! Homogeneous rows of constructed vertices, and their derivatives by the first vertex that defines them.
 //!
-//! A row is a polynomial in the input vertices behind it. In a vertex that occurs once it is linear: a change of that vertex by one along
-//! an axis adds a vector, the derivative. [`Row`] holds the row where nothing moves, its weight positive, and its derivatives by the
-//! coordinates of the vertex with the smallest index, all exactly. It is made once, for the first tie that asks.
+//! A row is a polynomial in the input vertices behind it. It is linear in a vertex that occurs once: a change of that
+//! vertex by one along an axis adds a vector, the derivative. [`Row`] holds the unperturbed row, with positive weight,
+//! and its derivatives by the coordinates of the vertex with the smallest index, all exactly. It is computed once, for
+//! the first tie that needs it.
 //!
-//! With e an axis' unit vector, and the first vertex put first among those of its line or plane (which changes a factor of the row):
+//! With e an axis' unit vector, and the first vertex put first among those of its line or plane (which changes a factor
+//! of the row):
 //!
 //! | first in | row | derivative |
 //! |---|---|---|
@@ -12,15 +14,16 @@
 //! | the plane a, b, c of a line p, q; G(x) = (x − b) × (c − b) | the same | (p·G(q)·e − q·G(p)·e, G(q)·e − G(p)·e) |
 //! | the plane a, b, c of three; its n and d = n·b, those of the next two m, n', M = m × n', K = d'·m − d_m·n' | (d·M + n × K, n·M) | the same with n = (c − b) × e |
 //!
-//! The normal of a plane a, b, c is (c − b) × (a − b), so that F(x) = det(c − b, a − b, x − b). Where two of three planes have the first
-//! vertex, their derivatives add up to the coefficient of its coordinate, and there are higher powers.
+//! The normal of a plane a, b, c is (c − b) × (a − b), so that F(x) = det(c − b, a − b, x − b). If two of three planes
+//! have the first vertex, their derivatives add up to the coefficient of its coordinate, and there are higher powers.
 //!
 //! # Space
-//! Coordinates are scaled by one power of two for the whole scene, to less than 2^58. Differences are below 2^59, normals below 2^119,
-//! F and d below 2^180, G below 2^119, M below 2^239, K below 2^299, rows and weights of three planes below 2^420 and 2^360, their
-//! derivatives below 2^360 and 2^300; those of a line and a plane below 2^240 and 2^181: what has degree k is below 2^(61·k). With coordinates
-//! that are multiples of 2^(64·l), l ≤ 0, it is a multiple of 2^(64·k·l). [`Number::sum`] takes up to three bits more for its terms and a
-//! sign, so k·(61 − 64·l) + 4 bits are enough for each sum.
+//! Coordinates are scaled by one power of two for the whole scene, to less than 2^58. Differences are below 2^59,
+//! normals below 2^119, F and d below 2^180, G below 2^119, M below 2^239, K below 2^299. Rows and weights of three
+//! planes are below 2^420 and 2^360, their derivatives below 2^360 and 2^300; those of a line and a plane are below
+//! 2^240 and 2^181: degree k is below 2^(61·k). With coordinates that are multiples of 2^(64·l), l ≤ 0, it is a
+//! multiple of 2^(64·k·l). [`Number::sum`] takes up to three bits more for its terms and a sign, so k·(61 − 64·l) + 4
+//! bits are enough for each sum.
 //!
 //! | | degree | sums |
 //! |---|---|---|
@@ -42,19 +45,19 @@ use smallvec::{SmallVec, smallvec};
 
 use super::place::Place;
 
-/// The bits of the scene's largest coordinate after scaling.
+/// The bit length of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
-/// Degree, and sums for a row and its derivatives at most: those of the table, added up.
+/// The degree, and the maximum number of sums for a row and its derivatives: those of the table, added up.
 const TWO_LINES: (i32, usize) = (3, 15);
 const LINE_AND_PLANE: (i32, usize) = (4, 39);
 const THREE_PLANES: (i32, usize) = (7, 88);
 
-/// Limbs to compute in. Those for coordinates of one limb are on the stack, but for three planes.
+/// Limbs for the computation; on the stack for coordinates of one limb, except for three planes.
 type Limbs = SmallVec<[u64; 256]>;
 
 type Vector<'a, const D: usize> = [Number<'a>; D];
 
-/// Where the limbs of a stored number are.
+/// The location of a stored number's limbs.
 #[derive(Clone, Copy)]
 struct Entry {
     start: usize,
@@ -65,20 +68,20 @@ struct Entry {
 
 /// The row of a constructed vertex.
 pub(super) struct Row {
-    /// Its simplest definition.
+    /// The vertex's simplest definition.
     pub(super) place: Place,
     /// The input vertices behind it, each once, ascending.
     pub(super) inputs: SmallVec<[Vertex; 9]>,
-    /// Whether it is linear in the first of them.
+    /// True if the row is linear in the first of these vertices.
     pub(super) is_linear: bool,
-    /// The row and its derivatives: coordinates and weight of each. None where the place is an input vertex.
+    /// The row and its derivatives: coordinates and weight of each; empty if the place is an input vertex.
     entries: Vec<Entry>,
     limbs: Vec<u64>,
-    /// Entries are multiples of 2^(64·l) and below 2^(64·t) in magnitude; these are l and t.
+    /// The exponents [l, t]: entries are multiples of 2^(64·l) and below 2^(64·t) in magnitude.
     pub(super) span: [i32; 2],
 }
 
-/// The rows of a session's constructed vertices, each made for the first tie that asks for it.
+/// The rows of a session's constructed vertices, each computed for the first tie that needs it.
 pub(super) struct Rows {
     shift: OnceLock<i32>,
     rows: Vec<OnceLock<Box<Row>>>,
@@ -91,12 +94,12 @@ impl Rows {
         rows
     }
 
-    /// Makes room for vertices that have been added to the scene.
+    /// Adds slots for new vertices of the scene.
     pub(super) fn grow(&mut self, scene: &Scene) {
         self.rows.resize_with(scene.constructions().len(), OnceLock::new);
     }
 
-    /// The exponent of the power of two that coordinates are scaled by. Input vertices are never added.
+    /// The exponent of the scale of coordinates, which is fixed because input vertices are never added.
     pub(super) fn shift(&self, scene: &Scene) -> i32 {
         *self.shift.get_or_init(|| ExponentRange::of(scene.coordinates()).map_or(0, |range| TOP - range.highest))
     }
@@ -104,7 +107,7 @@ impl Rows {
     /// The row of a constructed vertex.
     ///
     /// # Panics
-    /// If the scene has no such vertex, or its lines and planes meet in no point.
+    /// If the scene has no such vertex, or its lines and planes do not meet in a point.
     pub(super) fn of(&self, scene: &Scene, index: usize) -> &Row {
         self.rows[index].get_or_init(|| Box::new(Row::new(scene, self.shift(scene), Vertex::constructed(index))))
     }
@@ -153,7 +156,7 @@ impl Row {
         row
     }
 
-    /// Keeps a row and its derivatives: coordinates, and weights.
+    /// Stores a row and its derivatives: coordinates, and weights.
     fn hold<const D: usize, const V: usize>(&mut self, (vectors, weights): ([Vector<D>; V], [Number; V])) {
         assert!(!weights[0].is_zero(), "lines and planes that meet in no point");
         let numbers = || vectors.iter().zip(&weights).flat_map(|(vector, weight)| vector.iter().chain([weight]));
@@ -176,8 +179,9 @@ impl Row {
         self.span = [low, top];
     }
 
-    /// The row for 0, or its derivative by coordinate 0, 1… of its first vertex for 1, 2…: some of its columns, the last of which
-    /// is the weight.
+    /// Some columns of the row for 0, or of its derivative for 1, 2…; the last column is the weight.
+    ///
+    /// The derivatives are by coordinates 0, 1… of its first vertex.
     pub(super) fn vector<const N: usize>(&self, which: usize, columns: [usize; N]) -> [Number<'_>; N] {
         let dimension = match self.place {
             Place::Meet(Construction::Ssi(_)) => 2,
@@ -197,13 +201,13 @@ pub(super) fn point<'a, const D: usize>(space: &mut Space<'a>, scene: &Scene, v:
     std::array::from_fn(|axis| Number::scaled(space, point[axis], shift))
 }
 
-/// The limbs for so many sums, of this degree at most.
+/// The limbs for this many sums, of this degree at most.
 fn capacity<const D: usize>(points: &[Vector<D>], (degree, sums): (i32, usize)) -> usize {
     let low = points.as_flattened().iter().map(|x| x.low).min().unwrap_or(0).min(0);
     sums * usize::try_from(degree * (61 - 64 * low) + 4).unwrap_or(0).div_ceil(64)
 }
 
-/// Where the line p, q meets the flat with this normal through b, and p moves.
+/// The point where the line p, q meets the line or plane with this normal through b, with derivatives by p.
 fn line_moves<'a, const D: usize, const V: usize>(
     space: &mut Space<'a>,
     [p, q]: [Vector<'a, D>; 2],
@@ -228,7 +232,9 @@ fn line_moves<'a, const D: usize, const V: usize>(
     (vectors, weights)
 }
 
-/// Where the line p, q meets the plane a, b, c with this normal, of which b and c − b are given, and a moves.
+/// The point where the line p, q meets the plane a, b, c, with derivatives by a.
+///
+/// The normal, b and c − b of the plane are given.
 fn plane_moves<'a>(
     space: &mut Space<'a>,
     [p, q]: [Vector<'a, 3>; 2],
@@ -246,7 +252,7 @@ fn plane_moves<'a>(
     (vectors, weights)
 }
 
-/// p·v − q·u, and v − u.
+/// The coordinates p·v − q·u, and the weight v − u.
 fn between<'a, const D: usize>(
     space: &mut Space<'a>,
     [p, q]: [Vector<'a, D>; 2],
@@ -256,7 +262,7 @@ fn between<'a, const D: usize>(
     (coordinates, Number::sum(space, [(v, Number::ONE, Plus), (u, Number::ONE, Minus)]))
 }
 
-/// Where three planes meet, and the first vertex moves of those that say so.
+/// The point where three planes meet, with derivatives by the first vertex of the marked planes.
 fn three_planes<'a>(
     space: &mut Space<'a>,
     planes: [[Vector<'a, 3>; 3]; 3],
@@ -277,7 +283,7 @@ fn three_planes<'a>(
         let kept: Vector<3> = std::array::from_fn(|i| {
             Number::sum(space, [(offsets[n], normals[m][i], Plus), (offsets[m], normals[n][i], Minus)])
         });
-        // With the plane's own normal and offset, or how they change.
+        // With the plane's own normal and offset, or with their derivatives.
         let meet = |space: &mut Space<'a>, normal: Vector<'a, 3>, offset: Number<'a>| -> (Vector<'a, 3>, Number<'a>) {
             let coordinates = [[1, 2], [2, 0], [0, 1]].into_iter().enumerate().map(|(i, [j, k])| {
                 Number::sum(space, [(offset, line[i], Plus), (normal[j], kept[k], Plus), (normal[k], kept[j], Minus)])

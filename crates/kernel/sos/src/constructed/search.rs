@@ -1,24 +1,18 @@
-//! The largest infinitesimal of a polynomial that is known by its values only.
+//! The search for the largest monomial of a polynomial that is only known by its values.
 //!
-//! Each coordinate of each input vertex has an infinitesimal δ of its own, and
-//! the next one is smaller than any power of the last: δ₁ ≫ δ₂ ≫ …. Of two
-//! monomials the one with the lower degree in the *smallest* infinitesimal of
-//! the two is larger, whatever their other degrees are. So a polynomial's
-//! largest monomial is found from its smallest infinitesimal up: the lowest
-//! degree that has a coefficient other than zero, that coefficient's lowest
-//! degree in the next infinitesimal, and so on.
+//! Each coordinate of each input vertex has a separate infinitesimal δ, and the next one is smaller than any power of
+//! the previous one: δ₁ ≫ δ₂ ≫ …. Of two monomials the one with the lower degree in the *smallest* infinitesimal of the
+//! two is larger, whatever their other degrees are. So the search finds a polynomial's largest monomial from its
+//! smallest infinitesimal up: the lowest degree with a nonzero coefficient, that coefficient's lowest degree in the
+//! next infinitesimal, and so on.
 //!
 //! # What is certain
-//! A determinant about four constructed vertices has up to 108 infinitesimals,
-//! and nobody can write it out. Whether a coefficient, which is a polynomial in
-//! the larger infinitesimals, is zero is guessed from its value at a fixed
-//! place modulo 2^61 − 1. A value that is not zero
-//! proves that the polynomial isn't. One that is zero proves nothing, so once
-//! the search has found a monomial, those that it passed over are proved to
-//! have no coefficients: where nothing moves by one evaluation in integers, and
-//! else as [`certain`](super::certain) tells. Where the
-//! proof fails the search goes on there. So the answer is certain, whatever
-//! the coordinates are.
+//! A determinant about four constructed vertices has up to 108 infinitesimals, too many to expand. A coefficient is a
+//! polynomial in the larger infinitesimals. Its value at a fixed place modulo 2^61 − 1 is a guess whether it is zero. A
+//! nonzero value proves that the polynomial isn't zero. A zero value proves nothing. So once the search has found a
+//! monomial, it proves that the skipped monomials have no coefficients: by one evaluation in integers if nothing moves,
+//! and else by [`certain`](super::certain). If the proof fails the search goes on there. So the answer is certain,
+//! whatever the coordinates are.
 
 use std::cell::OnceCell;
 
@@ -35,14 +29,14 @@ use super::series::{Coefficient, Cut, Series};
 pub(super) trait Expression {
     fn of<C: Coefficient>(&self, moved: &Moved<'_, C>) -> Series<C>;
 
-    /// What it is the determinant of, but for its sign.
+    /// The matrix whose determinant it is, except for the sign.
     fn matrix(&self) -> Matrix;
 }
 
-/// What decides about a moved polynomial.
+/// The deciding part of a moved polynomial.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Leading {
-    /// Never zero.
+    /// The coefficient, never zero.
     pub(super) coefficient: Integer,
     /// The largest monomial: infinitesimals and their degrees, the smallest infinitesimal first.
     pub(super) monomial: Vec<(usize, usize)>,
@@ -63,17 +57,19 @@ impl Leading {
 pub(super) struct Search<'q> {
     scene: &'q Scene,
     inputs: &'q [Vertex],
-    /// The exponent of that power of two.
+    /// The exponent of the common power of two.
     unit: i32,
-    /// Integers over a common power of two, which changes no sign: significand and exponent.
+    /// Significand and exponent of each coordinate.
+    ///
+    /// The coordinates are integers over a common power of two, which changes no sign.
     coordinates: Vec<(i64, u32)>,
-    /// The same modulo the prime, in place and moved.
+    /// The coordinates modulo the prime, unmoved and moved.
     residues: Vec<[Residue; 2]>,
-    /// The same as whole integers where nothing moves.
+    /// The unmoved coordinates as whole integers.
     still: OnceCell<Vec<Series<Integer>>>,
 }
 
-/// The value of an infinitesimal at a place that is always the same.
+/// The pseudo-random value of an infinitesimal, always the same.
 fn noise(infinitesimal: usize) -> u64 {
     // splitmix64
     let mut z = (infinitesimal as u64 + 61).wrapping_mul(0x9e37_79b9_7f4a_7c15);
@@ -97,29 +93,29 @@ impl<'q> Search<'q> {
         Search { scene, inputs, unit, coordinates, residues, still: OnceCell::new() }
     }
 
-    /// Coordinates are multiples of 2 to this.
+    /// The exponent of the unit: coordinates are multiples of 2 to this power.
     pub(super) fn unit(&self) -> i32 {
         self.unit
     }
 
-    /// The sign where nothing moves.
+    /// The sign of the unmoved polynomial.
     pub(super) fn unmoved(&self, expression: &impl Expression) -> Sign {
         let cut = Cut::default();
         let still = self.still.get_or_init(|| self.coordinates(&cut, |at| self.integer(at), &[]));
         self.value(expression, &cut, still)[0].cmp0().into()
     }
 
-    /// The largest monomial, or none if the polynomial is zero however the vertices move.
+    /// The largest monomial; `None` if the polynomial is zero however the vertices move.
     pub(super) fn leading(&self, expression: &impl Expression) -> Option<Leading> {
         self.leading_of(expression, 0)
     }
 
-    /// The same of a polynomial that is known to be zero where nothing moves.
+    /// The largest monomial of a polynomial that is known to be zero if nothing moves.
     pub(super) fn leading_of_tie(&self, expression: &impl Expression) -> Option<Leading> {
         self.leading_of(expression, 1)
     }
 
-    /// The same of a polynomial that is zero if fewer than `least` infinitesimals are not.
+    /// The largest monomial of a polynomial that is zero with fewer than `least` nonzero infinitesimals.
     fn leading_of(&self, expression: &impl Expression, least: usize) -> Option<Leading> {
         let all = self.coordinates.len();
         let mut chosen: Vec<(usize, usize)> = Vec::new();
@@ -138,7 +134,7 @@ impl<'q> Search<'q> {
         Some(Leading { coefficient: self.coefficient(expression, &chosen), monomial: chosen })
     }
 
-    /// How many infinitesimals it takes for a coefficient not to be zero, from `least` up to `most`.
+    /// The least number of infinitesimals, from `least` to `most`, for which a coefficient is not zero.
     fn fewest(
         &self,
         expression: &impl Expression,
@@ -157,7 +153,7 @@ impl<'q> Search<'q> {
         Some(with)
     }
 
-    /// A number of infinitesimals for which the coefficient is not zero, and probably the smallest.
+    /// A number of infinitesimals for which the coefficient is not zero, and probably the least.
     fn probably_fewest(
         &self,
         expression: &impl Expression,
@@ -166,7 +162,7 @@ impl<'q> Search<'q> {
         chosen: &[(usize, usize)],
     ) -> Option<usize> {
         let is_there = |active: usize| self.is_there(expression, active, chosen);
-        // Few are the rule: from none on in growing steps, then between the last two.
+        // Mostly few suffice: try growing numbers from none on, then bisect between the last two.
         let (mut without, mut with) = (least, least);
         while !is_there(with) {
             if with == most {
@@ -181,7 +177,9 @@ impl<'q> Search<'q> {
         Some(with)
     }
 
-    /// Whether that coefficient is certainly zero, where those of lower powers of the last chosen infinitesimals are.
+    /// Returns true if a coefficient is certainly zero.
+    ///
+    /// The coefficients of lower powers of the last chosen infinitesimals must be zero.
     fn vanishes(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
         if active == 0 {
             return self.coefficient(expression, chosen).is_zero();
@@ -192,7 +190,8 @@ impl<'q> Search<'q> {
         Free { cut: &cut, dimension, matrix, inputs: self.inputs, coordinates, active }.is_zero()
     }
 
-    /// Whether the coefficient of the chosen powers is not zero, as a polynomial in the `active` largest infinitesimals.
+    /// Returns true if the coefficient of the chosen powers is nonzero as a polynomial in the `active` largest
+    /// infinitesimals.
     fn is_there(&self, expression: &impl Expression, active: usize, chosen: &[(usize, usize)]) -> bool {
         !self.evaluate(expression, |at| self.residues[at][usize::from(at < active)], chosen).is_zero()
     }
@@ -206,7 +205,7 @@ impl<'q> Search<'q> {
         Integer::from(m) << k
     }
 
-    /// The coefficient of the chosen powers where the other infinitesimals have values.
+    /// The coefficient of the chosen powers, with values for the other infinitesimals.
     fn evaluate<C: Coefficient>(
         &self,
         expression: &impl Expression,
@@ -231,7 +230,7 @@ impl<'q> Search<'q> {
         expression.of(&Moved { dimension: self.scene.dimension(), cut, inputs: self.inputs, coordinates })
     }
 
-    /// A coordinate from a place, by its infinitesimal if that is chosen.
+    /// A coordinate, moved by its infinitesimal if that is chosen.
     fn moved<C: Coefficient>(&self, cut: &Cut, at: usize, place: C, chosen: &[(usize, usize)]) -> Series<C> {
         let mut series = cut.constant(place);
         if let Some(one) = chosen.iter().position(|&(infinitesimal, _)| infinitesimal == at)
@@ -243,8 +242,9 @@ impl<'q> Search<'q> {
     }
 }
 
-/// The coordinates of these vertices in units of their lowest bit, whose exponent comes first:
-/// significands and exponents from 0 on.
+/// The coordinates of these vertices in units of their lowest bit.
+///
+/// The unit's exponent comes first, then significands and exponents from 0 on.
 pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> (i32, Vec<(i64, u32)>) {
     let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v)).map(|&x| significand(x)).collect();
     let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
@@ -252,7 +252,7 @@ pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> (i32, Vec<(i64, u32)
     (lowest, coordinates.into_iter().map(raise).collect())
 }
 
-/// m and e with x = m · 2^e; 0 · 2^0 for zero.
+/// The pair (m, e) with x = m · 2^e; 0 · 2^0 for zero.
 fn significand(x: f64) -> (i64, i32) {
     let Parts { negative, significand, exponent } = Parts::of(x).expect("scenes are finite").odd();
     let m = significand.cast_signed();
@@ -270,8 +270,10 @@ mod tests {
     use super::super::testing::{Random, constructions};
     use super::*;
 
-    /// Along the way to the largest monomial the proof in exterior algebra says what a value at a random place modulo the prime says, which is
-    /// wrong once in 2^58; how often there is a coefficient, and how often none.
+    /// Checks, on the way to the largest monomial, that the proof in exterior algebra agrees with the value modulo the
+    /// prime.
+    ///
+    /// The value is wrong once in 2^58. Returns the numbers of nonzero and of zero coefficients.
     fn proofs_are_values(search: &Search, determinant: &Determinant, context: &str) -> [usize; 2] {
         let mut seen = [0; 2];
         let mut check = |active: usize, chosen: &[(usize, usize)]| {
@@ -285,7 +287,7 @@ mod tests {
         let monomial = search.leading(determinant).map(|leading| leading.monomial).unwrap_or_default();
         for (at, &(infinitesimal, degree)) in monomial.iter().enumerate() {
             let mut chosen = monomial[..=at].to_vec();
-            // (Lower degrees first: that a coefficient is zero is proved where those of lower powers are.)
+            // (Lower degrees first: the proof for a coefficient needs the coefficients of lower powers to be zero.)
             for lower in 1..=degree {
                 chosen[at].1 = lower;
                 (0..=infinitesimal).for_each(|active| check(active, &chosen));
@@ -314,7 +316,7 @@ mod tests {
                 all.extend((0..scene.constructions().len()).map(Vertex::constructed));
                 let mut args: Vec<Vertex> = Vec::new();
                 while args.len() < question.kind().arity() {
-                    // From behind: constructed ones first.
+                    // From the end: constructed vertices first.
                     args.push(all.swap_remove(all.len() - 1 - random.below(all.len().min(4))));
                 }
                 let places: SmallVec<[Place; 4]> = args.iter().map(|&v| Place::simple(&scene, v)).collect();

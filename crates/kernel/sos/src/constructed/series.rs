@@ -1,14 +1,12 @@
-//! Polynomials in a few infinitesimals, cut off where a monomial is looked for.
+//! Polynomials in a few infinitesimals, truncated at the degrees of a monomial.
 //!
-//! A [`Cut`] is a degree for each of some infinitesimals. What has a higher
-//! degree in any of them is dropped, as sums and products never lead back from
-//! there. All coefficients that are left are kept, in one array whose last
-//! entry is that of the monomial in question: most numbers are constants, and
-//! the monomials that decide have a low degree.
+//! A [`Cut`] is a degree for each of some infinitesimals. Monomials with a higher degree in any of them are dropped, as
+//! sums and products never lead back from there. All remaining coefficients are stored in one array, whose last entry
+//! is that of the monomial in question. Most numbers are constants, and the deciding monomials have a low degree.
 
 use smallvec::{SmallVec, smallvec};
 
-/// What coefficients are.
+/// The coefficients of a series.
 pub(super) trait Coefficient: Clone {
     fn one() -> Self;
     fn zero() -> Self;
@@ -77,10 +75,10 @@ impl Coefficient for rug::Integer {
     }
 }
 
-/// A polynomial up to a cut: by the monomial's place.
+/// A truncated polynomial: its coefficients, by the monomial's index.
 pub(super) type Series<C> = SmallVec<[C; 2]>;
 
-/// The degrees up to which series are kept, one for each infinitesimal.
+/// The degrees up to which series are stored, one for each infinitesimal.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct Cut {
     degrees: SmallVec<[usize; 8]>,
@@ -91,17 +89,17 @@ impl Cut {
         Cut { degrees: degrees.into_iter().collect() }
     }
 
-    /// How many monomials are kept.
+    /// The number of stored monomials.
     fn len(&self) -> usize {
         self.degrees.iter().map(|degree| degree + 1).product()
     }
 
-    /// Whether nothing but constants is kept.
+    /// Returns true if only constants are stored.
     pub(super) fn is_constant(&self) -> bool {
         self.len() == 1
     }
 
-    /// All monomials that are kept, the constant one first.
+    /// All stored monomials, the constant first.
     pub(super) fn monomials<C: Coefficient>(&self) -> impl Iterator<Item = Series<C>> + '_ {
         (0..self.len()).map(|place| {
             let mut monomial = self.constant(C::zero());
@@ -110,7 +108,7 @@ impl Cut {
         })
     }
 
-    /// The place of an infinitesimal's power, if it is kept.
+    /// The index of an infinitesimal's power, if it is stored.
     pub(super) fn place(&self, infinitesimal: usize, power: usize) -> Option<usize> {
         let stride: usize = self.degrees[..infinitesimal].iter().map(|degree| degree + 1).product();
         (power <= self.degrees[infinitesimal]).then_some(power * stride)
@@ -151,7 +149,7 @@ impl Cut {
         product
     }
 
-    /// Whether the product of two kept monomials is kept.
+    /// Returns true if the product of two stored monomials is stored.
     #[inline]
     fn fits(&self, mut i: usize, mut j: usize) -> bool {
         self.degrees.iter().all(|degree| {
@@ -182,7 +180,7 @@ mod tests {
 
     use super::*;
 
-    /// By degrees in two infinitesimals, nothing cut off.
+    /// A polynomial by degrees in two infinitesimals, not truncated.
     type Plain = BTreeMap<[usize; 2], Integer>;
 
     fn times(a: &Plain, b: &Plain) -> Plain {

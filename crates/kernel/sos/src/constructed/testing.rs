@@ -14,20 +14,20 @@ impl Random {
         usize::try_from(self.0 >> 8).unwrap() % bound
     }
 
-    /// Different input vertices of the first so many.
+    /// Distinct input vertices among the first `points`.
     pub(super) fn different<const N: usize>(&mut self, points: usize) -> [Vertex; N] {
         let mut all: Vec<usize> = (0..points).collect();
         std::array::from_fn(|_| Vertex::input(all.swap_remove(self.below(all.len()))))
     }
 }
 
-/// Tries so many constructions of a scene's input vertices, and keeps those that are points.
+/// Tries this many constructions of a scene's input vertices, and keeps those that have a point.
 pub(super) fn constructions(random: &mut Random, scene: &mut Scene, tries: usize) {
     let points = scene.len();
     let found = {
         let mut session = Exact.prepare(scene, Off).unwrap();
         for at in 0..tries {
-            // (What is no point is refused.)
+            // (A definition without a point is refused.)
             let _ = session.construct(&[match (scene.dimension(), at % 3) {
                 (Dimension::Two, _) => Construction::Ssi([random.different(points), random.different(points)]),
                 (_, 0) => Construction::Lpi { line: random.different(points), plane: random.different(points) },

@@ -4,9 +4,9 @@ use std::collections::BTreeMap;
 
 use rug::Rational;
 
-/// The most points that a predicate takes.
+/// The maximum number of points of a predicate.
 pub const PLACES: usize = 5;
-/// The most coordinates that a point has.
+/// The maximum number of coordinates of a point.
 pub const AXES: usize = 3;
 
 /// The degree in each coordinate, point after point.
@@ -17,14 +17,14 @@ pub type Powers = [u8; PLACES * AXES];
 pub struct Polynomial(BTreeMap<Powers, Rational>);
 
 impl Polynomial {
-    /// A number.
+    /// A constant polynomial.
     #[must_use]
     pub fn constant(value: i32) -> Polynomial {
         let term = (value != 0).then(|| (Powers::default(), Rational::from(value)));
         Polynomial(term.into_iter().collect())
     }
 
-    /// One coordinate of the point at a place.
+    /// The polynomial of one coordinate of the point at a place.
     #[must_use]
     pub fn coordinate(place: usize, axis: usize) -> Polynomial {
         let mut powers = [0; PLACES * AXES];
@@ -32,13 +32,13 @@ impl Polynomial {
         Polynomial(BTreeMap::from([(powers, Rational::from(1))]))
     }
 
-    /// Whether it vanishes everywhere.
+    /// Returns true if the polynomial vanishes everywhere.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The highest monomial and its coefficient, none for zero.
+    /// The highest monomial and its coefficient; `None` for zero.
     #[must_use]
     pub fn leading(&self) -> Option<(&Powers, &Rational)> {
         self.0.last_key_value()

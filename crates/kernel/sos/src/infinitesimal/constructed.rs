@@ -1,33 +1,31 @@
 //! The judge of ties about constructed vertices: whole polynomials.
 //!
-//! Every coordinate of every input vertex behind a question gets an
-//! infinitesimal of its own, planes and lines get their coefficients as minors
-//! of the matrix of their points, constructed vertices are the minors of those,
-//! and all of it is multiplied out, monomial by monomial. First nothing moves,
-//! then the first coordinate of the vertex with the smallest index, then one
-//! more coordinate at a time: once the polynomial isn't zero, its largest
-//! monomial decides, as all others have a smaller infinitesimal.
+//! Every coordinate of every input vertex behind a question gets a separate infinitesimal. Planes and lines get their
+//! coefficients as minors of the matrix of their points, constructed vertices are the minors of those, and all of it is
+//! multiplied out, monomial by monomial. First nothing moves, then the first coordinate of the vertex with the smallest
+//! index, then one more coordinate at a time. Once the polynomial isn't zero, its largest monomial decides, as all
+//! others have a smaller infinitesimal.
 //!
-//! What is zero wherever the vertices are would take all of them, and is seen at
-//! two places with large random coordinates instead, in integers of any size. In
-//! the same way a question about more than a few vertices is rid of those
-//! that the largest monomial does without.
+//! A polynomial that is zero wherever the vertices are would need all of them. Instead the judge evaluates it at two
+//! places with large random coordinates, in integers of any size. In the same way the judge removes from a question
+//! about more than a few vertices those that the largest monomial does not need.
 
 use predicament_predicates::{Axis, Construction, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
 use super::polynomial::{Number, Polynomial, determinant, orthogonal};
 
-/// Bits for a degree. Degrees by infinitesimal make up a monomial's key, the smallest
-/// infinitesimal's in the highest bits: the smallest key is the largest monomial.
-/// Degrees stay below 16: four points of three planes each share a vertex
-/// twelve times at most.
+/// The number of bits for a degree.
+///
+/// A monomial's key consists of degrees by infinitesimal, the smallest infinitesimal's in the highest bits: the
+/// smallest key is the largest monomial. Degrees stay below 16: four points of three planes each share a vertex twelve
+/// times at most.
 const BITS: usize = 4;
 
-/// Of so many vertices whole polynomials can be written out.
+/// The number of vertices up to which whole polynomials are expanded.
 const FEW: usize = 7;
 
-/// The key of an infinitesimal; the largest is number 0.
+/// The key of an infinitesimal; the largest infinitesimal is number 0.
 fn key(infinitesimal: usize) -> u128 {
     assert!(infinitesimal < 128 / BITS, "too many vertices have to move for this judge");
     1 << (BITS * infinitesimal)
@@ -42,12 +40,12 @@ enum Part {
     Weight(Vertex),
 }
 
-/// What a question is about: its input vertices, and its polynomials as functions of their places.
+/// The input vertices of a question, and its polynomials as functions of their positions.
 struct Asked<'q> {
     scene: &'q Scene,
     question: Question,
     args: &'q [Vertex],
-    /// Ascending.
+    /// The input vertices, ascending.
     vertices: Vec<Vertex>,
     /// Their coordinates times a common denominator.
     places: Vec<Vec<Integer>>,
@@ -68,14 +66,14 @@ impl<'q> Asked<'q> {
         vertices.dedup();
         let exact = |&x: &f64| Rational::from_f64(x).expect("a scene's coordinates are finite");
         let points: Vec<Vec<Rational>> = vertices.iter().map(|&v| scene.point(v).iter().map(exact).collect()).collect();
-        // Denominators of doubles are powers of two: the largest is common to all.
+        // Denominators of doubles are powers of two: the largest is a common one.
         let common = points.iter().flatten().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
         let integer = |x: Rational| (x * &common).into_numer_denom().0;
         let places = points.into_iter().map(|point| point.into_iter().map(integer).collect()).collect();
         Asked { scene, question, args, vertices, places }
     }
 
-    /// The points whose coordinates `moved` makes of a vertex' number, an axis and a place.
+    /// The points whose coordinates `moved` computes from a vertex' number, an axis and a coordinate.
     fn points<N: Number>(&self, mut moved: impl FnMut(usize, usize, &Integer) -> N) -> Points<N> {
         let point = |(at, place): (usize, &Vec<Integer>)| {
             let coordinates = place.iter().enumerate().map(|(axis, x)| moved(at, axis, x));
@@ -88,7 +86,7 @@ impl<'q> Asked<'q> {
         self.points(|_, _, x| x.clone())
     }
 
-    /// Some vertices moved by large random numbers: nothing is zero then but what always is.
+    /// Some vertices moved by large random numbers: only identities are zero then.
     fn anywhere(&self, active: &[Vertex], factor: u64) -> Points<Integer> {
         let mut noise = Integer::from(1);
         let prime = (Integer::from(1) << 89) - 1;
@@ -171,7 +169,7 @@ impl<'q> Asked<'q> {
             let weight = point.pop().expect("a point has a weight");
             let mut row: Vec<N> = axes.iter().map(|axis| point[axis.index()].clone()).collect();
             if lifted {
-                // Of input vertices, whose weight is one.
+                // For input vertices, whose weight is one.
                 let mut lift = N::default();
                 row.iter().for_each(|x| lift.add_product(x, x, false));
                 row.push(lift);
@@ -183,7 +181,7 @@ impl<'q> Asked<'q> {
         determinant(&matrix, &(0..matrix.len()).collect::<Vec<_>>())
     }
 
-    /// The sign of the determinant, by the signs of polynomials.
+    /// The sign of the determinant, from the signs of polynomials.
     fn sign(&self, of: impl Fn(Part) -> Sign) -> Sign {
         let constructed = self.args.iter().filter(|v| v.is_constructed());
         constructed.fold(of(Part::Determinant), |product, &v| match product {
@@ -192,7 +190,7 @@ impl<'q> Asked<'q> {
         })
     }
 
-    /// The sign of a polynomial that moves slightly.
+    /// The sign of a polynomial under infinitesimal moves.
     fn slight_sign(&self, part: Part) -> Sign {
         let still = Sign::from(self.value(part, &self.in_place()).cmp0());
         if !still.is_zero() {
@@ -208,7 +206,8 @@ impl<'q> Asked<'q> {
         }
         let mut movable = self.vertices.clone();
         if movable.len() > FEW {
-            // Smallest first: what is not zero without a vertex' move has a monomial without it, which is larger.
+            // Smallest first: if the polynomial is nonzero without a vertex' move, it has a monomial without that
+            // vertex, which is larger.
             for v in self.vertices.iter().rev() {
                 let others: Vec<Vertex> = movable.iter().copied().filter(|other| other != v).collect();
                 if !is_zero(&others) {
@@ -222,17 +221,18 @@ impl<'q> Asked<'q> {
     }
 }
 
-/// The sign where each coordinate of each vertex moves by an infinitesimal of
-/// its own; zero if it is zero wherever the input vertices are.
+/// The sign with a separate infinitesimal move of each coordinate of each vertex.
+///
+/// Zero if it is zero wherever the input vertices are.
 pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let asked = Asked::new(scene, question, args);
     asked.sign(|part| asked.slight_sign(part))
 }
 
-/// The sign where the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that moves.
+/// The sign after the second of two meshes has moved by (ε, ε², ε³); zero if it is zero however far that mesh moves.
 ///
 /// # Panics
-/// If the scene has no two meshes.
+/// If the scene does not have two meshes.
 #[must_use]
 pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let asked = Asked::new(scene, question, args);

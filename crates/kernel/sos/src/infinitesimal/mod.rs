@@ -1,24 +1,19 @@
 //! The judge of ties: perturbed determinants as polynomials in the infinitesimals.
 //!
-//! Nothing here knows a term list. The coordinates of a query's vertices become
-//! polynomials in one positive infinitesimal ε, the textbook determinant of
-//! their differences is multiplied out, and its sign is that of the coefficient
-//! of the lowest power of ε. This is slow, plain, and the reason to trust the
-//! fast way.
+//! The judge does not use term lists. The coordinates of a query's vertices become polynomials in one positive
+//! infinitesimal ε, the textbook determinant of their differences is multiplied out, and its sign is that of the
+//! coefficient of the lowest power of ε. This is slow, plain, and the reason to trust the fast method.
 //!
 //! # Exponents
-//! In a scene, coordinate number n moves by ε^(B^n), with B = 3 or 2 by the
-//! scheme: too large to write down for the thousandth vertex. A monomial's
-//! exponent is Σ dₙ·B^n with the degrees dₙ < B as digits, so exponents compare
-//! like digit strings, from the highest place down. Removing places that are
-//! zero in all strings of a query changes no comparison. So a query's vertices
-//! are renumbered 0, 1, 2… in the order of their indices, and twenty
-//! coordinates at most remain: every exponent fits into 64 bits.
+//! In a scene, coordinate number n moves by ε^(B^n), with B = 3 or 2 by the scheme: too large to write down for the
+//! thousandth vertex. A monomial's exponent is Σ dₙ·B^n with the degrees dₙ < B as digits, so exponents compare like
+//! digit strings, from the highest place down. Removing places that are zero in all strings of a query changes no
+//! comparison. So a query's vertices are renumbered 0, 1, 2… in the order of their indices, and twenty coordinates at
+//! most remain: every exponent fits into 64 bits.
 //!
 //! # Truncation
-//! Products of polynomials drop the powers above a limit. What remains is right
-//! as far as it goes, as exponents only ever add up; if all of it cancels, the
-//! limit rises to let in the next vertex.
+//! Products of polynomials drop the powers above a limit. The remaining powers are right, as exponents only ever add
+//! up; if all of them cancel, the limit rises to include the next vertex.
 
 mod constructed;
 mod polynomial;
@@ -30,13 +25,12 @@ use rug::{Integer, Rational};
 
 use crate::Scheme;
 
-/// The sign of the perturbed determinant behind a question; zero only if a
-/// vertex comes twice, or if it is zero for constructed vertices wherever the
-/// input vertices are.
+/// The sign of the perturbed determinant behind a question.
+///
+/// It is zero only if a vertex occurs twice, or if it is zero for constructed vertices wherever the input vertices are.
 ///
 /// # Panics
-/// If `args` are not the vertices that the question takes, or the scene lacks
-/// one of them or an axis.
+/// If `args` are not the vertices that the question takes, or the scene lacks one of them or an axis.
 #[must_use]
 pub fn judge(scheme: Scheme, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     assert_eq!(args.len(), question.kind().arity(), "{} has its number of vertices", question.kind());
@@ -66,12 +60,12 @@ pub fn judge(scheme: Scheme, scene: &Scene, question: Question, args: &[Vertex])
     limits.map(|limit| determinant(&matrix, limit).sign()).find(|sign| !sign.is_zero()).unwrap_or(Sign::Zero)
 }
 
-/// A polynomial in ε: exponents, ascending, with non-zero coefficients.
+/// A polynomial in ε: exponents, ascending, with nonzero coefficients.
 #[derive(Clone, Debug, Default)]
 struct Series(Vec<(u64, Integer)>);
 
 impl Series {
-    /// Sorts and adds up what has the same exponent.
+    /// The polynomial of these terms, sorted, with equal exponents added up.
     fn collect(mut terms: Vec<(u64, Integer)>) -> Series {
         terms.sort_unstable_by_key(|&(exponent, _)| exponent);
         terms.dedup_by(|next, kept| {
@@ -109,19 +103,21 @@ impl Series {
 /// The vertices of one query, moved.
 struct Perturbed {
     scheme: Scheme,
-    /// Coordinates, over one common denominator.
+    /// The coordinates, over one common denominator.
     points: Vec<Vec<Integer>>,
-    /// How many vertices of the query have a smaller index.
+    /// For each vertex, the number of the query's vertices with a smaller index.
     ranks: Vec<u32>,
 }
 
 impl Perturbed {
-    /// A positive factor common to all coordinates changes the coefficient of a
-    /// monomial of degree k by its power, so no sign; thus integers will do.
+    /// The vertices of a query, with integer coordinates.
+    ///
+    /// A positive factor common to all coordinates multiplies the coefficient of a monomial of degree k by the factor's
+    /// k-th power, which changes no sign.
     fn new(scheme: Scheme, scene: &Scene, args: &[Vertex]) -> Perturbed {
         let rational = |&x: &f64| Rational::from_f64(x).expect("a scene's coordinates are finite");
         let points: Vec<Vec<Rational>> = args.iter().map(|&v| scene.point(v).iter().map(rational).collect()).collect();
-        // Denominators of doubles are powers of two: the largest is common to all.
+        // Denominators of doubles are powers of two: the largest is a common one.
         let common = points.iter().flatten().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
         let integer = |x: Rational| (x * &common).into_numer_denom().0;
         let mut indices: Vec<Vertex> = args.to_vec();
@@ -137,8 +133,9 @@ impl Perturbed {
         }
     }
 
-    /// Places that a vertex takes among the exponents' digits: three
-    /// coordinates and the lift. A 2D scene leaves some of them unused.
+    /// The number of places of a vertex among the exponents' digits: three coordinates and the lift.
+    ///
+    /// A 2D scene leaves some of them unused.
     const PLACES: u32 = 4;
 
     /// The exponent of coordinate 0…2 or lift 3 of a vertex.
@@ -150,7 +147,7 @@ impl Perturbed {
         }
     }
 
-    /// No infinitesimal at all, then those of one more vertex each.
+    /// The limits: no infinitesimal at all, then those of one more vertex each.
     fn limits(&self) -> impl Iterator<Item = u64> + use<> {
         let base = if self.scheme == Scheme::PerCoordinate { 3_u64 } else { 2 };
         (0..=5).map(move |vertices| base.pow(vertices * Self::PLACES) - 1)
@@ -163,13 +160,14 @@ impl Perturbed {
         Series::collect(vec![(0, x), (self.exponent(self.ranks[a], place), Integer::from(1))])
     }
 
-    /// A coordinate minus that of the last vertex.
+    /// A coordinate minus that of the last vertex, after the move.
     fn difference(&self, axis: Axis, a: usize) -> Series {
         self.coordinate(axis, a).minus(&self.coordinate(axis, self.points.len() - 1))
     }
 
-    /// The lift of a vertex after the move: the squares of the moved
-    /// coordinates, or the squares of the old ones with a move of its own.
+    /// The lift of a vertex after the move.
+    ///
+    /// It is the sum of squares of the moved coordinates, or the sum of the old squares with a separate move.
     fn lift(&self, axes: &[Axis], a: usize) -> Series {
         let terms = match self.scheme {
             Scheme::PerCoordinate => {

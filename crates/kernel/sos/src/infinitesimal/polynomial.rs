@@ -1,11 +1,10 @@
-//! Numbers that a question can be evaluated in: integers, and polynomials in
-//! infinitesimals with integer coefficients.
+//! The number types of a question's evaluation: integers, and polynomials in infinitesimals with integer coefficients.
 
 use predicament_predicates::Sign;
 use rug::Integer;
 use smallvec::{SmallVec, smallvec};
 
-/// What determinants are made of.
+/// The entries of determinants.
 pub(super) trait Number: Clone + Default {
     fn constant(c: Integer) -> Self;
 
@@ -29,14 +28,15 @@ impl Number for Integer {
     }
 }
 
-/// Non-zero coefficients by monomial, ascending. The key of a product is the
-/// sum of the keys: what keys mean is left to those who make them, but the
-/// smallest one is that of the largest monomial.
+/// Nonzero coefficients by monomial, ascending.
+///
+/// The key of a product is the sum of the keys. The code that makes keys defines their meaning, but the smallest key
+/// must be that of the largest monomial.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub(super) struct Polynomial(SmallVec<[(u128, Integer); 1]>);
 
 impl Polynomial {
-    /// Adds 1 times a monomial that is not there yet and smaller than all that are.
+    /// Adds 1 times a new monomial that is smaller than all existing ones.
     pub(super) fn push(&mut self, key: u128) {
         assert!(self.0.last().is_none_or(|(last, _)| *last < key), "monomials come in order");
         self.0.push((key, Integer::from(1)));
@@ -83,7 +83,7 @@ impl Number for Polynomial {
 
     fn add_product(&mut self, a: &Polynomial, b: &Polynomial, negative: bool) {
         let (few, many) = if a.0.len() <= b.0.len() { (&a.0, &b.0) } else { (&b.0, &a.0) };
-        // Row by row each is in order already.
+        // Row by row each is sorted already.
         for (left, x) in few {
             let product = |(right, y): &(u128, Integer)| {
                 let product = Integer::from(x * y);
@@ -94,8 +94,9 @@ impl Number for Polynomial {
     }
 }
 
-/// The determinant of these columns: of each set of rows the minor in the
-/// first columns, from those of the sets with one row less.
+/// The determinant of these columns.
+///
+/// For each set of rows it computes the minor in the first columns, from those of the sets with one row less.
 pub(super) fn determinant<N: Number>(matrix: &[Vec<N>], columns: &[usize]) -> N {
     let mut minors = vec![N::default(); 1 << matrix.len()];
     minors[0] = N::constant(Integer::from(1));
@@ -113,8 +114,9 @@ pub(super) fn determinant<N: Number>(matrix: &[Vec<N>], columns: &[usize]) -> N 
     minors.pop().expect("the empty set is one")
 }
 
-/// The maximal minors of n rows of n + 1 entries, with alternating signs: what
-/// all rows are orthogonal to.
+/// The maximal minors of n rows of n + 1 entries, with alternating signs.
+///
+/// They form the vector that is orthogonal to all rows.
 pub(super) fn orthogonal<N: Number>(rows: &[Vec<N>]) -> Vec<N> {
     let minor = |without: usize| {
         let columns: SmallVec<[usize; 4]> = (0..=rows.len()).filter(|&column| column != without).collect();
@@ -137,7 +139,7 @@ mod tests {
 
     use super::*;
 
-    /// The same by a map from monomials to coefficients.
+    /// A polynomial as a map from monomials to coefficients.
     type Plain = BTreeMap<u128, i64>;
 
     fn polynomial(plain: &Plain) -> Polynomial {

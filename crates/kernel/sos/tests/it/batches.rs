@@ -1,4 +1,4 @@
-//! Batches answer as their queries do one by one, also where they are full of ties.
+//! Batches answer like single queries, also if they are full of ties.
 
 use crate::common::{Random, grid_scene, questions};
 use predicament_exact::Exact;
@@ -46,10 +46,10 @@ fn batches_are_queries_one_by_one() {
         for scheme in Scheme::ALL {
             let backend = Sos { scheme };
             check(&backend.prepare(&scene, Off).unwrap(), dimension);
-            // Where somebody listens, queries are asked one by one.
+            // If a tally listens, queries run one by one.
             let counts = Counts::new();
             check(&backend.prepare(&scene, &counts).unwrap(), dimension);
-            // Ties of numbers so long that doubles round, at all scales, the ends of the range among them.
+            // Ties of numbers so long that doubles round, at all scales, including the ends of the range.
             for exponent in [-1060, -400, -100, 0, 30, 200, 900] {
                 let [half, rest] = [exponent / 2, exponent - exponent / 2].map(|exponent| 2_f64.powi(exponent));
                 let longer = |x: &f64| x * f64::from_bits(0x3ff1_2345_6789_0000) * half * rest;
@@ -61,7 +61,7 @@ fn batches_are_queries_one_by_one() {
     }
 }
 
-/// Vertices of a line or a plane, so that every query is a tie, and others; as many constructed as not.
+/// Vertices of a line or a plane, so that every query is a tie, and others; half of them constructed.
 #[test]
 fn batches_about_constructed_vertices_are_queries_one_by_one() {
     let v = Vertex::input;
@@ -99,7 +99,7 @@ fn batches_about_constructed_vertices_are_queries_one_by_one() {
     }
 }
 
-/// Asks some queries one by one; each has to be settled by one stage, and ties by none of the exact backend.
+/// Asks some queries one by one, and checks that one stage settles each, and never an exact stage for ties.
 fn tallied<B: Backend>(backend: &B, scene: &Scene, vertices: &[Vertex], first_of_ties: usize) -> [u64; 2] {
     let counts = Counts::new();
     let session = backend.prepare(scene, &counts).unwrap();
@@ -120,7 +120,7 @@ fn tallied<B: Backend>(backend: &B, scene: &Scene, vertices: &[Vertex], first_of
             let sign = question.ask(&session, &args);
             let after = [settled(0..backend.stages().len()), settled(first_of_ties..backend.stages().len())];
             assert_eq!(after[0] - before[0], 1, "{question:?} of {args:?}");
-            // (Two vertices in order of their indices are no term of a list.)
+            // (Two vertices in order of their indices are not a term of a list.)
             let is_broken = question.ask(&exact, &args).is_zero() && !sign.is_zero();
             let by_term = after[1] - before[1] == 1;
             assert!(is_broken || !by_term, "{question:?} of {args:?}");
@@ -144,7 +144,7 @@ fn every_query_is_tallied_once_and_ties_by_what_breaks_them() {
             tallied(&Sos::default(), &scene, &inputs, exact),
             tallied(&Sos { scheme: Scheme::EdelsbrunnerMucke }, &scene, &inputs, exact),
         ];
-        // Places of lines and planes of one half of the vertices each.
+        // Points of lines and planes of one half of the vertices each.
         let mut random = Random(10);
         for at in 0..60 {
             let half = |first: usize, random: &mut Random| v(first + random.below(10));
@@ -168,7 +168,9 @@ fn every_query_is_tallied_once_and_ties_by_what_breaks_them() {
     }
 }
 
-/// A perturbation moves vertices that input vertices define: others are refused, before and after they are constructed.
+/// A perturbation moves only vertices that input vertices define.
+///
+/// Others are refused, before and after they are constructed.
 #[test]
 fn vertices_that_constructed_vertices_define_are_declined() {
     let v = Vertex::input;
@@ -190,7 +192,7 @@ fn vertices_that_constructed_vertices_define_are_declined() {
     }
 }
 
-/// Of a plane of one mesh, of the other, and of both.
+/// Queries of a plane of one mesh, of the other, and of both.
 #[test]
 fn batches_of_two_meshes_are_queries_one_by_one() {
     for dimension in [2, 3] {

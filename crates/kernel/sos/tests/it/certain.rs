@@ -1,12 +1,13 @@
-//! Ties about constructed vertices whose coefficients look like zero and are not, or are zero for
-//! reasons that no definition tells.
+//! Ties about constructed vertices whose coefficients look like zero and are not, or are zero for reasons that the
+//! definitions do not show.
 
 use crate::common::{ask_antisymmetric, ids};
 use predicament_predicates::{Axis, Backend, Construction, Off, Plane, Question, Scene, Sign, Vertex};
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
 
-/// Two lines through the origin, of directions whose determinant is (2^61 − 1) · (2^31 − 1): each
-/// coefficient that has the weight for a factor is zero modulo the prime of the guess, in any place.
+/// Two lines through the origin, with directions whose determinant is (2^61 − 1) · (2^31 − 1).
+///
+/// Each coefficient that has the weight for a factor is zero modulo the prime of the guess, at any place.
 #[test]
 fn a_weight_that_the_prime_divides_is_not_zero() {
     let (large, prime) = (2_f64.powi(61), 2_f64.powi(31) - 1.0);
@@ -27,13 +28,14 @@ fn a_weight_that_the_prime_divides_is_not_zero() {
     assert_eq!(ask_antisymmetric(&session, question, &args), expected);
 }
 
-/// Edges of one mesh through a flat face of another that is made of triangles without a common
-/// vertex: four points in one plane, as long as only the edges move.
+/// Edges of one mesh through a flat face of another that is made of triangles without a common vertex.
+///
+/// Four points are in one plane, as long as only the edges move.
 #[test]
 fn edges_through_a_flat_face() {
     for shared in [false, true] {
         let mut points = Vec::new();
-        // A strip of edges, or edges by themselves.
+        // A strip of edges, or separate edges.
         let edges: Vec<[usize; 2]> = (0..4).map(|i| if shared { [i, i + 1] } else { [2 * i, 2 * i + 1] }).collect();
         let ends = if shared { 5 } else { 8 };
         points.extend(
@@ -60,7 +62,7 @@ fn edges_through_a_flat_face() {
     }
 }
 
-/// On a line that nothing names: where a plane of each other's vertices meets the other.
+/// On an unnamed line: each plane meets the line of the other's vertices there.
 #[test]
 fn three_points_on_the_line_of_two_planes() {
     let points = [[0.0, 0.0, 0.0], [7.0, 1.0, 2.0], [1.0, 5.0, 3.0], [2.0, 2.0, 9.0], [4.0, 3.0, 1.0]];

@@ -1,10 +1,10 @@
-//! Scenes full of ties, and what all tests ask of them.
+//! Scenes full of ties, and the common checks of all tests.
 
 pub mod substitution;
 
 use predicament_predicates::{Axis, Plane, PredicateKind, Predicates, Question, Scene, SceneError, Sign, Vertex};
 
-/// Every question that a scene of this dimension can be asked.
+/// All questions of a scene of this dimension.
 pub fn questions(dimension: usize) -> Vec<Question> {
     use Question::{Compare, Incircle, Insphere, Orient2d, Orient3d};
     let mut questions = vec![Compare(Axis::X), Compare(Axis::Y), Orient2d(Plane::Xy)];
@@ -16,7 +16,7 @@ pub fn questions(dimension: usize) -> Vec<Question> {
     questions
 }
 
-/// The question of a kind that looks at the first axes.
+/// The question of a kind that uses the first axes.
 pub fn question(kind: PredicateKind) -> Question {
     match kind {
         PredicateKind::Compare => Question::Compare(Axis::X),

@@ -1,5 +1,4 @@
-//! Ties about constructed vertices: against whole polynomials, and against
-//! numbers in the infinitesimals' places.
+//! Ties about constructed vertices, against whole polynomials, and against small numbers in place of infinitesimals.
 
 use crate::common::substitution::{between, moved, side, turn};
 use crate::common::{Random, ask_antisymmetric, grid_scene, questions};
@@ -10,14 +9,15 @@ use predicament_predicates::{
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
 use rug::Rational;
 
-/// Different vertices, `N` of the first `points`.
+/// Distinct vertices, `N` of the first `points`.
 fn different<const N: usize>(random: &mut Random, points: usize) -> [Vertex; N] {
     let mut all: Vec<usize> = (0..points).collect();
     std::array::from_fn(|_| Vertex::input(all.swap_remove(random.below(all.len()))))
 }
 
-/// A scene of grid points with as many constructions as define a point; all
-/// of them share the same few points.
+/// A scene of grid points with as many constructions as define a point.
+///
+/// All of them share the same few points.
 fn constructed(random: &mut Random, dimension: usize, side: usize, points: usize, constructions: usize) -> Scene {
     let numbers = random.numbers(side.pow(u32::try_from(dimension).unwrap()), points);
     let mut scene = grid_scene(dimension, side, &numbers);
@@ -60,7 +60,7 @@ fn signs(dimension: usize) -> Vec<Question> {
     questions(dimension).into_iter().filter(|question| !circles.contains(question)).collect()
 }
 
-/// The number of queries, of ties and of identities.
+/// Checks random queries; returns the number of queries, of ties and of identities.
 fn check(random: &mut Random, dimension: usize, side: usize, points: usize, scenes: usize) -> [usize; 3] {
     let mut counts = [0; 3];
     for _ in 0..scenes {
@@ -99,7 +99,7 @@ fn where_lines_and_planes_meet() {
     assert!(ties > queries / 10 && identities > 0, "{queries} {ties} {identities}");
 }
 
-/// Six points in space, all different vertices.
+/// Six points in space, all distinct vertices.
 #[test]
 fn where_more_of_them_meet() {
     let mut random = Random(13);
@@ -107,8 +107,9 @@ fn where_more_of_them_meet() {
     assert!(ties > queries / 20, "{queries} {ties}");
 }
 
-/// Asks about a point where six grid points' lines and planes meet, and
-/// compares the signs with those of numbers in the infinitesimals' places; how many were ties.
+/// Asks about a point where six grid points' lines and planes meet, and returns the number of ties.
+///
+/// It compares the signs with those of small numbers in place of infinitesimals.
 fn substituted(
     mut scene: Scene,
     construction: Construction,
@@ -167,7 +168,7 @@ fn small_numbers_where_a_line_meets_a_plane() {
     assert!(ties > rounds / 3, "{ties}");
 }
 
-/// What is zero wherever the vertices are: a vertex on the line it was constructed on, two names of one point.
+/// Identities: a vertex on the line that it was constructed on, two names of one point.
 #[test]
 fn identities_stay_zero() {
     let mut scene = grid_scene(2, 3, &[0, 8, 2, 6, 1]);
@@ -180,7 +181,7 @@ fn identities_stay_zero() {
     assert_eq!(ask(Question::Orient2d(Plane::Xy), &[v(0), v(1), crossing]), Sign::Zero);
     assert_eq!(ask(Question::Compare(Axis::X), &[corner, v(0)]), Sign::Zero);
     assert_ne!(ask(Question::Compare(Axis::X), &[crossing, v(4)]), Sign::Zero, "a tie of (1, 1) and (1, 0)");
-    // v(4) = (1, 0) isn't on the diagonal: the corner is v(0) under another name, and no tie.
+    // v(4) = (1, 0) isn't on the diagonal: the corner is v(0) under another name, and not a tie.
     assert_eq!(
         ask(Question::Compare(Axis::Y), &[corner, crossing]),
         ask(Question::Compare(Axis::Y), &[v(0), crossing])

@@ -7,7 +7,7 @@ use predicament_predicates::{Backend, Off, Predicates, Question, Scene, Sign, Ve
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
 use proptest::prelude::*;
 
-/// All that one query must satisfy.
+/// Checks all properties of one query.
 fn check(scene: &Scene, question: Question, args: &[Vertex]) {
     let exact = question.ask(&Exact.prepare(scene, Off).unwrap(), args);
     for scheme in Scheme::ALL {
@@ -20,7 +20,7 @@ fn check(scene: &Scene, question: Question, args: &[Vertex]) {
     }
 }
 
-/// Every question with as many vertices as the scene has points.
+/// Checks every question with as many vertices as the scene has points.
 fn check_scene(dimension: usize, side: usize, numbers: &[usize]) {
     let scene = grid_scene(dimension, side, numbers);
     for question in questions(dimension).into_iter().filter(|q| q.kind().arity() == numbers.len()) {
@@ -43,7 +43,7 @@ fn exhaustively_on_the_cube() {
     }
 }
 
-/// All 32768 assignments at whole effort, else some of them; 27 has no factor in common with 8.
+/// All 32768 assignments at full effort, else some of them; 27 has no common factor with 8.
 #[test]
 fn spheres_of_the_cube() {
     let step = if whole() { 1 } else { 27 };
@@ -90,8 +90,9 @@ fn repeated_vertices_are_zero() {
     }
 }
 
-/// Two vertices in one place, so that all is tied, and minors of the others that no filter is certain about: points that are
-/// units in the last place away from a line, in every projection.
+/// Two coincident vertices, so that everything is a tie, and minors of the others about which no filter is certain.
+///
+/// Their points are an ulp away from a line, in every projection.
 #[test]
 fn minors_that_need_more_than_a_filter() {
     const PLACES: [f64; 3] = [0.5, 12.0, 24.0];
@@ -115,8 +116,9 @@ fn minors_that_need_more_than_a_filter() {
     }
 }
 
-/// All signs are those of homogeneous polynomials, so a power of two changes
-/// none; at the ends of the exponent range everything but integers would.
+/// All signs are those of homogeneous polynomials, so a power of two changes none.
+///
+/// At the ends of the exponent range everything but integers would fail.
 #[test]
 fn scaling_changes_nothing() {
     let mut random = Random(3);

@@ -1,17 +1,15 @@
-//! What must hold between answers, whoever gives them.
+//! Laws between answers, independent of the method.
 //!
-//! The perturbed vertices are points in general position. So the signs of their
-//! orientations change with every swap of two arguments, and they obey the
-//! three-term Grassmann-Plücker relations: for rank r, any r − 2 vectors X and
-//! four more,
+//! The perturbed vertices are points in general position. So the signs of their orientations change with every swap of
+//! two arguments, and they obey the three-term Grassmann-Plücker relations: for rank r, any r − 2 vectors X and four
+//! more,
 //!
 //! [X a b][X c d] − [X a c][X b d] + [X a d][X b c] = 0,
 //!
-//! hence of the three products, with their signs, either all are zero or there
-//! is one of each sign. The vectors are the rows (coordinates, lift, 1) of the
-//! vertices, and the unit vectors of the coordinates and of the lift: with
-//! those, the relations tie `orient3d` to its projections, these to `compare`,
-//! and `incircle` and `insphere` to the orientation. No judge is needed.
+//! hence of the three products, with their signs, either all are zero or there is one of each sign. The vectors are the
+//! rows (coordinates, lift, 1) of the vertices, and the unit vectors of the coordinates and of the lift. With those,
+//! the relations connect `orient3d` to its projections, these to `compare`, and `incircle` and `insphere` to the
+//! orientation. No judge is needed.
 
 use crate::common::{self, Random, ask_antisymmetric, first, grid_scene, questions};
 use predicament_exact::Exact;
@@ -27,8 +25,9 @@ enum Row {
     Unit(usize),
 }
 
-/// The signs of all determinants of `rank` rows out of a list, where `rank` is
-/// the number of columns: coordinates, lift, ones.
+/// The signs of all determinants of `rank` rows out of a list.
+///
+/// `rank` is the number of columns: coordinates, lift, ones.
 struct Chirotope {
     rows: usize,
     rank: usize,
@@ -49,12 +48,12 @@ impl Chirotope {
         self.signs[places.iter().rev().fold(0, |index, place| index * self.rows + place)]
     }
 
-    /// The violations of both laws.
+    /// The number of violations of both laws.
     fn violations(&self) -> usize {
         self.asymmetries() + self.contradictions()
     }
 
-    /// Determinants that don't change their sign with a swap of two neighbours.
+    /// The number of determinants that don't change their sign with a swap of two neighbours.
     fn asymmetries(&self) -> usize {
         let violated = |word: &Vec<usize>| {
             (1..self.rank).any(|place| {
@@ -66,7 +65,7 @@ impl Chirotope {
         common::words(self.rows, u32::try_from(self.rank).unwrap()).filter(violated).count()
     }
 
-    /// The violated Grassmann-Plücker relations.
+    /// The number of violated Grassmann-Plücker relations.
     fn contradictions(&self) -> usize {
         let combinations = |size| combinations(self.rows, size);
         let fours = combinations(4);
@@ -141,9 +140,9 @@ struct Faulty<'s> {
 enum Fault {
     /// Only the table may be wrong.
     Table,
-    /// The permutation that sorts is not accounted for.
+    /// The sign of the sorting permutation is ignored.
     NoParity,
-    /// Places in the argument list are taken for identities.
+    /// Places in the argument list replace identities.
     Positions,
 }
 
@@ -174,7 +173,7 @@ fn violations(scheme: Scheme, scene: &Scene, lifted: bool, rows: &[Row]) -> usiz
     Chirotope::new(&sos.prepare(scene, Off).unwrap(), lifted, rows).violations()
 }
 
-/// The numbers 0..n in an order that has nothing to do with the grid's.
+/// The numbers 0..n in an order unrelated to the grid's.
 fn shuffled(n: usize, seed: u64) -> Vec<usize> {
     let mut random = Random(seed);
     let mut numbers: Vec<usize> = (0..n).collect();
@@ -220,7 +219,7 @@ fn coincident_vertices() {
     }
 }
 
-/// Of the lifted vertices and the direction of the lift; its minors are `orient2d`.
+/// The laws of the lifted vertices and the direction of the lift; its minors are `orient2d`.
 #[test]
 fn circles_are_orientations_of_lifted_vertices() {
     let mut random = Random(10);
@@ -249,8 +248,7 @@ fn spheres_are_orientations_of_lifted_vertices() {
     }
 }
 
-/// The laws alone find a planted fault: they see each swapped sign, if the
-/// vertices run into the term.
+/// The laws alone detect a planted fault: each swapped sign, if the vertices reach the term.
 #[test]
 fn a_swapped_sign_breaks_the_laws() {
     let mut random = Random(12);

@@ -1,5 +1,7 @@
-//! Constructed vertices in the limit: where there is a point, the point; where
-//! there is none before the move, what tiny numbers in the infinitesimals' places come near to.
+//! Constructed vertices in the limit.
+//!
+//! If there is a point, the limit is the point. If there is none before the move, the limit is compared with small
+//! numbers in place of infinitesimals.
 
 use crate::common::substitution::{between, moved, side, turn};
 use crate::common::{Random, grid_scene, scene};
@@ -11,14 +13,15 @@ fn ratio(n: i32, d: i32) -> Option<Rational> {
     Some(Rational::from((n, d)))
 }
 
-/// A fraction of the way by the values of f at both ends; none where they are equal.
+/// The fraction of the way to f = 0 from the values of f at both ends; `None` if they are equal.
 fn way(at_p: Rational, at_q: &Rational) -> Option<Rational> {
     let whole = Rational::from(&at_p - at_q);
     (whole != 0).then(|| at_p / whole)
 }
 
-/// Whether a number is near the limit, or near infinity where there is none. The
-/// numbers that stand for infinitesimals are at most 2^-64.
+/// Asserts that a number is near the limit, or near infinity if there is none.
+///
+/// The numbers in place of infinitesimals are at most 2^-64.
 fn assert_near(value: &Rational, limit: Option<&Rational>, context: &str) {
     let tiny = Rational::from((1, Integer::from(1) << 40));
     let near = match limit {
@@ -47,7 +50,7 @@ fn fractions(points: &[Vec<Rational>], construction: Construction) -> Vec<Option
     }
 }
 
-/// Constructs a point and compares its limit with tiny numbers. Whether it was there before the move.
+/// Constructs a point and compares its limit with small numbers; returns true if it existed before the move.
 fn check(mut scene: Scene, construction: Construction) -> bool {
     let at = scene.construct(construction).unwrap();
     let construction = *scene.construction(at).unwrap();
@@ -65,7 +68,7 @@ fn check(mut scene: Scene, construction: Construction) -> bool {
     if was_there {
         assert_eq!(weights, there, "{construction} in {scene:?}");
     }
-    // The position is that fraction of the way, whether or not it ends.
+    // The position is that fraction of the way, whether or not it is finite.
     let (p, q, t) = match construction {
         Construction::Ssi([[p, q], _]) | Construction::Lpi { line: [p, q], .. } => (p, q, near[0].clone().unwrap()),
         Construction::Tpi(_) => return was_there,
@@ -91,7 +94,7 @@ fn two_lines_that_cross_or_will() {
 
 #[test]
 fn a_line_and_a_plane_that_meet_or_will() {
-    // By this number, points are there and are not among the first few.
+    // By this number of samples, points exist that are not among the first few.
     let (mut random, mut counts) = (Random(33), [0; 2]);
     let rounds = predicament_effort::some_or_all(3, 100);
     for _ in 0..rounds {

@@ -1,5 +1,4 @@
-//! One of two meshes moved as a whole: against whole polynomials in ε, and
-//! against a small number in ε's place.
+//! One of two meshes moved as a whole, against whole polynomials in ε, and against a small number in place of ε.
 
 use crate::common::{self, Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
@@ -18,8 +17,9 @@ fn args(random: &mut Random, from: usize, arity: usize) -> Vec<Vertex> {
     (0..arity).map(|_| Vertex::input(all.swap_remove(random.below(all.len())))).collect()
 }
 
-/// Moved by ε = 2⁻¹⁶, in doubles that hold it exactly, the scene has exact
-/// signs: those for small enough ε, as the coefficients are small integers.
+/// Moved by ε = 2⁻¹⁶, in doubles that represent it exactly, the scene has exact signs.
+///
+/// They are those for small enough ε, as the coefficients are small integers.
 #[test]
 fn ties_between_meshes_are_broken_as_if_one_had_moved() {
     let (mut random, mut ties, mut zeros) = (Random(21), 0, 0);
@@ -73,7 +73,7 @@ fn constructed_vertices_move_with_what_defines_them() {
     assert!(ties > 20, "{ties}");
 }
 
-/// Lines and planes of one mesh each: what an overlay of two meshes constructs.
+/// Lines and planes of one mesh each: the constructions of an overlay of two meshes.
 #[test]
 fn lines_and_planes_of_one_mesh_move_as_one() {
     let (mut random, mut ties, mut zeros) = (Random(23), 0, 0);
@@ -101,7 +101,7 @@ fn lines_and_planes_of_one_mesh_move_as_one() {
                 Construction::Tpi([[c, d, e], [v, w, x], [s, t, y]]),
             ]
         };
-        // Those that meet, after the inputs that are asked about beside them.
+        // Those that meet, after the input vertices that are queried with them.
         let taken = |&definition: &Construction| {
             let mut alone = scene.clone();
             alone.construct(definition).unwrap();
@@ -132,7 +132,7 @@ fn lines_and_planes_of_one_mesh_move_as_one() {
     assert!(ties > 200 && zeros > 50, "{ties} {zeros}");
 }
 
-/// The first derivative that is not zero decides: that by x, y or z.
+/// The first nonzero derivative decides: that by x, y or z.
 #[test]
 fn ties_are_counted_by_the_power_that_decides() {
     // Three points of each coordinate plane, with the origin, and a point of the other mesh on all three planes.
@@ -164,7 +164,7 @@ fn ties_are_counted_by_the_power_that_decides() {
     ] {
         assert_eq!(power(Question::Orient2d(plane), &[0, 1 + along, 4 + along]), expected, "{plane:?}, {along}");
     }
-    // In a plane across an axis a move along that axis.
+    // In a plane across an axis a move along that axis decides.
     for (across, expected) in powers.into_iter().enumerate() {
         let [one, other] = [(across + 1) % 3, (across + 2) % 3];
         assert_eq!(power(Question::Orient3d, &[0, 1 + one, 1 + other, 4 + one]), expected);

@@ -1,5 +1,7 @@
-//! Ties between two meshes where coordinates have any magnitude: derivatives by a filter and by rationals, and points of
-//! lines and planes in integers, against whole polynomials.
+//! Ties between two meshes with coordinates of any magnitude.
+//!
+//! Derivatives by a filter and by rationals, and points of lines and planes in integers, are compared with whole
+//! polynomials.
 
 use crate::common::{Random, ask_antisymmetric, questions};
 use predicament_exact::Exact;
@@ -11,7 +13,7 @@ fn moving(points: &[[f64; 3]], from: usize) -> Scene {
     scene.with_second_mesh((from..points.len()).map(Vertex::input))
 }
 
-/// Asks in all orders; the answer, if it is that of the polynomial.
+/// Asks in all orders; returns the answer, if it is that of the polynomial.
 fn agreed(session: &impl Predicates, question: Question, args: &[Vertex]) -> Sign {
     let scene = session.scene();
     let answer = ask_antisymmetric(session, question, args);
@@ -19,8 +21,9 @@ fn agreed(session: &impl Predicates, question: Question, args: &[Vertex]) -> Sig
     answer
 }
 
-/// Two edges in one plane, of which the directions differ by one in the product of 53 bits each: the derivative of their side
-/// by the axis across is 1 of 10^31, or zero.
+/// Two edges in one plane, with directions that differ by one in the product of 53 bits each.
+///
+/// The derivative of their side by the axis across is 1 of 10^31, or zero.
 #[test]
 fn edges_that_are_nearly_parallel() {
     let mut numbers = vec![1.0, 1.0];
@@ -51,8 +54,9 @@ fn edges_that_are_nearly_parallel() {
     assert!(seen.iter().all(|&count| count > 40), "{seen:?}");
 }
 
-/// Two edges in the plane z = 0, of which the first differs from the second by what rounding does; in doubles the order of the
-/// products is now and then the wrong one.
+/// Two edges in the plane z = 0 that differ by rounding only.
+///
+/// In doubles the order of the products is sometimes wrong.
 #[test]
 fn edges_that_rounding_makes_parallel() {
     let (mut random, mut seen) = (Random(33), [0; 2]);
@@ -74,8 +78,9 @@ fn edges_that_rounding_makes_parallel() {
     assert!(some > 3 && most > 10 * some, "{seen:?}");
 }
 
-/// Of two products about 2^-1075, the larger one is rounded to zero, and the other one is not: factors are rounded, one up and two
-/// down.
+/// Two products about 2^-1075: the larger one is rounded to zero, and the other one is not.
+///
+/// Factors are rounded, one up and two down.
 #[test]
 fn products_that_underflow_to_the_wrong_order() {
     let power = |power: i32| 2f64.powi(power);

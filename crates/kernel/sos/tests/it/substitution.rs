@@ -1,10 +1,9 @@
-//! A third computation: put a tiny number in ε's place.
+//! A third computation: a small number in place of ε.
 //!
-//! Coordinates are small integers. A coefficient that is not zero is then at
-//! least 1 in magnitude, all others together stay below 2^32, and exponents
-//! differ by 1 at least: with ε = 2^-40, the largest monomial outweighs the
-//! rest, and the sign of the determinant is that of its coefficient. Numbers
-//! are integers over a common power of two, which may have a million bits.
+//! Coordinates are small integers. A nonzero coefficient is then at least 1 in magnitude, all others together stay
+//! below 2^32, and exponents differ by 1 at least. So with ε = 2^-40 the largest monomial outweighs the rest, and the
+//! sign of the determinant is that of its coefficient. Numbers are integers over a common power of two, which may have
+//! a million bits.
 
 use crate::common::{Random, first, grid_scene, questions, words};
 use predicament_predicates::{Backend, Off, Question, Scene, Sign};
@@ -13,9 +12,9 @@ use rug::{Complete, Integer};
 
 const BITS: u32 = 40;
 
-/// The determinant of all vertices of the scene, in index order, where
-/// coordinate n = 0, 1… moves by ε^(base^n) and only the first `moving` of them
-/// move at all.
+/// The sign of the determinant of all vertices of the scene, in index order, after the move.
+///
+/// Coordinate n = 0, 1… moves by ε^(base^n) and only the first `moving` of them move at all.
 fn substituted(scheme: Scheme, scene: &Scene, question: Question, base: u32, moving: usize) -> Sign {
     let axes: Vec<usize> = match question {
         Question::Compare(axis) => vec![axis.index()],
@@ -61,8 +60,10 @@ fn substituted(scheme: Scheme, scene: &Scene, question: Question, base: u32, mov
     Sign::from(determinant(rows).cmp0())
 }
 
-/// The last row is taken from all others, which strikes it and the ones; the
-/// rest is expanded along the first column.
+/// The determinant of a square matrix.
+///
+/// The last row is subtracted from all others, which strikes it and the ones; the rest is expanded along the first
+/// column.
 fn determinant(mut rows: Vec<Vec<Integer>>) -> Integer {
     fn expand(rows: &[&[Integer]]) -> Integer {
         if rows.is_empty() {
@@ -92,7 +93,7 @@ fn check(scheme: Scheme, scene: &Scene, question: Question, base: u32, moving: u
     assert_eq!(answer, number, "{scheme} {question:?} base {base} {scene:?}");
 }
 
-/// In base 2, as the papers have it, and in base 3: the signs are the same.
+/// In base 2, as in the papers, and in base 3: the signs are the same.
 #[test]
 fn multilinear_in_both_bases() {
     for scheme in Scheme::ALL {
@@ -107,9 +108,10 @@ fn multilinear_in_both_bases() {
     }
 }
 
-/// In base 2 all twelve coordinates move. In base 3 only the first nine: the
-/// product of one coordinate of each of the first three vertices has a constant
-/// coefficient, and outweighs all that the last vertex takes part in.
+/// In base 2 all twelve coordinates move, in base 3 only the first nine.
+///
+/// The product of one coordinate of each of the first three vertices has a constant coefficient, and outweighs all
+/// monomials of the last vertex.
 #[test]
 fn in_space_in_both_bases() {
     let mut random = Random(6);
@@ -134,9 +136,10 @@ fn circles() {
     }
 }
 
-/// The weakest infinitesimals are left out, as their numbers would be too long:
-/// the monomials with constant coefficients, e(0,z)·e(1,y)·e(2,x)²·e(3,x) and
-/// e(0,x)·e(1,y)·e(2,z)·e(3,lift), outweigh all that they take part in.
+/// The smallest infinitesimals are omitted, as their numbers would be too long.
+///
+/// The monomials with constant coefficients, e(0,z)·e(1,y)·e(2,x)²·e(3,x) and e(0,x)·e(1,y)·e(2,z)·e(3,lift), outweigh
+/// all monomials with them.
 #[test]
 fn spheres() {
     let mut random = Random(8);
@@ -147,8 +150,9 @@ fn spheres() {
     }
 }
 
-/// With the squares of ε^(2^i) in the lift, base 2 is another scheme: monomials
-/// collide, and some signs differ. This is why the base is 3.
+/// With the squares of ε^(2^i) in the lift, base 2 is another scheme.
+///
+/// Monomials collide, and some signs differ. This is why the base is 3.
 #[test]
 fn base_two_fails_for_a_lift_that_moves() {
     let sos = Sos::default();

@@ -1,5 +1,6 @@
-//! The term lists as data: what is committed is what the program derives, and
-//! all but a handful of terms are needed.
+//! The term lists as data.
+//!
+//! The committed lists equal the program's output, and all but a handful of terms are needed.
 
 use crate::common::{self, Random, first, grid_scene, question, scene};
 use predicament_effort::{scaled, whole};
@@ -31,7 +32,7 @@ fn only_the_last_term_is_constant() {
     }
 }
 
-/// Behind the exact backend's stages and those of constructed vertices.
+/// The index of the first term's stage, after the exact backend's stages and those of constructed vertices.
 fn first_term() -> usize {
     Sos::default().stages().iter().position(|stage| *stage == "term 1").unwrap()
 }
@@ -50,8 +51,8 @@ fn stages_are_distinct_and_fit() {
     }
 }
 
-/// Queries of three kinds of degeneracy: few values a coordinate, few points,
-/// and points on few lines through the grid.
+/// Queries of three kinds of degeneracy: few values per coordinate, few points, and points on few lines through the
+/// grid.
 fn degenerate(random: &mut Random, dimension: usize, arity: usize) -> Vec<usize> {
     let side = 3_usize;
     let all = side.pow(u32::try_from(dimension).unwrap());
@@ -69,8 +70,9 @@ fn degenerate(random: &mut Random, dimension: usize, arity: usize) -> Vec<usize>
     }
 }
 
-/// Each term decides some query, but for those known not to, and the judge sees
-/// it when its sign is swapped.
+/// Each term decides some query, except those known not to.
+///
+/// The judge detects a swapped sign of each.
 #[test]
 fn every_term_decides_and_a_swapped_sign_is_seen() {
     for scheme in Scheme::ALL {
@@ -79,7 +81,7 @@ fn every_term_decides_and_a_swapped_sign_is_seen() {
             let terms = scheme.terms(kind);
             let mut seen = vec![false; terms.len()];
             let mut random = Random(5);
-            // Until no other term is left to be seen: whether those that never decide would, the whole effort shows.
+            // Until no other term remains: the full effort shows whether those that never decide would.
             let decisive = terms.len() - undecisive(scheme, kind).len();
             for _ in 0..30_000 {
                 if !whole() && seen.iter().filter(|&&seen| seen).count() == decisive {
@@ -108,11 +110,11 @@ fn every_term_decides_and_a_swapped_sign_is_seen() {
     }
 }
 
-/// Terms that no tie was ever decided by, from 1. The derivation drops what
-/// low powers prove to be implied; these take more. For `incircle`: terms 1-7
-/// vanish only with y₂ = y₃ and either x₂ = x₃, where term 8 is zero, or
-/// x₁ = (x₂ + x₃)/2 and y₁ = y₂, where term 3 is a Vandermonde determinant of
-/// three different numbers and not zero. A dead term costs nothing but its line.
+/// Terms that have never decided a tie, counted from 1.
+///
+/// The derivation drops terms that low powers prove to be implied; these would need higher powers. For `incircle`:
+/// terms 1-7 vanish only with y₂ = y₃ and either x₂ = x₃, where term 8 is zero, or x₁ = (x₂ + x₃)/2 and y₁ = y₂, where
+/// term 3 is a Vandermonde determinant of three different numbers and not zero. A dead term costs only its line.
 fn undecisive(scheme: Scheme, kind: PredicateKind) -> &'static [usize] {
     match (scheme, kind) {
         (Scheme::PerCoordinate, PredicateKind::Incircle) => &[8],
@@ -121,7 +123,7 @@ fn undecisive(scheme: Scheme, kind: PredicateKind) -> &'static [usize] {
     }
 }
 
-/// The tally names the deciding term, and a tie without distinct vertices the exact stage.
+/// The tally names the deciding term, and the exact stage for a tie without distinct vertices.
 #[test]
 fn the_tally_counts_the_deciding_term() {
     let scene = grid_scene(2, 3, &[0, 0, 4]);
@@ -141,14 +143,13 @@ fn the_tally_counts_the_deciding_term() {
     assert_eq!(exact_stages(), 1);
 }
 
-/// Corners of a box with long coordinates, or points of a line or a plane
-/// through some: ties in which hardly a product is a double.
+/// Corners of a box with long coordinates, or points of a line or a plane: ties in which hardly a product is a double.
 fn long_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
     let scale = 2_f64.powi([0, 40, -300, 300, -900, 900][random.below(6)]);
     box_ties(random, dimension, arity, scale, |random| f64::from_bits((1 << 62) - random.below(1 << 54) as u64))
 }
 
-/// The same of integers with about as many bits as doubles have for predicates of each degree, near the origin or far from it.
+/// Ties of integers near the limit of doubles for each degree, near the origin or far from it.
 fn short_ties(random: &mut Random, dimension: usize, arity: usize) -> Scene {
     let scale = 2_f64.powi([0, 40, -190, -260, -1060][random.below(5)]);
     let bound = 1 << [1, 3, 8, 9, 10, 11, 12, 13, 15, 16, 17][random.below(11)];
@@ -184,8 +185,9 @@ fn box_ties(
     scene(dimension, coordinates).unwrap()
 }
 
-/// What a session does about a tie is a shortcut through the list: the same
-/// term decides, and the judge agrees. Filters decide some and leave others open.
+/// A session takes a shortcut through the list of a tie.
+///
+/// The same term decides, and the judge agrees. Filters decide some and leave others open.
 #[test]
 fn a_session_decides_by_the_first_term_of_its_list() {
     let mut random = Random(15);
@@ -200,7 +202,7 @@ fn a_session_decides_by_the_first_term_of_its_list() {
         let questions = common::questions(dimension);
         let question = questions[random.below(questions.len())];
         let kind = question.kind();
-        // Five vertices in some order, the first of which are asked about.
+        // Five vertices in some order; the query takes the first of them.
         let mut args = first(5);
         for last in (1..5).rev() {
             args.swap(last, random.below(last + 1));
@@ -230,8 +232,10 @@ fn a_session_decides_by_the_first_term_of_its_list() {
     assert!(terms_seen.iter().all(|&seen| seen > scaled(2000) as u64), "leading and other terms: {terms_seen:?}");
 }
 
-/// Short enough to expand on paper: (x₁ − x₂) and (y₁ − y₂) by the moves of row
-/// 0, then the first coordinate to move row 1, then the product that ends it.
+/// The planar lists are short enough to expand on paper.
+///
+/// They are (x₁ − x₂) and (y₁ − y₂) by the moves of row 0, then the first coordinate to move row 1, then the product
+/// that ends the list.
 #[test]
 fn the_planar_lists_by_hand() {
     use Sign::{Negative, Positive};

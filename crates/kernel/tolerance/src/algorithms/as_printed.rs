@@ -1,9 +1,8 @@
 //! Algorithms 3 and 8 as the paper prints them, with û = A − B.
 //!
-//! Then â/m is minus the weight: vertices whose foot is on the edge are
-//! rejected, and those beside its mirror image at A are registered. Nothing
-//! above may then rely on "no degeneracy was registered". Kept so that a
-//! harness can show that it sees this.
+//! Then â/m is minus the weight: vertices with their foot on the edge are rejected, and vertices beside its mirror
+//! image at A are registered. Algorithms above must then not rely on "no degeneracy was registered". The printed form
+//! is kept so that a harness can show that it detects the error.
 
 use predicament_error_calculus::vector::minus;
 

@@ -9,7 +9,7 @@ use crate::quantities::{
 };
 use crate::{Float, Tolerances3d};
 
-/// Algorithm 7: whether ‖A − B‖² ≤ σ².
+/// Algorithm 7: true if ‖A − B‖² ≤ σ².
 #[inline]
 #[must_use]
 pub fn vertex_vertex<F: Float>(tolerances: &Tolerances3d<F>, a: &[F; 3], b: &[F; 3]) -> bool {
@@ -17,15 +17,16 @@ pub fn vertex_vertex<F: Float>(tolerances: &Tolerances3d<F>, a: &[F; 3], b: &[F;
     distance_squared(a, b) <= sigma * sigma
 }
 
-/// Algorithm 8, with u = B − A: the vertex is within τ of the edge's line and
-/// its foot on the edge. The weight is the fraction of the way from A to B.
+/// Algorithm 8, with u = B − A: the vertex is within τ of the edge's line and its foot is on the edge.
+///
+/// The weight is the fraction of the way from A to B.
 #[inline]
 #[must_use]
 pub fn edge_vertex<F: Float>(tolerances: &Tolerances3d<F>, [a, b]: &[[F; 3]; 2], p: &[F; 3]) -> Option<F> {
     from_edge(tolerances, edge(a, b), &minus(p, a))
 }
 
-/// Algorithm 8 from step 7 on, for whatever û is.
+/// Algorithm 8 from step 7 on, for either û.
 #[inline]
 pub(super) fn from_edge<F: Float>(tolerances: &Tolerances3d<F>, (u_hat, m): ([F; 3], F), w: &[F; 3]) -> Option<F> {
     if !(m > width(tolerances.sigma_hat)) {
@@ -39,9 +40,9 @@ pub(super) fn from_edge<F: Float>(tolerances: &Tolerances3d<F>, (u_hat, m): ([F;
     fraction(&u, w, m)
 }
 
-/// Algorithm 9: the lines are within γ, where they are closest is on both
-/// edges, and the edges are not too parallel. The weights are the fractions of
-/// the way from A to B and from P to Q.
+/// Algorithm 9: the lines are within γ, and their closest points are on both edges.
+///
+/// The edges must not be too parallel. The weights are the fractions of the way from A to B and from P to Q.
 #[inline]
 #[must_use]
 pub fn edge_edge<F: Float>(tolerances: &Tolerances3d<F>, [a, b]: &[[F; 3]; 2], [p, q]: &[[F; 3]; 2]) -> Option<[F; 2]> {
@@ -61,10 +62,9 @@ pub fn edge_edge<F: Float>(tolerances: &Tolerances3d<F>, [a, b]: &[[F; 3]; 2], [
     weights.into_iter().all(|weight| weight > phi).then(|| [a_hat / m_squared, b_hat / m_squared])
 }
 
-/// Algorithm 10: the vertex is within δ of the triangle's plane, its foot in
-/// the triangle, and the triangle is not too thin. The weights are barycentric.
+/// Algorithm 10: the vertex is within δ of the triangle's plane and its foot is in the triangle.
 ///
-/// Near ε = 10⁻⁵ ν leaves no room for any triangle within L.
+/// The triangle must not be too thin. The weights are barycentric. Near ε = 10⁻⁵ ν excludes every triangle within L.
 #[inline]
 #[must_use]
 pub fn triangle_vertex<F: Float>(tolerances: &Tolerances3d<F>, [a, b, c]: &[[F; 3]; 3], p: &[F; 3]) -> Option<[F; 3]> {
@@ -83,9 +83,10 @@ pub fn triangle_vertex<F: Float>(tolerances: &Tolerances3d<F>, [a, b, c]: &[[F; 
     weights.into_iter().all(|weight| weight > zeta).then(|| weights.map(|weight| weight / m_squared))
 }
 
-/// Algorithm 11: the edge's line passes the triangle's edges on one side, by
-/// volumes beyond μ, and its ends are on both sides of the plane, by volumes
-/// beyond ξ. The weights are barycentric, and the fraction of the way from P to Q.
+/// Algorithm 11: the edge pierces the triangle.
+///
+/// The edge's line passes the triangle's edges on one side, by volumes beyond μ, and its ends are on both sides of the
+/// plane, by volumes beyond ξ. The weights are barycentric, and the fraction of the way from P to Q.
 #[inline]
 #[must_use]
 pub fn triangle_edge<F: Float>(
@@ -101,7 +102,7 @@ pub fn triangle_edge<F: Float>(
     differ(ends, width(tolerances.xi)).then(|| (parts(around), crossing(ends)))
 }
 
-/// Algorithm 12: four volumes of one sign, beyond ρ. The weights are barycentric.
+/// Algorithm 12: four volumes have one sign, beyond ρ; the weights are barycentric.
 #[inline]
 #[must_use]
 pub fn tetrahedron_vertex<F: Float>(

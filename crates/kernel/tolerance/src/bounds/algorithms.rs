@@ -1,9 +1,7 @@
-//! Algorithms 1 and 6 from L on, over any number: each tolerance in the order in
-//! which the pseudocode multiplies.
+//! Algorithms 1 and 6 from L on, over any number type, in the pseudocode's order of multiplications.
 //!
-//! The products of powers of ε and L are those of [`Tolerances2d`](crate::Tolerances2d)
-//! and [`Tolerances3d`](crate::Tolerances3d), and a test says bit by bit that on
-//! doubles all is theirs.
+//! The products of powers of ε and L are those of [`Tolerances2d`](crate::Tolerances2d) and
+//! [`Tolerances3d`](crate::Tolerances3d). A test checks that the results on doubles are identical bit by bit.
 
 use predicament_error_calculus::Root;
 use rug::Rational;
@@ -11,8 +9,9 @@ use rug::Rational;
 use super::coefficient::{FIGURE_1, FIGURE_5, Tolerance};
 use crate::{tolerances2d, tolerances3d};
 
-/// The middle values of Figure 1, Algorithm 1, from its line 6 on; `number`
-/// makes constants, all of which floats hold.
+/// The middle values of Figure 1, Algorithm 1, from its line 6 on.
+///
+/// `number` makes constants, all of which floats can represent.
 pub fn plane<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -> Vec<(&'static Tolerance, N)> {
     let [t, square] = tolerances2d::units(epsilon.clone(), length.clone());
     let value = |tolerance: &Tolerance| {
@@ -34,11 +33,11 @@ pub fn space<N: Root>(epsilon: &N, length: &N, number: impl Fn(Rational) -> N) -
     FIGURE_5.iter().map(|tolerance| (tolerance, number(tolerance.width.rational()) * unit(tolerance))).collect()
 }
 
-/// L̂ = (La + Lb)/(1 − 7 ε^(1/2) or 7 ε^(1/4)) of 4.1 and 5.1, whose error the
-/// factor 1 + 5ε of L is for: (La + Lb) first, one division last.
+/// The length L̂ = (La + Lb)/(1 − 7 ε^(1/2) or 7 ε^(1/4)) of 4.1 and 5.1.
 ///
-/// `difference` makes 1 − 7 ε^… of the two, which is relative to itself only by a
-/// lower bound.
+/// The factor 1 + 5ε of L covers its error. The sum (La + Lb) is first, the one division last.
+///
+/// `difference` makes 1 − 7 ε^… of the two; its error is relative to itself only because of a lower bound.
 pub fn length<N: Root>(sides: [N; 2], root: N, seven: N, difference: impl Fn(N) -> N) -> N {
     let [la, lb] = sides;
     (la + lb) / difference(N::one() - seven * root)

@@ -1,10 +1,9 @@
-//! Figures 1 and 5 as exact numbers: each tolerance is c ε^e L^p with c a
-//! rational multiple of 1 or √3.
+//! Figures 1 and 5 as exact numbers: each tolerance is c ε^e L^p with c a rational multiple of 1 or √3.
 
 use predicament_error_calculus::Enclosure;
 use rug::Rational;
 
-/// n/d, or n/d · √3.
+/// The number n/d, or n/d · √3.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Coefficient {
     numerator: u32,
@@ -27,13 +26,13 @@ impl Coefficient {
         Rational::from((self.numerator, self.denominator))
     }
 
-    /// Whether √3 is the other factor.
+    /// Returns true if √3 is a factor.
     #[must_use]
     pub fn has_root3(self) -> bool {
         self.root3
     }
 
-    /// The number.
+    /// The coefficient as a number.
     #[must_use]
     pub fn value(self) -> Enclosure {
         let value = Enclosure::exact(self.rational());
@@ -44,21 +43,23 @@ impl Coefficient {
 /// A row of Figure 1 or 5.
 #[derive(Clone, Debug)]
 pub struct Tolerance {
-    /// As the paper writes it.
+    /// The symbol in the paper.
     pub symbol: &'static str,
-    /// c of T₋.
+    /// The coefficient c of T₋.
     pub lower: Coefficient,
-    /// c of T.
+    /// The coefficient c of T.
     pub width: Coefficient,
-    /// c of T₊. Where the figure has "≈" it is that of the constraint that defines it.
+    /// The coefficient c of T₊.
+    ///
+    /// Where the figure has "≈" it is that of the constraint that defines it.
     pub upper: Coefficient,
     /// T₊ as printed.
     pub printed_upper: &'static str,
-    /// 4e, for ε^e.
+    /// 4e, for the factor ε^e.
     pub epsilon_quarters: u32,
-    /// p, for L^p.
+    /// p, for the factor L^p.
     pub length: u32,
-    /// R\[T\] as printed, over ε.
+    /// R\[T\] over ε, as printed.
     pub printed_relative: u32,
 }
 
@@ -86,7 +87,7 @@ const fn up_to(lower: u32, width: u32, upper: Coefficient) -> [Coefficient; 3] {
 
 const QUARTERS: [Coefficient; 3] = [Coefficient::new(2, 1), Coefficient::new(9, 4), Coefficient::new(5, 2)];
 
-/// Figure 1.
+/// The tolerances of Figure 1.
 pub const FIGURE_1: [Tolerance; 4] = [
     row("σ", halves(12, 13, 14), "7.0", 2, 1),
     row("τ", halves(8, 9, 10), "5.0", 2, 1),
@@ -94,7 +95,7 @@ pub const FIGURE_1: [Tolerance; 4] = [
     row("κ", whole(10, 21, 32), "32", 4, 2),
 ];
 
-/// Figure 5.
+/// The tolerances of Figure 5.
 pub const FIGURE_5: [Tolerance; 12] = [
     row("σ", halves(12, 13, 14), "7.0", 1, 1),
     row("τ", halves(8, 9, 10), "5.0", 1, 1),
@@ -112,36 +113,37 @@ pub const FIGURE_5: [Tolerance; 12] = [
 
 /// An upper tolerance that a constraint defines by others.
 pub struct Defined {
-    /// Where.
+    /// The section with the definition.
     pub section: &'static str,
-    /// The tolerance.
+    /// The symbol of the tolerance.
     pub symbol: &'static str,
-    /// The formula.
+    /// The formula of the definition.
     pub formula: &'static str,
     /// The row of its figure.
     pub tolerance: &'static Tolerance,
-    /// The formula's rational factor,
+    /// The rational factor of the formula's value.
     pub derived: Rational,
-    /// and whether √3 is the other.
+    /// True if √3 is the other factor.
     pub root3: bool,
 }
 
 impl Defined {
-    /// Whether the table's number is the formula's.
+    /// Returns true if the table's number equals the formula's value.
     #[must_use]
     pub fn is_exact(&self) -> bool {
         self.tolerance.upper.rational() == self.derived && self.tolerance.upper.has_root3() == self.root3
     }
 
-    /// The formula's number.
+    /// The value of the formula.
     #[must_use]
     pub fn value(&self) -> Enclosure {
         let value = Enclosure::exact(self.derived.clone());
         if self.root3 { value * Enclosure::exact(3.into()).sqrt() } else { value }
     }
 
-    /// Whether the table prints that number: itself, or after "≈" the nearest of as
-    /// many digits.
+    /// Returns true if the table prints the formula's value.
+    ///
+    /// The table prints the value itself, or after "≈" the nearest number of as many digits.
     #[must_use]
     pub fn is_as_printed(&self) -> bool {
         let printed = self.tolerance.printed_upper;
@@ -154,17 +156,17 @@ impl Defined {
     }
 }
 
-/// A decimal of the tables as a rational.
+/// A decimal of the tables, as a rational.
 fn decimal(text: &str) -> Rational {
     let (whole, digits) = text.split_once('.').unwrap_or((text, ""));
     let number: u64 = format!("{whole}{digits}").parse().expect("a decimal");
     Rational::from((number, 10_u64.pow(u32::try_from(digits.len()).expect("few"))))
 }
 
-/// A row of a figure.
+/// The row of a figure with this symbol.
 ///
 /// # Panics
-/// Where there is none of that symbol.
+/// If the figure has no such symbol.
 #[must_use]
 pub fn named(figure: &'static [Tolerance], symbol: &str) -> &'static Tolerance {
     figure.iter().find(|row| row.symbol == symbol).expect("a symbol of the figure")

@@ -1,26 +1,26 @@
 //! A constraint on the tolerances, decided at one ε at a time, for L = 1.
 //!
-//! Both sides are enclosed by rationals; a side is less than another where the
-//! enclosures say so. What can't be decided that way says so too.
+//! Rationals enclose both sides; one side is less than the other if the enclosures prove it. A constraint that the
+//! enclosures cannot decide is reported as undecided.
 
 use predicament_error_calculus::Enclosure;
 use rug::Rational;
 
 use super::coefficient::{Coefficient, Tolerance};
 
-/// Whose a constraint is.
+/// The source of a constraint.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Origin {
     /// One of the paper's "tolerance constraints".
     Paper,
     /// A step that the paper's argument in 5.4.4 takes.
     Argument,
-    /// What the paper's argument needs and doesn't state, or what our bands need.
+    /// A condition that the paper's argument needs without stating it, or that our bands need.
     Ours,
 }
 
 impl Origin {
-    /// In a table.
+    /// The origin's text in tables.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -34,26 +34,26 @@ impl Origin {
 /// A machine epsilon and its fourth root.
 #[derive(Clone, Debug)]
 pub struct At {
-    /// ε.
+    /// The machine epsilon ε.
     pub epsilon: Rational,
     /// ε^¼: exact for 2⁻⁵², enclosed elsewhere.
     pub fourth: Enclosure,
 }
 
 impl At {
-    /// For one ε.
+    /// The values for one ε.
     #[must_use]
     pub fn new(epsilon: Rational) -> At {
         At { fourth: Enclosure::exact(epsilon.clone()).sqrt().sqrt(), epsilon }
     }
 
-    /// k ε.
+    /// The product k ε.
     #[must_use]
     pub fn times(&self, k: impl Into<Rational>) -> Enclosure {
         Enclosure::exact(k.into() * &self.epsilon)
     }
 
-    /// c ε^e of a tolerance.
+    /// The product c ε^e of a tolerance.
     #[must_use]
     pub fn of(&self, tolerance: &Tolerance, c: Coefficient) -> Enclosure {
         c.value() * self.fourth.power(tolerance.epsilon_quarters)
@@ -71,7 +71,7 @@ impl At {
         self.of(tolerance, tolerance.upper)
     }
 
-    /// min(T₊ − T, T − T₋).
+    /// The gap min(T₊ − T, T − T₋).
     pub(super) fn room(&self, tolerance: &Tolerance) -> Enclosure {
         (self.upper(tolerance) - self.width(tolerance)).min(self.width(tolerance) - self.lower(tolerance))
     }
@@ -80,37 +80,37 @@ impl At {
 /// Both sides of an inequality, for L = 1.
 pub type Sides = Box<dyn Fn(&At) -> [Enclosure; 2]>;
 
-/// One constraint.
+/// One constraint on the tolerances.
 pub struct Constraint {
     /// The section of the paper that states the constraint.
     pub section: &'static str,
-    /// In the paper's words.
+    /// The constraint in the paper's words.
     pub text: String,
-    /// Whose it is.
+    /// The source of the constraint.
     pub origin: Origin,
     pub(super) test: Test,
 }
 
 pub(super) enum Test {
-    /// The first side exceeds the second.
+    /// The constraint that the first side exceeds the second.
     Greater(Sides),
-    /// Equal, as numbers before the same power of ε; decided once.
+    /// The constraint that both sides are equal as coefficients of the same power of ε; decided once.
     Same(bool),
 }
 
 /// The verdict about a constraint at one ε.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Decision {
-    /// It holds.
+    /// The constraint holds.
     Holds,
-    /// It doesn't.
+    /// The constraint fails.
     Fails,
     /// The enclosures overlap.
     Undecided,
 }
 
 impl Decision {
-    /// In a table.
+    /// The decision's text in tables.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -122,7 +122,7 @@ impl Decision {
 }
 
 impl Constraint {
-    /// An inequality.
+    /// A constraint that is an inequality.
     pub fn greater(
         section: &'static str,
         origin: Origin,
@@ -136,7 +136,7 @@ impl Constraint {
         Constraint { section, text: text.into(), origin: Origin::Paper, test: Test::Same(holds) }
     }
 
-    /// Decides it.
+    /// Decides the constraint.
     #[must_use]
     pub fn decide(&self, at: &At) -> Decision {
         let sides = match &self.test {
@@ -154,7 +154,7 @@ impl Constraint {
         }
     }
 
-    /// Left minus right, in units of the power of L; none for an equation.
+    /// Left minus right, in units of the power of L; `None` for an equation.
     #[must_use]
     pub fn slack(&self, at: &At) -> Option<Enclosure> {
         match &self.test {

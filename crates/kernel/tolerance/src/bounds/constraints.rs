@@ -1,4 +1,4 @@
-//! The constraints on the tolerances, for L = 1, and from which ε on they hold.
+//! The constraints on the tolerances, for L = 1, and the ε from which they hold.
 
 use predicament_error_calculus::Enclosure;
 use rug::Rational;
@@ -8,7 +8,7 @@ pub use super::constraint::{At, Constraint, Decision, Origin, Sides};
 use super::decimal::Decimal;
 use super::height;
 
-/// All constraints of sections 4 and 5 as the paper puts them, and ours.
+/// All constraints of sections 4 and 5 in the paper's form, and ours.
 #[must_use]
 pub fn constraints() -> Vec<Constraint> {
     let mut all = plane();
@@ -111,7 +111,7 @@ fn space() -> Vec<Constraint> {
     all
 }
 
-/// Those of the bands for `incircle` and `insphere`, over ε L^p.
+/// The constraints on the bands of `incircle` and `insphere`, over ε L^p.
 fn circles() -> Vec<Constraint> {
     let of = |name: &str, band: [f64; 3], power: &str, error: u32, rounding: u32| {
         let [lower, width, upper] = band.map(|c| Rational::from_f64(c).expect("finite"));
@@ -131,8 +131,9 @@ fn circles() -> Vec<Constraint> {
     all
 }
 
-/// The ε at which the paper's claims are decided: unit roundoff and machine
-/// epsilon of f64 and f32, and the largest that it admits.
+/// The values of ε at which the paper's claims are decided.
+///
+/// They are the unit roundoff and machine epsilon of f64 and f32, and the largest ε that the paper admits.
 #[must_use]
 pub fn epsilons() -> [(&'static str, Rational); 5] {
     let power = |e: u32| Rational::from(1) >> e;
@@ -145,10 +146,10 @@ pub fn epsilons() -> [(&'static str, Rational); 5] {
     ]
 }
 
-/// The largest ε of three decimal digits at which a constraint holds and all
-/// larger ones up to 10⁻⁵ that were tried fail, with its successor: found by
-/// bisection, so between the two only if it fails from one ε on. None where it
-/// holds at 10⁻⁵ or at none down to 10⁻²⁰.
+/// The largest ε of three decimal digits at which a constraint holds, with its successor.
+///
+/// All larger values that were tried up to 10⁻⁵ fail. Bisection finds the limit, so it is between the two values only
+/// if the constraint fails from one ε on. `None` if the constraint holds at 10⁻⁵ or at no value down to 10⁻²⁰.
 #[must_use]
 pub fn validity_limit(constraint: &Constraint) -> Option<[Decimal; 2]> {
     // 1.00e-20 is 0 and 1.00e-5 is 900 · 15

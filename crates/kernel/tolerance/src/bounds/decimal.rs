@@ -8,7 +8,7 @@ fn power_of_ten(exponent: u32) -> Integer {
     Integer::from(Integer::u_pow_u(10, exponent))
 }
 
-/// With at most so many decimals, rounded up; no zeros at the end.
+/// The decimal with at most `decimals` decimals, rounded up, without trailing zeros.
 #[must_use]
 pub fn rounded_up(x: &Rational, decimals: u32) -> String {
     let scale = power_of_ten(decimals);
@@ -20,7 +20,7 @@ pub fn rounded_up(x: &Rational, decimals: u32) -> String {
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
-/// With three digits, rounded down, so that a slack is never overstated.
+/// The decimal with three digits, rounded down, so that a slack is never overstated.
 #[must_use]
 pub fn scientific_down(x: &Rational) -> String {
     let size = x.clone().abs();
@@ -47,27 +47,27 @@ pub fn scientific_down(x: &Rational) -> String {
     format!("{sign}{}.{:02}e{exponent}", digits / 100, digits % 100)
 }
 
-/// A number of three digits.
+/// A decimal number of three digits.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Decimal {
     /// 100 to 999, for 1.00 to 9.99.
     digits: u32,
-    /// Times ten to minus this.
+    /// The negated power of ten.
     exponent: u32,
 }
 
 impl Decimal {
-    /// digits/100 · 10^−exponent.
+    /// The number digits/100 · 10^−exponent.
     ///
     /// # Panics
-    /// Where there aren't three digits.
+    /// If `digits` does not have three digits.
     #[must_use]
     pub fn new(digits: u32, exponent: u32) -> Decimal {
         assert!((100..1000).contains(&digits), "three digits");
         Decimal { digits, exponent }
     }
 
-    /// As a rational.
+    /// The value as a rational.
     #[must_use]
     pub fn value(self) -> Rational {
         Rational::from((self.digits, 100)) / power_of_ten(self.exponent)

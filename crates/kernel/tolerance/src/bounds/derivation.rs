@@ -1,4 +1,4 @@
-//! Published bounds beside derived ones.
+//! The published bounds, compared with derived ones.
 
 use predicament_error_calculus::rules::largest_epsilon;
 use predicament_error_calculus::{Bound, Enclosure, Quantity, Ring, Root};
@@ -9,41 +9,42 @@ use super::coefficient::Tolerance;
 use super::published::{Kind, M_SQUARED, Published, QUANTITIES, TOLERANCES};
 use super::quantities::{Named, Normalization, Points, plane, space};
 
-/// A stated bound and what the calculus gives.
+/// A stated bound and the result of the calculus.
 #[derive(Clone, Debug)]
 pub struct Derivation {
-    /// Where it is stated, or the figure, or `ours`.
+    /// The section or figure with the bound, or `ours`.
     pub section: &'static str,
-    /// Of what, `E[d²]`.
+    /// The name of the bounded value, such as `E[d²]`.
     pub name: String,
-    /// The number before ε, or for a magnitude the one before L^p; none where it
-    /// is ours.
+    /// The published number before ε, or before L^p for a magnitude.
+    ///
+    /// `None` if the bound is ours.
     pub published: Option<u32>,
-    /// What the calculus makes of it.
+    /// The quantity that the calculus derives.
     pub quantity: Quantity,
-    /// The bound of that kind; none where no rule gives one.
+    /// The derived bound of the same kind; `None` if no rule gives one.
     pub derived: Option<Bound>,
-    /// Whether it is a bound of the quantity and not of its error.
+    /// True if it is a bound of the quantity and not of its error.
     pub is_magnitude: bool,
 }
 
-/// How a derived bound compares with the published one.
+/// The comparison of a derived bound with the published one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Verdict {
-    /// The same whole number.
+    /// The derived bound is the same whole number.
     Reproduced,
-    /// Less: the published one holds.
+    /// The derived bound is less: the published bound holds.
     Smaller,
-    /// More: the published one can't be derived.
+    /// The derived bound is more: the published bound can't be derived.
     Larger,
     /// No rule gives a bound.
     Invalid,
-    /// The paper has none.
+    /// The paper has no such bound.
     Ours,
 }
 
 impl Verdict {
-    /// In a table.
+    /// The verdict's text in tables.
     #[must_use]
     pub const fn as_str(self) -> &'static str {
         match self {
@@ -65,13 +66,13 @@ impl Derivation {
         Derivation { section, name, published, quantity, derived, is_magnitude: false }
     }
 
-    /// The derived number as the paper states them: whole, rounded up.
+    /// The derived number in the paper's form: whole, rounded up.
     #[must_use]
     pub fn whole(&self) -> Option<u32> {
         self.derived.as_ref().map(|bound| bound.rounded_up().to_u32().expect("bounds are small"))
     }
 
-    /// Derived against published.
+    /// The verdict on the derived bound against the published one.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         match (self.published, self.whole()) {
@@ -107,8 +108,9 @@ fn derive(all: &[Named<Quantity>], Published { section, symbol, kind, figure }: 
     Derivation::new(section, symbol, kind, Some(figure), find(all, section, symbol))
 }
 
-/// Every bound that the paper states and those that are ours, in the paper's
-/// order: of quantities, of L and the tolerances in the text, of the tables.
+/// Every bound that the paper states, and our bounds, in the paper's order.
+///
+/// The order is: bounds of quantities, of L and the tolerances in the text, of the tables.
 #[must_use]
 pub fn derivations() -> Vec<Derivation> {
     let computed = all(Normalization::Reciprocal);
@@ -125,7 +127,7 @@ pub fn derivations() -> Vec<Derivation> {
     derived
 }
 
-/// The bounds that depend on how unit vectors are made, with true division.
+/// The bounds that depend on the normalization of vectors, with true division.
 #[must_use]
 pub fn other_orders() -> Vec<Derivation> {
     let (ours, other) = (all(Normalization::Reciprocal), all(Normalization::Division));
@@ -146,7 +148,7 @@ fn magnitude(quantity: Quantity) -> Derivation {
     }
 }
 
-/// The middle values of Figures 1 and 5.
+/// The middle values of Figures 1 and 5 as quantities.
 fn widths() -> [Vec<(&'static Tolerance, Quantity)>; 2] {
     let (epsilon, length) = (Quantity::epsilon(), Quantity::length());
     [algorithms::plane(&epsilon, &length, Quantity::constant), algorithms::space(&epsilon, &length, Quantity::constant)]
@@ -161,7 +163,7 @@ fn tables() -> Vec<Derivation> {
     .collect()
 }
 
-/// T of `incircle` and `insphere`, in the order of their bands.
+/// The middle value T of `incircle` and `insphere`, in the order of their bands.
 fn band_widths() -> [(&'static str, Quantity); 2] {
     let (epsilon, length) = (Quantity::epsilon(), Quantity::length());
     let square = length.clone() * length.clone();
@@ -184,7 +186,7 @@ fn of_tolerances(stated: Published) -> Derivation {
     let quantity = match (stated.section, stated.symbol) {
         ("4.1", _) => length(Quantity::epsilon().sqrt(), side),
         ("5.1", "L̂") => length(Quantity::epsilon().sqrt().sqrt(), side),
-        // all lengths of figure 5 are made alike
+        // all lengths of figure 5 have the same form
         ("5.1", "ζ") => value("σ"),
         ("5.1", "ζ²") => value("σ").square(),
         ("5.1", _) => (value("σ").square() - value("τ").square()).sqrt(),
@@ -193,18 +195,18 @@ fn of_tolerances(stated: Published) -> Derivation {
     Derivation::new(stated.section, stated.symbol, stated.kind, Some(stated.figure), quantity)
 }
 
-/// La and Lb as the numbers that Algorithms 1 and 6 are given.
+/// The inputs La and Lb of Algorithms 1 and 6.
 fn side(name: &str) -> Quantity {
     Quantity::given(name)
 }
 
-/// La and Lb as differences of coordinates, rounded.
+/// The inputs La and Lb as rounded differences of coordinates.
 fn rounded_side(name: &str) -> Quantity {
     let [high, low] = ["high", "low"].map(|end| Quantity::coordinate(&format!("{name}_{end}")));
     (high - low).nonnegative()
 }
 
-/// L̂ of 4.1 and 5.1 with sides that are rounded differences.
+/// The length L̂ of 4.1 and 5.1 with sides that are rounded differences.
 fn with_rounded_sides() -> [(&'static str, Quantity); 2] {
     let root = Quantity::epsilon().sqrt();
     [
@@ -213,7 +215,7 @@ fn with_rounded_sides() -> [(&'static str, Quantity); 2] {
     ]
 }
 
-/// L̂, with 1 − 7√ε (or 7ε^¼) bounded from below at the largest ε.
+/// The length L̂, with 1 − 7√ε (or 7ε^¼) bounded from below at the largest ε.
 fn length(root: Quantity, side: fn(&str) -> Quantity) -> Quantity {
     let magnitude = root.magnitude().expect("a root of ε").clone();
     let quarter = Enclosure::exact(largest_epsilon()).sqrt().sqrt();

@@ -1,17 +1,14 @@
-//! Section 5.4.4: d̂² against γ²m², which is compared with no constant.
+//! Section 5.4.4: the comparison of d̂² with γ²m², which is not a constant.
 //!
-//! Known are E\[m²\] ≤ 129ε L⁴, E\[d̂\] ≤ 47ε L³, R\[γ²\] < 10ε, and m² > λ₋ from the
-//! test before. All links of the displayed chain are here, at any ε. It uses
-//! m² > λ₊ (m > 4(τ₋² − γ₊²)), which that test doesn't give; with m² > λ₋ it ends
-//! earlier. The claim itself needs no chain:
+//! Known are E\[m²\] ≤ 129ε L⁴, E\[d̂\] ≤ 47ε L³, R\[γ²\] < 10ε, and m² > λ₋ from the test before. All links of the
+//! displayed chain are here, at any ε. The chain uses m² > λ₊ (m > 4(τ₋² − γ₊²)), which that test does not give; with
+//! m² > λ₋ it ends earlier. The claim itself needs no chain:
 //!
-//! * d̂² ≤ γ²m² as computed gives (|d̂| − 47ε)²(1 − ε) ≤ γ²(1 + 10ε)(m² + 129ε)(1 + ε),
-//!   and |d̂| ≤ γ₊m is wanted;
-//! * else (|d̂| + 47ε)²(1 + ε) > γ²(1 − 10ε)(m² − 129ε)(1 − ε), and |d̂| > γ₋m is wanted.
+//! * d̂² ≤ γ²m² as computed gives (|d̂| − 47ε)²(1 − ε) ≤ γ²(1 + 10ε)(m² + 129ε)(1 + ε), and the goal is |d̂| ≤ γ₊m;
+//! * otherwise (|d̂| + 47ε)²(1 + ε) > γ²(1 − 10ε)(m² − 129ε)(1 − ε), and the goal is |d̂| > γ₋m.
 //!
-//! Both differences grow with m, as γ₊ exceeds γ times the first root's factor and γ
-//! times the second's exceeds γ₋, so that the least m² decides. The section says the same of δ, whose three numbers
-//! are γ's, and of ν, which is larger.
+//! Both differences grow with m, as γ₊ exceeds γ times the first root's factor and γ times the second's exceeds γ₋, so
+//! the least m² decides. The section says the same of δ, whose three numbers are γ's, and of ν, which is larger.
 
 use predicament_error_calculus::Enclosure;
 use rug::Rational;
@@ -27,14 +24,15 @@ fn number(n: impl Into<Rational>) -> Enclosure {
     Enclosure::exact(n.into())
 }
 
-/// 1 + kε.
+/// The number 1 + kε.
 fn one_plus(at: &At, k: i32) -> Enclosure {
     number(1) + at.times(k)
 }
 
-/// g(2γ²m²/35) < 0 where m² ≥ c εL⁴: (2/35 − 6ε/5) G² > 94√(6/5) ε^¼ (1 + ε) G +
-/// 47² √ε (1 + ε), with G = γm over ε^¾; then for every larger G, as the left
-/// side less the right is a parabola that opens upward and is negative at zero.
+/// The inequality g(2γ²m²/35) < 0 for m² ≥ c εL⁴.
+///
+/// It is (2/35 − 6ε/5) G² > 94√(6/5) ε^¼ (1 + ε) G + 47² √ε (1 + ε), with G = γm over ε^¾. It then holds for every
+/// larger G, as the left side minus the right is a parabola that opens upward and is negative at zero.
 fn chain(at: &At, c: &Rational) -> [Enclosure; 2] {
     let g = number(named(&FIGURE_5, "γ").width.rational()) * number(c.clone()).sqrt();
     let slope = number((2, 35)) - at.times((6, 5));
@@ -51,7 +49,7 @@ pub(super) fn constraints() -> Vec<Constraint> {
     let (least, assumed) = (c(lambda.lower), c(lambda.upper));
     let share = Rational::from((E_M_SQUARED, 1)) / &least;
     let step = |text: &str, sides: Sides| Constraint::greater("5.4.4", Origin::Argument, text, sides);
-    // 351/4, the γm over ε^¾ that m² > λ₊ gives
+    // 351/4, the value of γm over ε^¾ that m² > λ₊ gives
     let assumed_height = Rational::from((351, 4));
     let squares = [&minus, &middle, &plus].map(|x| number(Rational::from(x.square_ref())));
     let [minus_squared, middle_squared, plus_squared] = squares;

@@ -1,17 +1,18 @@
-//! The paper's figures, derived: every error bound of sections 4 and 5, every
-//! constraint on its tolerances, every tolerance that a constraint defines.
+//! Derivations of the paper's figures: its error bounds, constraints and defined tolerances.
 //!
-//! * [`quantities`]: what the algorithms compare, by section, over any number.
-//! * [`algorithms`]: Algorithms 1 and 6, over any number.
-//! * [`published`]: what the paper states, and [`Derivation`]: that beside what
-//!   the calculus gives.
+//! They cover every error bound of sections 4 and 5, every constraint on its tolerances, and every tolerance that a
+//! constraint defines.
+//!
+//! * [`quantities`]: the compared quantities of each section, over any number type.
+//! * [`algorithms`]: Algorithms 1 and 6, over any number type.
+//! * [`published`]: the paper's statements; [`Derivation`]: a statement beside the result of the calculus.
 //! * [`coefficient`]: the two tables of tolerances as exact numbers.
 //! * [`constraints`]: the constraints, decided at one ε at a time.
 //! * [`decimal`]: exact numbers in print.
 //! * [`height`]: section 5.4.4, whose argument is a chain of inequalities.
 //!
-//! Nothing here is decided by rounding: coefficients are rational multiples of 1
-//! and √3, ε is rational, ε^¼ and all other roots are enclosed by rationals.
+//! Rounding decides nothing here: coefficients are rational multiples of 1 and √3, ε is rational, and rationals enclose
+//! ε^¼ and all other roots.
 
 pub mod algorithms;
 pub mod coefficient;

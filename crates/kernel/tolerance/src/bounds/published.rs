@@ -1,22 +1,22 @@
 //! The error bounds that the paper states, as printed.
 
-/// A bound of E or R.
+/// The kind of a bound: E or R.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Kind {
-    /// E: absolute, over ε L^p.
+    /// An absolute bound E, over ε L^p.
     Absolute,
-    /// R: relative, over ε.
+    /// A relative bound R, over ε.
     Relative,
 }
 
-/// A stated bound.
+/// A bound that the paper states.
 #[derive(Clone, Copy, Debug)]
 pub struct Published {
-    /// Where it is stated.
+    /// The section with the statement.
     pub section: &'static str,
-    /// Of what.
+    /// The symbol of the bounded quantity.
     pub symbol: &'static str,
-    /// E or R.
+    /// The kind of bound, E or R.
     pub kind: Kind,
     /// The number before ε.
     pub figure: u32,
@@ -30,8 +30,9 @@ const fn r(section: &'static str, symbol: &'static str, figure: u32) -> Publishe
     Published { section, symbol, kind: Kind::Relative, figure }
 }
 
-/// All that sections 4 and 5 state under "Floating point". R\[T\] of the tables
-/// stand with the tables, those of 4.1, 5.1 and 5.4.4 in [`TOLERANCES`].
+/// All bounds that sections 4 and 5 state under "Floating point".
+///
+/// The R\[T\] of the tables are stored with the tables, the bounds of 4.1, 5.1 and 5.4.4 in [`TOLERANCES`].
 pub const QUANTITIES: [Published; 42] = [
     r("4.2", "d²", 5),
     e("4.2", "d²", 9),
@@ -77,10 +78,10 @@ pub const QUANTITIES: [Published; 42] = [
     e("5.7", "v_D", 47),
 ];
 
-/// m² ≤ 12L⁴, stated in 5.4: the c of m².
+/// The coefficient c of m²: m² ≤ 12L⁴, stated in 5.4.
 pub const M_SQUARED: u32 = 12;
 
-/// What the text says about L and the tolerances: 4.1, 5.1 and 5.4.4.
+/// The bounds on L and the tolerances in the text of 4.1, 5.1 and 5.4.4.
 pub const TOLERANCES: [Published; 6] = [
     r("4.1", "L̂", 5),
     r("5.1", "L̂", 5),

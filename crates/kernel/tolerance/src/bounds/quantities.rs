@@ -1,7 +1,6 @@
-//! What the algorithms of each section compute and compare, by name.
+//! The quantities that the algorithms of each section compute and compare, by name.
 //!
-//! One list for all numbers: on the calculus' it gives the bounds, on floats and
-//! rationals what the bounds are tested with.
+//! One list serves all number types: the calculus derives the bounds from it, floats and rationals test the bounds.
 
 use predicament_error_calculus::Root;
 use predicament_error_calculus::vector::minus;
@@ -18,20 +17,20 @@ pub type Points<N, const D: usize> = [[N; D]; 6];
 /// A quantity with its section and symbol.
 #[derive(Clone, Debug)]
 pub struct Named<N> {
-    /// Where it is, `4.3`; `ours` for what the paper hasn't.
+    /// The section, such as `4.3`; `ours` for quantities that the paper does not have.
     pub section: &'static str,
-    /// As the paper writes it, `â`.
+    /// The symbol in the paper, such as `â`.
     pub symbol: &'static str,
-    /// The quantity.
+    /// The value of the quantity.
     pub value: N,
 }
 
-/// How an edge's unit vector is made.
+/// The formula of an edge's unit vector.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Normalization {
-    /// û · (1/m), with which the published bounds are reproduced.
+    /// The product û · (1/m), which reproduces the published bounds.
     Reciprocal,
-    /// û/m, each coordinate divided.
+    /// The quotient û/m, with each coordinate divided.
     Division,
 }
 
@@ -44,7 +43,7 @@ impl Normalization {
     }
 }
 
-/// Names what a section computes.
+/// Names the quantities of a section.
 fn section<N, const K: usize>(all: &mut Vec<Named<N>>, section: &'static str, named: [(&'static str, N); K]) {
     all.extend(named.into_iter().map(|(symbol, value)| Named { section, symbol, value }));
 }
@@ -55,19 +54,19 @@ pub const PLANE: [&str; 5] = ["4.2", "4.3", "4.4", "4.5", "ours"];
 /// The sections of [`space`].
 pub const SPACE: [&str; 7] = ["5.2", "5.3", "5.4", "5.5", "5.6", "5.7", "ours"];
 
-/// Section 4, and `incircle`.
+/// The quantities of section 4, and `incircle`.
 #[must_use]
 pub fn plane<N: Root>(points: &Points<N, 2>, normalization: Normalization) -> Vec<Named<N>> {
     PLANE.into_iter().flat_map(|section| plane_section(section, points, normalization)).collect()
 }
 
-/// Section 5, and `insphere`.
+/// The quantities of section 5, and `insphere`.
 #[must_use]
 pub fn space<N: Root>(points: &Points<N, 3>, normalization: Normalization) -> Vec<Named<N>> {
     SPACE.into_iter().flat_map(|section| space_section(section, points, normalization)).collect()
 }
 
-/// One section of [`plane`]; nothing where it has no such section.
+/// The quantities of one section of [`plane`]; empty if there is no such section.
 #[must_use]
 pub fn plane_section<N: Root>(
     of: &str,
@@ -99,7 +98,7 @@ pub fn plane_section<N: Root>(
     all
 }
 
-/// One section of [`space`]; nothing where it has no such section.
+/// The quantities of one section of [`space`]; empty if there is no such section.
 #[must_use]
 pub fn space_section<N: Root>(
     of: &str,

@@ -1,4 +1,4 @@
-//! What the session says about itself, and the scenes that it declines.
+//! The session's statements about itself, and the scenes that the backend declines.
 
 use predicament_predicates::{
     Axis, Backend, Construction, Contract, Counts, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene,
@@ -109,7 +109,7 @@ fn scenes_that_underflow_or_overflow_are_declined() {
     for x in [1e100, 1.0, 1e-90] {
         assert_eq!(declined(&deep(x)), None, "{x:e}");
     }
-    // the powers of L in incircle and insphere are higher, and only they have to pay
+    // the powers of L in incircle and insphere are higher, and only they are declined
     for (scene, kind, linear) in [
         (wide(1e80), PredicateKind::Incircle, PredicateKind::Orient2d),
         (wide(1e-80), PredicateKind::Incircle, PredicateKind::Orient2d),
@@ -120,7 +120,7 @@ fn scenes_that_underflow_or_overflow_are_declined() {
         assert!(session.supports(kind).unwrap_err().reason.contains("L = "), "{kind}");
         assert_eq!((session.supports(linear), session.band(Question::Incircle)), (Ok(()), None));
     }
-    // two axes are too short for κ, and only orient2d has to pay
+    // two axes are too short for κ, and only orient2d is declined
     let needle = Scene::from_points3(&[[0., 0., 0.], [1e-200, 1e-200, 1.]]).unwrap();
     let session = Tolerance.prepare(&needle, Off).unwrap();
     assert!(session.supports(PredicateKind::Orient2d).is_err());

@@ -1,17 +1,18 @@
-//! The promise itself: |d| ≤ T₋ is registered, and what is registered has
-//! |d| ≤ T₊, for exact d. Queries are aimed at T₋, T and T₊.
+//! The promise itself: |d| ≤ T₋ is registered, and registered queries have |d| ≤ T₊, for exact d.
+//!
+//! Queries are aimed at T₋, T and T₊.
 
 use predicament_arithmetic::Scaled;
 use predicament_predicates::{Backend, Band, Dimension, Off, Plane, Predicates, Question, Scene, Sign, Vertex};
 use predicament_tolerance::Tolerance;
 use rug::{Integer, Rational};
 
-/// Fewer for circles and spheres, whose exact determinants take longer.
+/// The number of queries; fewer for circles and spheres, whose exact determinants take longer.
 fn queries(question: Question) -> usize {
     predicament_effort::some_or_all(1, 5) * if is_lifted(question) { 1_000 } else { 5_000 }
 }
 
-/// SplitMix64: a few lines, and the same numbers for ever.
+/// SplitMix64: a few lines, and the same numbers in every run.
 struct Random(u64);
 
 impl Random {
@@ -23,13 +24,13 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [−½, ½).
+    /// A random number in [−½, ½).
     #[allow(clippy::cast_precision_loss)] // 53 bits fit
     fn unit(&mut self) -> f64 {
         (self.bits() >> 11) as f64 * 2.0_f64.powi(-53) - 0.5
     }
 
-    /// ± T₋, T or T₊, off by up to a half of it or only by 2⁻¹⁶.
+    /// A target ± T₋, T or T₊, off by up to a half of it or only by 2⁻¹⁶.
     fn aim(&mut self, band: Band) -> f64 {
         let target = match self.bits() % 3 {
             0 => band.lower,
@@ -46,13 +47,14 @@ fn rational(x: f64) -> Rational {
     Rational::from_f64(x).expect("finite")
 }
 
-/// Whether the rows of the question's determinant end with a squared length.
+/// Returns true if the rows of the question's determinant end with a squared length.
 fn is_lifted(question: Question) -> bool {
     matches!(question, Question::Incircle | Question::Insphere)
 }
 
-/// The determinant of the differences to the last point, with their squared
-/// lengths as a last column for circles and spheres: Laplace on integers, the
+/// The exact determinant of the differences to the last point.
+///
+/// For circles and spheres their squared lengths are the last column. It uses Laplace expansion on integers, with the
 /// coordinates over one power of two.
 fn exact(scene: &Scene, question: Question, args: &[Vertex]) -> Rational {
     let mut points = [[0.0; 3]; 5];
@@ -87,12 +89,12 @@ fn determinant(rows: &[Vec<Integer>]) -> Integer {
     terms.sum()
 }
 
-/// A determinant is a sum of products of as many lengths as it has rows, and one more for a lift.
+/// The degree of the determinant: one length per row, and one more for a lift.
 fn degree(question: Question) -> i32 {
     i32::try_from(question.kind().arity() - 1 + usize::from(is_lifted(question))).expect("small")
 }
 
-/// What a checker that knows only the promise finds.
+/// The findings of a checker that knows only the promise.
 #[derive(Default, Debug)]
 struct Found {
     missed: usize,
@@ -102,8 +104,9 @@ struct Found {
     largest_error: f64,
 }
 
-/// Asks queries that are built and judged one by one; `answer` turns an
-/// estimate into a sign, so that faults can be planted.
+/// Asks queries that are built and judged one by one.
+///
+/// `answer` turns an estimate into a sign, so that faults can be planted.
 fn check(question: Question, scale: f64, answer: impl Fn(f64, Band) -> Option<Sign>) -> Found {
     let dimension = dimension(question);
     let mut random = Random(42);
@@ -136,8 +139,9 @@ fn check(question: Question, scale: f64, answer: impl Fn(f64, Band) -> Option<Si
     found
 }
 
-/// The coordinates of one query whose determinant is near a threshold, inside
-/// the frame, or L would grow.
+/// The coordinates of one query whose determinant is near a threshold.
+///
+/// They are inside the frame, because L would grow otherwise.
 fn near(random: &mut Random, question: Question, scale: f64, band: Band) -> Vec<f64> {
     loop {
         let unscaled = if is_lifted(question) { near_sphere } else { near_plane };
@@ -165,7 +169,7 @@ fn dot(u: &[f64], v: &[f64]) -> f64 {
     u.iter().zip(v).map(|(x, y)| x * y).sum()
 }
 
-/// Points on a line or in a plane, the last one moved off it.
+/// Points on a line or in a plane, with the last one moved off it.
 fn near_plane(random: &mut Random, dimension: Dimension, aim: f64) -> Vec<f64> {
     let (a, b) = (point(random, dimension), point(random, dimension));
     let mut points = vec![a.clone(), b.clone()];
@@ -191,9 +195,9 @@ fn near_plane(random: &mut Random, dimension: Dimension, aim: f64) -> Vec<f64> {
     points.concat()
 }
 
-/// Points on a circle or sphere, the last one moved off it: the determinant is
-/// twice the area or six times the volume of the others, times the power of the
-/// last.
+/// Points on a circle or sphere, with the last one moved off it.
+///
+/// The determinant is twice the area or six times the volume of the others, times the power of the last.
 fn near_sphere(random: &mut Random, dimension: Dimension, aim: f64) -> Vec<f64> {
     let center: Vec<f64> = point(random, dimension).iter().map(|x| x / 4.0).collect();
     let radius = 0.35 + 0.3 * random.unit();

@@ -1,4 +1,4 @@
-//! A batch answers as single queries do, bit by bit; single queries answer as the formulas and bands say.
+//! A batch answers as single queries do, bit by bit; single queries answer by the formulas and bands.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +11,9 @@ use proptest::prelude::*;
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 
-/// Coordinates of one kind: anywhere, about as far from a lattice as tolerances reach, at the lower end of the doubles, or of all these.
+/// Coordinates of one kind, or a mixture of all kinds.
+///
+/// The kinds are: anywhere, as close to a lattice as tolerances reach, and at the lower end of the doubles.
 fn coordinate() -> impl Strategy<Value = f64> {
     let lattice = || (-3..4_i32).prop_map(f64::from);
     let near = (lattice(), -8..9_i32, 16..53_i32).prop_map(|(at, by, power)| at + f64::from(by) * 2f64.powi(-power));
@@ -19,9 +21,9 @@ fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![2 => -1.0..1.0_f64, 1 => lattice(), 2 => near, 1 => tiny]
 }
 
-/// Points of a scene, all of one mixture, as numbers of both formats.
+/// Points of a scene, all of one mixture, representable in both formats.
 fn points<const D: usize>() -> impl Strategy<Value = Vec<[f64; D]>> {
-    // A far corner each, so that L is a normal number.
+    // Two far corners, so that L is a normal number.
     let with_corners = |mut points: Vec<[f64; D]>| {
         points.push([-4.0; D]);
         points.push([4.0; D]);
@@ -30,7 +32,7 @@ fn points<const D: usize>() -> impl Strategy<Value = Vec<[f64; D]>> {
     prop::collection::vec(prop::array::uniform(coordinate()), 8..40).prop_map(with_corners)
 }
 
-/// Whether one by one, together, and by the formula is the same; what was answered.
+/// Checks that single queries, batches and the formula agree; returns the answers.
 fn check<const N: usize>(
     queries: &[[Vertex; N]],
     formula: impl Fn([Vertex; N]) -> f64,
@@ -51,9 +53,9 @@ fn check<const N: usize>(
     expected.into_iter().collect()
 }
 
-/// All predicates of one scene in one format.
+/// Checks all predicates of one scene in one format.
 fn check_all<F: Float>(dimension: Dimension, points: &[f64], order: &[usize]) -> BTreeSet<Sign> {
-    // Numbers of the format, as the backend takes them.
+    // Numbers of the format, as the backend requires.
     let scene = Scene::new(dimension, points.iter().map(|&x| F::nearest(x).wide()).collect::<Vec<_>>()).unwrap();
     let backend = Tolerance::<F>::new();
     let session = backend.prepare(&scene, Off).unwrap();

@@ -1,5 +1,4 @@
-//! The derived bounds against arithmetic: floats, and an adversary that errs by ε
-//! in every operation.
+//! The derived bounds against arithmetic: floats, and an adversary that errs by ε in every operation.
 
 use predicament_error_calculus::rules::largest_epsilon;
 use predicament_error_calculus::{Adversary, Enclosure, Perturbed, Quantity, Root};
@@ -18,8 +17,7 @@ fn bounded<const D: usize>() -> Points<Quantity, D> {
     std::array::from_fn(|point| std::array::from_fn(|axis| Quantity::coordinate(&format!("{point}.{axis}"))))
 }
 
-/// The bounds of a quantity: |computed − exact|, what the calculus allows for it,
-/// and whether its magnitude is kept.
+/// The error |computed − exact|, the bound of the calculus for it, and whether the magnitude bound holds.
 fn check(bound: &Quantity, epsilon: &Rational, length: &Rational, exact: &Rational, computed: &Rational) {
     // the exact roots are enclosed to 2⁻¹⁹²
     let tiny: Rational = Rational::from(1) >> 150_u32;
@@ -36,14 +34,14 @@ fn check(bound: &Quantity, epsilon: &Rational, length: &Rational, exact: &Ration
     assert!(off <= allowed + tiny * unit, "{} is off by {}", bound.expression(), off.to_f64());
 }
 
-/// Everything that the sections compute, with an adversary's or no errors.
+/// All quantities of the sections, computed with or without an adversary's errors.
 fn perturbed<const D: usize>(points: &Points<Rational, D>, adversary: &Adversary) -> Points<Perturbed, D> {
     std::array::from_fn(|i| std::array::from_fn(|axis| adversary.input(points[i][axis].clone())))
 }
 
 type Compute<N, const D: usize> = fn(&Points<N, D>, Normalization) -> Vec<Named<N>>;
 
-/// Against an adversary on one set of points, with L the unit.
+/// Tests the bounds against an adversary on one set of points, with L the unit.
 fn withstand<const D: usize>(
     sections: (Compute<Quantity, D>, Compute<Perturbed, D>),
     points: &Points<Rational, D>,
@@ -59,7 +57,7 @@ fn withstand<const D: usize>(
     }
 }
 
-/// Floats against exact numbers, with |coordinate| ≤ L/2.
+/// Compares floats with exact numbers, with |coordinate| ≤ L/2.
 fn rounded<N: Root + Copy, const D: usize>(
     sections: (Compute<Quantity, D>, Compute<Perturbed, D>, Compute<N, D>),
     points: &Points<N, D>,
@@ -79,7 +77,7 @@ fn rounded<N: Root + Copy, const D: usize>(
     }
 }
 
-/// −ε, ε or something between, by lot, mostly an end.
+/// Random errors: −ε, ε or something between, mostly an end.
 fn adversary(seed: u64, epsilon: &Rational) -> Adversary {
     let (mut state, epsilon) = (seed, epsilon.clone());
     Adversary::new(move || {
@@ -89,8 +87,9 @@ fn adversary(seed: u64, epsilon: &Rational) -> Adversary {
     })
 }
 
-/// Six points with coordinates between −½ and ½, in 512ths, with the ends and
-/// repeated values often among them, and A apart from B.
+/// Six points with coordinates between −½ and ½, in 512ths, with A different from B.
+///
+/// The ends and repeated values are frequent.
 fn points<const D: usize>() -> impl Strategy<Value = [[i16; D]; 6]> {
     let coordinate = prop_oneof![2 => Just(-256_i16), 2 => Just(256), 1 => -3..4_i16, 6 => -256..=256_i16];
     prop::collection::vec(coordinate, 6 * D)
@@ -98,7 +97,7 @@ fn points<const D: usize>() -> impl Strategy<Value = [[i16; D]; 6]> {
         .prop_filter("an edge has a length", |points: &[[i16; D]; 6]| points[0] != points[1])
 }
 
-/// As floats: a 512th of L each, off its grid by a few digits of its own.
+/// The points as floats: each 512th of L is off its grid by a few digits.
 fn off_grid<const D: usize>(points: [[i16; D]; 6], seed: u64) -> Points<f64, D> {
     let mut state = seed;
     points.map(|point| {
@@ -146,7 +145,7 @@ proptest! {
         rounded((plane, plane, plane), &flat.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
         rounded((space, space, space), &deep.map(|p| p.map(|x| x * scale)), of_f64, &epsilon, &length);
         let epsilon = of_f32(f32::EPSILON);
-        #[allow(clippy::cast_possible_truncation)] // another float, taken as the input
+        #[allow(clippy::cast_possible_truncation)] // the rounded number is the input
         let narrow = |x: f64| (x * scale) as f32;
         rounded((plane, plane, plane), &flat.map(|p| p.map(narrow)), of_f32, &epsilon, &length);
         rounded((space, space, space), &deep.map(|p| p.map(narrow)), of_f32, &epsilon, &length);
@@ -163,7 +162,8 @@ fn every_published_bound_of_a_quantity_is_reproduced() {
     }
 }
 
-/// Of 4.1 and 5.1: one is less than published, and a difference of squares that may be zero has no bound of its root.
+/// Bounds of 4.1 and 5.1: one is less than published, and a difference of squares that may be zero has no bound of its
+/// root.
 #[test]
 fn bounds_of_lengths_are_reproduced_but_for_two() {
     let all = derivations();
@@ -199,7 +199,7 @@ fn the_algorithms_are_those_of_the_tolerances() {
     }
 }
 
-/// The rows of a figure are the tolerances of the backend, but for their roundings.
+/// Checks that the rows of a figure are the tolerances of the backend, except for rounding.
 fn assert_rows(figure: &[Row], bands: &[Band], length: f64) {
     let at = At::new(of_f64(f64::EPSILON));
     for (row, band) in figure.iter().zip(bands) {
@@ -250,7 +250,7 @@ fn slacks_on_lengths_in_space_are_those_by_hand() {
     }
 }
 
-/// All constraints on the room of a tolerance, by the backend's own tolerances.
+/// All constraints on the gaps of a tolerance, by the backend's own tolerances.
 #[test]
 fn slacks_on_rooms_are_those_of_the_bands() {
     let (flat, deep) = (Tolerances2d::from_length(1.0_f64), Tolerances3d::from_length(1.0_f64));
@@ -270,7 +270,7 @@ fn slacks_on_rooms_are_those_of_the_bands() {
         let room = (band.upper - band.width).min(band.width - band.lower);
         let expected = room - k.parse::<f64>().unwrap() * f64::EPSILON * unit;
         let slack = constraint.slack(&at).unwrap().lower.to_f64();
-        // Bands are rounded: by units of what they are differences of.
+        // Bands are rounded, by units of the values whose difference they are.
         let rounding = 8.0 * f64::EPSILON * band.upper;
         assert!((slack - expected).abs() <= rounding, "{} {symbol}: {slack:e}, {expected:e}", constraint.text);
         found += 1;
@@ -323,7 +323,7 @@ fn slacks_on_heights_are_those_by_hand() {
     }
 }
 
-/// Those of the bands of `incircle` and `insphere`, 130, 260, 390 and 1130, 2260, 3390 times ε.
+/// Slacks for the bands of `incircle` and `insphere`: 130, 260, 390 and 1130, 2260, 3390 times ε.
 #[test]
 fn slacks_on_circles_are_those_by_hand() {
     let all = constraints();
@@ -358,7 +358,7 @@ fn claims_are_decided_at_unit_roundoff_machine_epsilon_and_the_largest() {
     assert!(found.iter().zip(&expected).all(|(x, y)| x.0 == y.0 && (x.1 - y.1).abs() <= 1e-20), "{found:?}");
 }
 
-/// All that are doubled are seen, and of those that are halved σ, τ, γ, δ, σ̂ and μ: the others keep what is promised.
+/// All doubled tolerances are detected, and of the halved ones σ, τ, γ, δ, σ̂ and μ: the others keep the promise.
 #[test]
 fn planted_tolerances_that_keep_their_promise_are_not_visible() {
     assert_eq!(Misscaled::visible().filter(|planted| !planted.halved).count(), 16);
@@ -389,7 +389,7 @@ fn names_in_tables() {
     assert_eq!(verdicts.map(Verdict::as_str), ["reproduced", "smaller", "larger", "invalid", "ours"]);
 }
 
-/// Figures 1 and 5 print what the formulas give; rounded ones to the nearest whole number, 1975.8 and 83.1 twice.
+/// Figures 1 and 5 print the formulas' values; rounded ones to the nearest whole number, 1975.8 and 83.1 twice.
 #[test]
 fn definitions_are_as_they_are_printed() {
     let all = defined();
@@ -403,7 +403,7 @@ fn definitions_are_as_they_are_printed() {
             assert_eq!(row.tolerance.printed_upper, format!("≈{nearest}"));
         }
     }
-    // One of the rounded ones as if it were another.
+    // One of the rounded values in place of another.
     let zeta = all.iter().find(|row| row.symbol == "ζ").unwrap();
     for (factor, is_printed) in [(0.999, false), (0.9999, true), (1.0003, true), (1.001, false)] {
         let derived = Rational::from(&zeta.derived * &of_f64(factor));
@@ -412,7 +412,7 @@ fn definitions_are_as_they_are_printed() {
     }
 }
 
-/// Each planted tolerance is off by two, its band with it, and no other one.
+/// Each planted tolerance is off by a factor of two, with its band, and no other is.
 #[test]
 fn a_planted_tolerance_is_off_and_no_other() {
     let flat = Tolerances2d::from_length(1.0_f64);
@@ -441,7 +441,7 @@ fn a_planted_tolerance_is_off_and_no_other() {
     }
 }
 
-/// 16 L⁴ and 128 L⁵ have to be doubles, and what is a millionth of a millionth of them normal ones.
+/// 16 L⁴ and 128 L⁵ must be doubles, and a millionth of a millionth of them must be normal.
 #[test]
 fn bands_of_circles_are_declined_where_determinants_leave_the_range() {
     let declines = |dimension: usize, largest: f64| {
@@ -487,8 +487,10 @@ fn the_claim_of_5_4_4_holds_for_every_binary_epsilon_and_its_chain_does_not() {
     }
 }
 
-/// L̂ = (La + Lb)/(1 − s) with s = 7√ε or 7ε^¼, by hand: a sum, a difference and a quotient are rounded, and s brings what it
-/// has, relative to 1 − s: the rounding of its product, of its root, and half of that of the root in it.
+/// The length L̂ = (La + Lb)/(1 − s) with s = 7√ε or 7ε^¼, by hand.
+///
+/// A sum, a difference and a quotient are rounded. s contributes its error relative to 1 − s: the rounding of its
+/// product, of its root, and half of that of the root in it.
 #[test]
 fn bounds_of_lengths_are_those_by_hand() {
     let all = derivations();

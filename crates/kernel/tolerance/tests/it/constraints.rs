@@ -1,6 +1,7 @@
-//! Every constraint that the paper puts on its tolerances, with the values
-//! that the crate computes, in rational arithmetic at ε = 2⁻⁵² and L = 1.
-//! Square roots are squared away or, where √3 defines a value, bounded.
+//! Every constraint that the paper puts on its tolerances, for the values that the crate computes.
+//!
+//! The arithmetic is rational, at ε = 2⁻⁵² and L = 1. Square roots are eliminated by squaring or, if √3 defines a
+//! value, bounded.
 
 use predicament_predicates::Band;
 use predicament_tolerance::{Tolerances2d, Tolerances3d};
@@ -23,13 +24,14 @@ fn room(band: Band) -> Rational {
     (q(band.upper) - q(band.width)).min(q(band.width) - q(band.lower))
 }
 
-/// |x − y| ≤ 4ε y, for y given exactly.
+/// Returns true if |x − y| ≤ 4ε y, for y given exactly.
 fn is_close(x: f64, y: &Rational) -> bool {
     (q(x) - y).abs() <= eps() * 4 * y
 }
 
-/// The constraints on lengths, which 4.3 and 5.3 share; `reject` bounds the
-/// error of the edge length, `weight` that of both weights.
+/// Checks the constraints on lengths, which 4.3 and 5.3 share.
+///
+/// `reject` bounds the error of the edge length, `weight` that of both weights.
 fn check_lengths(sigma: Band, tau: Band, sigma_hat: Band, reject: u32, weight: u32) {
     assert!(room(sigma) > eps() * 8 * q(sigma.width), "min(σ₊ − σ, σ − σ₋) > 8εσ");
     assert_eq!(sigma.lower, sigma_hat.upper, "σ₋ = σ̂₊");
@@ -56,7 +58,7 @@ fn space() {
     check_lengths(t.sigma, t.tau, t.sigma_hat, 7, 42);
     assert!(room(t.sigma_hat) > eps() * 9);
     assert!(room(t.tau) > eps() * 131 / q(t.tau.width));
-    // what 5.3 needs on the lower side, and doesn't say
+    // a condition that 5.3 needs on the lower side without stating it
     assert!(sq(t.tau.width) - sq(t.tau.lower) > eps() * 261 + eps() * 9 * sq(t.tau.width));
 
     let edge_gap = (sq(t.tau.lower) - sq(t.gamma.upper)).square();
@@ -82,7 +84,7 @@ fn space() {
     }
 }
 
-/// Whether x is √3 y up to 4ε: both are positive, so squares tell.
+/// Returns true if x is √3 y up to 4ε: both are positive, so squares are compared.
 fn is_close_to_root3(x: f64, y: &Rational) -> bool {
     let square = Rational::from(y * y) * 3;
     let off: Rational = sq(x) - &square;

@@ -1,5 +1,4 @@
-//! The backend's contacts: what it asks of a scene, and what becomes of input
-//! that no algorithm was made for.
+//! The backend's contacts: its requirements on a scene, and its answers on input outside of the algorithms' range.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -143,8 +142,7 @@ fn pairs_of_space_and_their_weights() {
     assert_eq!(session.edge_vertex([a, b], behind), Some(0.25), "the mirror image");
 }
 
-/// All questions about simplices of these vertices and this one, which no
-/// algorithm may answer with more than "not registered".
+/// Asks all contact queries about these vertices and p; every answer must be "not registered".
 fn asks_nothing_of(scene: &Scene, simplex: [usize; 4], p: usize) {
     let session = Tolerance.prepare(scene, Off).unwrap();
     let [a, b, c, d] = v(simplex);
@@ -158,7 +156,7 @@ fn asks_nothing_of(scene: &Scene, simplex: [usize; 4], p: usize) {
 
 #[test]
 fn simplices_without_an_extent_only_meet_in_their_vertices() {
-    // Vertices 0, 1, 2 and 3 are repeated, in a line and in a plane; 4 is with the first.
+    // Vertices 0, 1, 2 and 3 are repeated, in a line and in a plane; 4 coincides with the first.
     let on_a_point = [[1.0, 2.0, 3.0]; 5];
     let in_a_line = [[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], [0.5, 0.0, 0.0], [0.25, 0.0, 0.0]];
     let in_a_plane = [[0.0; 3], [0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.25, 0.25, 0.0]];
@@ -195,7 +193,7 @@ fn where_all_primitives_are_points_only_equal_ones_are_registered() {
 
 #[test]
 fn pairs_further_apart_than_their_lengths_are_never_registered() {
-    // Primitives of size 1, far apart: errors would be those of the distance.
+    // Primitives of size 1, far apart: errors would be as large as those of the distance.
     let far = 2.0_f64.powi(60);
     let points = [[0.0, 0.0], [1.0, 0.0], [far, -far], [far + 2048.0, far], [f64::MAX, f64::MAX], [-f64::MAX, 0.5]];
     let scene = Scene::from_points2(&points[..4]).unwrap().with_primitive_lengths([1.0, 1.0]);
@@ -214,7 +212,7 @@ fn what_underflows_or_overflows_is_declined() {
         let reason = declined::<f64>(&flat(x)).unwrap_or_else(|| panic!("{x:e}")).reason;
         assert!(reason.contains("L = ") && reason.contains("f64"), "{reason}");
     }
-    // ε^(3/2) L⁶ and L⁶: L⁴ alone would reach further.
+    // ε^(3/2) L⁶ and L⁶ limit the range: L⁴ alone would allow more.
     for x in [1e-48, 1e52, 1e78, f64::MAX] {
         assert!(declined::<f64>(&deep(x)).unwrap_or_else(|| panic!("{x:e}")).reason.contains("six lengths"));
     }
@@ -258,7 +256,7 @@ fn single_precision_takes_only_what_it_holds() {
     assert_eq!((Tolerance.name(), PRINTED.name()), ("tolerance".to_string(), "fault:tolerance-as-printed".to_string()));
 }
 
-/// Something like half precision: ε = 2⁻¹⁰.
+/// A format similar to half precision: ε = 2⁻¹⁰.
 #[derive(Clone, Copy, PartialEq, PartialOrd, Debug)]
 struct Half(f64);
 

@@ -1,20 +1,20 @@
-//! Every comparison of Algorithms 2 to 5 and 7 to 12 with its tolerance: a
-//! pair that is just within it is answered otherwise than one just beyond,
-//! whatever else is known about the pair.
+//! Every comparison of Algorithms 2 to 5 and 7 to 12 with its tolerance.
+//!
+//! A pair just within the tolerance is answered differently from a pair just beyond it, with everything else equal.
 
 use predicament_predicates::Band;
 use predicament_tolerance::algorithms::{plane, space};
 use predicament_tolerance::{Float, Tolerances2d, Tolerances3d};
 
-/// Whether the step passes what is just below T and what is just above it.
+/// Returns whether the step passes for a value just below T and for one just above it.
 fn passes(band: Band, registered: impl Fn(f64) -> bool) -> [bool; 2] {
-    // Nearer than T₋ and T₊ are, and further than rounding takes these simple numbers.
+    // Nearer to T than T₋ and T₊ are, and further than the rounding errors of these simple numbers.
     [15.0 / 16.0, 17.0 / 16.0].map(|factor| registered(band.width * factor))
 }
 
-/// Registered up to T.
+/// The step registers up to T.
 const WITHIN: [bool; 2] = [true, false];
-/// Registered beyond T.
+/// The step registers beyond T.
 const BEYOND: [bool; 2] = [false, true];
 
 fn p<F: Float, const D: usize, const N: usize>(points: [[f64; D]; N]) -> [[F; D]; N] {
@@ -36,7 +36,7 @@ fn check_plane<F: Float>() {
     assert_eq!(passes(t.tau, |d| edge_vertex(0.5, d)), WITHIN, "τ");
     assert_eq!(passes(t.sigma_hat, |m| edge_vertex(m, 0.0)), BEYOND, "σ̂");
 
-    // The arms of a cross, one of them short.
+    // The arms of a cross; one of them is short.
     for short in 0..4 {
         let edge_edge = |area: f64| {
             let [a, b, c, d] = std::array::from_fn(|arm| if arm == short { 2.0 * area } else { 0.25 });
@@ -98,7 +98,7 @@ fn check_space<F: Float>() {
     assert_eq!(passes(t.zeta, |b| triangle_vertex(1.0, [b, 0.5], 0.0)), BEYOND, "ζ, b̂");
     assert_eq!(passes(t.zeta, |a| triangle_vertex(1.0, [0.5, 0.5 - a], 0.0)), BEYOND, "ζ, â");
 
-    // Twice the triangle's area is 1, and the edge 1 long; the volume is a height.
+    // Twice the triangle's area is 1, and the edge has length 1; the volume is a height.
     let pierced = |corners: [usize; 3], [x, y]: [f64; 2], ends: [f64; 2]| {
         let mut triangle = [[0.0; 3]; 3];
         for (corner, point) in corners.into_iter().zip([[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]) {
@@ -151,7 +151,8 @@ fn tolerances_are_those_of_the_format() {
     );
 }
 
-/// Feet on and beside the ends of an edge, on its line: the weight is the fraction of the way, and beyond an end is no contact.
+/// Feet on and beside the ends of an edge, on its line: the weight is the fraction of the way; beyond an end there is
+/// no contact.
 #[test]
 fn feet_on_edges_have_their_weights_and_none_beyond_an_end() {
     let (flat, deep) = (Tolerances2d::<f64>::from_length(1.0), Tolerances3d::<f64>::from_length(1.0));
@@ -170,12 +171,13 @@ fn feet_on_edges_have_their_weights_and_none_beyond_an_end() {
     }
 }
 
-/// Two edges that cross, and edges of which one ends before the other's line.
+/// Two edges that cross, and edges where one ends before the other's line.
 #[test]
 fn crossings_of_edges_have_their_weights_and_none_beyond_an_end() {
     let (flat, deep) = (Tolerances2d::<f64>::from_length(1.0), Tolerances3d::<f64>::from_length(1.0));
     for (i, j) in (-2..=6).flat_map(|i| (-2..=6).map(move |j| (i, j))) {
-        // Edges of half a unit that start so far before the crossing of their lines. At an end nothing is beyond κ or φ.
+        // Edges of half a unit that start this far before the crossing of their lines. At an end nothing is beyond κ or
+        // φ.
         let [s, t] = [i, j].map(|eighths| f64::from(eighths) / 8.0);
         let is_contact = (1..4).contains(&i) && (1..4).contains(&j);
         let expected = is_contact.then_some([s / 0.5, t / 0.5]);

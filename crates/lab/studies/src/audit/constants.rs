@@ -1,9 +1,9 @@
-//! The numbers themselves: T₋, T and T₊ against the published.
+//! The audit of the constants: T₋, T and T₊ against the published ones.
 //!
-//! A tolerance can be off and nothing be seen of it: another test stands behind it, or its
-//! T₋ and T₊ leave it the room ([`Misscaled::keeps_its_promise`]). The numbers say it all the
-//! same. So those of the code under audit are held to the figures, entered a second time
-//! for the audit alone ([`Published`](predicament_contacts::checks::audit::Published)).
+//! A wrong tolerance can have no visible effect: another test covers for it, or its T₋ and T₊ leave it enough slack
+//! ([`Misscaled::keeps_its_promise`]). The constants still show it. So the constants of the code under audit are
+//! compared with the figures, entered a second time for the audit alone
+//! ([`Published`](predicament_contacts::checks::audit::Published)).
 
 use predicament_contacts::checks::audit::Symbol;
 use predicament_predicates::Dimension;
@@ -14,37 +14,38 @@ use super::row::Form;
 use super::stream::length;
 use crate::Precision;
 
-/// How far a constant may be from the published one, as a part of it: the rounding of
-/// single precision, a few times over.
+/// The largest relative difference of a constant from the published one.
+///
+/// It is the rounding of single precision, a few times over.
 pub const NEAR_CONSTANT: f64 = 1.0 / 1_048_576.0;
 
-/// Lengths L that each constant is looked at for.
+/// The number of lengths L at which each constant is compared.
 const LENGTHS: u64 = 16;
 
-/// A tolerance of the code under audit beside the published one.
+/// A tolerance of the code under audit, and its ratios to the published one.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Constant {
-    /// The dimension, and so the figure.
+    /// The dimension, which determines the figure.
     pub dimension: Dimension,
-    /// The binary format that it is computed in.
+    /// The binary format of the computation.
     pub precision: Precision,
-    /// What is wrong with the tolerances, if anything.
+    /// The planted fault of the tolerances, if any.
     pub form: Form,
-    /// The tolerance.
+    /// The tolerance's symbol.
     pub symbol: Symbol,
-    /// T₋, T and T₊ over the published ones, where furthest from 1.
+    /// The ratios of T₋, T and T₊ to the published ones, where furthest from 1.
     pub quotients: [f64; 3],
 }
 
 impl Constant {
-    /// Whether it is the published one, up to rounding.
+    /// Returns true if the constant equals the published one, up to rounding.
     #[must_use]
     pub fn is_published(&self) -> bool {
         self.quotients.iter().all(|quotient| (quotient - 1.0).abs() <= NEAR_CONSTANT)
     }
 }
 
-/// All tolerances of a form in both dimensions and precisions; of one that has one wrong, this alone.
+/// All tolerances of a form in both dimensions and precisions; only the wrong one for a form with a planted fault.
 #[must_use]
 pub fn constants(form: Form) -> Vec<Constant> {
     let mut all = Vec::new();

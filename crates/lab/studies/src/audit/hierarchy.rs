@@ -1,7 +1,7 @@
-//! The driver of the hierarchy under audit: which pairs it asks about, and when it stops.
+//! The audit of the hierarchy's driver: the pairs that it queries, and the point where it stops.
 //!
-//! The streams ask the algorithms one by one, with a hierarchy of the audit's own.
-//! Here the driver does it, on scenes of one pair, with a session of the backend.
+//! The streams query the algorithms one by one, with the audit's own hierarchy. Here the driver does it, on scenes of
+//! one pair, with a session of the backend.
 
 use predicament_contacts::algorithm::pairs::{Contact, contacts};
 use predicament_contacts::checks::audit::{PairKind, Published, Verdict};
@@ -15,16 +15,16 @@ use super::stream::{CHUNK, draw, length};
 use super::{Algorithm, Form, Row, Scheme, ThresholdPairs, Thresholds};
 use crate::Precision;
 
-/// The driver, or one whose registrations are spoiled.
+/// The driver, or one with spoiled registrations.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Driver {
-    /// As it has to be.
+    /// The correct driver.
     Honest,
     /// The last registration below full dimension is lost.
     LostSubPair,
-    /// A pair is registered as well that the first registration below full dimension has ended.
+    /// The driver also registers a pair that the first registration below full dimension should have excluded.
     ForgottenSubPairs,
-    /// No two vertices are registered.
+    /// The driver registers no two vertices.
     SkippedVertices,
 }
 
@@ -32,7 +32,7 @@ impl Driver {
     /// The drivers that lose registrations or add some.
     pub const PLANTED: [Driver; 3] = [Driver::LostSubPair, Driver::ForgottenSubPairs, Driver::SkippedVertices];
 
-    /// In words, with dashes.
+    /// The driver's name, in words with dashes.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -43,7 +43,7 @@ impl Driver {
         }
     }
 
-    /// What the driver makes of the registrations of a scene.
+    /// Applies the driver's fault to the registrations of a scene.
     fn spoil(self, dimension: Dimension, [a, b]: [&Complex; 2], registered: &mut Vec<Contact>) {
         let is_below = |contact: &Contact| usize::from(contact.a.rank + contact.b.rank) < dimension.count();
         match self {
@@ -65,7 +65,7 @@ impl Driver {
     }
 }
 
-/// A simplex of one more vertex that has this one for a face.
+/// A simplex of one more vertex that has this one as a face.
 fn above(complex: &Complex, simplex: Simplex) -> Option<Simplex> {
     let face = complex.vertices_of(simplex);
     let all = (0..).map(|index| Simplex { rank: simplex.rank + 1, index });
@@ -77,27 +77,27 @@ fn above(complex: &Complex, simplex: Simplex) -> Option<Simplex> {
     all.take(count).find(|&other| face.iter().all(|v| complex.vertices_of(other).contains(v)))
 }
 
-/// What became of the scenes of one dimension and precision.
+/// The results on the scenes of one dimension and precision.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Hierarchy {
-    /// Scenes of one pair and its faces.
+    /// The number of scenes of one pair and its faces.
     pub scenes: u64,
-    /// Registered pairs.
+    /// The number of registered pairs.
     pub registered: u64,
-    /// Pairs that had ended.
+    /// The number of pairs with a registered sub-pair.
     pub ended: u64,
-    /// Answers by [`Verdict`].
+    /// The number of answers by [`Verdict`].
     verdicts: [u64; Verdict::ALL.len()],
 }
 
 impl Hierarchy {
-    /// How many answers had this verdict.
+    /// The number of answers with this verdict.
     #[must_use]
     pub fn count(&self, verdict: Verdict) -> u64 {
         self.verdicts[verdict as usize]
     }
 
-    /// How many answers broke the guarantee.
+    /// The number of answers that broke the guarantee.
     #[must_use]
     pub fn violations(&self) -> u64 {
         Verdict::ALL.into_iter().filter(|verdict| !verdict.is_legal()).map(|verdict| self.count(verdict)).sum()
@@ -114,10 +114,10 @@ impl Hierarchy {
     }
 }
 
-/// Holds a driver to the guarantee on so many scenes of one pair each.
+/// Checks a driver against the guarantee, on scenes of one pair each.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of scenes.
+/// [`Stop`] if the watch says so; it counts scenes.
 pub fn hierarchy(
     driver: Driver,
     dimension: Dimension,
@@ -128,7 +128,7 @@ pub fn hierarchy(
 ) -> Result<Hierarchy, Stop> {
     let top = Algorithm::all().filter(|algorithm| algorithm.dimension == dimension).last().expect("both dimensions");
     let row = Row { algorithm: top, precision, form: Form::Corrected };
-    // As many chunks as a stream has, of fewer pairs: each scene is prepared.
+    // As many chunks as a stream has, of fewer pairs, because each scene is prepared.
     let size = CHUNK / 16;
     let chunk = |at: u64| {
         let count = size.min(scenes - at * size);
@@ -145,7 +145,7 @@ pub fn hierarchy(
 
 fn judge<F: Float>(driver: Driver, row: Row, count: u64, [seed, bits]: [u64; 2]) -> Hierarchy {
     let dimension = row.algorithm.dimension;
-    // Half of L to each complex: the session makes an L of them that is a little larger.
+    // Half of L for each complex: the session computes from them an L that is a little larger.
     let half = F::nearest(length(row.precision, bits) / 2.0).wide();
     let thresholds =
         Thresholds { length: 2.0 * half, ..Scheme::<F>::new(dimension, 2.0 * half, Form::Corrected).thresholds() };

@@ -1,4 +1,4 @@
-//! The command line of the audit, and what it measures.
+//! The command line of the audit, and its measurements.
 
 use predicament_contacts::checks::audit::Symbol;
 use predicament_predicates::Dimension;
@@ -13,7 +13,7 @@ pub struct Audit {
     #[arg(long, default_value_t = 1_000_000, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
     pub decisions: u64,
 
-    /// Tolerances and drivers with a known fault instead; each has to be found
+    /// Tolerances and drivers with a known fault instead; each must be found
     #[arg(long)]
     pub planted: bool,
 
@@ -25,21 +25,21 @@ pub struct Audit {
 /// A row and its counts.
 pub type Audited = (Row, Tally);
 
-/// A row, a tolerance that its algorithm reads, and what became of the pairs at it.
+/// A row, a tolerance that its algorithm reads, and the results of the pairs at it.
 pub type Read = (Row, Symbol, Reads);
 
-/// A driver, a dimension, a precision, and what became of the scenes.
+/// A driver, a dimension, a precision, and the results of the scenes.
 pub type Driven = (Driver, Dimension, Precision, Hierarchy);
 
-/// All that an audit measures.
+/// All measurements of an audit.
 #[derive(Clone, Default, Debug)]
 pub struct Measured {
-    /// Whole pairs, algorithm by algorithm.
+    /// The results of whole pairs, algorithm by algorithm.
     pub rows: Vec<Audited>,
-    /// Single tests, tolerance by tolerance.
+    /// The results of single tests, tolerance by tolerance.
     pub reads: Vec<Read>,
-    /// Drivers of the hierarchy.
+    /// The results of drivers of the hierarchy.
     pub drivers: Vec<Driven>,
-    /// The tolerances themselves.
+    /// The tolerances, compared with the published ones.
     pub constants: Vec<Constant>,
 }

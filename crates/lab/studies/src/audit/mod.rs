@@ -1,23 +1,19 @@
-//! Do the tolerance paper's algorithms keep their guarantee at their thresholds?
+//! The audit of the tolerance paper's algorithms: whether they keep their guarantee at their thresholds.
 //!
-//! What a scheme of tolerances promises it promises at distances that random
-//! scenes never have. So pairs are made at the thresholds
-//! ([`ThresholdPairs`]), each is asked about
-//! as the hierarchy would, its sub-pairs first, and each answer is judged by
-//! exact distances ([`Bands::judge`](predicament_contacts::checks::audit::Bands::judge)).
+//! A tolerance scheme makes its promise at distances that random scenes never have. So the study makes pairs at the
+//! thresholds ([`ThresholdPairs`]). It queries each as the hierarchy would, its sub-pairs first, and judges each answer
+//! by exact distances ([`Bands::judge`](predicament_contacts::checks::audit::Bands::judge)).
 //!
-//! The hierarchy leaves most tests no choice, so each is asked about by itself as well,
-//! with pairs at its own tolerance ([`read()`]). And the driver that goes through the
-//! levels is held to the same guarantee, on scenes of one pair ([`hierarchy()`]).
+//! The hierarchy leaves most tests no choice, so the study also queries each test alone, with pairs at its own
+//! tolerance ([`read()`]). The driver that goes through the levels must keep the same guarantee, on scenes of one pair
+//! ([`hierarchy()`]).
 //!
-//! All of it is held to the published tolerances, not to those of the code under audit. The
-//! numbers of that are held to the published ones besides ([`constants()`]): one that is off can hide
-//! behind another test.
+//! All checks use the published tolerances, not those of the code under audit. The constants of that code are compared
+//! with the published ones as well ([`constants()`]), because a wrong one can be hidden by another test.
 //!
 //! * [`Audit`]: the study.
-//! * [`Row`]: which algorithm, in which precision, over which form of
-//!   Algorithms 3 and 8; [`rows`]: all there are.
-//! * [`Scheme`]: the algorithms of one L, asked about lists of points.
+//! * [`Row`]: an algorithm, a precision, and a form of Algorithms 3 and 8; [`rows`]: all rows.
+//! * [`Scheme`]: the algorithms of one L, on lists of points.
 //! * [`audit()`]: a stream of pairs through one row; [`Tally`]: its counts.
 
 mod constants;

@@ -1,4 +1,4 @@
-//! Each test of each algorithm by itself, with pairs at its tolerance.
+//! The audit of each algorithm's single tests, with pairs at the test's tolerance.
 
 use predicament_contacts::checks::audit::{Bands, Readings, Symbol, Verdict};
 use predicament_contacts::task::thresholds;
@@ -12,26 +12,26 @@ use super::tally::Violation;
 use super::{Row, Scheme};
 use crate::Precision;
 
-/// A value is at a limit if it is within this part of it, 2⁻¹⁰.
+/// The relative distance within which a value counts as being at a limit, 2⁻¹⁰.
 pub const NEAR_LIMIT: f64 = 1.0 / 1024.0;
 
-/// What became of the pairs at one tolerance of one algorithm.
+/// The results of the pairs at one tolerance of one algorithm.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Reads {
-    /// Pairs that the algorithm was asked about.
+    /// The number of pairs that the algorithm decided.
     pub asked: u64,
-    /// Pairs that it registered.
+    /// The number of pairs that it registered.
     pub registered: u64,
-    /// Values at T₋, T and T₊: up to it, and beyond.
+    /// The number of values at T₋, T and T₊: up to the limit, and beyond.
     pub hits: [[u64; 2]; 3],
-    /// Answers that a single test cannot have led to.
+    /// The number of answers that contradict the single test.
     pub misread: u64,
-    /// The first of them.
+    /// The first such answer.
     pub first: Option<Violation>,
 }
 
 impl Reads {
-    /// Whether every limit was hit on both sides.
+    /// Returns true if every limit was hit on both sides.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.hits.as_flattened().iter().all(|&hits| hits > 0)
@@ -49,14 +49,13 @@ impl Reads {
     }
 }
 
-/// Asks a row's algorithm about so many pairs at one of the tolerances that it reads,
-/// whatever their sub-pairs are.
+/// Queries a row's algorithm about pairs at one of the tolerances that it reads, whatever their sub-pairs are.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of pairs.
+/// [`Stop`] if the watch says so; it counts pairs.
 ///
 /// # Panics
-/// If the algorithm does not read it.
+/// If the algorithm does not read the tolerance.
 pub fn read(row: Row, symbol: Symbol, pairs: u64, seed: u64, watch: &Watch) -> Result<Reads, Stop> {
     let what = format!("read {}", symbol.name());
     let chunk = |at: u64| {

@@ -9,14 +9,14 @@ use crate::Precision;
 /// One of the paper's algorithms on pairs: 2 to 5 in the plane, 7 to 12 in space.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Algorithm {
-    /// The dimension of its space.
+    /// The dimension of the algorithm's space.
     pub dimension: Dimension,
-    /// The pairs that it decides.
+    /// The kind of pairs that the algorithm decides.
     pub kind: PairKind,
 }
 
 impl Algorithm {
-    /// All ten, in the order of their numbers.
+    /// All ten algorithms, in the order of their numbers.
     pub fn all() -> impl Iterator<Item = Algorithm> {
         let of = |dimension: Dimension| {
             let fits = move |kind: &PairKind| kind.ranks().map(usize::from).iter().sum::<usize>() <= dimension.count();
@@ -25,7 +25,7 @@ impl Algorithm {
         of(Dimension::Two).chain(of(Dimension::Three))
     }
 
-    /// Its number in the paper.
+    /// The algorithm's number in the paper.
     #[must_use]
     pub const fn number(self) -> u8 {
         let first = match self.dimension {
@@ -35,21 +35,21 @@ impl Algorithm {
         first + self.kind as u8
     }
 
-    /// Whether Algorithm 3 or 8 is asked about its pair or a sub-pair.
+    /// Returns true if Algorithm 3 or 8 decides its pair or a sub-pair.
     #[must_use]
     pub fn has_edges(self) -> bool {
         self.kind != PairKind::VertexVertex
     }
 }
 
-/// Which form of Algorithms 3 and 8 decides edges with vertices, and by which tolerances.
+/// The form of Algorithms 3 and 8, which decide edges with vertices, and their tolerances.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Form {
-    /// û = B − A.
+    /// The corrected form, û = B − A.
     Corrected,
-    /// û = A − B.
+    /// The printed form, û = A − B.
     AsPrinted,
-    /// û = B − A, and a tolerance that is not the paper's.
+    /// The corrected form, with a tolerance that differs from the paper's.
     Misscaled(Misscaled),
 }
 
@@ -58,14 +58,14 @@ pub enum Form {
 pub struct Row {
     /// The algorithm.
     pub algorithm: Algorithm,
-    /// The binary format that it runs in.
+    /// The binary format of the computation.
     pub precision: Precision,
     /// The form of the algorithm that decides edges with vertices.
     pub form: Form,
 }
 
 impl Form {
-    /// What is wrong with its tolerances, `corrected` if nothing.
+    /// The name of its tolerances' fault, `corrected` if there is none.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -77,7 +77,7 @@ impl Form {
 }
 
 impl Row {
-    /// Whether a tolerance is one that the row's form has wrong; every one where it has none wrong.
+    /// Returns true if the row's form has this tolerance wrong, or has no tolerance wrong.
     #[must_use]
     pub fn concerns(self, symbol: Symbol) -> bool {
         match self.form {
@@ -88,8 +88,9 @@ impl Row {
         }
     }
 
-    /// `corrected`; `as printed` where the algorithm itself is, and else which
-    /// printed algorithm is asked about its sub-pairs.
+    /// The text `corrected`, `as printed`, or the printed algorithm that decides its sub-pairs.
+    ///
+    /// It is `as printed` if the algorithm itself has the printed form.
     #[must_use]
     pub fn variant(self) -> &'static str {
         match (self.form, self.algorithm.kind, self.algorithm.dimension) {
@@ -100,8 +101,7 @@ impl Row {
     }
 }
 
-/// All rows: each algorithm in both precisions, and again over the printed
-/// form where that is asked at all.
+/// All rows: each algorithm in both precisions, and again with the printed form if that form decides anything.
 #[must_use]
 pub fn rows() -> Vec<Row> {
     let with = |form: Form| {

@@ -1,4 +1,4 @@
-//! The algorithms of the tolerance crate, asked about a pair of point lists.
+//! The algorithms of the tolerance crate, applied to a pair of point lists.
 
 use predicament_contacts::algorithm::pairs::Weights;
 use predicament_contacts::checks::audit::{Bands, Published, Symbol};
@@ -10,11 +10,11 @@ use rug::Rational;
 
 use super::{Form, Thresholds};
 
-/// The paper's algorithms for one L. Points of the plane have z = 0.
+/// The paper's algorithms for one L; points of the plane have z = 0.
 pub struct Scheme<F> {
     /// The tolerances of that L.
     pub tolerances: ContactTolerances<F>,
-    /// Whether Algorithms 3 and 8 are the printed ones.
+    /// True if Algorithms 3 and 8 are the printed ones.
     printed: bool,
 }
 
@@ -55,25 +55,26 @@ impl<F: Float> Scheme<F> {
         Published::new(self.dimension(), halvings, &Enclosure::exact(length))
     }
 
-    /// The bands that the answers are held to: the published ones.
+    /// The bands that the answers are checked against: the published ones.
     #[must_use]
     pub fn bands(&self) -> Bands {
         Bands::published(self.published())
     }
 
-    /// The distances that pairs are made at: the published ones.
+    /// The thresholds at which pairs are made: the published ones.
     #[must_use]
     pub fn thresholds(&self) -> Thresholds {
         let published = self.published();
         let [sigma, tau] = [Symbol::Sigma, Symbol::Tau].map(|symbol| published.rounded(symbol));
-        // The plane's top-level pairs have no band of their own.
+        // The plane's top-level pairs have no band.
         let of = |ranks| published.distance(ranks).map_or(tau, |symbol| published.rounded(symbol));
         let [gamma, delta] = [of([1, 1]), of([2, 0])];
         Thresholds { length: self.tolerances.length().wide(), sigma, tau, delta, gamma }
     }
 
-    /// The pair's weights if it is registered; the simplex of higher rank is
-    /// first. Sub-pairs are not looked at.
+    /// The pair's weights if it is registered; the simplex of higher rank is first.
+    ///
+    /// Sub-pairs are ignored.
     ///
     /// # Panics
     /// If the hierarchy has no such pair.
@@ -120,7 +121,7 @@ impl<F: Float> Scheme<F> {
         })
     }
 
-    /// Whether a sub-pair is registered, the most degenerate asked first.
+    /// Returns true if a sub-pair is registered; the most degenerate are queried first.
     #[must_use]
     pub fn has_registered_faces(&self, first: &[[f64; 3]], second: &[[f64; 3]]) -> bool {
         let all = [first, second].map(|simplex| (1_u8 << simplex.len()) - 1);
@@ -148,7 +149,7 @@ struct Face {
 }
 
 impl Face {
-    /// The points whose bits are set.
+    /// The face of the points whose bits are set.
     fn of(simplex: &[[f64; 3]], chosen: u8) -> Face {
         let mut face = Face { points: [[0.0; 3]; 4], count: 0 };
         for (_, &point) in simplex.iter().enumerate().filter(|(i, _)| chosen >> i & 1 == 1) {
@@ -163,7 +164,7 @@ impl Face {
     }
 }
 
-/// The first of them are the simplex' points.
+/// The simplex' points, followed by padding.
 fn points<F: Float, const D: usize>(simplex: &[[f64; 3]]) -> [[F; D]; 4] {
     let mut points = [[F::ZERO; D]; 4];
     for (to, from) in points.iter_mut().zip(simplex) {

@@ -1,7 +1,7 @@
 //! Pairs at the thresholds, one after the other, on all threads.
 //!
-//! A stream is cut into chunks of a fixed size, each with a seed and an L of
-//! its own, so what is counted does not depend on the number of threads.
+//! A stream is cut into chunks of a fixed size, each with a separate seed and L, so the counts do not depend on the
+//! number of threads.
 
 use crate::audit::ThresholdPairs;
 use predicament_contacts::checks::audit::{Pair, Verdict};
@@ -15,13 +15,13 @@ use super::tally::{NEAR, Tally, Violation};
 use super::{Row, Scheme};
 use crate::Precision;
 
-/// Decisions to a chunk.
+/// The number of decisions in a chunk.
 pub(super) const CHUNK: u64 = 1 << 12;
 
-/// The counts of so many decisions of a row, each judged.
+/// The counts of a row's decisions, each judged.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of decisions.
+/// [`Stop`] if the watch says so; it counts decisions.
 pub fn audit(row: Row, decisions: u64, seed: u64, watch: &Watch) -> Result<Tally, Stop> {
     let chunk = |at: u64| {
         let count = CHUNK.min(decisions - at * CHUNK);
@@ -35,15 +35,16 @@ pub fn audit(row: Row, decisions: u64, seed: u64, watch: &Watch) -> Result<Tally
     chunks.try_reduce(Tally::default, |tally, later| Ok(tally.plus(later)))
 }
 
-/// The seed of a chunk, and a number that its L is made of.
+/// The seed of a chunk, and a number that determines its L.
 pub(super) fn draw(what: &str, row: Row, seed: u64, chunk: u64) -> [u64; 2] {
     let name = format!("{what} {} {} {} {seed} {chunk}", row.algorithm.number(), row.precision.name(), row.variant());
     let digest: [u8; 32] = Sha256::digest(name).into();
     [0, 8].map(|at| u64::from_le_bytes(std::array::from_fn(|i| digest[at + i])))
 }
 
-/// A length in [2⁻¹⁰⁰, 2¹⁰⁰), in single precision in [2⁻¹², 2¹⁶), each power of two as
-/// likely as the next: L⁶ has to be a normal number.
+/// A random length in [2⁻¹⁰⁰, 2¹⁰⁰), in single precision in [2⁻¹², 2¹⁶).
+///
+/// All powers of two are equally likely. The limits keep L⁶ a normal number.
 pub(super) fn length(precision: Precision, bits: u64) -> f64 {
     let [low, high]: [i32; 2] = match precision {
         Precision::Double => [-100, 100],
@@ -56,7 +57,7 @@ pub(super) fn length(precision: Precision, bits: u64) -> f64 {
     (1.0 + fraction) * 2.0_f64.powi(low + halvings)
 }
 
-/// One chunk.
+/// The counts of one chunk.
 fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2]) -> Tally {
     let dimension = row.algorithm.dimension;
     let scheme = Scheme::<F>::new(dimension, length(row.precision, bits), row.form);
@@ -91,7 +92,7 @@ fn judge<F: Float>(row: Row, decisions: u64, [seed, bits]: [u64; 2]) -> Tally {
     tally
 }
 
-/// One that broke the guarantee.
+/// The record of a decision that broke the guarantee.
 pub(super) fn violation(verdict: Verdict, length: f64, exact: &Pair, pair: [Vec<[f64; 3]>; 2]) -> Violation {
     Violation { verdict, length, pair, distance: exact.distance_squared().to_f64().sqrt() }
 }

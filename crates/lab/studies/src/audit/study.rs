@@ -11,9 +11,9 @@ use super::records::{ConstantRecord, DriverRecord, ReadRecord, Record};
 use super::{Algorithm, Constant, Driver, Form, Row, audit, constants, hierarchy, read, rows, table};
 use crate::{Common, Error, File, Host, Precision, Study};
 
-/// One pair at each tolerance for so many decisions.
+/// The number of decisions per pair at each tolerance.
 const READS: u64 = 10;
-/// One scene of the hierarchy for so many decisions.
+/// The number of decisions per scene of the hierarchy.
 const SCENES: u64 = 50;
 
 impl Audit {

@@ -1,4 +1,4 @@
-//! Decisions and violations of each algorithm, as Markdown.
+//! The page of an audit: decisions and violations of each algorithm, as Markdown.
 
 use std::fmt::Write as _;
 
@@ -25,7 +25,7 @@ pub(super) fn page(audit: &Audit, measured: &Measured) -> String {
     page + &firsts(of_rows.chain(of_reads))
 }
 
-/// Each algorithm on pairs of which no sub-pair is registered.
+/// The table of each algorithm on pairs without a registered sub-pair.
 fn whole_pairs(audited: &[Audited]) -> String {
     let mut page = String::new();
     page += "| Algorithm | precision | variant | decisions | ended | registered | not | near | agree | in band \
@@ -35,7 +35,7 @@ fn whole_pairs(audited: &[Audited]) -> String {
         let Record { algorithm, pair, ranks, precision, variant, decisions, ended, registered, .. } = Record::of(row);
         let Record { not_registered, near, agree, in_band, overreach, missed, unguarded, .. } = Record::of(row);
         let Record { bad_weight, misread, weight_error, least_guard, .. } = Record::of(row);
-        #[allow(clippy::cast_precision_loss)] // a share to be read
+        #[allow(clippy::cast_precision_loss)] // a share for display
         let near = format!("{:.1} %", near as f64 / decisions as f64 * 100.0);
         let guard = least_guard.map_or_else(|| "-".to_owned(), |guard| format!("{guard:.3}"));
         let _ = writeln!(
@@ -51,7 +51,7 @@ fn whole_pairs(audited: &[Audited]) -> String {
     page
 }
 
-/// Each algorithm on pairs at each tolerance that it reads.
+/// The table of each algorithm on pairs at each tolerance that it reads.
 fn single_tests(reads: &[Read]) -> String {
     let mut page = "| Algorithm | precision | variant | reads | asked | registered | T- within | beyond | T within \
                     | beyond | T+ within | beyond | misread |\n"
@@ -72,7 +72,7 @@ fn single_tests(reads: &[Read]) -> String {
     page
 }
 
-/// The tolerances beside the published ones.
+/// The table of the tolerances and their ratios to the published ones.
 fn constants(measured: &Measured) -> String {
     let mut page = "| figure | precision | variant | tolerance | T- | T | T+ | as published |\n".to_owned();
     page += "|---|---|---|---|---:|---:|---:|---|\n";
@@ -91,7 +91,7 @@ fn constants(measured: &Measured) -> String {
     page
 }
 
-/// The drivers of the hierarchy.
+/// The table of the hierarchy's drivers.
 fn drivers(measured: &Measured) -> String {
     let mut page = "| space | precision | driver | scenes | registered | ended | agree | in band | overreach | missed \
                     | unguarded | bad weight | unasked | misread |\n"
@@ -111,7 +111,7 @@ fn drivers(measured: &Measured) -> String {
     page
 }
 
-/// The first decision of each row that has broken the guarantee.
+/// The first decision of each row that broke the guarantee.
 fn firsts<'a>(first: impl Iterator<Item = (&'a Row, &'a Violation)>) -> String {
     let mut page = String::new();
     for (at, (row, violation)) in first.enumerate() {
@@ -135,7 +135,7 @@ fn firsts<'a>(first: impl Iterator<Item = (&'a Row, &'a Violation)>) -> String {
     page
 }
 
-/// All digits: a violation can be repeated.
+/// The coordinates with all digits, so that a violation can be repeated.
 fn points(simplex: &[[f64; 3]], dimension: usize) -> String {
     let point = |point: &[f64; 3]| point[..dimension].iter().map(|x| format!("{x:e}")).collect::<Vec<_>>().join(", ");
     simplex.iter().map(|vertex| format!("({})", point(vertex))).collect::<Vec<_>>().join(" ")

@@ -2,20 +2,21 @@
 
 use predicament_contacts::checks::audit::{Judgement, Verdict};
 
-/// Distances whose difference to T₋ or T₊ is at most this part of it, 2⁻²⁰, are near.
+/// The relative distance to T₋ or T₊, 2⁻²⁰, within which a distance counts as near.
 pub const NEAR: f64 = 1.0 / 1_048_576.0;
 
-/// Counts and extremes; those of the parts of a stream add up to its own.
+/// Counts and extremes of a stream; those of its parts add up.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Tally {
-    /// Pairs that were not to be asked about, as a sub-pair was registered.
+    /// The number of pairs that were not decided, because a sub-pair was registered.
     pub ended: u64,
-    /// By [`Verdict`].
+    /// The number of decisions by [`Verdict`].
     verdicts: [u64; Verdict::ALL.len()],
-    /// Decisions that registered the pair.
+    /// The number of decisions that registered the pair.
     pub registered: u64,
-    /// Decisions with a distance near T₋ or T₊: the pair's own if it has a
-    /// tolerance, else that of one of its facets with the other simplex.
+    /// The number of decisions with a distance near T₋ or T₊.
+    ///
+    /// It is the pair's own distance if it has a tolerance, else that of one of its facets with the other simplex.
     pub near: u64,
     /// The largest error of a weight.
     pub weight_error: f64,
@@ -28,7 +29,7 @@ pub struct Tally {
 /// A decision that broke the guarantee.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Violation {
-    /// The clause of the guarantee that it breaks.
+    /// The broken clause of the guarantee.
     pub verdict: Verdict,
     /// The L of the tolerances.
     pub length: f64,
@@ -39,19 +40,19 @@ pub struct Violation {
 }
 
 impl Tally {
-    /// How many answers had this verdict.
+    /// The number of answers with this verdict.
     #[must_use]
     pub fn count(&self, verdict: Verdict) -> u64 {
         self.verdicts[verdict as usize]
     }
 
-    /// How many pairs were decided: those of which no sub-pair is registered.
+    /// The number of decided pairs: those without a registered sub-pair.
     #[must_use]
     pub fn decisions(&self) -> u64 {
         self.verdicts.iter().sum()
     }
 
-    /// How many answers broke the guarantee.
+    /// The number of answers that broke the guarantee.
     #[must_use]
     pub fn violations(&self) -> u64 {
         Verdict::ALL.into_iter().filter(|verdict| !verdict.is_legal()).map(|verdict| self.count(verdict)).sum()
@@ -65,7 +66,7 @@ impl Tally {
         self.room = least(self.room, judgement.room.map(f64::sqrt));
     }
 
-    /// The counts of two parts of a stream together, this one being the earlier.
+    /// The counts of two parts of a stream together, with this one first.
     #[must_use]
     pub fn plus(mut self, later: Tally) -> Tally {
         self.ended += later.ended;

@@ -1,36 +1,34 @@
 //! Pairs of simplices at the edges of a tolerance scheme's thresholds.
 //!
-//! Random pairs are either far apart or cross: no distance is ever near a
-//! tolerance of some 10⁻⁸ of their size. Here each pair is built around the
-//! thresholds of the hierarchy of Wang, Jiang, Schroeder and Teran: its own
-//! distance at T₋, T or T₊, its feet near the ends of the simplices, where the
-//! sub-pairs' thresholds are, edges nearly parallel and triangles thin enough
-//! for the guarded quantities to be near their bounds. One in four is
-//! a few σ in size, with faces that nearly touch. What each pair is
-//! exactly is not known here; it is for exact arithmetic to say.
+//! Random pairs are either far apart or cross: no distance is ever near a tolerance of some 10⁻⁸ of their size. Here
+//! each pair is built around the thresholds of the hierarchy of Wang, Jiang, Schroeder and Teran. Its own distance is
+//! at T₋, T or T₊. Its feet are near the ends of the simplices, where the sub-pairs' thresholds are. Edges are nearly
+//! parallel and triangles thin enough for the guarded quantities to be near their bounds. One in four is a few σ in
+//! size, with faces that nearly touch. This module does not know the exact distances of a pair; exact arithmetic
+//! determines them.
 //!
-//! Deterministic as all generators: ChaCha8, and + − · / √ only.
+//! It is deterministic as all generators: ChaCha8, and + − · / √ only.
 
 use predicament_formats::bits::power_of_two;
 
 use predicament_corpus::Random;
 
-/// T₋, T and T₊ of each distance.
+/// The thresholds T₋, T and T₊ of each distance.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Thresholds {
-    /// L: no coordinate difference within a pair exceeds it.
+    /// L: an upper bound of all coordinate differences within a pair.
     pub length: f64,
-    /// Vertex-vertex.
+    /// σ, vertex-vertex.
     pub sigma: [f64; 3],
-    /// Edge-vertex.
+    /// τ, edge-vertex.
     pub tau: [f64; 3],
-    /// Triangle-vertex in space.
+    /// δ, triangle-vertex in space.
     pub delta: [f64; 3],
-    /// Edge-edge in space.
+    /// γ, edge-edge in space.
     pub gamma: [f64; 3],
 }
 
-/// A stream of pairs for one kind of pair.
+/// A stream of random pairs at the thresholds.
 pub struct ThresholdPairs {
     random: Random,
     thresholds: Thresholds,
@@ -40,8 +38,9 @@ pub struct ThresholdPairs {
 type Simplices<const D: usize> = [Vec<[f64; D]>; 2];
 
 impl ThresholdPairs {
-    /// Coordinates are rounded by `round`, so that they are numbers of the
-    /// precision under test.
+    /// A new stream.
+    ///
+    /// `round` rounds coordinates to numbers of the precision under test.
     #[must_use]
     pub fn new(seed: u64, thresholds: Thresholds, round: fn(f64) -> f64) -> ThresholdPairs {
         ThresholdPairs { random: Random::new("thresholds", "contacts", seed), thresholds, round }
@@ -94,8 +93,9 @@ impl ThresholdPairs {
         Some([vec![[0.0; D]], vec![times(self.direction(), distance)]])
     }
 
-    /// Two simplices a few σ in size, of which a point of a face of the one is next to
-    /// a point of a face of the other: what is not registered there is missed further up.
+    /// Two simplices a few σ in size, where a point of a face of one is next to a point of a face of the other.
+    ///
+    /// A contact that is not registered there is missed at the higher levels.
     fn touching<const D: usize>(&mut self, ranks: [u8; 2]) -> Simplices<D> {
         let side = self.thresholds.sigma[1] * self.random.between(2.0, 8.0);
         let [first, second]: Simplices<D> = ranks
@@ -107,7 +107,7 @@ impl ThresholdPairs {
         [first, second.into_iter().map(|vertex| plus(vertex, by)).collect()]
     }
 
-    /// A point of a face, each face as likely as the next.
+    /// A point of a random face; all faces are equally likely.
     fn on_a_face<const D: usize>(&mut self, simplex: &[[f64; D]]) -> [f64; D] {
         let all = (1_i64 << simplex.len()) - 1;
         let chosen = self.random.integer(1, all);
@@ -119,7 +119,7 @@ impl ThresholdPairs {
         parts.fold([0.0; D], plus)
     }
 
-    /// A foot on the edge, near its ends, or beyond them.
+    /// An edge and a vertex whose foot is on the edge, near its ends, or beyond them.
     fn edge_vertex<const D: usize>(&mut self) -> Option<Simplices<D>> {
         let u = self.direction();
         let n = self.across(u)?;
@@ -150,7 +150,7 @@ impl ThresholdPairs {
         Some(arms(u, v, lift, ends))
     }
 
-    /// Around the origin: three lines at chosen distances from it.
+    /// A triangle around the origin: three lines at chosen distances from it.
     fn triangle_vertex2d(&mut self) -> Option<Simplices<2>> {
         let triangle = self.triangle(self.thresholds.tau, 0.0)?;
         Some([triangle.to_vec(), vec![[0.0; 2]]])
@@ -174,7 +174,7 @@ impl ThresholdPairs {
         Some([triangle.to_vec(), vec![times(direction, ends[0]), times(direction, -ends[1])]])
     }
 
-    /// Around the origin: four planes at chosen distances from it.
+    /// A tetrahedron around the origin: four planes at chosen distances from it.
     fn tetrahedron_vertex(&mut self) -> Option<Simplices<3>> {
         let [a, b, c]: [[f64; 3]; 3] = [(); 3].map(|()| self.direction());
         let weights = [(); 3].map(|()| self.random.between(0.1, 1.0));
@@ -195,8 +195,9 @@ impl ThresholdPairs {
         Some([vec![corner(0)?, corner(1)?, corner(2)?, corner(3)?], vec![[0.0; 3]]])
     }
 
-    /// A triangle around the origin whose lines are at distances from it such
-    /// that a point `lift` above the origin is near the thresholds of its edges.
+    /// A triangle around the origin with lines at chosen distances.
+    ///
+    /// A point `lift` above the origin is then near the thresholds of its edges.
     fn triangle(&mut self, band: [f64; 3], lift: f64) -> Option<[[f64; 2]; 3]> {
         let [a, b]: [[f64; 2]; 2] = [self.direction(), self.direction()];
         let weights = [(); 2].map(|()| self.random.between(0.1, 1.0));
@@ -211,8 +212,9 @@ impl ThresholdPairs {
         Some([corner(lines[1], lines[2])?, corner(lines[2], lines[0])?, corner(lines[0], lines[1])?])
     }
 
-    /// How far to an end of an edge that is crossed at an angle: any size, or
-    /// such that the end is at a threshold of the other, before or behind it.
+    /// The distance to an end of an edge that is crossed at an angle.
+    ///
+    /// It has any size, or puts the end at a threshold of the other edge, before or behind it.
     fn end(&mut self, band: [f64; 3], distance: f64, sine: f64) -> f64 {
         match self.random.integer(0, 15) {
             0..=6 => self.size(),
@@ -227,7 +229,7 @@ impl ThresholdPairs {
         (hypotenuse * hypotenuse - leg * leg).max(0.0).sqrt()
     }
 
-    /// T₋, T or T₊, off by up to a half of it or down to 2⁻³⁰ of that.
+    /// A target T₋, T or T₊, off by up to a half of it or down to 2⁻³⁰ of that.
     fn aim(&mut self, [lower, width, upper]: [f64; 3]) -> f64 {
         let target = match self.random.integer(0, 2) {
             0 => lower,
@@ -237,15 +239,16 @@ impl ThresholdPairs {
         target * (1.0 + self.random.between(-0.5, 0.5) * power_of_two(-self.random.integer(0, 30)))
     }
 
-    /// From L down to about σ, each power of two as likely as the next.
+    /// A random size from L down to about σ; all powers of two are equally likely.
     fn size(&mut self) -> f64 {
         let halvings = (0..64).take_while(|&k| self.thresholds.length * power_of_two(-k) > self.thresholds.sigma[0]);
         let last = halvings.last().unwrap_or(0);
         self.thresholds.length * power_of_two(-self.random.integer(0, last)) * self.random.between(0.5, 1.0)
     }
 
-    /// Two unit vectors and the sine of the angle between them, from right
-    /// angles to nearly parallel.
+    /// Two unit vectors and the sine of the angle between them.
+    ///
+    /// The angle is from a right angle to nearly zero.
     fn two_directions<const D: usize>(&mut self) -> Option<([f64; D], [f64; D], f64)> {
         let u = self.direction();
         let n = self.across(u)?;
@@ -276,8 +279,9 @@ impl ThresholdPairs {
         normalized(plus(candidate, times(u, -dot(candidate, u))))
     }
 
-    /// Somewhere within L of the origin, in the precision under test; none
-    /// where the pair is larger than L.
+    /// The pair moved to a random place within L of the origin, in the precision under test.
+    ///
+    /// `None` if the pair is larger than L.
     fn place<const D: usize>(&mut self, pair: Simplices<D>) -> Option<Simplices<D>> {
         let origin: [f64; D] = if self.random.one_in(4) {
             [0.0; D]

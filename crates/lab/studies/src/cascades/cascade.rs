@@ -1,12 +1,12 @@
-//! The cascades: a polygon to begin with, and what is done to it in each step.
+//! The cascades: an initial polygon, and the operation of each step.
 //!
-//! Only the four operations and square roots are used, which are the same everywhere. All coordinates are below 4.
+//! They use only the four operations and square roots, which are the same everywhere. All coordinates are below 4.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, step};
 use predicament_overlay::algorithm::overlay::Operation;
 
-/// Corners of a polygon, in their order.
+/// The corners of a polygon, in their order.
 pub type Loop = Vec<[f64; 2]>;
 
 /// A step: an operation and its second operand.
@@ -21,13 +21,13 @@ pub struct Operand {
 /// A sequence of Boolean operations.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, clap::ValueEnum)]
 pub enum Cascade {
-    /// A square united with itself turned around its centre, every fourth time by a hair
+    /// A square united with its copy turned around its centre, every fourth time by almost the same angle as before
     Rotate,
-    /// A square shaved by half-planes that touch a circle; every fourth is an earlier one moved by an ulp
+    /// A square cut by half-planes that touch a circle; every fourth is an earlier one moved by an ulp
     Shave,
     /// Stars united one by one; every fourth is an earlier one moved by an ulp
     Stars,
-    /// The regions of a map united one by one; every other one has borders with half the vertices, smoothed
+    /// The regions of a map united one by one; every second one has borders with half the vertices, smoothed
     Generalise,
 }
 
@@ -35,7 +35,7 @@ impl Cascade {
     /// All cascades.
     pub const ALL: [Cascade; 4] = [Cascade::Rotate, Cascade::Shave, Cascade::Stars, Cascade::Generalise];
 
-    /// The name in files.
+    /// The cascade's name in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -46,7 +46,7 @@ impl Cascade {
         }
     }
 
-    /// The loop to begin with, and the operation and second operand of each of so many steps.
+    /// The initial loop, and the operation and second operand of each of `count` steps.
     #[must_use]
     pub fn steps(self, count: usize, seed: u64) -> (Loop, Vec<Operand>) {
         let mut random = Random::new(self.name(), "cascades", seed);
@@ -59,7 +59,9 @@ impl Cascade {
     }
 }
 
-/// Every other vertex of a line, those between its ends moved half way to the middle of their neighbours.
+/// Every other vertex of a line.
+///
+/// The inner ones are moved half way to the middle of their neighbours.
 fn smoothed(line: &Loop) -> Loop {
     let mut kept: Loop = line.iter().step_by(2).copied().collect();
     for at in 1..kept.len().saturating_sub(1) {
@@ -73,7 +75,7 @@ fn small(n: usize) -> f64 {
     integer(i64::try_from(n).expect("few steps"))
 }
 
-/// (cos, sin) of twice the angle whose tangent is t, rounded.
+/// The values (cos, sin) of twice the angle whose tangent is t, rounded.
 fn turned(t: f64) -> [f64; 2] {
     [(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)]
 }
@@ -85,7 +87,7 @@ fn union(corners: Loop) -> Operand {
 fn rotate(count: usize) -> (Loop, Vec<Operand>) {
     let square = [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]];
     let turn = |at: usize| {
-        // By less than a right angle; every fourth by a hair more than the one before.
+        // By less than a right angle; every fourth by a tiny amount more than the one before.
         let t = if at % 4 == 3 { small(at - 1) * (1.0 + f64::EPSILON) } else { small(at) } / small(count + 1);
         let [c, s] = turned(t);
         union(square.map(|[x, y]| [c * x - s * y, s * x + c * y]).to_vec())
@@ -98,7 +100,7 @@ fn shave(count: usize) -> (Loop, Vec<Operand>) {
     let mut steps: Vec<Operand> = Vec::with_capacity(count);
     for at in 0..count {
         let corners = if at % 4 == 3 {
-            // The cut before the last, an ulp farther in on one side.
+            // The cut before the last, an ulp farther inside on one side.
             let mut corners = steps[at - 2].corners.clone();
             corners[0][0] = step(corners[0][0], if corners[0][0] > 0.0 { -1 } else { 1 });
             corners
@@ -113,7 +115,7 @@ fn shave(count: usize) -> (Loop, Vec<Operand>) {
                 q if q < 3.0 => [-c, -s],
                 _ => [s, -c],
             };
-            // Beside the line that touches the circle of radius 0.9, a box.
+            // A box beside the line that touches the circle of radius 0.9.
             let at = |along: f64, out: f64| [c * out - s * along, s * out + c * along];
             vec![at(-1.5, 0.9), at(-1.5, 2.0), at(1.5, 2.0), at(1.5, 0.9)]
         };
@@ -148,7 +150,7 @@ fn stars(count: usize, random: &mut Random) -> (Loop, Vec<Operand>) {
     (first, steps)
 }
 
-/// How often borders of regions are divided.
+/// The number of times that borders of regions are divided.
 const LEVELS: u32 = 3;
 
 fn generalise(count: usize, random: &mut Random) -> (Loop, Vec<Operand>) {

@@ -1,4 +1,4 @@
-//! A result between two steps, as doubles: what programs keep that have no constructed vertices.
+//! A result between two steps as doubles, as stored by programs without constructed vertices.
 
 use std::collections::HashMap;
 
@@ -15,7 +15,7 @@ pub(super) struct Pair {
     pub second: Polygon,
 }
 
-/// Points, none twice.
+/// Distinct points.
 #[derive(Default)]
 pub(super) struct Points {
     pub points: Vec<[f64; 2]>,
@@ -35,7 +35,7 @@ impl Points {
         }))
     }
 
-    /// A loop as edges; those without length are left out.
+    /// A loop as edges, without edges of zero length.
     pub fn edges(&mut self, corners: &[[f64; 2]]) -> Vec<Edge> {
         let vertices: Vec<Vertex> = corners.iter().map(|&corner| self.vertex(corner)).collect();
         let ends = vertices.iter().zip(vertices.iter().cycle().skip(1));
@@ -49,7 +49,7 @@ impl Points {
 }
 
 impl Pair {
-    /// A result and the next operand.
+    /// The scene of a result and the next operand.
     ///
     /// # Errors
     /// A coordinate that is not finite.
@@ -65,7 +65,7 @@ impl Pair {
     }
 }
 
-/// Loops without repeated corners; those of fewer than three are gone, and counted.
+/// Loops without repeated corners, and the number of removed loops with fewer than three corners.
 pub(super) fn cleaned(regions: Vec<Vec<Loop>>) -> (Vec<Vec<Loop>>, usize) {
     let mut collapsed = 0;
     let mut clean = |mut one: Loop| {
@@ -80,7 +80,7 @@ pub(super) fn cleaned(regions: Vec<Vec<Loop>>) -> (Vec<Vec<Loop>>, usize) {
     let mut kept = Vec::with_capacity(regions.len());
     for region in regions {
         let mut loops = region.into_iter();
-        // Without its outer loop a region is gone.
+        // Without its outer loop a region is removed.
         if let Some(outer) = loops.next().and_then(&mut clean) {
             kept.push([outer].into_iter().chain(loops.filter_map(&mut clean)).collect());
         }

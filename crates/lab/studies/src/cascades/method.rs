@@ -1,16 +1,18 @@
-//! The methods: a backend, and what is kept of a result for the next step.
+//! The methods: a backend, and the form of a result in the next step.
 
 use std::fmt;
 use std::str::FromStr;
 
-/// What becomes of the vertices of a result before the next step.
+/// The treatment of a result's vertices before the next step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Keep {
-    /// They stay what they are: constructed ones by their definitions, from edges of the operands, whatever the step.
+    /// Vertices stay unchanged: constructed ones by definitions from edges of the operands, whatever the step.
     Whole,
-    /// Each becomes the nearest double.
+    /// Each vertex is rounded to the nearest double.
     Rounded,
-    /// Edges and crossings go to pixels by snap rounding; so many pixels to the largest coordinate, as a power of two.
+    /// Edges and crossings are rounded to pixels by snap rounding.
+    ///
+    /// The number is the binary logarithm of the pixels per largest coordinate.
     Snapped(u32),
     /// Edges are merged where the tolerance scheme registers contacts.
     Contacts,
@@ -18,34 +20,35 @@ pub enum Keep {
     Thick(f64),
 }
 
-/// A way to do the steps of a cascade: a backend, and what is kept of each result.
+/// A method of a cascade's steps: a backend, and the treatment of each result.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Method {
     /// The backend's name.
     pub backend: String,
-    /// What is kept of a result.
+    /// The treatment of a result.
     pub keep: Keep,
 }
 
-/// Pixels to the largest coordinate, if nothing is said.
+/// The default of the binary logarithm of pixels per largest coordinate.
 const PIXELS: u32 = 40;
-/// The radius of what is given, if nothing is said.
+/// The default radius of the operands.
 const RADIUS: f64 = 1e-9;
 /// The backend of thick primitives.
 pub(super) const FLOAT: &str = "naive";
 
 impl Method {
-    /// The reference.
+    /// The reference method.
     pub(super) fn exact() -> Method {
         Method { backend: "exact".to_owned(), keep: Keep::Whole }
     }
 
-    /// Whether it promises that every point is in the result where it should be, and that nothing crosses.
+    /// Returns true if the method promises that every point is on the correct side of the result, and that nothing
+    /// crosses.
     pub(super) fn is_exact(&self) -> bool {
         self.keep == Keep::Whole && (self.backend == "exact" || self.backend.starts_with("sos"))
     }
 
-    /// Whether it promises that nothing crosses.
+    /// Returns true if the method promises that nothing crosses.
     pub(super) fn is_planar(&self) -> bool {
         self.is_exact() || self.backend == "exact" && matches!(self.keep, Keep::Snapped(_))
     }
@@ -65,7 +68,7 @@ impl fmt::Display for Method {
     }
 }
 
-/// Why a text is not a method.
+/// The reason why a text is not a method.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ParseMethodError {
@@ -75,7 +78,7 @@ pub enum ParseMethodError {
     Radius(String),
     /// The bits of `+snap:BITS` are out of range in this text.
     Bits(String),
-    /// No way to keep results has this name.
+    /// The treatment of results has an unknown name.
     Keep(String),
 }
 

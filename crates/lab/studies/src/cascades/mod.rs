@@ -1,19 +1,19 @@
-//! Cascades: what becomes of a polygon when the result of each Boolean operation is an operand of the next.
+//! Cascades: the effects on a polygon if the result of each Boolean operation is an operand of the next.
 //!
-//! A crossing of two edges is seldom a double. A program that rounds it moves two edges by a little, and the moved edges cross
-//! others that they did not cross before; with each step there is more of that (Rhodes, *Computational Geometry*, the slides
-//! on cascades of extraneous intersections). Here the same steps are done by several [methods](Method), and after them everything
-//! is measured in rationals.
+//! A crossing of two edges is rarely a double. A program that rounds it moves two edges slightly, and the moved edges
+//! cross others that they did not cross before; the effect grows with each step (Rhodes, *Computational Geometry*, the
+//! slides on cascades of extraneous intersections). Here several [methods](Method) do the same steps, and the results
+//! are measured in rationals.
 //!
-//! * [`Cascade`] makes the steps. All operands are doubles that are known beforehand, so that each method has the same task.
-//! * A [`Method`] does them: constructed vertices kept whole, or rounded, or snapped after each step, thick primitives, contacts
-//!   of the tolerance scheme.
-//! * [`Sample`] is what is measured after a step.
+//! * [`Cascade`] makes the steps. All operands are doubles that are known in advance, so each method has the same task.
+//! * A [`Method`] does them: constructed vertices kept whole, or rounded, or snapped after each step, thick primitives,
+//!   contacts of the tolerance scheme.
+//! * [`Sample`] holds the measurements after a step.
 //!
-//! # What is true
-//! Whether a point is in the result follows from the operands alone, one after the other; a sample locates
-//! [points](Sample::lost) in rationals. The area that the others are held against is that of the exact method, whose points and
-//! loops pass the same measurements.
+//! # The truth
+//! The operands alone determine whether a point is in the result, one after the other; a sample locates
+//! [points](Sample::lost) in rationals. The reference area is that of the exact method, whose points and loops pass the
+//! same measurements.
 
 mod cascade;
 mod contradiction;

@@ -6,12 +6,12 @@ use predicament_report::{Curve, Curves, curves};
 use super::{Followed, Measured, Sample};
 use crate::{Error, File};
 
-/// What is plotted: the file's name behind the cascade's, what it is, and the value of a sample.
+/// A plot: the suffix of the file's name, its title, and the value of a sample.
 type Plot<'m> = (&'static str, &'static str, &'m dyn Fn(&Followed, &Sample) -> Option<f64>);
 
-/// Those that have a value with a logarithm.
+/// The plots that have a positive value.
 pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
-    #[allow(clippy::cast_precision_loss)] // few of anything
+    #[allow(clippy::cast_precision_loss)] // small counts
     let count = |n: usize| Some(n as f64);
     let plots: [Plot<'_>; 4] = [
         ("area", "area error, a part of the area", &|one, sample| measured.area_error(one.cascade, sample)),
@@ -30,7 +30,7 @@ pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
                 Curve::new(one.method.to_string(), one.samples.iter().filter_map(point).collect::<Vec<_>>())
             };
             let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade);
-            // A name in the legend stands for a line.
+            // A name in the legend requires a line.
             let drawn = |curve: &Curve| curve.points.iter().any(|(_, y)| *y > 0.0);
             let lines = of_cascade.map(curve).filter(drawn).collect();
             let picture = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines, ..Curves::default() })

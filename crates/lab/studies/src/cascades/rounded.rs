@@ -1,4 +1,4 @@
-//! Results that are brought back to doubles after each step, vertex by vertex.
+//! Results that are rounded to doubles after each step, vertex by vertex.
 
 use std::collections::HashMap;
 use std::time::{Duration, Instant};
@@ -13,7 +13,7 @@ use super::current::{Pair, cleaned};
 use super::step::{End, Stepped, Then, shape_of};
 use super::whole::{origins, turned};
 
-/// What a step leaves.
+/// The result of a step.
 pub(super) struct Made {
     pub regions: Vec<Vec<Loop>>,
     pub elapsed: Duration,
@@ -22,7 +22,7 @@ pub(super) struct Made {
     pub turned: Option<usize>,
 }
 
-/// Rounds every vertex of a result to the nearest double, or takes it where the session has put it.
+/// Does the steps; rounds every vertex to the nearest double, or uses the session's rounded point.
 pub(super) fn run(backend: &dyn Contestant, start: &Loop, steps: &[Operand], then: &mut Then<'_>) -> Result<(), End> {
     each(start, steps, then, |pair, step, wants_turned| {
         in_session(backend, &pair.scene, &mut |session| {
@@ -84,7 +84,7 @@ pub(super) fn each(
     Ok(())
 }
 
-/// What a session of this scene answers.
+/// Calls a function with a session of this scene; returns its result.
 pub(super) fn in_session<T>(
     backend: &dyn Contestant,
     scene: &Scene,
@@ -95,7 +95,7 @@ pub(super) fn in_session<T>(
     answer.ok_or_else(|| Declined::scene("the backend asked for no session"))?
 }
 
-/// The double that stands for a vertex: as the session has rounded it, or else the nearest.
+/// The double in place of a vertex: the session's rounded point, or else the nearest double.
 pub(super) fn place(session: &dyn Predicates, v: Vertex) -> [f64; 2] {
     if !v.is_constructed() {
         return session.scene().point2(Plane::Xy, v);

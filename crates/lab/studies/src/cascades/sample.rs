@@ -1,4 +1,4 @@
-//! What is measured after a step, in rationals.
+//! The measurements after a step, in rationals.
 
 use predicament_overlay::checks::overlay::{Defects, Point, Shape};
 use rug::{Integer, Rational};
@@ -16,49 +16,51 @@ pub struct Sample {
     pub area: Rational,
     /// Crossing and touching edges, inverted and flat loops.
     pub defects: Defects,
-    /// Corners that rounding has turned another way in this step; none where nothing is rounded.
+    /// The number of corners whose turn the rounding of this step has changed; `None` if nothing is rounded.
     pub turned: Option<usize>,
-    /// Probes that are inside and should not be, or the other way round.
+    /// The number of probes on the wrong side of the result.
     pub lost: usize,
-    /// The most bits of a coordinate: those of numerator and denominator without factors of two.
+    /// The largest bit length of a coordinate: of numerator and denominator without factors of two.
     pub bits: u32,
-    /// Crossings that were constructed so far, in all steps.
+    /// The number of crossings constructed so far, in all steps.
     pub constructed: usize,
-    /// Loops and vertices that have collapsed so far.
+    /// The number of loops and vertices that have collapsed so far.
     pub collapsed: usize,
-    /// Vertices that the method holds.
+    /// The number of vertices that the method stores.
     pub held: usize,
     /// The largest radius of a thick primitive.
     pub thickness: f64,
-    /// Nanoseconds a step, since the sample before; not measured in rationals, and never the same twice.
+    /// Nanoseconds per step, since the sample before; it differs from run to run.
     pub nanoseconds: f64,
 }
 
-/// A point to be located, and whether it is inside after each step.
+/// A point that is located, and its side after each step.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Probe {
     pub at: Point,
-    /// By steps; none where it is on an edge of an operand.
+    /// True if the point is inside, for each step; `None` if it is on an edge of an operand.
     pub inside: Option<Vec<bool>>,
 }
 
-/// Probes that the shape after a step, numbered from 1, has on the wrong side.
+/// The number of probes that the shape after a step, numbered from 1, has on the wrong side.
 pub(super) fn lost(shape: &Shape, probes: &[Probe], step: usize) -> usize {
     let is_lost = |probe: &&Probe| {
         let Some(inside) = &probe.inside else { return false };
-        // A result winds around a point once or not at all; a point of its boundary is of no operand's.
+        // A result winds around a point once or not at all; a point of its boundary is on no operand's boundary.
         shape.winding(&probe.at) != Some(i32::from(inside[step - 1]))
     };
     probes.iter().filter(is_lost).count()
 }
 
-/// The most bits of a coordinate.
+/// The largest bit length of a coordinate.
 pub(super) fn bits(shape: &Shape) -> u32 {
     let of = |x: &Rational| significant(x.numer()) + significant(x.denom());
     shape.edges().flat_map(|[from, _]| from).map(of).max().unwrap_or(0)
 }
 
-/// The bits of an integer from its highest to its lowest that is not zero; of 1, none: it is not written.
+/// The bits of an integer from its highest to its lowest set bit.
+///
+/// Zero for 1, which is not written.
 fn significant(x: &Integer) -> u32 {
     let bits = x.significant_bits() - x.find_one(0).unwrap_or(0);
     if bits == 1 { 0 } else { bits }

@@ -1,7 +1,7 @@
-//! Results that are made to fit the next operand first: thick primitives, and contacts of the tolerance scheme.
+//! Results that are adapted to the next operand first: thick primitives, and contacts of the tolerance scheme.
 //!
-//! What overlaps is made to coincide; then plain floating point combines the polygons, as all that they have in common
-//! should now be vertices.
+//! Overlapping parts are merged first. Then plain floating point combines the polygons, as all common points should now
+//! be vertices.
 
 use std::collections::{BTreeMap, HashMap};
 use std::time::{Duration, Instant};
@@ -21,10 +21,10 @@ use super::step::{End, Stepped, Then, shape_of};
 use super::whole::origins;
 use crate::contacts::contacts;
 
-/// How many times an edge, from its lower vertex to its higher, is passed by each operand.
+/// The number of times that each operand passes an edge, from its lower vertex to its higher.
 type Passes = BTreeMap<[Vertex; 2], [i32; 2]>;
 
-/// Passes an edge.
+/// Adds passes of an operand over an edge.
 fn pass(passes: &mut Passes, from: Vertex, to: Vertex, operand: usize, times: i32) {
     let (ends, sign) = if from < to { ([from, to], 1) } else { ([to, from], -1) };
     if from != to {
@@ -42,7 +42,7 @@ fn polygon(passes: &Passes, operand: usize) -> Polygon {
     Polygon { loops: vec![passes.iter().flat_map(of).collect()], rule: Rule::NonZero }
 }
 
-/// A result in floating point, with the places of its vertices.
+/// A result in floating point, with the positions of its vertices.
 struct Combined {
     result: Regions,
     at: HashMap<Vertex, [f64; 2]>,
@@ -64,7 +64,7 @@ fn combined(float: &dyn Contestant, scene: &Scene, passes: &Passes, step: &Opera
     })
 }
 
-/// Thick primitives: radii stay with vertices and edges from step to step.
+/// Does the steps with thick primitives: radii stay with vertices and edges from step to step.
 pub(super) fn run_thick(
     float: &dyn Contestant,
     radius: f64,
@@ -155,7 +155,7 @@ fn loops(made: &Combined) -> Vec<Vec<Loop>> {
     made.result.regions.iter().map(of).collect()
 }
 
-/// Contacts as the tolerance scheme registers them, once a step.
+/// Does the steps with the contacts that the tolerance scheme registers, once per step.
 pub(super) fn run_contacts(
     backend: &dyn Contestant,
     float: &dyn Contestant,
@@ -186,7 +186,7 @@ pub(super) fn run_contacts(
     Ok(())
 }
 
-/// Two operands merged where they are in contact.
+/// Two operands merged at their contacts.
 struct Merged {
     scene: Scene,
     passes: Passes,
@@ -235,7 +235,7 @@ impl Merged {
     }
 }
 
-/// Where merged points are: on the first operand if it is there, else on the second.
+/// The positions of merged points: on the first operand if it has the point, else on the second.
 struct Seats<'a> {
     scene: &'a Scene,
     complexes: [&'a Complex; 2],
@@ -261,7 +261,7 @@ impl Seats<'_> {
         let corners = complex.vertices_of(simplex);
         let mut at = [0.0; 2];
         for (&corner, weight) in corners.iter().zip(weights) {
-            // A corner that was merged itself is where its class is.
+            // A merged corner has the position of its class.
             let class = complex.vertices().binary_search(&corner).ok().and_then(|place| u32::try_from(place).ok());
             let class = class.map(|place| &self.arrangement.points()[self.arrangement.of_vertex(side, place)]);
             let corner = match class.and_then(|class| class.vertices[0].first()) {

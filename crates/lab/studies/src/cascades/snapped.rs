@@ -1,8 +1,9 @@
-//! Results that are brought back to doubles by snap rounding after each step.
+//! Results that snap rounding brings back to doubles after each step.
 //!
-//! Edges and crossings of both operands go to pixels; then what has become of the operands is combined: chains that meet in
-//! pixels only. Iterated snap rounding leaves no vertex nearer to a foreign edge than half a pixel. So where nothing new comes
-//! near, a result stays as it is, and only the edges that the next operand's box reaches are snapped again.
+//! Edges and crossings of both operands are rounded to pixels; then the rounded operands are combined, whose chains
+//! meet only in pixels. Iterated snap rounding leaves no vertex nearer to a foreign edge than half a pixel. So a result
+//! stays unchanged where nothing new comes near, and only the edges within reach of the next operand's box are snapped
+//! again.
 
 use std::collections::{BTreeSet, HashMap};
 use std::time::Instant;
@@ -18,7 +19,7 @@ use super::rounded::{Made, each, in_session, place};
 use super::step::{End, Then};
 use super::whole::origins;
 
-/// Low x and y, high x and y.
+/// The extent: low x and y, high x and y.
 type Extent = [f64; 4];
 
 const NOTHING: Extent = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
@@ -35,7 +36,7 @@ fn inflated(extent: Extent, by: f64) -> Extent {
     [extent[0] - by, extent[1] - by, extent[2] + by, extent[3] + by]
 }
 
-/// Does the steps, with so many pixels to the largest coordinate, as a power of two.
+/// Does the steps, with 2^`bits` pixels per largest coordinate.
 pub(super) fn run(
     backend: &dyn Contestant,
     bits: u32,
@@ -46,7 +47,7 @@ pub(super) fn run(
     // All coordinates are below 4.
     let exponent = 2 - i32::try_from(bits).unwrap_or(50);
     let pixel = 2.0_f64.powi(exponent);
-    // What is given first is not on pixels yet.
+    // The initial operand is not on pixels yet.
     let mut is_first = true;
     each(start, steps, then, |pair, step, _| {
         let clock = Instant::now();
@@ -68,7 +69,7 @@ pub(super) fn run(
             Ok(Made {
                 regions: result.regions.iter().map(loops).collect(),
                 elapsed: clock.elapsed(),
-                // Chains meet in vertices: whatever is constructed now should not be there.
+                // Chains meet in vertices: a vertex constructed now should not exist.
                 constructed: constructed + session.scene().constructions().len(),
                 broken: result.broken,
                 turned: None,
@@ -77,9 +78,9 @@ pub(super) fn run(
     })
 }
 
-/// The segments that are snapped, and the points whose pixels are hot.
+/// The snapped segments, and the points whose pixels are hot.
 struct Near {
-    /// The lower end first; ascending, each once.
+    /// The segments, with the lower end first; ascending, each once.
     segments: Vec<[Vertex; 2]>,
     places: HashMap<[Vertex; 2], usize>,
     points: Vec<Vertex>,
@@ -100,7 +101,7 @@ impl Near {
         let chosen = first().filter(is_near).chain(second());
         let segments: BTreeSet<[Vertex; 2]> = chosen.map(|edge| sorted([edge.from, edge.to])).collect();
         let segments: Vec<[Vertex; 2]> = segments.into_iter().collect();
-        // A point that a snapped segment may come near is hot, whatever ends there.
+        // A point that a snapped segment may approach is hot, whether or not a segment ends there.
         let around = segments.as_flattened().iter().fold(NOTHING, |all, &v| joined(all, at(v)));
         let around = inflated(around, 2.0 * pixel);
         let is_around = |v: &Vertex| {
@@ -133,7 +134,7 @@ impl Near {
         snap(drawing, exponent, Snapping::Iterated)
     }
 
-    /// What has become of the operands.
+    /// The operands after snap rounding.
     fn operands(&self, pair: &Pair, chains: &Snapped, exponent: i32) -> Result<Pair, SceneError> {
         let mut points = Points::default();
         let centres: Vec<Vertex> =

@@ -1,4 +1,4 @@
-//! A step of a cascade, and what is told of it.
+//! A step of a cascade, and its report.
 
 use std::time::Duration;
 
@@ -9,20 +9,20 @@ use predicament_tasks::Stop;
 use super::cascade::Loop;
 use super::contradiction::Contradiction;
 
-/// Why a method does not go on.
+/// The reason why a method stops.
 pub(super) enum End {
     Stopped(Stop),
     Failed(String),
 }
 
-/// A step that fails ends the method, which says why.
+/// A step that fails ends the method, with its error as the reason.
 impl<E: std::error::Error> From<E> for End {
     fn from(why: E) -> End {
         End::Failed(why.to_string())
     }
 }
 
-/// A step that was done.
+/// The result of a step.
 pub(super) struct Stepped<'a> {
     pub elapsed: Duration,
     pub constructed: usize,
@@ -30,7 +30,7 @@ pub(super) struct Stepped<'a> {
     pub held: usize,
     pub thickness: f64,
     pub broken: Option<Contradiction>,
-    /// Whether nothing is left.
+    /// True if the result is empty.
     pub is_gone: bool,
     pub shape: &'a dyn Fn() -> Shape,
     pub turned: &'a dyn Fn() -> Option<usize>,
@@ -43,18 +43,18 @@ pub(super) struct Then<'t> {
 }
 
 impl Then<'_> {
-    /// Whether the step with this place, from 0, is measured.
+    /// Returns true if the step with this index, from 0, is measured.
     pub fn is_sampled(&self, at: usize) -> bool {
         self.samples.binary_search(&(at + 1)).is_ok()
     }
 
-    /// Tells of a step.
+    /// Reports a step.
     pub fn call(&mut self, stepped: Stepped<'_>) -> Result<(), End> {
         (self.note)(stepped)
     }
 }
 
-/// Loops of doubles, exactly; a coordinate that is not finite is 0.
+/// The exact shape of loops of doubles; a coordinate that is not finite is 0.
 pub(super) fn shape_of(regions: &[Vec<Loop>]) -> Shape {
     let exactly = |x: f64| if x.is_finite() { rational(x) } else { rational(0.0) };
     let one = |one: &Loop| one.iter().map(|corner| corner.map(exactly)).collect();

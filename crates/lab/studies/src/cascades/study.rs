@@ -10,7 +10,7 @@ use super::survey::{Course, Followed, Plan};
 use super::{Cascade, Keep, Method, Sample, plots, table};
 use crate::{Common, Error, File, Host, Study};
 
-/// Polygons that are combined again and again, by several methods.
+/// Polygons that are combined repeatedly, by several methods.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Cascades {
     /// Cascades; all if left out
@@ -39,7 +39,7 @@ pub struct Cascades {
     pub common: Common,
 }
 
-/// All philosophies.
+/// The default methods, one or more of each philosophy.
 const DEFAULT: &str = "exact,exact+snap,exact+round,sos,naive,naive+round,epsilon+round,thick,tolerance+contacts";
 
 /// The measurements of all cascades.
@@ -47,7 +47,7 @@ const DEFAULT: &str = "exact,exact+snap,exact+round,sos,naive,naive+round,epsilo
 pub struct Measured {
     /// Each cascade by each method, in their order.
     pub followed: Vec<Followed>,
-    /// Each cascade by the exact method, whether it was asked for or not.
+    /// Each cascade by the exact method, also if it was not requested.
     pub exact: Vec<Followed>,
 }
 
@@ -58,8 +58,9 @@ impl Measured {
         exact.samples.iter().find(|sample| sample.step == step).map(|sample| &sample.area)
     }
 
-    /// How far the area after a step is off, as a part of the true one; none after a step that the exact method is not measured
-    /// after.
+    /// The relative error of the area after a step.
+    ///
+    /// `None` if the exact method has no measurement after that step.
     #[must_use]
     pub fn area_error(&self, cascade: Cascade, sample: &Sample) -> Option<f64> {
         if sample.regions == 0 {
@@ -114,7 +115,7 @@ Examples:
         names
     }
 
-    /// One: the steps are timed.
+    /// One thread, because the steps are timed.
     fn threads(&self) -> Option<usize> {
         Some(1)
     }
@@ -175,7 +176,7 @@ Examples:
         Ok(vec![File::csv("cascades.csv", rows)?, File::csv("times.csv", times)?])
     }
 
-    /// The operands, for other programs to do the same.
+    /// The operands, so that other programs can do the same.
     fn suites(&self, measured: &Measured) -> Result<Vec<File>, Error> {
         let operands = |one: &Followed| {
             let (start, steps) = one.cascade.steps(self.steps as usize, self.common.seed);

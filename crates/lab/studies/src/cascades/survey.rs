@@ -1,4 +1,4 @@
-//! Cascades by methods, step by step.
+//! The cascades by each method, step by step.
 
 use super::contradiction::Contradiction;
 use std::time::Duration;
@@ -16,12 +16,12 @@ use super::step::{End, Stepped, Then};
 use super::{rounded, settled, snapped, whole};
 use crate::Error;
 
-/// How many steps are done, and how much is measured.
+/// The numbers of steps and of measurements.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Plan {
     /// Steps of each cascade.
     pub steps: usize,
-    /// Steps after which everything is measured, spread evenly; the last is one.
+    /// Steps after which everything is measured, spread evenly, including the last.
     pub samples: usize,
     /// Points that are located after each measured step.
     pub probes: usize,
@@ -29,7 +29,7 @@ pub struct Plan {
     pub seed: u64,
 }
 
-/// What one method made of one cascade.
+/// The result of one method on one cascade.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Followed {
     /// The cascade.
@@ -38,13 +38,13 @@ pub struct Followed {
     pub method: Method,
     /// The measurements, in the order of the steps.
     pub samples: Vec<Sample>,
-    /// The first rule of the algorithm that signs have broken, and the step.
+    /// The first rule of the algorithm that signs have broken, and its step.
     pub broken: Option<(usize, Contradiction)>,
-    /// The step that could not be done, and why.
+    /// The step that failed, and the reason.
     pub ended: Option<(usize, String)>,
 }
 
-/// A cascade with what should come of it.
+/// A cascade with its expected results.
 pub(super) struct Course {
     pub cascade: Cascade,
     pub start: Loop,
@@ -54,7 +54,7 @@ pub(super) struct Course {
 }
 
 impl Course {
-    /// The operands, and the sides of probes by these alone.
+    /// The operands, and the sides of probes by the operands alone.
     pub fn new(cascade: Cascade, plan: Plan) -> Course {
         let (start, steps) = cascade.steps(plan.steps, plan.seed);
         let mut samples: Vec<usize> = (1..=plan.samples).map(|at| (plan.steps * at).div_ceil(plan.samples)).collect();
@@ -65,7 +65,7 @@ impl Course {
         Course { cascade, start, steps, samples, probes }
     }
 
-    /// What a method makes of it.
+    /// The result of a method on the cascade.
     pub fn follow(
         &self,
         method: &Method,
@@ -83,7 +83,7 @@ impl Course {
             constructed += stepped.constructed;
             collapsed += stepped.collapsed;
             elapsed += stepped.elapsed;
-            // The step after which something is wrong for the first time is looked at, too.
+            // The first step with a wrong result is measured, too.
             let mut is_sampled = self.samples.binary_search(&at).is_ok() || stepped.is_gone;
             if let Some(rule) = stepped.broken.filter(|_| found.broken.is_none()) {
                 found.broken = Some((at, rule));
@@ -130,7 +130,7 @@ impl Course {
     }
 }
 
-/// A point to locate: every other one anywhere, the rest near a corner of an operand, from a tenth to 10^-9 off.
+/// A probe: every second one anywhere, the rest near a corner of an operand, from a tenth to 10^-9 off.
 fn place(start: &Loop, steps: &[Operand], at: usize, random: &mut Random) -> [f64; 2] {
     let corners = || start.iter().chain(steps.iter().flat_map(|step| &step.corners));
     if at.is_multiple_of(2) {
@@ -150,7 +150,7 @@ fn place(start: &Loop, steps: &[Operand], at: usize, random: &mut Random) -> [f6
     corner.map(|x| x + random.between(-off, off))
 }
 
-/// Where a probe is after each step, by the operands alone.
+/// The sides of a probe after each step, by the operands alone.
 fn followed(at: Point, start: &Loop, steps: &[Operand]) -> Probe {
     let is_inside = |corners: &Loop| {
         let exactly: Vec<Point> = corners.iter().map(|corner| corner.map(rational)).collect();

@@ -1,4 +1,4 @@
-//! Results kept whole: one scene of all operands, and vertices that are constructed where edges of these cross.
+//! Results kept whole: one scene of all operands, with vertices constructed at the crossings of edges.
 
 use std::collections::BTreeMap;
 use std::time::Instant;
@@ -63,25 +63,25 @@ pub(super) fn origins(edges: &[Edge]) -> Vec<Vertex> {
     edges.iter().map(|edge| edge.from).collect()
 }
 
-/// Where vertices are, and where their definitions say that they are.
+/// The positions of vertices, actual and by definition.
 pub(super) struct Places<'s> {
     pub session: &'s dyn Predicates,
 }
 
 impl Places<'_> {
-    /// Whether constructed vertices are rounded.
+    /// Returns true if constructed vertices are rounded.
     fn rounds(&self) -> bool {
         let scene = self.session.scene();
         (0..scene.constructions().len()).any(|at| self.session.rounded_point(Vertex::constructed(at)).is_some())
     }
 
-    /// By the definition; the origin for a definition of no point.
+    /// The position by definition; the origin for a definition without a point.
     fn defined(&self, v: Vertex) -> Point {
         let found = point(self.session.scene(), v).and_then(|point| Point::try_from(point).ok());
         found.unwrap_or_default()
     }
 
-    /// As the session has it; the origin where that is not finite.
+    /// The session's position; the origin if that is not finite.
     fn actual(&self, v: Vertex) -> Point {
         match self.session.rounded_point(v).map(<[f64; 2]>::try_from) {
             Some(Ok(rounded)) if rounded.iter().all(|x| x.is_finite()) => rounded.map(rational),
@@ -99,13 +99,13 @@ impl Places<'_> {
         Shape { regions }
     }
 
-    /// How many corners turn another way than by their definitions.
+    /// The number of corners that turn differently from their definitions.
     pub fn turned(&self, regions: &[Vec<Vec<Vertex>>]) -> usize {
         turned(regions, |v| self.defined(v), |v| self.actual(v))
     }
 }
 
-/// How many corners with a constructed vertex turn one way by one place of their vertices and another way by the other.
+/// The number of corners with a constructed vertex whose turn differs between two positions of their vertices.
 pub(super) fn turned(
     regions: &[Vec<Vec<Vertex>>],
     before: impl Fn(Vertex) -> Point,

@@ -1,4 +1,4 @@
-//! How many bits the arithmetic needed that settled the answers.
+//! The bit length of the arithmetic that settled the answers.
 
 use predicament_exact::Precision as Planned;
 use predicament_exact::determinant::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D};
@@ -9,23 +9,25 @@ use crate::Precision;
 
 /// The bits of a double's significand.
 const DOUBLE: i32 = 53;
-/// The bits of a single's.
+/// The bits of a single's significand.
 const SINGLE: i32 = 24;
 
 /// The names of stages that compute in floating point alone.
 const FLOAT: [&str; 6] = ["compare", "double", "static filter", "semi-static filter", "float", "estimate"];
 
-/// The bits of the widest arithmetic that settled a query of a scene: those of a significand where floating point settled
-/// all of them; else a bound on the bits of a determinant, degree times the bits of differences and the growth of sums, for the predicate of
-/// the highest degree that is asked. None where that is not known: of points that a task constructs, and of libraries that do not
-/// say what they compute in.
+/// The bits of the widest arithmetic that settled a query of a scene.
+///
+/// If floating point settled all queries, it is the bits of a significand. Otherwise it is a bound on the bits of a
+/// determinant, degree times the bits of differences and the growth of sums, for the queried predicate of the highest
+/// degree. `None` if unknown: for points that a task constructs, and for libraries that do not say what they compute
+/// in.
 pub(super) fn bits(
     backend: &dyn Contestant,
     scene: &Scene,
     (kinds, constructs): (&[PredicateKind], bool),
     stages: &[(&'static str, u64)],
 ) -> Option<i32> {
-    // Some count nothing, such as those of contacts: then each stage that the backend has may have settled them.
+    // Some count nothing, such as those of contacts: then any of the backend's stages may have settled them.
     let all_float = if stages.is_empty() {
         backend.stages().iter().all(|stage| FLOAT.contains(stage))
     } else {
@@ -38,7 +40,7 @@ pub(super) fn bits(
     (has_ladder && !constructs && !stages.is_empty()).then(|| exact(scene, kinds))
 }
 
-/// A bound on the bits of the largest determinant that these predicates have in a scene.
+/// A bound on the bits of the largest determinant of these predicates in a scene.
 fn exact(scene: &Scene, kinds: &[PredicateKind]) -> i32 {
     let bits = Planned::of(scene).bits;
     let of = |kind: &PredicateKind| {

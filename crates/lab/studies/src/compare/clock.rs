@@ -1,4 +1,4 @@
-//! What an answer takes: time in turns, and memory.
+//! The cost of an answer: time, measured in turns, and memory.
 
 use std::time::Duration;
 
@@ -9,15 +9,15 @@ use predicament_tasks::{Contestant, Watch};
 use super::memory::peak;
 use crate::Error;
 
-/// A sample takes this long at least, in passes.
+/// The least duration of a sample, in passes.
 const LEAST: Duration = Duration::from_millis(2);
 
-/// What a backend takes on one scene.
+/// The time and memory of a backend on one scene.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub(super) struct Taken {
-    /// Nanoseconds for each of what the scene counts, sample by sample; none where the backend declines.
+    /// Nanoseconds per unit that the scene counts, sample by sample; empty if the backend declines.
     pub nanoseconds: Vec<f64>,
-    /// The most memory while it prepared and answered, in bytes.
+    /// The peak memory while it prepared and answered, in bytes.
     pub bytes: Option<u64>,
 }
 
@@ -37,7 +37,8 @@ pub(super) fn taken(
         let mut bytes = None;
         let mut stopwatch = None;
         if let Some(solver) = solver {
-            // The first is that of single queries, where a scene is of queries. A program of another language is asked in batches.
+            // The first is that of single queries, if a scene is of queries. A program in another language is queried
+            // in batches.
             let first = || {
                 let all = solver.interfaces(content).into_iter();
                 let mut prepared = all.filter_map(|by| solver.stopwatch(&scene.scene, content, 1, by).transpose());
@@ -45,7 +46,7 @@ pub(super) fn taken(
             };
             bytes = peak(|| {
                 stopwatch = first();
-                // A backend may break off in the middle; then nothing is timed.
+                // A backend may fail in the middle; then nothing is timed.
                 let warm = |stopwatch: &mut Box<dyn predicament_tasks::Stopwatch + '_>| stopwatch.pass();
                 let first = stopwatch.as_mut().map(|stopwatch| predicament_tasks::caught(|| warm(stopwatch)));
                 if !matches!(first, Some(Ok(_))) {
@@ -63,7 +64,7 @@ pub(super) fn taken(
             let Some(stopwatch) = stopwatch else { continue };
             let elapsed = stopwatch.passes(*passes);
             if sample == 0 {
-                // The first says how many passes a sample takes.
+                // The first pass determines the number of passes in a sample.
                 let once = elapsed.max(Duration::from_nanos(1));
                 *passes = u32::try_from(LEAST.as_nanos() / once.as_nanos() + 1).unwrap_or(u32::MAX);
             } else {

@@ -1,8 +1,8 @@
 //! Error against conditioning: the share of wrong answers by how degenerate a query is.
 //!
-//! How degenerate is log2(|determinant| / permanent), in rationals: 0 for not at all, about -53 where plain doubles lose the sign. Queries are of
-//! general scenes, of such that miss a degeneracy by 4 to 2^20 ulps, and of degenerate ones with noise of 2^-52 to 2^-4 of their extent, so that
-//! every decade has some.
+//! The degeneracy is log2(|determinant| / permanent), in rationals: 0 for none, about -53 where plain doubles lose the
+//! sign. Queries are of general scenes, of scenes that miss a degeneracy by 4 to 2^20 ulps, and of degenerate scenes
+//! with noise of 2^-52 to 2^-4 of their extent, so that every decade has some.
 
 use std::collections::BTreeMap;
 
@@ -26,12 +26,12 @@ const TASKS: [&Signs; 4] = [&Signs::ORIENT2D, &Signs::ORIENT3D, &Signs::INCIRCLE
 const NOISE: [i32; 13] = [-52, -48, -44, -40, -36, -32, -28, -24, -20, -16, -12, -8, -4];
 /// Keys of nearly degenerate scenes.
 const NEAR: [&str; 3] = ["ulps = 4", "ulps = 1024", "ulps = 1048576"];
-/// The place of exact zeros.
+/// The bin of exact zeros.
 pub(super) const ZERO: i32 = -1100;
-/// Binary digits to a bin.
+/// The number of binary digits per bin.
 pub(super) const BIN: i32 = 4;
 
-/// Answers of a backend to queries that are about as degenerate as each other: a row of `conditioning.csv`.
+/// The answers of a backend to queries of similar degeneracy: a row of `conditioning.csv`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Conditioned {
     /// The task.
@@ -40,11 +40,11 @@ pub struct Conditioned {
     pub backend: String,
     /// The least log2(|determinant| / permanent) of the bin, which has four binary digits; -1100 for exact zeros.
     pub log2_relative_det: i32,
-    /// Answers.
+    /// The number of answers.
     pub answers: u64,
-    /// Those that are not as promised.
+    /// The number of answers that break the promise.
     pub wrong: u64,
-    /// Zeros of a band: legal ones.
+    /// The number of zeros of a band, which are legal.
     pub in_band: u64,
     /// The share of wrong answers, with its 95 % interval.
     pub share: f64,
@@ -61,10 +61,10 @@ struct Bin {
     in_band: u64,
 }
 
-/// All backends on all predicates, with so many queries for each noise.
+/// The measurements of all backends on all predicates, with this many queries for each noise.
 ///
 /// # Errors
-/// [`Error::Stopped`] where the watch says so.
+/// [`Error::Stopped`] if the watch says so.
 pub fn conditioning(
     backends: &[&dyn Contestant],
     queries: usize,
@@ -117,13 +117,13 @@ pub fn conditioning(
     Ok(all)
 }
 
-/// The answers of a backend to a scene by how degenerate queries are; none where it declines.
+/// The answers of a backend to a scene, by degeneracy of the queries; empty if it declines.
 fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
     let mut bins: BTreeMap<i32, Bin> = BTreeMap::new();
     let Some(SignQueries { queries, .. }) = scene.content::<SignQueries>() else { return bins };
     let question = queries.question();
     let zero = backend.contract(question.kind()).zero;
-    // What is declined is counted by the comparison.
+    // The comparison counts declined queries.
     let _ = backend.with_session(&scene.scene, &mut |session| {
         if session.supports(question.kind()).is_err() {
             return;
@@ -132,7 +132,7 @@ fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
             let args = queries.args(at);
             let truth = verdict(&scene.scene, question, args);
             let exact = Sign::from(truth.determinant.cmp0());
-            // From -1100 on, which no determinant of these scenes reaches; bins are small whole numbers.
+            // From -1100 on, which no determinant of these scenes reaches; bins are small integers.
             #[allow(clippy::cast_possible_truncation)]
             let place = log2_relative(&truth).map_or(ZERO, |x| (x.max(-1000.0).floor() as i32).div_euclid(BIN) * BIN);
             let said = question.ask(session, args);
@@ -147,7 +147,9 @@ fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
     bins
 }
 
-/// A plot for each task: wrong answers in a million by how degenerate queries are, and as bands the zeros that a tolerance may answer.
+/// A plot for each task: wrong answers per million by degeneracy.
+///
+/// Bands show the zeros that a tolerance may answer.
 pub(super) fn plots(measured: &[Conditioned]) -> Result<Vec<File>, Error> {
     let mut files = Vec::new();
     for task in TASKS.map(SceneFormat::name) {
@@ -223,7 +225,7 @@ pub(super) fn page(measured: &[Conditioned]) -> String {
     page
 }
 
-/// How many steps there are to a survey.
+/// The number of steps of a survey.
 pub(super) fn steps(backends: usize) -> usize {
     TASKS.len() * backends * (NOISE.len() + NEAR.len() + 2)
 }

@@ -1,4 +1,4 @@
-//! The long table: each backend on each input, with what every number is of.
+//! The long table: each backend on each input, with the denominator of every number.
 
 use std::path::Path;
 
@@ -10,13 +10,13 @@ use super::measure::FEATURES;
 use super::standing::{InputKey, REFERENCE, Share, Standing, key, left_out, time_ratio};
 use super::words::{counted, millionths, percents, rate, scenes, share, short, times};
 
-/// What the columns mean.
+/// The explanation of the columns.
 pub(super) const MEANING: &str = "Scenes: distinct ones; a family without chance makes one. Wrong scenes and broken laws: of the scenes answered. Times: nanoseconds \
      for each query, primitive or triangle of a scene, the median with the least and the largest sample. Bits: of the widest arithmetic that settled an answer, 53 (24 in \
      single precision) where floating point settled all of them, else at most degree times the bits of differences and the growth of sums; – where that is not known: of \
      constructed points, and of libraries that do not say what they compute in.";
 
-/// Columns with the measures that their numbers are of.
+/// The columns, with the measures of their numbers.
 const MEASURES: [(&str, &str); 10] = [
     ("not done", "not done"),
     ("undecided", "undecided"),
@@ -30,7 +30,9 @@ const MEASURES: [(&str, &str); 10] = [
     ("KiB", "memory"),
 ];
 
-/// All inputs of a task, or of all tasks, with all backends; `path` is the file that the measures are from.
+/// The table of all inputs of a task, or of all tasks, with all backends.
+///
+/// `path` is the file with the measures.
 pub(super) fn table(measures: &[Measure], task: Option<&str>, path: Option<&Path>) -> Table {
     let mut table = Table::new(if path.is_some() { "Backends on scenes of each kind" } else { "" });
     if let Some(path) = path {

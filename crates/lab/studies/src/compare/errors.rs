@@ -1,8 +1,9 @@
-//! How far off registered contacts are from where the simplices meet, in rationals.
+//! The distance of registered contacts from the points where the simplices meet, in rationals.
 //!
-//! A pair that meets exactly as it is registered has exact weights, and a place. A scheme with tolerances registers other pairs, too: two vertices for
-//! an edge that passes one of them closely. Such a contact is as far off as the nearest place where the two complexes meet. The other way round,
-//! each place where they meet is as far from the nearest registered one as the scheme has moved it.
+//! A pair that meets exactly as registered has exact weights, and a position. A scheme with tolerances also registers
+//! other pairs: for example two vertices for an edge that passes one of them closely. The error of such a contact is
+//! its distance to the nearest point where the two complexes meet. Conversely, the error of each point where they meet
+//! is its distance to the nearest registered contact.
 
 use predicament_contacts::algorithm::pairs::{Contact, Contacts, Weights};
 use predicament_contacts::task::Complexes;
@@ -14,29 +15,29 @@ use predicament_records::Spread;
 use predicament_tolerance::{Tolerances2d, Tolerances3d};
 use rug::Rational;
 
-/// Registered contacts are looked at evenly, so many a scene at most.
+/// The maximum number of registered contacts that are measured in a scene, at even steps.
 const LOOKED_AT: usize = 400;
 
 /// The errors of contacts.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub(super) struct Errors {
-    /// Distances between where a contact is said to be and where the complexes meet, in scene units: on both simplices.
+    /// Distances of contacts from the nearest point where the complexes meet, in scene units, on both simplices.
     pub location: Vec<f64>,
-    /// The same in units of the scene's L.
+    /// The location errors in units of the scene's L.
     pub location_over_l: Vec<f64>,
     /// Largest differences of a weight from the exact one.
     pub weight: Vec<f64>,
-    /// Distances between where the complexes meet and the nearest registered contact, in units of L.
+    /// Distances of points where the complexes meet from the nearest registered contact, in units of L.
     pub missed_over_l: Vec<f64>,
-    /// Contacts of simplices that do not meet, or in no single point.
+    /// The number of contacts of simplices that do not meet, or not in a unique point.
     pub apart: u64,
-    /// Contacts in scenes where nothing meets.
+    /// The number of contacts in scenes where nothing meets.
     pub alone: u64,
-    /// Contacts that were looked at.
+    /// The number of contacts that were measured.
     pub looked_at: u64,
 }
 
-/// The values that a quarter, half, 99 % and all of these are not above.
+/// The quantiles of errors at a quarter, half, 99 % and all.
 pub(super) struct Tail {
     pub quartile: f64,
     pub median: f64,
@@ -44,7 +45,7 @@ pub(super) struct Tail {
     pub max: f64,
 }
 
-/// The tail of errors; none of none.
+/// The tail of errors; `None` if there are none.
 pub(super) fn tail(errors: &[f64]) -> Option<Tail> {
     let mut sorted = errors.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
@@ -86,12 +87,12 @@ impl Errors {
         let on_first = |registered: &Contact| place(scene, simplices(content, registered)[0], &registered.on_a);
         let registered: Vec<Vec<f64>> = found.registered.iter().map(on_first).collect();
         for exact in exact_places {
-            // Where nothing is registered, all is missed by as much as there is.
+            // If nothing is registered, every point is missed by the maximum error.
             self.missed_over_l.push(nearest(exact, &registered).map_or(1.0, |distance| distance / length));
         }
     }
 
-    /// Adds those of another scene.
+    /// Adds the errors of another scene.
     pub fn merge(&mut self, other: Errors) {
         self.location.extend(other.location);
         self.location_over_l.extend(other.location_over_l);
@@ -103,7 +104,7 @@ impl Errors {
     }
 }
 
-/// The places where the complexes of a scene meet, rounded.
+/// The points where the complexes of a scene meet, rounded.
 pub(super) fn exact_places(scene: &Scene, content: &Complexes) -> Vec<Vec<f64>> {
     let all = |complex: &Complex| -> Vec<Vec<Vertex>> {
         let counts =
@@ -125,13 +126,13 @@ pub(super) fn exact_places(scene: &Scene, content: &Complexes) -> Vec<Vec<f64>> 
     contacts(scene, &a, &b).iter().map(place).collect()
 }
 
-/// Where weights say that a point of a simplex is.
+/// The point of a simplex with these weights.
 fn place(scene: &Scene, corners: &[Vertex], weights: &Weights) -> Vec<f64> {
     let along = |axis: usize| corners.iter().zip(weights).map(|(&v, w)| scene.point(v)[axis] * w).sum();
     (0..scene.dimension().count()).map(along).collect()
 }
 
-/// The distance of the nearest place; none of none.
+/// The distance of the nearest point; `None` if there are none.
 fn nearest(of: &[f64], places: &[Vec<f64>]) -> Option<f64> {
     let distance = |place: &Vec<f64>| of.iter().zip(place).map(|(x, y)| (x - y) * (x - y)).sum::<f64>();
     places.iter().map(distance).min_by(f64::total_cmp).map(f64::sqrt)
@@ -141,7 +142,7 @@ fn simplices<'a>(content: &'a Complexes, registered: &Contact) -> [&'a [Vertex];
     [content.a.vertices_of(registered.a), content.b.vertices_of(registered.b)]
 }
 
-/// By how much weights are more than the exact ones; a NaN is one more.
+/// The differences of weights from the exact ones; a NaN counts as 1.
 fn off(said: &Weights, exact: &[Rational]) -> Vec<Rational> {
     let off =
         |(said, exact): (&f64, &Rational)| if said.is_finite() { rational(*said) - exact } else { Rational::from(1) };
@@ -157,10 +158,10 @@ fn distance(scene: &Scene, corners: &[Vertex], weights: &[Rational]) -> f64 {
     squares.sum::<f64>().sqrt()
 }
 
-/// The paper's L of two complexes: of the largest box edges of their primitives (Algorithms 1 and 6).
+/// The paper's L of two complexes, from the largest box edges of their primitives (Algorithms 1 and 6).
 fn length(scene: &Scene, content: &Complexes) -> f64 {
     let [a, b] = scene.primitive_lengths().unwrap_or_else(|| {
-        // Longer than any: the box of all points.
+        // The box of all points, which is longer than any primitive.
         let along = |complex: &Complex, axis: usize| {
             let all = || complex.vertices().iter().map(|&v| scene.point(v)[axis]);
             all().fold(f64::NEG_INFINITY, f64::max) - all().fold(f64::INFINITY, f64::min)

@@ -1,4 +1,4 @@
-//! The scenes of a comparison: what each task names, of every seed.
+//! The scenes of a comparison: those that each task names, of every seed.
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
@@ -11,20 +11,20 @@ use crate::Error;
 pub struct Input {
     /// The task.
     pub task: &'static dyn AnyTask,
-    /// How special they are, and what makes them.
+    /// Their degree of degeneracy, and their generator.
     pub of: Compared,
 }
 
-/// The inputs of these tasks, in their order: a task may name none.
+/// The inputs of these tasks, in their order; a task may name none.
 #[must_use]
 pub fn inputs(tasks: &[&'static dyn AnyTask]) -> Vec<Input> {
     tasks.iter().flat_map(|&task| task.compared_on().iter().map(move |&of| Input { task, of })).collect()
 }
 
-/// Those of the `tasks` that name inputs, of the names that were asked for or, of none, all.
+/// The `tasks` with inputs, restricted to the given names; all if no names are given.
 ///
 /// # Errors
-/// [`Error::Unfit`] with the names that there are, where one is unknown; `done` is what is done with a task.
+/// [`Error::Unfit`] with the known names, if one is unknown; `done` is the verb in the message.
 pub(crate) fn compared(
     tasks: &[&'static dyn AnyTask],
     asked: &[String],
@@ -39,19 +39,19 @@ pub(crate) fn compared(
     Ok(all.into_iter().filter(is_asked).collect())
 }
 
-/// So many times as large is the scene that is timed.
+/// The size ratio of the timed scene.
 const TIMED: usize = 8;
 
 impl Input {
     /// The scene of a seed.
     ///
     /// # Errors
-    /// [`Error::Unfit`] where no such scene is made.
+    /// [`Error::Unfit`] if the scene cannot be made.
     pub fn scene(&self, seed: u64) -> Result<LoadedScene, Error> {
         self.of_size(self.of.n, seed)
     }
 
-    /// A larger scene, to be timed.
+    /// A larger scene, for timing.
     ///
     /// # Errors
     /// As [`Input::scene`].
@@ -59,7 +59,7 @@ impl Input {
         self.of_size(TIMED * self.of.n, seed)
     }
 
-    /// The scene's table in a suite, where it has this name.
+    /// The table of the scene in a suite, under this name.
     #[must_use]
     pub fn table(&self, name: &str, seed: u64) -> String {
         self.table_of_size(name, self.of.n, seed)
@@ -79,7 +79,7 @@ impl Input {
         let text = format!("title = \"compare\"\n{}", self.table_of_size(&name, n, seed));
         let suite = Suite::parse(&vocabulary(&[self.task]), "compare", &text, None, &Manifest::default())
             .map_err(Error::unfit)?;
-        // A generator needs nothing of a cache.
+        // A generator does not use the cache.
         suite.scenes[0].load(Level::Quick, &Cache::new("compare")).map_err(Error::unfit)
     }
 }

@@ -1,10 +1,10 @@
-//! What is measured: a number, and the interval that it is in.
+//! The measures of a comparison: a number, and its interval.
 
 use crate::folder::FolderError;
 use predicament_records::{Spread, wilson};
 use serde::{Deserialize, Serialize};
 
-/// The word for a task in rows about sizes of features.
+/// The text in the task column for rows about sizes of features.
 pub(super) const FEATURES: &str = "resolution";
 
 /// A number about a backend on scenes of one kind: a row of `compare.csv`.
@@ -14,25 +14,27 @@ pub struct Measure {
     pub task: String,
     /// `general`, `near` or `degenerate`; the feature's dimension for sizes of features; the knob in `stress.csv`.
     pub kind: String,
-    /// What made the scenes; the feature for sizes of features; where the knob is in `stress.csv`.
+    /// The generator of the scenes; the feature for sizes of features; the knob's position in `stress.csv`.
     pub family: String,
     /// The backend's name, with its parameters.
     pub backend: String,
-    /// What is measured.
+    /// The measured property.
     pub measure: String,
-    /// What the number counts or is in.
+    /// The unit of the number.
     pub unit: String,
     /// The number.
     pub value: f64,
-    /// The interval that it is in: 95 % for shares, the least and the largest for times, quartiles and ends for errors.
+    /// The lower end of the number's interval.
+    ///
+    /// The interval is 95 % for shares, the least and the largest for times, quartiles and ends for errors.
     pub low: f64,
-    /// Its other end.
+    /// The upper end of the interval.
     pub high: f64,
-    /// What it is of: scenes, queries, samples.
+    /// The denominator: the number of scenes, queries or samples.
     pub of: u64,
 }
 
-/// Whose measures they are.
+/// The identifying columns of measures.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct About<'a> {
     pub task: &'a str,
@@ -48,7 +50,7 @@ impl About<'_> {
         Measure { task, kind, family, backend, measure, unit, value, low, high, of }
     }
 
-    /// A share of so many, times `per`.
+    /// A share of `of`, times `per`.
     pub fn share(&self, measure: &str, unit: &str, per: f64, count: u64, of: u64) -> Measure {
         let share = if of == 0 {
             0.0
@@ -58,7 +60,7 @@ impl About<'_> {
         self.measure(measure, unit, per * share, wilson(count, of).map(|x| per * x), of)
     }
 
-    /// The median of samples with their ends; none of none.
+    /// The median of samples with the least and the largest; `None` without samples.
     pub fn median(&self, measure: &str, unit: &str, samples: &[f64]) -> Option<Measure> {
         let Spread { min, median, max, samples } = Spread::of(samples.iter().copied())?;
         Some(self.measure(measure, unit, median, [min, max], samples as u64))

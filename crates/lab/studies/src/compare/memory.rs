@@ -1,8 +1,9 @@
-//! The most memory that something takes, where the system says so.
+//! The peak memory of a computation, if the system reports it.
 
-/// The most memory that the process had while it did this, above what it had before, in bytes; none where the system does not say.
+/// The peak memory of the process during `work`, above its memory before, in bytes.
 ///
-/// (Linux: writing 5 to `clear_refs` sets the largest resident size to the present one.) What other threads take is in it.
+/// `None` if the system does not report it. (Linux: writing 5 to `clear_refs` resets the largest resident size to the
+/// present one.) It includes the memory of other threads.
 pub(super) fn peak(work: impl FnOnce()) -> Option<u64> {
     std::fs::write("/proc/self/clear_refs", "5").ok()?;
     let before = resident("VmRSS:")?;

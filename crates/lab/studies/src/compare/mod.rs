@@ -1,15 +1,19 @@
-//! When should one use which? Backends of all philosophies on the same scenes, in one table.
+//! The comparison of backends of all philosophies on the same scenes, in one table: when to use which.
 //!
-//! A suite says which of its scenes a backend gets wrong. Here the same question is asked of many random scenes of each kind, for all tasks:
-//! what a backend promises and how small a feature it can tell, how far off it says that things meet, which share of scenes it leaves with a
-//! broken topology, and by which check, what it declines, and what it takes in time and memory, on general input and on degenerate one.
+//! A suite shows which of its scenes a backend gets wrong. This study asks the same of many random scenes of each kind,
+//! for all tasks:
+//! * the backend's promise, and the smallest feature that it distinguishes;
+//! * the location error of its contacts;
+//! * the share of scenes with a broken topology, and the failed checks;
+//! * the scenes that it declines;
+//! * its time and memory, on general and on degenerate input.
 //!
 //! * [`Compare`]: the study.
 //! * [`Input`]: the scenes, which each task names itself.
 //! * [`Measure`]: a number with its interval, a row of `compare.csv`.
-//! * [`Standing`]: what is said about one backend, whatever the others are.
+//! * [`Standing`]: the results of one backend, independent of the others.
 //! * [`Tradeoff`]: errors against time, as data of a plot.
-//! * [`part`]: the tables and sentences of a page of your own, made of the files of a folder.
+//! * [`part`]: the tables and sentences of a page with marks, made from the files of a folder.
 
 mod bits;
 mod clock;

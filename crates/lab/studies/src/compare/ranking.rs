@@ -1,4 +1,4 @@
-//! The first table of the comparison: each backend in a row, with its own denominators.
+//! The first table of the comparison: one row per backend, with its own denominators.
 
 use predicament_report::{Block, Cell, Section, Table, Tone, section_markdown};
 
@@ -6,12 +6,12 @@ use super::standing::{BARELY, REFERENCE, Share, Standing, left_out, standings};
 use super::words::{counted, input, listed, millionths, pairs, percents, rate, share, times};
 use super::{Measure, Promise};
 
-/// What the columns mean.
+/// The explanation of the columns.
 pub(super) const MEANING: &str = "Each scene that a backend was asked is in one class: right, undecided (a zero within a band), rounded (a check failed by \
      the rounding of output coordinates only), wrong (a wrong answer or a broken law) or not done (declined, broken off, out of time). Broken laws: scenes of \
      those answered, in tasks with laws. Wrong answers: of the answers to single questions, in a million. Intervals are Wilson's at 95 %.";
 
-/// The rule of ratios of times, and the inputs that they leave out.
+/// The rule for ratios of times, and the inputs that they leave out.
 pub(super) fn rule(measures: &[Measure]) -> String {
     let mut text = format!(
         "Times: the geometric mean of ratios to {REFERENCE} over the inputs that the backend and {REFERENCE} both answered, with their number."
@@ -28,7 +28,9 @@ pub(super) fn rule(measures: &[Measure]) -> String {
     text
 }
 
-/// Backends by the share of their scenes that are neither wrong nor left undone, the largest first, then by time.
+/// The backends, ranked.
+///
+/// The order is by the share of their scenes that are neither wrong nor left undone, the largest first, then by time.
 fn ranked(measures: &[Measure]) -> Vec<Standing<'_>> {
     let mut all = standings(measures);
     let place = |of: &Standing<'_>| {

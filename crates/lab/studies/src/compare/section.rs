@@ -8,15 +8,15 @@ use super::measure::read;
 use super::{Promise, details, ranking};
 use crate::folder::{FolderError, plots_in, rows_of};
 
-/// The file that a folder of this study has.
+/// The main file of this study's folder.
 pub(super) const FILE: &str = "compare.csv";
-/// The file with what the backends promise.
+/// The file with the promises of the backends.
 pub(super) const PROMISES: &str = "promises.csv";
 
 const ID: &str = "compare";
 const TITLE: &str = "Which backend for what";
 
-/// The section of a report without a comparison: how to make one in this folder.
+/// The section of a report without a comparison: instructions to make one in this folder.
 #[must_use]
 pub fn missing(folder: &Path) -> Section {
     let lead = "No comparison of backends is in the folders of these runs. This command makes one, and then every report has its table:";
@@ -24,10 +24,10 @@ pub fn missing(folder: &Path) -> Section {
     Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![Block::Command(command)] }
 }
 
-/// The section of a report from a folder that the study has written; none where the folder has no such file.
+/// The section of a report from a folder that the study has written; `None` if the folder has no such file.
 ///
 /// # Errors
-/// [`FolderError`] with the file, and the line that is wrong.
+/// [`FolderError`] with the file, and the wrong line.
 pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     let path = folder.join(FILE);
     if !path.exists() {
@@ -61,7 +61,9 @@ pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     }))
 }
 
-/// The plots of a comparison of backends that differ in one parameter, in the folder `curves` beside that of the comparison.
+/// The plots of a comparison of backends that differ in one parameter.
+///
+/// They are in the folder `curves` beside that of the comparison.
 fn curves(folder: &Path) -> Result<Vec<Block>, FolderError> {
     let beside = folder.with_file_name("curves");
     if !beside.join(FILE).exists() {

@@ -1,7 +1,8 @@
-//! What is said about one backend: its answers over its own inputs, its times over pairs with the reference.
+//! The results of one backend: its answers over its own inputs, its times over pairs with the reference.
 //!
-//! * Answers have the backend's own denominator: the scenes that it was asked, the scenes and the queries that it answered.
-//! * A ratio of times is the geometric mean over the inputs that the backend and [`REFERENCE`] both answered.
+//! * Answers have the backend's own denominator: the scenes that it was asked, the scenes and the queries that it
+//!   answered.
+//! * A ratio of times is the geometric mean over the inputs that both the backend and [`REFERENCE`] answered.
 //! * Ratios leave out inputs whose time barely depends on predicates: see [`BARELY`].
 //!
 //! No third backend changes any of these numbers.
@@ -10,32 +11,34 @@ use predicament_records::{approximately, geometric_mean, wilson};
 
 use super::Measure;
 
-/// The backend that times are compared with.
+/// The reference backend for times.
 pub const REFERENCE: &str = "exact";
 
-/// The measure of an input: how many times as long the reference takes where it computes each answer twice.
+/// The measure of an input: the reference's slowdown if it computes each answer twice.
 pub const ASKED_TWICE: &str = "asked twice";
 
-/// The reference with every question asked twice, as a backend.
+/// The reference with every query computed twice, as a backend.
 pub(super) const TWICE: &str = "exact:twice";
 
-/// An input barely depends on predicates if the reference takes less than this many times its time when it computes each answer twice.
+/// The slowdown below which an input barely depends on predicates.
+///
+/// It is the ratio of the reference's times with each answer computed twice and once.
 pub const BARELY: f64 = 1.1;
 
 /// An input: task, kind, family.
 pub type InputKey<'m> = [&'m str; 3];
 
-/// So many of so many.
+/// A share as a count and a whole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Share {
-    /// How many.
+    /// The count.
     pub count: u64,
-    /// Of how many.
+    /// The whole.
     pub of: u64,
 }
 
 impl Share {
-    /// The count over the whole; none of nothing.
+    /// The count over the whole; `None` if the whole is zero.
     #[must_use]
     pub fn value(self) -> Option<f64> {
         (self.of > 0).then(|| approximately(self.count) / approximately(self.of))
@@ -76,52 +79,52 @@ pub struct Ratio {
     pub value: f64,
     /// The least and the largest ratio of an input.
     pub range: [f64; 2],
-    /// Inputs behind it: both answered, and the time depends on predicates.
+    /// The number of inputs behind it: both answered, and the time depends on predicates.
     pub pairs: usize,
-    /// Inputs that both answered and that are left out as their time barely depends on predicates.
+    /// The number of inputs that both answered and that are left out, because their time barely depends on predicates.
     pub left_out: usize,
-    /// Inputs that the backend was asked.
+    /// The number of inputs that the backend was asked.
     pub of: usize,
 }
 
-/// All scenes that a backend was asked, each in the class of its worst answer.
+/// The scenes that a backend was asked, each in the class of its worst answer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Scenes {
-    /// Scenes asked: the sum of the others.
+    /// The number of scenes asked: the sum of the others.
     pub asked: u64,
-    /// Nothing is wrong, and nothing is undecided.
+    /// The number of scenes with nothing wrong or undecided.
     pub right: u64,
-    /// An answer is zero within a band, and nothing is wrong.
+    /// The number of scenes with a zero within a band, and nothing wrong.
     pub undecided: u64,
-    /// A check failed by the rounding of output coordinates only.
+    /// The number of scenes where a check failed only by the rounding of output coordinates.
     pub rounded: u64,
-    /// A wrong answer, or a broken law.
+    /// The number of scenes with a wrong answer, or a broken law.
     pub wrong: u64,
-    /// Declined, broken off, or out of time.
+    /// The number of scenes declined, broken off, or out of time.
     pub not_done: u64,
 }
 
-/// A backend on some inputs.
+/// The results of a backend on some inputs.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Standing<'m> {
-    /// Its name, with its parameters.
+    /// The backend's name, with its parameters.
     pub backend: &'m str,
-    /// Inputs with a scene that it answered, of the inputs that it was asked.
+    /// The number of inputs with an answered scene, and of inputs asked.
     pub inputs: [usize; 2],
-    /// Its scenes.
+    /// The backend's scenes by class.
     pub scenes: Scenes,
-    /// Scenes with a broken law, of the scenes that it answered in tasks with laws.
+    /// The share of scenes with a broken law, of the scenes that it answered in tasks with laws.
     pub laws: Share,
-    /// Wrong answers, of its answers to single questions.
+    /// The share of wrong answers, of its answers to single queries.
     pub answers: Share,
-    /// Zeros within its band, of the same.
+    /// The share of zeros within its band, of its answers to single queries.
     pub in_band: Share,
-    /// Its time over that of the reference; none without a pair.
+    /// The ratio of its time to the reference's; `None` without a pair.
     pub time: Option<Ratio>,
 }
 
 impl<'m> Standing<'m> {
-    /// A backend on the inputs that `keep` holds of.
+    /// The results of a backend on the inputs that `keep` accepts.
     pub fn of(measures: &'m [Measure], backend: &'m str, keep: impl Fn(&InputKey<'m>) -> bool) -> Standing<'m> {
         let own = measures.iter().filter(|row| row.backend == backend && is_input(row) && keep(&key(row)));
         let (mut scenes, mut laws, mut answers, mut in_band) =
@@ -146,20 +149,20 @@ impl<'m> Standing<'m> {
                 _ => {}
             }
         }
-        // Where there is no row there is no such answer.
+        // Without a row there is no such answer.
         in_band.of = answers.of;
         let time = ratio(measures, backend, &asked);
         Standing { backend, inputs: [answered, asked.len()], scenes, laws, answers, in_band, time }
     }
 }
 
-/// All backends over all of their inputs, in the order in which they come.
+/// All backends over all of their inputs, in order of appearance.
 #[must_use]
 pub fn standings(measures: &[Measure]) -> Vec<Standing<'_>> {
     backends(measures).into_iter().map(|backend| Standing::of(measures, backend, |_| true)).collect()
 }
 
-/// The backends of some rows, in the order in which they come.
+/// The backends of some rows, in order of appearance.
 #[must_use]
 pub fn backends(measures: &[Measure]) -> Vec<&str> {
     let mut all: Vec<&str> = Vec::new();
@@ -171,7 +174,7 @@ pub fn backends(measures: &[Measure]) -> Vec<&str> {
     all
 }
 
-/// The inputs of some rows, in the order in which they come, each with its number of distinct scenes.
+/// The inputs of some rows, in order of appearance, each with its number of distinct scenes.
 #[must_use]
 pub fn inputs_of(measures: &[Measure]) -> Vec<(InputKey<'_>, u64)> {
     let mut all: Vec<(InputKey<'_>, u64)> = Vec::new();
@@ -183,14 +186,14 @@ pub fn inputs_of(measures: &[Measure]) -> Vec<(InputKey<'_>, u64)> {
     all
 }
 
-/// The inputs that ratios of times leave out, each with how many times as long the reference takes when it computes each answer twice.
+/// The inputs that ratios of times leave out, each with the reference's slowdown if it computes each answer twice.
 #[must_use]
 pub fn left_out(measures: &[Measure]) -> Vec<(InputKey<'_>, f64)> {
     let rows = measures.iter().filter(|row| row.measure == ASKED_TWICE && row.value < BARELY);
     rows.map(|row| (key(row), row.value)).collect()
 }
 
-/// The time of a backend on an input over that of the reference; none where one of them has no time.
+/// The ratio of a backend's time on an input to the reference's; `None` if one of them has no time.
 #[must_use]
 pub fn time_ratio(measures: &[Measure], backend: &str, input: &InputKey<'_>) -> Option<f64> {
     let time = |backend: &str| {
@@ -200,7 +203,7 @@ pub fn time_ratio(measures: &[Measure], backend: &str, input: &InputKey<'_>) -> 
     Some(time(backend)? / time(REFERENCE)?)
 }
 
-/// The mean ratio of a backend over those of these inputs that both answered.
+/// The mean ratio of a backend over the given inputs that both answered.
 pub(super) fn ratio(measures: &[Measure], backend: &str, inputs: &[InputKey<'_>]) -> Option<Ratio> {
     let barely = left_out(measures);
     let is_left_out = |input: &InputKey<'_>| barely.iter().any(|(other, _)| other == input);
@@ -217,7 +220,7 @@ pub(super) fn key(row: &Measure) -> InputKey<'_> {
     [&row.task, &row.kind, &row.family]
 }
 
-/// Whether a row is about scenes of a task, and not about sizes of features.
+/// Returns true if a row is about scenes of a task, and not about sizes of features.
 fn is_input(row: &Measure) -> bool {
     row.task != super::measure::FEATURES
 }

@@ -25,7 +25,7 @@ pub struct Compare {
     )]
     pub backends: Vec<String>,
 
-    /// Tasks, several with commas; all if left out
+    /// Tasks, several separated by commas; all if left out
     #[arg(short = 't', long = "task", value_name = "TASK", value_delimiter = ',')]
     pub tasks: Vec<String>,
 
@@ -33,7 +33,7 @@ pub struct Compare {
     #[arg(long, default_value_t = 20, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub scenes: u32,
 
-    /// Samples of each time; none if 0
+    /// Samples of each time; not timed if 0
     #[arg(long, default_value_t = 7, value_name = "N")]
     pub samples: u32,
 
@@ -45,7 +45,7 @@ pub struct Compare {
     #[arg(long, default_value_t = 400, value_name = "N")]
     pub queries: usize,
 
-    /// The seed of the first scene; the next ones follow
+    /// The seed of the first scene; later scenes use the next seeds
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
 
@@ -58,25 +58,25 @@ pub struct Compare {
     pub format: Format,
 }
 
-/// All measures, and what the backends promise.
+/// All measures, and the promises of the backends.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Compared {
-    /// In the order of inputs and backends; sizes of features come last.
+    /// The measures in the order of inputs and backends; sizes of features come last.
     pub measures: Vec<Measure>,
-    /// Errors by how degenerate queries are.
+    /// The errors by degeneracy of queries.
     pub conditioning: Vec<Conditioned>,
-    /// What each backend promises.
+    /// The promise of each backend.
     pub promises: Vec<Promise>,
 }
 
-/// What a backend promises about the sign of a determinant: a row of `promises.csv`.
+/// A backend's promise about the sign of a determinant: a row of `promises.csv`.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Promise {
     /// The backend's name, with its parameters.
     pub backend: String,
     /// The promise in a few words.
     pub promise: String,
-    /// Whether the promise is proved.
+    /// True if the promise is proved.
     pub proved: bool,
 }
 
@@ -185,7 +185,7 @@ impl Compare {
         Ok(inputs(&compared(host.tasks(), &self.tasks, "compared")?))
     }
 
-    /// The smallest size of each feature from which on a backend tells it.
+    /// The smallest size of each feature from which on a backend distinguishes it.
     fn features(&self, backend: &dyn Contestant, host: &dyn Host) -> Result<Vec<Measure>, Error> {
         let name = backend.name();
         let mut all = Vec::new();
@@ -195,12 +195,12 @@ impl Compare {
             let ask: &resolution::Ask<'_> = &|scene, a, b| contacts(backend, scene, [a, b]);
             let length = resolution::length(&name, feature.dimension);
             let precision = Precision::of_backend(&name);
-            // One that declines has no sizes.
+            // A backend that declines has no sizes.
             if let Ok(survey) = resolution::survey(feature, ask, length, precision, self.trials, self.seed) {
                 let smallest = survey.shares.first().map_or(0.0, |(size, _)| *size);
                 let safe = survey.safe().unwrap_or(f64::INFINITY);
                 let lost = survey.lost().unwrap_or(0.0);
-                // Sizes below the smallest are not looked at.
+                // Sizes below the smallest are not tested.
                 let value = if safe <= smallest { 0.0 } else { safe };
                 all.push(about.measure("smallest feature", "L", value, [lost, safe], self.trials.into()));
             }

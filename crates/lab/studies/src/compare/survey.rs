@@ -17,21 +17,21 @@ use super::measure::{About, Measure};
 use super::standing::{ASKED_TWICE, REFERENCE, TWICE};
 use crate::{Error, Host};
 
-/// What a backend did on all scenes of an input.
+/// The results of a backend on all scenes of an input.
 #[derive(Default)]
 struct Seen {
     scenes: u64,
     counts: ClassCounts,
     declined: u64,
-    /// Scenes by the worst class of their answers, in the order of [`Severity::ALL`].
+    /// The number of scenes by the worst class of their answers, in the order of [`Severity::ALL`].
     worst: [u64; Severity::ALL.len()],
-    /// Scenes with a topology finding, by check.
+    /// The number of scenes with a topology finding, by check.
     checks: BTreeMap<String, u64>,
     broken: u64,
     errors: Errors,
-    /// Queries by the stage that settled them.
+    /// The number of queries by the stage that settled them.
     stages: BTreeMap<&'static str, u64>,
-    /// The most bits of the scenes whose bits are known, how many these are, and how many are not.
+    /// The largest bits, and the numbers of scenes whose bits are known and unknown.
     bits: (i32, u64, u64),
 }
 
@@ -63,7 +63,7 @@ impl Seen {
     }
 }
 
-/// The severity of the worst class of a scene; right where there is none.
+/// The severity of the worst class of a scene; `Right` if it has no class.
 fn worst(outcome: &Outcome) -> Severity {
     let seen = Class::ALL.into_iter().filter(|&class| outcome.counts.get(class) > 0);
     seen.map(Class::severity).max().unwrap_or(Severity::Right)
@@ -80,7 +80,7 @@ pub(super) fn measures(
     let watch = host.watch();
     let mut loaded: Vec<LoadedScene> =
         (0..u64::from(scenes)).map(|at| input.scene(seed + at)).collect::<Result<_, Error>>()?;
-    // A family without chance makes one scene.
+    // A deterministic family makes one scene.
     let mut known = BTreeSet::new();
     loaded.retain(|scene| known.insert(scene.id.clone()));
     let timed = (samples > 0).then(|| input.timed(seed)).transpose()?;
@@ -92,7 +92,7 @@ pub(super) fn measures(
     Ok(all)
 }
 
-/// How many times as long the reference takes where it computes each answer twice; nothing without the reference.
+/// The reference's slowdown if it computes each answer twice; empty without the reference.
 fn asked_twice(
     group: &Group<'_>,
     timed: &LoadedScene,
@@ -107,12 +107,12 @@ fn asked_twice(
         return Ok(None);
     };
     let about = About { task: group.task.name(), kind: group.kind, family: group.family, backend: REFERENCE };
-    // What disturbs a sample makes it longer: the shortest ones are compared.
+    // Disturbances make a sample longer: the shortest samples are compared.
     let ends = [twice.min / once.max, twice.max / once.min];
     Ok(Some(about.measure(ASKED_TWICE, "times the time", twice.min / once.min, ends, twice.samples as u64)))
 }
 
-/// What scenes have in common, as columns of their measures.
+/// The common columns of measures of some scenes.
 pub(crate) struct Group<'a> {
     pub task: &'static dyn AnyTask,
     pub kind: &'a str,
@@ -170,7 +170,9 @@ pub(crate) fn measures_of(
     Ok(all)
 }
 
-/// What the answers were: the scenes that were asked by their worst class, then scenes and answers of those that were answered.
+/// The measures of answers.
+///
+/// First the scenes asked by their worst class, then the scenes and answers of the answered ones.
 fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
     let of_worst = |severity: Severity| seen.worst[severity as usize];
     let not_done = of_worst(Severity::NotDone);
@@ -212,7 +214,7 @@ fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
     for (stage, &count) in &seen.stages {
         all.push(about.share(&format!("stage: {stage}"), "share of queries", 1.0, count, settled));
     }
-    // Known of some scenes only, it would be that of the easy ones.
+    // If known for some scenes only, it would be that of the easy ones.
     let (bits, known, unknown) = seen.bits;
     if known > 0 && unknown == 0 {
         let bits = f64::from(bits);
@@ -221,7 +223,7 @@ fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
     all
 }
 
-/// How far off contacts were.
+/// The measures of location errors of contacts.
 fn located(about: &About<'_>, errors: &Errors) -> Vec<Measure> {
     let mut all = Vec::new();
     if errors.looked_at == 0 {
@@ -244,14 +246,14 @@ fn located(about: &About<'_>, errors: &Errors) -> Vec<Measure> {
     all
 }
 
-/// The errors of the contacts of a scene; nothing where it is of another task, or the backend declines it.
+/// The errors of the contacts of a scene; empty if it is of another task, or the backend declines it.
 fn errors(scene: &LoadedScene, backend: &dyn Contestant, places: &[Vec<f64>], watch: &Watch<'_>) -> Errors {
     let mut errors = Errors::default();
     let (Some(content), Some(solver)) = (scene.content::<Complexes>(), backend.solver(scene.task)) else {
         return errors;
     };
     let how = How { purpose: Purpose::Use, watch };
-    // What is declined was counted before.
+    // Declined scenes were counted before.
     let _ = solver.solve(&scene.scene, scene.content.as_ref(), &Counts::new(), &how, &mut |_, answer| {
         if let Some(found) = answer.downcast_ref() {
             errors.add(&scene.scene, content, found, places);

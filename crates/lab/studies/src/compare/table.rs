@@ -8,13 +8,13 @@ use super::measure::FEATURES;
 use super::words::{short, times};
 use super::{Compared, Measure, Promise, REFERENCE, details, ranking, tradeoffs, words};
 
-/// What the measures of stages begin with.
+/// The prefix of the measures of stages.
 const STAGE: &str = "stage: ";
 
 /// The classes of answers that no backend promises.
 pub(crate) const WRONG: [&str; 5] = ["sign_flip", "missed_zero", "overreach", "nan", "inconsistent"];
 
-/// All tables.
+/// The page with all tables.
 pub(super) fn page(compared: &Compared) -> String {
     let measures = &compared.measures;
     let mut page = format!(
@@ -32,7 +32,7 @@ pub(super) fn page(compared: &Compared) -> String {
     for task in tasks.into_iter().filter(|task| *task != FEATURES) {
         let rows: Vec<&Measure> = measures.iter().filter(|row| row.task == task).collect();
         let table = ranking::markdown(details::table(measures, Some(task), None));
-        // A String takes everything.
+        // Writing to a String cannot fail.
         let _ = write!(page, "\n## {task}\n\n{table}\n");
         stages(&mut page, &rows);
         places(&mut page, &rows);
@@ -43,7 +43,7 @@ pub(super) fn page(compared: &Compared) -> String {
     page
 }
 
-/// Backends that differ in one parameter, over the inputs that all of them answered; none where no two do.
+/// The table of backends that differ in one parameter, over the inputs that all of them answered; `None` if no two do.
 pub(super) fn curves(measures: &[Measure]) -> Option<String> {
     let all = tradeoffs(measures);
     let on_curves: Vec<_> = all.iter().filter(|of| of.knob.is_some() && of.time.is_some()).collect();
@@ -72,7 +72,7 @@ pub(super) fn curves(measures: &[Measure]) -> Option<String> {
     Some(ranking::markdown(table))
 }
 
-/// The shares of queries that each stage settled, largest first.
+/// Writes the shares of queries that each stage settled, largest first.
 fn stages(page: &mut String, rows: &[&Measure]) {
     let mut inputs: Vec<(&str, &str)> = Vec::new();
     for row in rows.iter().filter(|row| row.measure.starts_with(STAGE)) {
@@ -93,7 +93,7 @@ fn stages(page: &mut String, rows: &[&Measure]) {
     }
 }
 
-/// How far off contacts are.
+/// Writes the location errors of contacts.
 fn places(page: &mut String, rows: &[&Measure]) {
     let is_place = |row: &&&Measure| row.measure == "location: median" && row.unit == "L";
     if !rows.iter().any(|row| is_place(&row)) {
@@ -124,7 +124,7 @@ fn places(page: &mut String, rows: &[&Measure]) {
     }
 }
 
-/// The checks that scenes of a task fail.
+/// Writes the checks that scenes of a task fail.
 fn checks(page: &mut String, rows: &[&Measure]) {
     let broken: Vec<&&Measure> = rows.iter().filter(|row| row.measure.starts_with("topology: ")).collect();
     if broken.is_empty() {
@@ -145,7 +145,7 @@ fn checks(page: &mut String, rows: &[&Measure]) {
     }
 }
 
-/// The smallest features by backend.
+/// Writes the smallest features by backend.
 fn sizes(page: &mut String, compared: &Compared) {
     let rows: Vec<&Measure> = compared.measures.iter().filter(|row| row.task == FEATURES).collect();
     if rows.is_empty() {

@@ -1,31 +1,32 @@
-//! Errors against time, as data of a plot: a point for each backend, and a curve where one parameter of a backend is turned.
+//! Errors against time, as data of a plot: a point for each backend, and a curve for backends that differ in one
+//! parameter.
 
 use super::Measure;
 use super::standing::{InputKey, REFERENCE, Ratio, Share, Standing, backends, inputs_of, key, ratio};
 use crate::{Error, File};
 use predicament_report::{Point, tradeoff};
 
-/// A backend between time and errors.
+/// The time and the errors of a backend.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Tradeoff<'m> {
-    /// Its name, with its parameters.
+    /// The backend's name, with its parameters.
     pub backend: &'m str,
-    /// Its time over that of the reference; none without a pair.
+    /// The ratio of its time to the reference's; `None` without a pair.
     pub time: Option<Ratio>,
-    /// Wrong answers, of its answers to single questions.
+    /// The share of wrong answers, of its answers to single queries.
     pub answers: Share,
-    /// Scenes with a broken law, of the scenes that it answered in tasks with laws.
+    /// The share of scenes with a broken law, of the scenes that it answered in tasks with laws.
     pub scenes: Share,
-    /// Scenes that it has not done, of the scenes that it was asked.
+    /// The share of scenes that it has not done, of the scenes that it was asked.
     pub not_done: Share,
-    /// The parameter that makes a curve of it and of others; none for a point of its own.
+    /// The parameter of its curve; `None` for a single point.
     pub knob: Option<&'static str>,
 }
 
-/// The parameters that make curves: the beginning of the names of backends that differ in nothing else.
+/// The parameters that make curves: the common prefixes of backend names that differ in nothing else.
 const KNOBS: [&str; 2] = ["epsilon:", "exact:stages="];
 
-/// The parameter that a backend's name has, if it is one that makes curves.
+/// The parameter in a backend's name, if it is one that makes curves.
 fn knob_of(backend: &str) -> Option<&'static str> {
     KNOBS.into_iter().find(|knob| backend.starts_with(knob))
 }
@@ -44,13 +45,15 @@ fn common<'m>(measures: &'m [Measure], members: &[&str]) -> Vec<InputKey<'m>> {
     inputs_of(measures).into_iter().map(|(input, _)| input).filter(is_common).collect()
 }
 
-/// All backends, in the order in which they come. The members of a curve are compared over the inputs that all of them answered.
+/// The points of all backends, in order of appearance.
+///
+/// The members of a curve are compared over the inputs that all of them answered.
 #[must_use]
 pub fn tradeoffs(measures: &[Measure]) -> Vec<Tradeoff<'_>> {
     let all = backends(measures);
     let members = |knob: &str| -> Vec<&str> { all.iter().copied().filter(|name| name.starts_with(knob)).collect() };
     let of = |&backend| {
-        // A parameter that is not turned makes no curve.
+        // A parameter with only one value makes no curve.
         let knob = knob_of(backend).filter(|knob| members(knob).len() > 1);
         let common = knob.map(|knob| common(measures, &members(knob)));
         let standing = match &common {
@@ -67,7 +70,7 @@ pub fn tradeoffs(measures: &[Measure]) -> Vec<Tradeoff<'_>> {
     all.iter().map(of).collect()
 }
 
-/// A plot: its name, its title, what its vertical axis counts and in how many, and where from.
+/// A plot: its name, its title, the unit and scale of its vertical axis, and its value.
 type Panel = (&'static str, &'static str, &'static str, f64, fn(&Tradeoff<'_>) -> Share);
 
 /// Two plots of errors over time: of answers, and of whole scenes.

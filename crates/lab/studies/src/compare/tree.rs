@@ -1,4 +1,4 @@
-//! The decision tree: which backend for what, as data, as text and as a picture.
+//! The decision tree that recommends a backend, as data, as text and as a picture.
 
 use std::fmt::Write as _;
 
@@ -9,9 +9,9 @@ use predicament_report::{Block, Picture, Section};
 pub struct Node {
     /// The answer that leads here; empty at the root.
     pub answer: &'static str,
-    /// The question, or the advice where nothing follows.
+    /// The question; for a leaf, the advice.
     pub text: &'static str,
-    /// Where each answer leads.
+    /// The nodes of the answers.
     pub next: Vec<Node>,
 }
 
@@ -56,13 +56,13 @@ pub fn decision_tree() -> Node {
     )
 }
 
-/// The tree as lines of text: a question, and under it each answer with what follows.
+/// The tree as lines of text: a question, and under it each answer with its subtree.
 pub(super) fn text() -> String {
     fn write(node: &Node, indent: &str, page: &mut String) {
         for (at, next) in node.next.iter().enumerate() {
             let is_last = at + 1 == node.next.len();
             let (branch, under) = if is_last { ("└─ ", "   ") } else { ("├─ ", "│  ") };
-            // A String takes everything.
+            // Writing to a String cannot fail.
             let _ = writeln!(page, "{indent}{branch}{}: {}", next.answer, next.text);
             write(next, &format!("{indent}{under}"), page);
         }
@@ -86,7 +86,7 @@ fn block() -> Block {
     Block::Plot { picture, file: "which.svg".into(), alt: "Which backend for what: a decision tree".into() }
 }
 
-/// The width of the picture, so narrow that it is read on a telephone.
+/// The width of the picture, narrow enough for a telephone.
 const WIDTH: usize = 400;
 const INDENT: usize = 18;
 const LETTER: usize = 7;
@@ -94,7 +94,7 @@ const LINE: usize = 16;
 const PAD: usize = 7;
 const GAP: usize = 8;
 
-/// The tree as boxes, one below the other, indented by depth; all in the colour of the text around it.
+/// The tree as boxes, one below the other, indented by depth; all in the colour of the surrounding text.
 pub(super) fn svg() -> String {
     let mut drawn = String::new();
     let mut y = 2;
@@ -107,7 +107,7 @@ pub(super) fn svg() -> String {
     )
 }
 
-/// Draws a node and all below it; returns the middle of its box. `y` is where the next box begins.
+/// Draws a node and its subtree; returns the middle of its box. `y` is the top of the next box.
 fn draw(node: &Node, depth: usize, y: &mut usize, drawn: &mut String) -> usize {
     let x = 1 + depth * INDENT;
     let width = WIDTH - 1 - x;
@@ -145,7 +145,7 @@ fn draw(node: &Node, depth: usize, y: &mut usize, drawn: &mut String) -> usize {
     top + height / 2
 }
 
-/// Words in lines of at most so many letters.
+/// The words in lines of at most `letters` letters.
 fn wrapped(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split(' ') {

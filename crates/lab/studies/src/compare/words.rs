@@ -5,7 +5,7 @@ use predicament_records::format::{per_million, percent, significant, thousands};
 use super::Measure;
 use super::standing::{InputKey, Ratio, Share};
 
-/// `12 of 820`.
+/// A count with its denominator, such as `12 of 820`.
 pub(super) fn counted(share: Share) -> String {
     format!("{} of {}", thousands(share.count), thousands(share.of))
 }
@@ -15,7 +15,7 @@ pub(super) fn percents(share: Share) -> String {
     ends(share.interval().map(|x| 100.0 * x), " %")
 }
 
-/// The interval of a share in a million: `12 to 40 in a million`, `at most 12 in a million`.
+/// The interval of a share per million: `12 to 40 in a million`, `at most 12 in a million`.
 pub(super) fn millionths(share: Share) -> String {
     ends(share.interval().map(|x| 1e6 * x), " in a million")
 }
@@ -28,27 +28,27 @@ fn ends([low, high]: [f64; 2], unit: &str) -> String {
     }
 }
 
-/// A share in percent; a dash of nothing.
+/// A share in percent; a dash if the denominator is zero.
 pub(super) fn share(share: Share) -> String {
     if share.of == 0 { "–".to_owned() } else { percent(share.count, share.of) }
 }
 
-/// Wrong answers in a million; a dash of nothing.
+/// Wrong answers per million; a dash if the denominator is zero.
 pub(super) fn rate(share: Share) -> String {
     per_million(share.count, share.of).map_or_else(|| "–".to_owned(), |x| significant(x, 3))
 }
 
-/// `1.11×`; three digits.
+/// A ratio with three digits, such as `1.11×`.
 pub(super) fn times(ratio: f64) -> String {
     format!("{}×", significant(ratio, 3))
 }
 
-/// `42 of 55 inputs`.
+/// The inputs of a ratio, such as `42 of 55 inputs`.
 pub(super) fn pairs(ratio: &Ratio) -> String {
     format!("{} of {} inputs", ratio.pairs, ratio.of)
 }
 
-/// `1 scene`, `20 scenes`.
+/// A number of scenes: `1 scene`, `20 scenes`.
 pub(super) fn scenes(n: u64) -> String {
     predicament_records::format::counted(n, "scene")
 }
@@ -58,7 +58,7 @@ pub(super) fn input([task, kind, _]: &InputKey<'_>) -> String {
     format!("{task} {kind}")
 }
 
-/// Words in a row: `a`, `a and b`, `a, b and c`.
+/// A list in words: `a`, `a and b`, `a, b and c`.
 pub(super) fn listed(words: &[String]) -> String {
     match words {
         [] => String::new(),
@@ -81,7 +81,7 @@ pub(crate) fn short(value: Option<f64>) -> String {
     }
 }
 
-/// The largest value of the rows of a backend that are asked for.
+/// The largest value of a backend's rows that `is_asked` selects.
 pub(super) fn largest(measures: &[Measure], backend: &str, is_asked: impl Fn(&Measure) -> bool) -> Option<f64> {
     let of = measures.iter().filter(|row| row.backend == backend && is_asked(row));
     of.map(|row| row.value).max_by(f64::total_cmp)

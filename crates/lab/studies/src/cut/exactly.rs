@@ -1,9 +1,9 @@
-//! What each tetrahedron should have inside, in rationals.
+//! The expected inside share of each tetrahedron, in rationals.
 //!
-//! A total can be right while its parts are not: what one tetrahedron lacks another has too
-//! much. So tetrahedra are held one by one to what the exact contacts make of them. The
-//! contacts are the judge's, by linear equations in rationals; the side of a corner is by a
-//! ray in rationals; and the volume is that of the same piece, computed in rationals.
+//! A total can be right while its parts are not: one tetrahedron can lack what another has too much. So tetrahedra are
+//! compared one by one with the result of the exact contacts. The contacts are the judge's, by linear equations in
+//! rationals. The side of a corner is found by a ray in rationals. The volume is that of the same piece, computed in
+//! rationals.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,33 +16,35 @@ use rug::Rational;
 /// Exact shares of some tetrahedra.
 #[derive(Clone, Debug, Default)]
 pub struct Exactly {
-    /// How many tetrahedra are in cubes that the surface's triangles reach into: the sample is of these.
+    /// The number of tetrahedra in cubes that the surface's triangles reach into; the sample is taken from these.
     pub near: usize,
-    /// The places of those looked at, with what is inside as a share; none where all corners are on the surface, and
-    /// which side it is of is not told by them.
+    /// The indices of the sampled tetrahedra, with the inside share.
+    ///
+    /// `None` if all corners are on the surface, so that they do not tell the side.
     pub shares: Vec<(usize, Option<Rational>)>,
 }
 
-/// How far shares are from the exact ones.
+/// The deviation of shares from the exact ones.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Deviation {
-    /// Tetrahedra that were compared.
+    /// The number of compared tetrahedra.
     pub checked: usize,
-    /// Those that are off by more than [`ROUNDING`], or have no pieces.
+    /// The number of tetrahedra that are off by more than [`ROUNDING`], or have no pieces.
     pub off: usize,
     /// The largest difference of two shares.
     pub furthest: f64,
 }
 
-/// What a share may be off by: 2⁻⁴⁴ or 256 ε.
+/// The allowed deviation of a share: 2⁻⁴⁴ or 256 ε.
 ///
-/// A weight that is rounded once is off by ε/2, and so is what is left of one. A corner cut off is a
-/// product of three, off by 3ε. A piece with two corners is a sum of three determinants of weights, each of
-/// six products of four numbers up to one: eighteen products off by 4ε or less each, and as much for their sums.
+/// A weight that is rounded once is off by ε/2, and so is one minus it. A corner cut off is a product of three, off by
+/// 3ε. A piece with two corners is a sum of three determinants of weights, each of six products of four numbers up to
+/// one: eighteen products off by 4ε or less each, and as much for their sums.
 pub const ROUNDING: f64 = 1.0 / 17_592_186_044_416.0;
 
 impl Exactly {
-    /// The tetrahedra of every cube that a triangle's box reaches into, `most` of them at even steps.
+    /// The exact shares of the tetrahedra of every cube that a triangle's box reaches into, `most` of them at even
+    /// steps.
     ///
     /// # Panics
     /// If a tetrahedron of the lattice is not within a unit cube.
@@ -69,7 +71,7 @@ impl Exactly {
         Exactly { near: near.len(), shares: shares.collect() }
     }
 
-    /// What shares of all tetrahedra are off by, where these are known.
+    /// The deviation of the shares of all tetrahedra from the known exact ones.
     #[must_use]
     pub fn hold(&self, shares: &[Option<f64>]) -> Deviation {
         let mut deviation = Deviation { checked: self.shares.len(), ..Deviation::default() };
@@ -110,7 +112,7 @@ fn near(scene: &Scene, lattice: &Complex, surface: &Complex) -> Vec<usize> {
     let whole = |x: f64| x.floor() as i64;
     let mut cubes: BTreeSet<[i64; 3]> = BTreeSet::new();
     for triangle in surface.triangles() {
-        // A triangle on the border of cubes reaches into those on both sides.
+        // A triangle on the border of cubes reaches into the cubes on both sides.
         let [x, y, z] = bounds(scene, triangle).map(|[low, high]| whole(low.ceil()) - 1..=whole(high));
         for i in x {
             for j in y.clone() {
@@ -122,7 +124,7 @@ fn near(scene: &Scene, lattice: &Complex, surface: &Complex) -> Vec<usize> {
     (0..lattice.tetrahedra().len()).filter(|&at| is_near(&lattice.tetrahedra()[at])).collect()
 }
 
-/// Where the surface is on each edge: shares of the way from its first end, ascending.
+/// The points of the surface on each edge: shares of the way from its first end, ascending.
 fn points(scene: &Scene, edges: &[[Vertex; 2]], surface: &Complex) -> BTreeMap<[Vertex; 2], Vec<Rational>> {
     let vertices = surface.vertices().iter().map(std::slice::from_ref);
     let of_surface: Vec<&[Vertex]> = vertices
@@ -139,20 +141,20 @@ fn points(scene: &Scene, edges: &[[Vertex; 2]], surface: &Complex) -> BTreeMap<[
     points
 }
 
-/// Whether a vertex is inside of the surface, which is below a sheet; none if it is on it.
+/// Returns true if a vertex is inside of the surface, that is, below a sheet; `None` if it is on the surface.
 ///
 /// # Panics
-/// If every ray that is tried touches the border of a triangle.
+/// If every tried ray touches the border of a triangle.
 fn side(scene: &Scene, surface: &Complex, q: Vertex) -> Option<bool> {
     let [x, y, _] = scene.point3(q);
-    // Rays that are all but vertical stay within less than 1 of the vertex as seen from above.
+    // Nearly vertical rays stay within less than 1 of the vertex as seen from above.
     let is_near = |triangle: &&[Vertex; 3]| {
         let [along_x, along_y, _] = bounds(scene, &triangle[..]);
         [(x, along_x), (y, along_y)].iter().all(|(x, [low, high])| low - 1.0 <= *x && *x <= high + 1.0)
     };
     let triangles: Vec<[Vertex; 3]> = surface.triangles().iter().filter(is_near).copied().collect();
-    // Complexes do not say which side of a triangle is in front: each triangle that is passed changes the winding of
-    // region 1 by one, up or down, and an odd winding is inside.
+    // Complexes do not say which side of a triangle is in front: each triangle that the ray passes changes the winding
+    // of region 1 by one, up or down, and an odd winding is inside.
     let sides = vec![[0, 1]; triangles.len()];
     let materials = Materials::new(scene, &triangles, &sides);
     let rays = [[31, 17, 100_003], [-13, 41, 100_019], [7, -29, 100_043], [-37, -11, 100_057]];
@@ -163,7 +165,7 @@ fn side(scene: &Scene, surface: &Complex, q: Vertex) -> Option<bool> {
     }
 }
 
-/// The share inside, by the sides of the corners; none if all are on the surface.
+/// The share inside, by the sides of the corners; `None` if all are on the surface.
 fn inside(sides: [Option<bool>; 4], share: impl Fn(usize, usize) -> Rational) -> Option<Rational> {
     let of = |side: bool| (0..4).filter(|&at| sides[at] == Some(side)).collect::<Vec<usize>>();
     let cut_off = |at: usize, others: &[usize]| -> Rational {

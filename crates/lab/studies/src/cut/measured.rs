@@ -1,4 +1,4 @@
-//! The command line of the study of cuts, and what it measures.
+//! The command line of the study of cuts, and its measurements.
 
 use std::time::Duration;
 
@@ -33,12 +33,13 @@ pub struct Cut {
     #[arg(long, default_value_t = 12, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=100))]
     pub cubes: u32,
 
-    /// Tetrahedra of each scene that are held one by one to what they should have inside, at even steps among those near
-    /// the surface
+    /// Tetrahedra of each scene that are compared one by one with the exact inside share, at even steps among those
+    /// near the surface
     #[arg(long, default_value_t = 300, value_name = "N")]
     pub checked: usize,
 
-    /// In each cut, exchange what two tetrahedra have inside: the total stays right, and each has to be found
+    /// In each cut, exchange the inside shares of two tetrahedra: the total stays right, and each exchange must be
+    /// found
     #[arg(long)]
     pub planted: bool,
 
@@ -47,7 +48,7 @@ pub struct Cut {
     pub common: Common,
 }
 
-/// A cut by one backend.
+/// The results of a cut by one backend.
 #[derive(Clone, Debug)]
 pub struct Row {
     /// The surface.
@@ -56,21 +57,21 @@ pub struct Row {
     pub placement: Placement,
     /// The backend's name.
     pub backend: String,
-    /// Tetrahedra of the lattice.
+    /// The number of tetrahedra of the lattice.
     pub tetrahedra: usize,
-    /// Triangles of the surface.
+    /// The number of triangles of the surface.
     pub triangles: usize,
-    /// The volume inside, to the nearest double.
+    /// The exact volume inside, rounded to the nearest double.
     pub truth: f64,
     /// The volume of the lattice.
     pub whole: f64,
-    /// How many tetrahedra are near the surface: those checked are some of them.
+    /// The number of tetrahedra near the surface; the checked ones are some of them.
     pub near: usize,
     /// The result, or the reason why there is none.
     pub made: Result<Made, AnswerError>,
 }
 
-/// The contacts, and what was made of them.
+/// The contacts, and the resulting cut.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Made {
     /// The registered pairs.
@@ -81,28 +82,28 @@ pub struct Made {
     pub pieces: Pieces,
     /// The errors of the shares of single tetrahedra.
     pub deviation: Deviation,
-    /// The time that the contacts took.
+    /// The time to register the contacts.
     pub registering: Duration,
-    /// The time that sides and pieces took.
+    /// The time to determine sides and pieces.
     pub cutting: Duration,
 }
 
 impl Made {
-    /// Registered pairs of these ranks, either way round if the two differ.
+    /// The number of registered pairs of these ranks, in either order if the two differ.
     #[must_use]
     pub fn registered(&self, [s, t]: [u8; 2]) -> usize {
         let is = |[a, b]: [u8; 2]| [a, b] == [s, t] || [b, a] == [s, t];
         self.contacts.registered.iter().filter(|contact| is([contact.a.rank, contact.b.rank])).count()
     }
 
-    /// Vertices of the surface that were asked about in tetrahedra.
+    /// The number of queries for vertices of the surface in tetrahedra.
     #[must_use]
     pub fn asked_in_tetrahedra(&self) -> u64 {
         self.contacts.levels.iter().filter(|level| level.ranks == [3, 0]).map(|level| level.asked).sum()
     }
 }
 
-/// All cuts.
+/// The measurements of all cuts.
 #[derive(Clone, Debug)]
 pub struct Measured {
     /// Each scene by each backend, in their order.

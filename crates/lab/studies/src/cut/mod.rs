@@ -1,14 +1,12 @@
-//! What a cut of a tetrahedral mesh by a surface is worth, by the contacts that each backend registers.
+//! The study of cuts: the quality of a tetrahedral mesh that a surface cuts, by the contacts of each backend.
 //!
-//! This is what the tolerance paper's scheme is for: a lattice of tetrahedra is
-//! cut by a triangulated surface, and everything that is known about the cut is
-//! what was registered: vertices of the lattice on the surface, points where
-//! its edges pass through the surface, and vertices of the surface in its
-//! tetrahedra (Algorithm 12). A wrong registration makes a tetrahedron that
-//! cannot be cut, or a part that comes apart.
+//! This is the purpose of the tolerance paper's scheme: a triangulated surface cuts a lattice of tetrahedra, and only
+//! the registered contacts determine the cut. They are vertices of the lattice on the surface, points where its edges
+//! pass through the surface, and vertices of the surface in its tetrahedra (Algorithm 12). A wrong registration makes a
+//! tetrahedron that cannot be cut, or a separated part.
 //!
 //! * [`Cut`]: the study; [`Scene`]: a lattice and a surface with a known volume.
-//! * [`Pieces`]: tetrahedra cut by contacts; [`Exactly`]: what some of them should have inside, in rationals.
+//! * [`Pieces`]: tetrahedra cut by contacts; [`Exactly`]: the exact inside shares of some of them, in rationals.
 
 mod exactly;
 mod measured;

@@ -5,14 +5,15 @@ use predicament_predicates::{Scene, Vertex};
 
 use super::Sides;
 
-/// Pieces of tetrahedra.
+/// The pieces of a lattice's tetrahedra.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Pieces {
-    /// Tetrahedra with a piece on both sides.
+    /// The number of tetrahedra with a piece on both sides.
     pub cut: usize,
-    /// Tetrahedra with an edge that contradicts the sides of its ends: they have no pieces.
+    /// The number of tetrahedra with an edge that contradicts the sides of its ends: they have no pieces.
     pub inconsistent: usize,
-    /// Tetrahedra with all vertices on the surface, or one that nothing is known of: they have no pieces either.
+    /// The number of tetrahedra with all vertices on the surface, or with an unknown vertex: they have no pieces
+    /// either.
     pub undecided: usize,
     /// The volume of the tetrahedra without pieces.
     pub lost: f64,
@@ -20,26 +21,27 @@ pub struct Pieces {
     pub inside: f64,
     /// The volume of all pieces.
     pub sum: f64,
-    /// Pieces with less than [`SLIVER`] of their tetrahedron.
+    /// The number of pieces with less than [`SLIVER`] of their tetrahedron.
     pub slivers: usize,
-    /// Of these, pieces without any volume.
+    /// The number of slivers without any volume.
     pub empty: usize,
-    /// Edges that change sides with several points on them; the middle one is taken.
+    /// The number of edges that change sides with several points on them; the middle point is used.
     pub many: usize,
-    /// Edges that change sides without a point on them; their middle is taken.
+    /// The number of edges that change sides without a point on them; their middle is used.
     pub missing: usize,
-    /// For each tetrahedron what is inside as a share; none for those without pieces.
+    /// The inside share of each tetrahedron; `None` for those without pieces.
     pub shares: Vec<Option<f64>>,
-    /// How many connected parts the pieces inside have, across faces: one if nothing is cut off.
+    /// The number of connected parts of the pieces on each side, across faces: one if nothing is cut off.
     pub parts: [usize; 2],
 }
 
-/// A piece is a sliver if it has less of its tetrahedron's volume than this.
+/// The volume share of its tetrahedron below which a piece is a sliver.
 pub const SLIVER: f64 = 1e-6;
 
 impl Pieces {
-    /// A planted fault: the least share of these tetrahedra for the largest. As all tetrahedra
-    /// of a lattice have one volume, the total stays the same.
+    /// A planted fault: exchanges the least share of these tetrahedra with the largest.
+    ///
+    /// All tetrahedra of a lattice have one volume, so the total stays the same.
     pub fn exchange(&mut self, tetrahedra: impl Iterator<Item = usize>) {
         let known = tetrahedra.filter_map(|at| Some((at, self.shares[at]?)));
         let mut sorted: Vec<(usize, f64)> = known.collect();
@@ -50,11 +52,10 @@ impl Pieces {
     }
 }
 
-/// Cuts each tetrahedron. A piece is what is on one side of the surface
-/// through the points on its edges; a quadrilateral is divided along the
-/// diagonal from its first vertex.
+/// Cuts each tetrahedron.
 ///
-/// Volumes are sums of doubles: each is off by a few ε of its tetrahedron's.
+/// A piece is the part on one side of the surface through the points on its edges; a quadrilateral is divided along the
+/// diagonal from its first vertex. Volumes are sums of doubles: each is off by a few ε of its tetrahedron's.
 ///
 /// # Panics
 /// If the sides are not those of this lattice.
@@ -85,7 +86,7 @@ pub fn pieces(scene: &Scene, lattice: &Complex, sides: &Sides) -> Pieces {
             all.lost += whole;
             continue;
         }
-        // Where the surface is on the edge from the one corner to the other, as a share of the way.
+        // The position of the surface on the edge from one corner to the other, as a share of the way.
         let share = |i: usize, j: usize| {
             let points = &sides.points[edge(i, j)];
             let t = points.get(points.len() / 2).copied().unwrap_or(0.5);
@@ -115,11 +116,11 @@ pub fn pieces(scene: &Scene, lattice: &Complex, sides: &Sides) -> Pieces {
     all
 }
 
-/// The share of a tetrahedron that is inside; none if no corner is known to be off the surface.
+/// The inside share of a tetrahedron; `None` if no corner is known to be off the surface.
 fn fraction(of_corners: [Option<bool>; 4], share: impl Fn(usize, usize) -> f64) -> Option<f64> {
     let which = |side: Option<bool>| (0..4).filter(|&at| of_corners[at] == side).collect::<Vec<usize>>();
     let (inside, outside) = (which(Some(true)), which(Some(false)));
-    // A corner cut off: to corners on the surface all of the way.
+    // A corner cut off; the share to corners on the surface is 1.
     let corner = |at: usize, others: &[usize]| others.iter().map(|&other| share(at, other)).product::<f64>();
     Some(match (&inside[..], &outside[..]) {
         ([], []) => return None,
@@ -145,7 +146,7 @@ fn fraction(of_corners: [Option<bool>; 4], share: impl Fn(usize, usize) -> f64) 
     })
 }
 
-/// The volume of a tetrahedron with these barycentric coordinates, as a share, with its sign.
+/// The signed volume of a tetrahedron with these barycentric coordinates, as a share.
 fn determinant(rows: [[f64; 4]; 4]) -> f64 {
     let minor = |columns: [usize; 2], [p, q]: [usize; 2]| {
         rows[p][columns[0]] * rows[q][columns[1]] - rows[p][columns[1]] * rows[q][columns[0]]
@@ -162,7 +163,7 @@ fn determinant(rows: [[f64; 4]; 4]) -> f64 {
     pairs.into_iter().map(|(first, second, sign)| sign * minor(first, [0, 1]) * minor(second, [2, 3])).sum()
 }
 
-/// A tetrahedron's volume: exact for those of the lattice.
+/// The volume of a tetrahedron: exact for those of the lattice.
 fn volume(scene: &Scene, corners: [Vertex; 4]) -> f64 {
     let [a, b, c, d] = corners.map(|v| scene.point3(v));
     let [u, v, w] = [b, c, d].map(|p| [0, 1, 2].map(|axis| p[axis] - a[axis]));
@@ -170,7 +171,7 @@ fn volume(scene: &Scene, corners: [Vertex; 4]) -> f64 {
     (u[0] * minor(1, 2) + u[1] * minor(2, 0) + u[2] * minor(0, 1)).abs() / 6.0
 }
 
-/// The connected parts of the pieces on one side: across faces with a corner there.
+/// The number of connected parts of the pieces on one side: across faces with a corner there.
 fn parts(lattice: &Complex, sides: &Sides, has: &[[bool; 2]], side: usize) -> usize {
     let place = |v: &Vertex| lattice.vertices().binary_search(v).expect("a face's vertex");
     let mut first: Vec<Option<usize>> = vec![None; lattice.triangles().len()];
@@ -207,7 +208,7 @@ fn parts(lattice: &Complex, sides: &Sides, has: &[[bool; 2]], side: usize) -> us
 mod tests {
     use super::*;
 
-    /// Against the volume below a plane through the midpoints.
+    /// Compares with the volume below a plane through the midpoints.
     #[test]
     fn shares_of_known_cuts() {
         let half = |_: usize, _: usize| 0.5;
@@ -226,7 +227,7 @@ mod tests {
             assert_eq!(fraction(corners(sides), half), Some(share), "{sides:?}");
         }
         assert_eq!(fraction([None; 4], half), None);
-        // A quarter of the way from the inside: what is left of four corners cut off a plane.
+        // A quarter of the way from the inside: the rest after four corners are cut off a plane.
         let quarter = |i: usize, j: usize| if i < j { 0.25 } else { 0.75 };
         let wedge = fraction(corners([1, 1, -1, -1]), quarter).unwrap();
         let other = fraction(corners([-1, -1, 1, 1]), quarter).unwrap();

@@ -1,34 +1,34 @@
-//! The side of each vertex of the lattice, from what was registered on its edges.
+//! The side of each vertex of the lattice, from the contacts registered on its edges.
 
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-/// What contacts say about vertices and edges of the lattice.
+/// The consequences of contacts for vertices and edges of the lattice.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Sides {
-    /// For each vertex whether it is inside; none for those on the surface.
+    /// For each vertex, true if it is inside; `None` if it is on the surface.
     pub inside: Vec<Option<bool>>,
-    /// For each edge where the surface passes through it: shares of the way
-    /// from its first end, ascending.
+    /// The points where the surface passes through each edge: shares of the way from its first end, ascending.
     pub points: Vec<Vec<f64>>,
-    /// For each edge whether what passes through it is more degenerate than a
-    /// triangle, so that a point need not be a change of sides.
+    /// For each edge, true if a simplex more degenerate than a triangle passes through it.
+    ///
+    /// Then a point need not be a change of sides.
     pub degenerate: Vec<bool>,
-    /// Edges whose points contradict the sides of their ends, by their places.
+    /// The indices of edges whose points contradict the sides of their ends.
     pub contradicted: Vec<u32>,
-    /// Sets of vertices that no edge connects: each had a vertex located.
+    /// The number of vertex sets that no edge connects: a vertex of each was located.
     pub located: usize,
-    /// Vertices of which nothing is known: nothing could be located beside them.
+    /// The number of unknown vertices, where no connected vertex could be located.
     pub unknown: usize,
 }
 
-/// Sides from contacts: an edge with an even number of piercings has its ends
-/// on one side, with an odd number on both. Edges with an end on the surface,
-/// or that meet its vertices or edges, say nothing. Nor is an edge followed
-/// all of whose faces are pierced an odd number of times along their boundary:
-/// it is the one that is wrong. `session` locates one
-/// vertex of each set that is connected by the others, by a ray upwards.
+/// The sides of vertices from contacts.
+///
+/// An edge with an even number of piercings has its ends on one side, with an odd number on both. Edges with an end on
+/// the surface, or that meet its vertices or edges, give no information. An edge is also ignored if all its faces are
+/// pierced an odd number of times along their boundary: then the edge itself is wrong. `session` locates one vertex of
+/// each set that the other edges connect, by a ray upwards.
 ///
 /// # Panics
 /// If the contacts are not those of the two complexes.
@@ -68,7 +68,7 @@ pub fn sides<S: Predicates + ?Sized>(session: &S, [lattice, surface]: [&Complex;
         if on[start] || set_of[start] {
             continue;
         }
-        // Sides against that of the start.
+        // Sides relative to that of the start.
         let mut relative = vec![(start, false)];
         set_of[start] = true;
         let mut next = 0;
@@ -100,7 +100,7 @@ pub fn sides<S: Predicates + ?Sized>(session: &S, [lattice, surface]: [&Complex;
     found
 }
 
-/// Which edges have a face whose boundary is pierced an even number of times, or none of whose faces says anything.
+/// For each edge, true if a face has a boundary that is pierced an even number of times, or no face gives information.
 fn trusted(lattice: &Complex, points: &[Vec<f64>], says: impl Fn(usize) -> bool) -> Vec<bool> {
     let (mut even, mut odd) = (vec![false; points.len()], vec![false; points.len()]);
     for &[a, b, c] in lattice.triangles() {
@@ -115,8 +115,9 @@ fn trusted(lattice: &Complex, points: &[Vec<f64>], says: impl Fn(usize) -> bool)
     even.into_iter().zip(odd).map(|(even, odd)| even || !odd).collect()
 }
 
-/// Whether a ray upwards passes through the surface an odd number of times;
-/// none if it passes through an edge, or the vertex is on a triangle.
+/// Returns true if a ray upwards passes through the surface an odd number of times.
+///
+/// `None` if it passes through an edge, or the vertex is on a triangle.
 fn locate<S: Predicates + ?Sized>(session: &S, surface: &Complex, q: Vertex) -> Option<bool> {
     let mut inside = false;
     for &[a, b, c] in surface.triangles() {
@@ -129,7 +130,7 @@ fn locate<S: Predicates + ?Sized>(session: &S, surface: &Complex, q: Vertex) -> 
         if around.contains(&Sign::Zero) {
             return None;
         }
-        // The triangle is above where it sees the vertex as it sees what is far below.
+        // The triangle is above if it sees the vertex as it sees a point far below.
         let turn = if some { Sign::Positive } else { Sign::Negative };
         match session.orient3d(a, b, c, q) * turn {
             Sign::Zero => return None,
@@ -139,6 +140,5 @@ fn locate<S: Predicates + ?Sized>(session: &S, surface: &Complex, q: Vertex) -> 
     Some(inside)
 }
 
-/// How a triangle that is wound positively, seen from above, sees a point
-/// below it: `orient3d` is positive for points below the plane.
+/// The sign of `orient3d` for a triangle wound positively, seen from above, and a point below it.
 const BELOW: Sign = Sign::Positive;

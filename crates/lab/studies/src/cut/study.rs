@@ -11,7 +11,7 @@ use super::{Deviation, Exactly, Placement, Scene, Shape, pieces, sides, table};
 use crate::contacts::contacts;
 use crate::{Common, Error, File, Host, Study};
 
-/// The backend that locates a vertex where there may be ties.
+/// The backend that locates a vertex if there may be ties.
 const TIES: &str = "sos";
 
 impl Study for Cut {
@@ -109,13 +109,13 @@ Examples:
     }
 }
 
-/// Whether zeros are exact or never, so that all contacts fit together.
+/// Returns true if zeros are exact or never answered, so that all contacts are consistent.
 fn promises(backend: &str) -> bool {
     backend == "exact" || backend.starts_with(TIES)
 }
 
 impl Cut {
-    /// With its tetrahedra held to the exact ones.
+    /// The result with the deviations of its tetrahedra from the exact shares.
     fn held(&self, mut made: Made, exactly: &Exactly) -> Made {
         if self.planted {
             made.pieces.exchange(exactly.shares.iter().map(|(at, _)| *at));
@@ -130,7 +130,7 @@ fn make(scene: &Scene, backend: &dyn Contestant, ties: &dyn Contestant) -> Resul
     let start = Instant::now();
     let registered = contacts(backend, &scene.scene, both)?;
     let registering = start.elapsed();
-    // Vertices on the surface are on a side only where the backend's own ties say so.
+    // Vertices on the surface are on a side only if the backend's own tie breaking says so.
     let breaks = backend.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Never;
     let locator = if breaks { backend } else { ties };
     let start = Instant::now();

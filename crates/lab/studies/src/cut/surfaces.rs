@@ -1,8 +1,7 @@
 //! A lattice of tetrahedra, and surfaces that cut it.
 //!
-//! The lattice has integer points, n cubes along each axis with six tetrahedra
-//! each. The triangles of a surface are about as large as the faces of the
-//! lattice, so each tetrahedron that is cut meets a few of them.
+//! The lattice has integer points, n cubes along each axis with six tetrahedra each. The triangles of a surface are
+//! about as large as the faces of the lattice, so each cut tetrahedron meets a few of them.
 
 use predicament_contacts::task::Complexes;
 use predicament_corpus::Random;
@@ -15,13 +14,13 @@ use super::volume;
 
 type Point = [f64; 3];
 
-/// Coordinates have so many bits: either precision holds them.
+/// The number of bits of coordinates, which either precision can represent.
 const BITS: u32 = 24;
 
-/// What the lattice is cut by.
+/// The surface that cuts the lattice.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, clap::ValueEnum)]
 pub enum Shape {
-    /// A flat sheet, wider than the lattice; inside is what is below it.
+    /// A flat sheet, wider than the lattice; the inside is below it.
     Plane,
     /// A sheet with waves of eight cubes.
     Wave,
@@ -29,14 +28,14 @@ pub enum Shape {
     Sphere,
 }
 
-/// How the surface lies in the lattice.
+/// The placement of the surface in the lattice.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, clap::ValueEnum)]
 pub enum Placement {
-    /// At no particular place.
+    /// General position.
     General,
-    /// With its vertices on those of the lattice.
+    /// The surface's vertices are vertices of the lattice.
     Degenerate,
-    /// The same, with each vertex moved by at most σ along each axis.
+    /// The same as `Degenerate`, with each vertex moved by at most σ along each axis.
     Near,
 }
 
@@ -44,7 +43,7 @@ impl Shape {
     /// All shapes, in the order of reports.
     pub const ALL: [Shape; 3] = [Shape::Plane, Shape::Wave, Shape::Sphere];
 
-    /// The name in reports.
+    /// The shape's name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -59,7 +58,7 @@ impl Placement {
     /// All placements, in the order of reports.
     pub const ALL: [Placement; 3] = [Placement::General, Placement::Degenerate, Placement::Near];
 
-    /// The name in reports.
+    /// The placement's name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -73,7 +72,7 @@ impl Placement {
 /// A lattice with a surface.
 #[derive(Clone, Debug)]
 pub struct Scene {
-    /// All points: the lattice's first.
+    /// All points, with the lattice's first.
     pub scene: predicament_predicates::Scene,
     /// The lattice and the surface.
     pub complexes: Complexes,
@@ -82,7 +81,7 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// The lattice of n³ cubes, cut.
+    /// The lattice of n³ cubes, with a surface.
     ///
     /// # Panics
     /// If there are fewer than four or more than 1,000 cubes along an axis.
@@ -113,8 +112,9 @@ impl Scene {
     }
 }
 
-/// The lattice: its points and tetrahedra, which go from a corner of a cube to
-/// the opposite one along one axis after the other.
+/// The lattice: its points and tetrahedra.
+///
+/// Tetrahedra go from a corner of a cube to the opposite one along one axis after the other.
 fn lattice(cubes: u32) -> (Vec<Point>, Vec<[Vertex; 4]>) {
     let cubes = cubes as usize;
     let stride = cubes + 1;
@@ -143,13 +143,14 @@ fn whole(count: usize) -> f64 {
 /// σ of the scheme for triangles of this size beside the lattice's, in double precision.
 const SIGMA: f64 = 6.5 / 8192.0 * 2.0;
 
-/// What near placement moves a coordinate by.
+/// The random offset of a coordinate in near placement.
 fn aside(placement: Placement, rng: &mut Random) -> f64 {
     if placement == Placement::Near { SIGMA * rng.between(-1.0, 1.0) } else { 0.0 }
 }
 
-/// A sheet of squares, wider than the lattice by two cubes: its height is
-/// about half of the lattice's.
+/// A sheet of squares, wider than the lattice by two cubes.
+///
+/// Its height is about half of the lattice's.
 fn sheet(shape: Shape, placement: Placement, cubes: u32, rng: &mut Random) -> (Vec<Point>, Vec<[usize; 3]>) {
     let side = cubes as usize + 5;
     let middle = whole(cubes as usize / 2);
@@ -182,8 +183,9 @@ fn sheet(shape: Shape, placement: Placement, cubes: u32, rng: &mut Random) -> (V
     (points, triangles)
 }
 
-/// An octahedron with its faces divided at integer points; pushed out to a
-/// sphere where it is not to be degenerate.
+/// An octahedron with its faces divided at integer points.
+///
+/// Unless the placement is degenerate, it is pushed out to a sphere.
 fn sphere(placement: Placement, cubes: u32, rng: &mut Random) -> (Vec<Point>, Vec<[usize; 3]>) {
     let radius = i64::from(cubes * 2 / 5).max(1);
     let middle = whole(cubes as usize / 2);

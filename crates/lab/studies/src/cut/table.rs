@@ -100,7 +100,7 @@ fn line(row: &Row) -> Line<'_> {
     }
 }
 
-/// What is the same every time, and times.
+/// The results that are the same in every run, and the times.
 pub(super) fn csv(measured: &Measured) -> Result<Vec<File>, Error> {
     let times = measured.rows.iter().filter_map(|row| {
         let made = row.made.as_ref().ok()?;

@@ -23,8 +23,7 @@ pub(super) fn enclosed(triangles: &[[Point; 3]]) -> Rational {
     six.abs() / 6
 }
 
-/// The volume below a sheet that is seen once from every point of the square
-/// [0, n]², and above its plane z = 0.
+/// The volume below a sheet over the square [0, n]², above its plane z = 0.
 pub(super) fn below(triangles: &[[Point; 3]], cubes: u32) -> Rational {
     let mut volume = Rational::new();
     for corners in triangles {

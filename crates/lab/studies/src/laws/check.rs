@@ -1,4 +1,4 @@
-//! A law about a predicate, and how a tuple of vertices is tried.
+//! A law about a predicate, and its check on a tuple of vertices.
 
 use predicament_laws::axioms::{
     Law, Relation, Violation, Zeros, antisymmetry, equals_reference, independence_of_later_vertices,
@@ -45,28 +45,28 @@ pub fn checks(dimension: Dimension) -> Vec<Check> {
     checks
 }
 
-/// What a tuple is tried on.
+/// The sessions for checking a tuple.
 pub(super) struct Sessions<'a> {
-    /// The backend's, of the whole scene.
+    /// The backend's session, of the whole scene.
     pub session: &'a dyn Predicates,
-    /// The backend's, of the first vertices.
+    /// The backend's session, of the first vertices.
     pub fewer: Option<&'a dyn Predicates>,
-    /// Exact.
+    /// An exact session.
     pub reference: &'a dyn Predicates,
-    /// What the backend means by zero.
+    /// The backend's meaning of zero.
     pub zeros: Zeros,
-    /// Whether a zero is one however the input moves.
+    /// Returns true if a query is zero however the input moves.
     pub is_identity: &'a dyn Fn(Question, &[Vertex]) -> bool,
 }
 
 impl Check {
-    /// The law.
+    /// The law of the check.
     #[must_use]
     pub fn law(&self) -> Law {
         self.law
     }
 
-    /// The names of the predicates that it is about, as in `compare+orient2d`.
+    /// The names of the law's predicates, as in `compare+orient2d`.
     #[must_use]
     pub fn subject(&self) -> String {
         let asked = self.kinds();
@@ -74,7 +74,7 @@ impl Check {
         kinds.map(PredicateKind::name).collect::<Vec<_>>().join("+")
     }
 
-    /// The predicates that it asks.
+    /// The predicates that the check queries.
     #[must_use]
     pub fn kinds(&self) -> Vec<PredicateKind> {
         match &self.relation {
@@ -83,7 +83,7 @@ impl Check {
         }
     }
 
-    /// How many vertices it takes.
+    /// The number of vertices of a tuple.
     #[must_use]
     pub fn vertices(&self) -> usize {
         match &self.relation {
@@ -93,24 +93,24 @@ impl Check {
         }
     }
 
-    /// Whether a backend with such zeros promises it at all.
+    /// Returns true if a backend with this meaning of zero promises the law.
     pub(super) fn is_promised(&self, zeros: Zeros) -> bool {
         let zero = zeros.of(self.question.kind());
         match self.law {
             Law::NeverZero => zero == ZeroMeaning::Never,
-            // A tolerance is made for the extent of the scene.
+            // A tolerance depends on the extent of the scene.
             Law::LaterVertices => zero != ZeroMeaning::Band,
             _ => true,
         }
     }
 
-    /// The first `n` vertices of a scene in every way that can make a difference.
+    /// The first `n` vertices of a scene in every order that can make a difference.
     pub(super) fn tuples(&self, n: usize) -> Vec<Vec<Vertex>> {
         if let Some(relation) = &self.relation {
             return relation.tuples(n).collect();
         }
         let mut all: Vec<Vec<Vertex>> = vec![Vec::new()];
-        // The order of arguments is tried by one law, the way round of a comparison by another.
+        // One law covers the order of arguments, another the direction of a comparison.
         let ordered = self.law == Law::Transitivity;
         for _ in 0..self.vertices() {
             let next = |tuple: &Vec<Vertex>| {
@@ -123,12 +123,12 @@ impl Check {
         all
     }
 
-    /// Whether tuples are tried together, in batches of queries.
+    /// Returns true if tuples are checked together, in batches of queries.
     pub(super) fn in_batches(&self) -> bool {
         self.law == Law::Place
     }
 
-    /// One tuple, or several one after the other where they are tried in batches.
+    /// Checks one tuple, or several one after the other for a law about batches.
     pub(super) fn look(&self, on: &Sessions<'_>, tuple: &[Vertex]) -> Option<Violation> {
         let (session, question) = (on.session, self.question);
         let zero = on.zeros.of(question.kind());

@@ -6,9 +6,9 @@ use predicament_predicates::{Dimension, Scene};
 /// A kind of scene, in the plane and in space.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Family {
-    /// A whole small grid in random order, one point of it twice: 3 × 3, or the corners and the centre of a cube.
+    /// A whole small grid in random order, with one point twice: 3 × 3, or the corners and the centre of a cube.
     Exhaustive,
-    /// Points of a grid of four (three in space) values, many of them several times.
+    /// Points of a grid of four (three in space) values, many of them repeated.
     Grid,
     /// Integers up to 50, few ties.
     Integers,
@@ -22,7 +22,7 @@ pub enum Family {
     Mixed,
 }
 
-/// Vertices of a scene.
+/// The number of vertices of a scene.
 const POINTS: usize = 12;
 
 impl Family {
@@ -30,7 +30,7 @@ impl Family {
     pub const RANDOM: [Family; 6] =
         [Family::Grid, Family::Integers, Family::Lines, Family::Circle, Family::Far, Family::Mixed];
 
-    /// The name in reports.
+    /// The family's name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -44,7 +44,7 @@ impl Family {
         }
     }
 
-    /// The scene with this number, and the random stream that its tuples are drawn from.
+    /// The scene with this number, and the random stream for its tuples.
     ///
     /// # Panics
     /// Never: all coordinates are finite.
@@ -98,7 +98,7 @@ fn draw(point: impl FnMut() -> Vec<f64>) -> Vec<Vec<f64>> {
     std::iter::repeat_with(point).take(POINTS).collect()
 }
 
-/// Small steps from one of two points in one of two directions.
+/// Points at small steps from one of two points in one of two directions.
 fn lines(d: usize, random: &mut Random) -> Vec<Vec<f64>> {
     let mut vector = || (0..d).map(|_| integer(random, -2, 2)).collect::<Vec<f64>>();
     let [origin, other, u, v] = std::array::from_fn(|_| vector());
@@ -109,7 +109,7 @@ fn lines(d: usize, random: &mut Random) -> Vec<Vec<f64>> {
     })
 }
 
-/// All points with coordinates from −most to most that are wanted.
+/// All points with coordinates from −most to most that `wanted` accepts.
 fn lattice(d: usize, most: i32, wanted: impl Fn(&[f64]) -> bool) -> Vec<Vec<f64>> {
     let mut all: Vec<Vec<f64>> = vec![Vec::new()];
     for _ in 0..d {
@@ -129,7 +129,7 @@ fn exponent(random: &mut Random) -> i32 {
     i32::try_from(random.integer(-40, 40)).unwrap_or_default()
 }
 
-/// An index below `n`.
+/// A random index below `n`.
 pub(super) fn place(random: &mut Random, n: usize) -> usize {
     let last = i64::try_from(n).unwrap_or(i64::MAX) - 1;
     usize::try_from(random.integer(0, last)).unwrap_or_default()

@@ -1,15 +1,14 @@
-//! Do answers about the same vertices fit each other, whatever the truth is?
+//! The study of laws: whether answers about the same vertices fit each other, whatever the truth is.
 //!
-//! Scenes of a corpus are there for their errors; laws want ties. So here are
-//! scenes of about a dozen vertices each, made to be degenerate in every way: small
-//! grids with repeated points, lines, planes, circles, spheres, far from the
-//! origin, with exponents mixed. First come some that are exhausted, every tuple of
-//! them; then random ones, of which tuples are drawn.
+//! Scenes of a corpus are made to expose errors; laws need ties. So this study has scenes of about a dozen vertices
+//! each, made to be degenerate in every way: small grids with repeated points, lines, planes, circles, spheres, far
+//! from the origin, with mixed exponents. The first scenes are exhausted, every tuple of them; the others are random,
+//! with random tuples.
 //!
 //! * [`Laws`]: the study.
 //! * [`Family`]: the scenes.
-//! * [`Check`]: a law about a predicate; [`checks`]: all there are.
-//! * [`survey`]: a backend through all of it; [`Row`]: the counts of one law.
+//! * [`Check`]: a law about a predicate; [`checks`]: all laws.
+//! * [`survey`]: checks all laws on a backend; [`Row`]: the counts of one law.
 
 mod check;
 mod family;

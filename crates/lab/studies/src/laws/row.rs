@@ -5,20 +5,20 @@ use predicament_predicates::{Scene, Vertex};
 
 use super::Family;
 
-/// Counts of one law about one predicate, or several tied to each other. Those of parts add up.
+/// The counts of one law about one predicate, or several related ones; those of parts add up.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Row {
     /// The law.
     pub law: Law,
     /// The names of the predicates, as in `compare+orient2d`.
     pub subject: String,
-    /// Tuples tried.
+    /// The number of checked tuples.
     pub tuples: u64,
-    /// Tuples whose answers break the law.
+    /// The number of tuples whose answers break the law.
     pub violations: u64,
-    /// Tuples on which the backend panicked.
+    /// The number of tuples on which the backend panicked.
     pub panics: u64,
-    /// The first violation, or panic if there is none.
+    /// The first violation; the first panic if there is no violation.
     pub first: Option<Example>,
 }
 
@@ -45,14 +45,14 @@ impl Example {
     }
 }
 
-/// Each vertex once, ascending.
+/// The vertices, each once and ascending, with their coordinates.
 fn points(scene: &Scene, vertices: impl Iterator<Item = Vertex>) -> Vec<(Vertex, Vec<f64>)> {
     let vertices: std::collections::BTreeSet<Vertex> = vertices.collect();
     vertices.into_iter().map(|v| (v, scene.point(v).to_vec())).collect()
 }
 
 impl std::fmt::Display for Example {
-    /// One line: what was answered, and where the vertices are.
+    /// Writes one line: the answers, and the coordinates of the vertices.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{};", self.what)?;
         for (at, (vertex, point)) in self.points.iter().enumerate() {
@@ -68,13 +68,13 @@ impl Row {
         Row { law, subject, tuples: 0, violations: 0, panics: 0, first: None }
     }
 
-    /// Whether the backend answered about anything at all.
+    /// Returns true if the backend answered nothing at all.
     #[must_use]
     pub fn is_declined(&self) -> bool {
         self.tuples == 0
     }
 
-    /// Whether the law holds as far as it was tried.
+    /// Returns true if the law holds on all checked tuples.
     #[must_use]
     pub fn holds(&self) -> bool {
         self.violations + self.panics == 0
@@ -83,7 +83,7 @@ impl Row {
     /// Adds the counts of a later part.
     pub(super) fn add(&mut self, later: Row) {
         self.tuples += later.tuples;
-        // A violation says more than a panic does.
+        // A violation is more informative than a panic.
         if self.violations == 0 && later.violations > 0 {
             self.first = later.first;
         } else {

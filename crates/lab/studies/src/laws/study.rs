@@ -12,7 +12,7 @@ use crate::{Common, Error, File, Host, Study};
 /// The default backends: those whose promise is proved.
 const DEFAULT: &str = "exact,sos,sos:edelsbrunner-mucke,tolerance";
 
-/// The laws of predicates, tried on tuples full of ties.
+/// The laws of predicates, checked on tuples full of ties.
 #[derive(Clone, Debug, clap::Args)]
 pub struct Laws {
     /// Backends, by commas or repeated
@@ -32,10 +32,10 @@ pub struct Laws {
     pub common: Common,
 }
 
-/// What to print.
+/// The printed format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum Format {
-    /// Backend, law, predicates, tuples, violations, panics, first.
+    /// CSV: backend, law, predicates, tuples, violations, panics, first.
     Csv,
     /// Tables as Markdown, aligned.
     Md,
@@ -136,8 +136,9 @@ impl Record<'_> {
     }
 }
 
-/// No message for each panic, until it is dropped: panics are counted and the
-/// first is reported; a million need no million backtraces.
+/// Suppresses the message of each panic, until it is dropped.
+///
+/// Panics are counted and the first is reported; a million panics need no million backtraces.
 struct Muted(Option<Hook>);
 
 type Hook = Box<dyn Fn(&PanicHookInfo<'_>) + Sync + Send>;

@@ -1,7 +1,7 @@
-//! A backend through all scenes, on all threads.
+//! The survey of a backend on all scenes, on all threads.
 //!
-//! Every scene has a random stream of its own, and results are put together in
-//! the order of the scenes, so nothing depends on the number of threads.
+//! Every scene has a separate random stream, and results are combined in the order of the scenes, so nothing depends on
+//! the number of threads.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -20,15 +20,15 @@ use super::{Check, Example, Family, Row, checks};
 /// The number of tuples and the seed of a survey.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Survey {
-    /// Random tuples of each backend that has all predicates; rounded up to whole scenes.
+    /// The number of random tuples for a backend that has all predicates; rounded up to whole scenes.
     pub tuples: u64,
     /// The seed of all scenes.
     pub seed: u64,
 }
 
-/// Scenes that are exhausted, in the plane and in space: as many orders of the same points.
+/// The number of exhausted scenes, in the plane and in space: each has the same points in another order.
 const EXHAUSTED: [(Dimension, u64); 2] = [(Dimension::Two, 8), (Dimension::Three, 4)];
-/// Tuples to a law in a random scene.
+/// The number of tuples per law in a random scene.
 const SHARE: usize = 24;
 
 /// One scene with its tuples.
@@ -40,7 +40,7 @@ struct Job {
 }
 
 impl Survey {
-    /// How many tuples a backend with all predicates is tried on, so that progress can be told.
+    /// The number of tuples for a backend with all predicates, to show progress.
     #[must_use]
     pub fn total(&self) -> u64 {
         let exhausted = |(dimension, orders): (Dimension, u64)| {
@@ -52,7 +52,7 @@ impl Survey {
         EXHAUSTED.into_iter().map(exhausted).sum::<u64>() + self.rounds() * per_round()
     }
 
-    /// Every family once in each dimension.
+    /// The number of rounds, each with every family once in each dimension.
     fn rounds(&self) -> u64 {
         self.tuples.div_ceil(per_round())
     }
@@ -82,10 +82,10 @@ fn per_round() -> u64 {
     (laws * SHARE * Family::RANDOM.len()) as u64
 }
 
-/// Tries every law on a backend: one row for each law and its predicates, by law.
+/// Checks every law on a backend: one row for each law and its predicates, by law.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of tuples.
+/// [`Stop`] if the watch says so; it counts tuples.
 pub fn survey(contestant: &dyn Contestant, survey: Survey, watch: &Watch) -> Result<Vec<Row>, Stop> {
     let all = EXHAUSTED.map(|(dimension, _)| checks(dimension));
     let empty = empty_rows(&all);
@@ -132,7 +132,9 @@ fn add(sum: &mut [Row], rows: Vec<Row>) {
     }
 }
 
-/// How many of a scene's vertices a law may be tried on: those of its first part, where that is what it is about.
+/// The number of a scene's vertices on which a law may be checked.
+///
+/// For the law about later vertices these are the first part.
 fn reach(check: &Check, scene: &Scene) -> usize {
     if check.law() == Law::LaterVertices { first_part(scene) } else { scene.len() }
 }
@@ -141,10 +143,10 @@ fn first_part(scene: &Scene) -> usize {
     scene.len() * 2 / 3
 }
 
-/// The counts of one scene, and how many tuples were looked at or passed over.
+/// The counts of one scene, and the number of tuples that were checked or skipped.
 fn try_scene(contestant: &dyn Contestant, survey: Survey, job: Job, checks: &[Check]) -> (Vec<Row>, u64) {
     let (scene, mut random) = job.family.scene(job.dimension, job.number, survey.seed);
-    // Drawn in any case, so that all backends have the same.
+    // Drawn in any case, so that all backends have the same tuples.
     let drawn: Vec<Vec<Vec<Vertex>>> = checks.iter().map(|check| tuples(check, job, &scene, &mut random)).collect();
     let all: usize = drawn.iter().map(Vec::len).sum();
     let coordinates = scene.coordinates()[..first_part(&scene) * job.dimension.count()].to_vec();
@@ -165,7 +167,7 @@ fn try_scene(contestant: &dyn Contestant, survey: Survey, job: Job, checks: &[Ch
             }
         }
     };
-    // A scene that is declined has no rows, and tuples say so.
+    // A declined scene adds no tuples to its rows.
     let prepared = catch_unwind(AssertUnwindSafe(|| {
         let _ = contestant.with_session(&scene, &mut |session| {
             if contestant.with_session(&first, &mut |fewer| look(session, Some(fewer))).is_err() {
@@ -222,7 +224,7 @@ fn tuples(check: &Check, job: Job, scene: &Scene, random: &mut Random) -> Vec<Ve
     (0..SHARE).map(|_| draw()).collect()
 }
 
-/// What a panic said, or why a session broke off.
+/// The message of a panic, or the reason why a session broke off.
 fn message(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned());

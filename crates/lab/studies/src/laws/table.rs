@@ -1,4 +1,4 @@
-//! Violations of each law by each backend, as Markdown.
+//! The page of the study: violations of each law by each backend, as Markdown.
 
 use std::fmt::Write as _;
 

@@ -1,6 +1,6 @@
-//! The cascades: a mesh to begin with, and what is done to it in each step.
+//! The cascades: an initial mesh, and the operation of each step.
 //!
-//! Only the four operations and square roots are used, which are the same everywhere.
+//! They use only the four operations and square roots, which are the same everywhere.
 
 use std::collections::BTreeSet;
 
@@ -16,18 +16,18 @@ pub struct Operand {
     pub operation: Operation,
     /// The second operand.
     pub mesh: Closed,
-    /// The cell of a lattice that it is, if it is one.
+    /// The operand's cell of a lattice, if it is one.
     pub cell: Option<[i64; 3]>,
 }
 
 /// A sequence of Boolean operations.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, clap::ValueEnum)]
 pub enum Cascade {
-    /// The cubes of a lattice united one by one, row by row, then taken away in the same order
+    /// The cubes of a lattice united one by one, row by row, then subtracted in the same order
     Cubes,
-    /// The same in random orders
+    /// The cubes of a lattice united and subtracted in random orders
     Shuffled,
-    /// A sphere shaved by half-spaces; every fourth is an earlier one moved by an ulp
+    /// A sphere cut by half-spaces; every fourth is an earlier one moved by an ulp
     Shave,
     /// A sphere united with copies of itself: moved by half of it, by an ulp, by 2^-30, not at all
     Copies,
@@ -37,7 +37,7 @@ impl Cascade {
     /// All cascades.
     pub const ALL: [Cascade; 4] = [Cascade::Cubes, Cascade::Shuffled, Cascade::Shave, Cascade::Copies];
 
-    /// The name in files.
+    /// The cascade's name in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -48,7 +48,7 @@ impl Cascade {
         }
     }
 
-    /// The mesh to begin with, and the operation and second operand of each of so many steps.
+    /// The initial mesh, and the operation and second operand of each of `count` steps.
     #[must_use]
     pub fn steps(self, count: usize, seed: u64) -> (Operand, Vec<Operand>) {
         let mut random = Random::new(self.name(), "mesh-cascades", seed);
@@ -69,7 +69,7 @@ fn whole(n: usize) -> i64 {
     i64::try_from(n).expect("few steps")
 }
 
-/// Triangles of the faces of a box with these corners: those of x, then of y, then of z alternate.
+/// The triangles of a box with these corners: those of x, then of y, then of z alternate.
 fn boxed(points: [[f64; 3]; 8]) -> Closed {
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
@@ -81,7 +81,7 @@ fn cube(operation: Operation, cell: [i64; 3]) -> Operand {
     Operand { operation, mesh: boxed([0, 1, 2, 3, 4, 5, 6, 7].map(corner)), cell: Some(cell) }
 }
 
-/// As many cubes as half of the steps and one more: all united, all taken away.
+/// As many cubes as half of the steps plus one: all united, then all subtracted.
 fn cubes(count: usize, random: Option<&mut Random>) -> (Operand, Vec<Operand>) {
     let cubes = count / 2 + 1;
     let side = (1..).find(|side: &usize| side.pow(3) >= cubes).expect("a lattice that is large enough");
@@ -103,7 +103,7 @@ fn cubes(count: usize, random: Option<&mut Random>) -> (Operand, Vec<Operand>) {
     (start, all.collect())
 }
 
-/// Points of an octahedron, each edge divided in two so many times, on the unit sphere, and its triangles.
+/// An octahedron on the unit sphere, with each edge halved `levels` times: points and triangles.
 fn sphere(levels: usize) -> Closed {
     let on_sphere = |p: [f64; 3]| {
         let length = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
@@ -130,7 +130,7 @@ fn sphere(levels: usize) -> Closed {
     Closed { points, triangles }
 }
 
-/// Where the golden spiral is on the sphere: any two are apart.
+/// A point of the golden spiral on the sphere: any two are distinct.
 fn direction(at: usize, count: usize) -> [f64; 3] {
     let z = 1.0 - (2.0 * small(at) + 1.0) / small(count);
     let part = small(at) * 0.618_033_988_749_894_9 % 1.0;
@@ -146,7 +146,7 @@ fn shave(count: usize) -> (Operand, Vec<Operand>) {
     let mut steps: Vec<Operand> = Vec::with_capacity(count);
     for at in 0..count {
         let mesh = if at % 4 == 3 {
-            // The cut before the last, an ulp farther in at one corner.
+            // The cut before the last, an ulp farther inside at one corner.
             let mut mesh = steps[at - 2].mesh.clone();
             let x = &mut mesh.points[0][0];
             *x = step(*x, if *x > 0.0 { -1 } else { 1 });
@@ -189,7 +189,7 @@ fn copies(count: usize) -> (Operand, Vec<Operand>) {
     (Operand { operation: Operation::Union, mesh: start, cell: None }, steps)
 }
 
-/// Cubes of a lattice, and how many squares are around them.
+/// Cubes of a lattice, and the number of squares around them.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Cells(BTreeSet<[i64; 3]>);
 
@@ -207,7 +207,7 @@ impl Cells {
         self.0.len()
     }
 
-    /// The squares between cells that there are and others.
+    /// The number of squares between a cell of the set and a cell outside of it.
     pub fn squares(&self) -> usize {
         let exposed = |cell: &[i64; 3]| {
             let is_exposed = |way: usize| {

@@ -1,4 +1,4 @@
-//! What is measured after a step, in rationals.
+//! The measurements after a step, in rationals.
 
 use predicament_judge::rational;
 use predicament_judge::solids::{Materials, Place};
@@ -10,7 +10,7 @@ use rug::Rational;
 
 use super::cascade::{Cells, Operand};
 
-/// Triangles that are held against their neighbours after a step.
+/// The number of triangles that are compared with their neighbours after a step.
 const CROSSED: usize = 400;
 /// Directions of rays, one of which misses all edges.
 const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
@@ -20,50 +20,51 @@ const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [
 pub struct Sample {
     /// The number of steps so far.
     pub step: usize,
-    /// Triangles of the result.
+    /// The number of triangles of the result.
     pub triangles: usize,
-    /// Its vertices.
+    /// The number of its vertices.
     pub points: usize,
-    /// Its volume.
+    /// The volume of the result.
     pub volume: Rational,
-    /// Its area, rounded.
+    /// The area of the result, rounded.
     pub area: f64,
-    /// Its true volume and area, where they are known.
+    /// The true volume and area, if they are known.
     pub truth: Option<[usize; 2]>,
-    /// Sides of triangles without one that goes back.
+    /// The number of triangle sides without an opposite side.
     pub open: usize,
-    /// Triangles without area.
+    /// The number of triangles without area.
     pub flat: usize,
-    /// Edges that pass through triangles: of an even sample of triangles.
+    /// The number of edges that pass through triangles, for an even sample of triangles.
     pub crossing: usize,
-    /// Probes that are on the wrong side.
+    /// The number of probes on the wrong side.
     pub wrong: usize,
-    /// What all steps so far have done.
+    /// The sums over all steps so far.
     pub done: Done,
-    /// The mean of the steps since the last sample.
+    /// Nanoseconds per step, the mean since the last sample.
     pub nanoseconds: f64,
 }
 
 /// Sums over steps.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Done {
-    /// Points constructed.
+    /// The number of points constructed.
     pub constructed: usize,
-    /// Triangles without area, cancelled, covered by facing ones, divided: cleared in limits.
+    /// The number of triangles cleared in limits: without area, cancelled, covered by facing ones, or divided.
     pub cleared: usize,
-    /// Vertices moved by rounding.
+    /// The number of vertices moved by rounding.
     pub moved: usize,
-    /// Triangles turned over, folds and crossings, where all vertices go to the nearest doubles.
+    /// The number of flaws if all vertices are rounded to the nearest doubles: triangles turned over, folds and
+    /// crossings.
     pub flaws: usize,
-    /// Triangles that were cut to resolve them.
+    /// The number of triangles that were cut to resolve flaws.
     pub cut: usize,
-    /// Steps of which the result was resolved and rounded again.
+    /// The number of steps whose result was resolved and rounded again.
     pub resolved: usize,
-    /// The most often in one step.
+    /// The largest number of passes in one step.
     pub passes: usize,
-    /// What resolved results have moved in all, at most, in each coordinate.
+    /// The largest total move of resolved results in a coordinate.
     pub farthest: f64,
-    /// Flaws that are left.
+    /// The number of remaining flaws.
     pub left: usize,
 }
 
@@ -84,7 +85,7 @@ impl Done {
     }
 }
 
-/// A point, and whether it is in the result so far: none where it is on an operand.
+/// A point, and true if it is in the result so far; `None` if it is on an operand.
 pub(super) struct Probe {
     pub at: [Rational; 3],
     pub is_in: Option<bool>,
@@ -104,7 +105,9 @@ impl Probe {
     }
 }
 
-/// Whether points are in a mesh: none where that is not known, as on its surface, or where the mesh contradicts itself.
+/// For each point, true if it is in a mesh.
+///
+/// `None` if that is unknown: on the surface, or where the mesh contradicts itself.
 fn inside(mesh: &Closed, points: &[[Rational; 3]]) -> Vec<Option<bool>> {
     if mesh.triangles.is_empty() {
         return vec![Some(false); points.len()];
@@ -167,7 +170,7 @@ pub(super) fn measured(
     };
     let (points, known): (Vec<_>, Vec<_>) =
         probes.iter().filter_map(|probe| Some((probe.at.clone(), probe.is_in?))).unzip();
-    // What is on the surface of a rounded result is not held against it.
+    // A point on the surface of a rounded result does not count as wrong.
     let wrong =
         inside(result, &points).into_iter().zip(known).filter(|(found, known)| found.is_some_and(|is| is != *known));
     Sample {
@@ -187,7 +190,7 @@ pub(super) fn measured(
 }
 
 impl Sample {
-    /// Whether volume, area and the number of triangles are the true ones, where these are known.
+    /// Returns true if volume, area and the number of triangles are the true ones, if known.
     #[must_use]
     pub fn is_true(&self) -> bool {
         #[allow(clippy::cast_precision_loss)] // few squares
@@ -196,7 +199,7 @@ impl Sample {
             .is_none_or(|[cells, squares]| self.volume == cells && is_area(squares) && self.triangles == 2 * squares)
     }
 
-    /// Whether nothing is wrong with it.
+    /// Returns true if the sample shows no error.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         self.is_true() && [self.open, self.flat, self.crossing, self.wrong].iter().all(|count| *count == 0)

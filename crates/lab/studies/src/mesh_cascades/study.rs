@@ -10,7 +10,7 @@ use super::{Cascade, Sample, table};
 use crate::cascades::Plan;
 use crate::{Common, Error, File, Host, Study};
 
-/// Meshes that are combined again and again, by several backends.
+/// Meshes that are combined repeatedly, by several backends.
 #[derive(Clone, Debug, clap::Args)]
 pub struct MeshCascades {
     /// Cascades; all if left out
@@ -39,7 +39,7 @@ pub struct MeshCascades {
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
-    /// What becomes of a result that crosses itself once its vertices are doubles
+    /// What happens to a result that crosses itself once its vertices are doubles
     #[arg(long, value_enum, default_value_t = Rounding::Counted, value_name = "HOW")]
     pub rounding: Rounding,
 
@@ -48,17 +48,17 @@ pub struct MeshCascades {
     pub common: Common,
 }
 
-/// What becomes of flaws of rounding.
+/// The treatment of flaws of rounding.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug, clap::ValueEnum)]
 pub enum Rounding {
     /// Flaws are counted
     #[default]
     Counted,
-    /// Triangles that cross are cut, and the result is rounded again, until none do or they become more
+    /// Triangles that cross are cut, and the result is rounded again, until none cross or their number grows
     Resolved,
 }
 
-/// What is plotted: the end of the file's name, what it is, and the value of a sample.
+/// A plot: the suffix of the file's name, its title, and the value of a sample.
 type Plot = (&'static str, &'static str, fn(&Sample) -> f64);
 
 /// The backend that takes limits.
@@ -115,7 +115,7 @@ Examples:
         names
     }
 
-    /// One: the steps are timed.
+    /// One thread, because the steps are timed.
     fn threads(&self) -> Option<usize> {
         Some(1)
     }
@@ -169,7 +169,7 @@ Examples:
     }
 
     fn plots(&self, measured: &Measured) -> Result<Vec<File>, Error> {
-        #[allow(clippy::cast_precision_loss)] // few of anything
+        #[allow(clippy::cast_precision_loss)] // small counts
         let plots: [Plot; 3] = [
             ("triangles", "triangles", |sample| sample.triangles as f64),
             ("wrong", "open sides, crossings and wrong points", |sample| {
@@ -186,7 +186,7 @@ Examples:
                 };
                 let curve = |one: &Followed| Curve::new(one.backend.clone(), points(one));
                 let of_cascade = measured.followed.iter().filter(|one| one.cascade == cascade).map(curve);
-                // A name in the legend stands for a line.
+                // A name in the legend requires a line.
                 let lines = of_cascade.filter(|curve| curve.points.iter().any(|(_, y)| *y > 0.0)).collect();
                 let drawn = curves(&Curves { x: "step".into(), y: (*what).into(), curves: lines, ..Curves::default() });
                 let picture = drawn.map_err(Error::format)?;

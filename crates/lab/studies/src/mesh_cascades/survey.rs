@@ -1,4 +1,4 @@
-//! Cascades of meshes by backends, step by step.
+//! The cascades of meshes by each backend, step by step.
 
 use std::time::{Duration, Instant};
 
@@ -15,7 +15,7 @@ use super::sample::{Done, Probe, Sample, measured};
 use crate::Error;
 use crate::cascades::Plan;
 
-/// What one backend made of one cascade.
+/// The result of one backend on one cascade.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Followed {
     /// The cascade.
@@ -24,9 +24,9 @@ pub struct Followed {
     pub backend: String,
     /// The measurements, in the order of the steps.
     pub samples: Vec<Sample>,
-    /// What all steps have done.
+    /// The sums over all steps.
     pub done: Done,
-    /// The step that could not be done, and why.
+    /// The step that failed, and the reason.
     pub ended: Option<(usize, String)>,
 }
 
@@ -38,7 +38,9 @@ impl Sessions for Of<'_> {
     }
 }
 
-/// Does the steps of a cascade by a backend; limits are taken, and flaws of rounding resolved, by the `exact` one, if this one breaks ties, else by itself.
+/// Does the steps of a cascade by a backend.
+///
+/// If the backend breaks ties, `exact` takes the limits and resolves flaws of rounding; else the backend does both.
 pub(super) fn follow(
     cascade: Cascade,
     plan: Plan,
@@ -73,7 +75,7 @@ pub(super) fn follow(
     for (at, step) in (1..).zip(&operands) {
         watch.done(1)?;
         let clock = Instant::now();
-        // From inside of a pool short loops are not handed over.
+        // From inside of a pool, short loops are not handed over.
         let made = rayon::scope(|_| steps.combine([&result, &step.mesh], step.operation));
         elapsed += clock.elapsed();
         match made {

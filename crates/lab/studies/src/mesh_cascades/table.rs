@@ -1,4 +1,4 @@
-//! What is left of each cascade, as Markdown.
+//! The page of the study: the results of each cascade, as Markdown.
 
 use std::fmt::Write as _;
 
@@ -7,7 +7,7 @@ use predicament_report::text::{in_order, markdown};
 
 use super::{Followed, Measured, MeshCascades, Sample};
 
-/// A table for each cascade, and what was broken first.
+/// A table for each cascade, and the first failures.
 pub(super) fn page(study: &MeshCascades, measured: &Measured) -> String {
     let mut page = format!(
         "{} steps, measured after {} of them; seed {}; times in microseconds a step\n",
@@ -79,7 +79,7 @@ fn row(one: &Followed) -> Vec<String> {
     ]
 }
 
-/// What cannot be read off the numbers.
+/// Remarks that the numbers do not show.
 fn sentences(one: &Followed) -> Vec<String> {
     let first = |is_so: fn(&Sample) -> bool| one.samples.iter().find(|sample| is_so(sample)).map(|sample| sample.step);
     let mut all = Vec::new();

@@ -1,4 +1,4 @@
-//! Two polygons merged by what a backend registers.
+//! Two polygons merged by the contacts that a backend registers.
 
 use predicament_contacts::algorithm::arrangement::Arrangement;
 use predicament_contacts::algorithm::pairs::Contacts;
@@ -8,16 +8,16 @@ use predicament_tasks::{AnswerError, Contestant};
 use super::PolygonPair;
 use crate::contacts::contacts;
 
-/// Two polygons, merged.
+/// The results of merging two polygons.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Examined {
     /// The registered pairs.
     pub contacts: Contacts,
     /// The crossings after merging, for each of [`Seat::ALL`].
     pub crossings: [Crossings; 3],
-    /// Vertices of one polygon that became one.
+    /// The clusters: vertices of one polygon that became one.
     pub clusters: Vec<Cluster>,
-    /// Edges that became a point.
+    /// The edges that became a point.
     pub collapses: Vec<Collapse>,
 }
 
@@ -30,11 +30,10 @@ impl Examined {
     }
 }
 
-/// Registers the contacts of two polygons with this backend, merges them, and
-/// counts.
+/// Registers the contacts of two polygons with this backend, merges them, and counts crossings.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 ///
 /// # Panics
 /// Never: polygons are closed.

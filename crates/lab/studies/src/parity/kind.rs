@@ -1,4 +1,4 @@
-//! What odd pairs of polygons have in common.
+//! The kinds of odd pairs of polygons.
 
 use predicament_contacts::checks::pairs::Seat;
 use predicament_tasks::Contestant;
@@ -7,17 +7,17 @@ use super::{Find, Found, PolygonPair, Recipe, examine, random_pair, shrink_odd};
 use crate::Precision;
 use crate::shrink::Shrunk;
 
-/// What an odd pair has in common with others: the rules under which it is odd, and its kinds of contacts.
+/// The kind of an odd pair: the rules under which it is odd, and its kinds of contacts.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Kind {
-    /// The rules under which it is odd, in the order of [`Seat::ALL`].
+    /// For each rule, true if the pair is odd under it, in the order of [`Seat::ALL`].
     pub odd: [bool; 3],
-    /// Whether vertices are registered with vertices, edges with vertices, edges with edges.
+    /// True if vertices are registered with vertices, edges with vertices, edges with edges.
     pub registered: [bool; 3],
 }
 
 impl Kind {
-    /// The rules under which it is odd.
+    /// The rules under which the pair is odd.
     pub fn seats(&self) -> impl Iterator<Item = Seat> {
         Seat::ALL.into_iter().zip(self.odd).filter(|&(_, odd)| odd).map(|(seat, _)| seat)
     }

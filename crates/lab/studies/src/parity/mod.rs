@@ -1,20 +1,16 @@
-//! How often do registrations make two closed curves cross an odd number of times?
+//! The study of parity: how often registrations make two closed curves cross an odd number of times.
 //!
-//! Closed curves can't, so where registrations say that they do, the registrations
-//! contradict each other. Perturbed signs never do, nor do exact ones. A
-//! tolerance scheme decides each pair within its tolerance of the truth, and
-//! no tolerance on single pairs keeps the sum even: registering two vertices
-//! as one moves edges by more than the distance within which an edge and a
-//! vertex are registered, so an edge can be moved across a vertex.
+//! Closed curves can't, so if registrations say that they do, the registrations contradict each other. Neither
+//! perturbed nor exact signs ever do. A tolerance scheme decides each pair within its tolerance of the truth, and no
+//! tolerance on single pairs keeps the sum even. The reason: registering two vertices as one moves edges by more than
+//! the distance within which an edge and a vertex are registered, so an edge can be moved across a vertex.
 //! `docs/TOLERANCE.md` explains it on the smallest scene found.
 //!
 //! * [`Parity`]: the study.
-//! * [`PolygonPair`]: two simple closed polygons; [`random_pair`]: nearly
-//!   degenerate ones.
-//! * [`examine`]: what a backend's registrations make of a pair.
+//! * [`PolygonPair`]: two simple closed polygons; [`random_pair`]: nearly degenerate ones.
+//! * [`examine`]: merges a pair by a backend's registrations and counts crossings.
 //! * [`search`]: many pairs, counted.
-//! * [`shrink_odd`]: the smallest pair that a find can be reduced to;
-//!   [`smallest`]: the smallest of many, by what they show.
+//! * [`shrink_odd`]: the smallest pair that a find can be reduced to; [`smallest`]: the smallest pair of each kind.
 //! * [`space`]: all of this for closed surfaces.
 
 mod examine;

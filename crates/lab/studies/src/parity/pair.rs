@@ -1,4 +1,4 @@
-//! A pair of polygons, and how it is shrunk.
+//! A pair of polygons, and its reductions.
 
 use predicament_contacts::checks::pairs::{Seat, is_embedded};
 use predicament_exact::Exact;
@@ -14,13 +14,14 @@ type Polygon = Vec<[f64; 2]>;
 /// Two closed polygons by their corners.
 #[derive(Clone, PartialEq, Debug)]
 pub struct PolygonPair {
-    /// The first and the second.
+    /// The first and the second polygon.
     pub polygons: [Polygon; 2],
 }
 
 impl PolygonPair {
-    /// The corners as a scene, the first polygon's first, with both polygons'
-    /// primitive lengths, and each polygon as a complex of its edges.
+    /// The corners as a scene with both polygons' primitive lengths, and each polygon as a complex of its edges.
+    ///
+    /// The first polygon's corners come first.
     ///
     /// # Panics
     /// If a coordinate is not finite, or a polygon has fewer than three corners.
@@ -38,7 +39,7 @@ impl PolygonPair {
         (scene.with_primitive_lengths(lengths), complexes)
     }
 
-    /// Whether both polygons are simple, decided exactly.
+    /// Returns true if both polygons are simple, decided exactly.
     #[must_use]
     pub fn is_simple(&self) -> bool {
         let (scene, complexes) = self.scene();
@@ -57,14 +58,14 @@ impl PolygonPair {
     }
 }
 
-/// Fewer corners first; then shorter coordinates; then smaller ones.
+/// The measure is fewer corners first, then shorter coordinates, then smaller ones.
 impl Shrink for PolygonPair {
     type Size = (usize, u32, u64);
 
     fn size(&self) -> (usize, u32, u64) {
         let coordinates = || self.polygons.iter().flatten().flatten();
         let sum: f64 = coordinates().map(|x| x.abs()).sum();
-        // The bits of doubles that are not negative are in their order.
+        // For nonnegative doubles the order of bits is the order of values.
         (self.polygons.iter().map(Vec::len).sum(), coordinates().map(|&x| length(x)).sum(), sum.to_bits())
     }
 
@@ -76,7 +77,7 @@ impl Shrink for PolygonPair {
                 smaller.extend(without_each(polygon).map(|fewer| self.with(which, fewer)));
             }
         }
-        // To another origin and another unit.
+        // With another origin and another unit.
         for &[x, y] in self.polygons.iter().flatten() {
             smaller.push(self.each(|p| [p[0] - x, p[1] - y]));
             smaller.push(self.each(|p| [p[0] - x, p[1]]));
@@ -104,9 +105,9 @@ impl Shrink for PolygonPair {
     }
 }
 
-/// Shrinks a pair for which this backend's registrations give an odd number of
-/// crossings under all of these rules, keeping that, both polygons simple, and
-/// the exact count even. Tries at most `limit` pairs.
+/// Shrinks a pair for which this backend's registrations give an odd number of crossings under all of these rules.
+///
+/// It keeps this property, both polygons simple, and the exact count even. It tries at most `limit` pairs.
 #[must_use]
 pub fn shrink_odd(
     [backend, exact]: [&dyn Contestant; 2],

@@ -1,11 +1,10 @@
 //! Random pairs of simple polygons with features as small as the tolerances.
 //!
-//! Tolerances are √ε of the primitives' size, so a polygon that is to have
-//! corners within them of each other needs long edges too: each has some
-//! corners near the origin and one or two far away, at some 2²⁵. With two such
-//! polygons L is about 2²⁶ and √ε L about one: near coordinates, multiples of
-//! 1/8, are in units of it. In single precision √ε is 2^-11.5 and 2^10.5 far.
-//! All coordinates have so few bits that either precision holds them.
+//! Tolerances are √ε of the primitives' size, so a polygon with corners within tolerances of each other needs long
+//! edges too: each polygon has some corners near the origin and one or two far away, at some 2²⁵. With two such
+//! polygons L is about 2²⁶ and √ε L about one: near coordinates, multiples of 1/8, are in units of it. In single
+//! precision √ε is 2^-11.5 and the far distance is 2^10.5. All coordinates have so few bits that either precision can
+//! represent them.
 
 use predicament_corpus::Random;
 
@@ -15,14 +14,14 @@ use crate::Precision;
 type Point = [f64; 2];
 type Polygon = Vec<Point>;
 
-/// How the second polygon is made from the first.
+/// The way in which the second polygon is made from the first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Recipe {
     /// A copy with its corners moved, some dropped, some added.
     Copy,
-    /// Corners planted beside corners and edges of the first.
+    /// The second polygon has corners planted beside corners and edges of the first.
     Plant,
-    /// Drawn like the first, and independent of it.
+    /// The second polygon is drawn like the first, and independent of it.
     Free,
 }
 
@@ -30,7 +29,7 @@ impl Recipe {
     /// All recipes, in the order of reports.
     pub const ALL: [Recipe; 3] = [Recipe::Copy, Recipe::Plant, Recipe::Free];
 
-    /// The name in reports.
+    /// The recipe's name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -41,11 +40,11 @@ impl Recipe {
     }
 }
 
-/// Where near corners are: within this of the origin, in units of √ε L.
+/// The largest distance of near corners from the origin, in units of √ε L.
 const NEAR: i64 = 20;
-/// Near coordinates are multiples of one over this.
+/// The denominator of near coordinates.
 const PARTS: i64 = 8;
-/// Where far corners are: for L = 2·FAR, √ε L is one, in single precision nearly.
+/// The distance of far corners: for L = 2·FAR, √ε L is one, in single precision nearly.
 const fn far_away(precision: Precision) -> i64 {
     match precision {
         Precision::Double => 1 << 25,
@@ -53,9 +52,9 @@ const fn far_away(precision: Precision) -> i64 {
     }
 }
 
-/// The pair with this number, of the stream of this seed, and how many draws
-/// before it were refused because one of the polygons was not simple. Nearly
-/// degenerate are the pairs for tolerances in this precision.
+/// The pair with this number, of the stream of this seed, and the number of refused draws before it.
+///
+/// A draw is refused if a polygon is not simple. The pairs are nearly degenerate for tolerances in this precision.
 #[must_use]
 pub fn random_pair(recipe: Recipe, precision: Precision, seed: u64, number: u64) -> (PolygonPair, usize) {
     let stream = match precision {
@@ -83,7 +82,7 @@ pub fn random_pair(recipe: Recipe, precision: Precision, seed: u64, number: u64)
 /// A stream of random corners.
 struct Draw {
     rng: Random,
-    /// Where far corners are.
+    /// The distance of far corners.
     far: i64,
 }
 
@@ -143,7 +142,7 @@ impl Draw {
         [0, 1].map(|axis| eighths(from[axis] + fraction * u[axis]))
     }
 
-    /// The same place, or one within 1.5 σ of it in each coordinate.
+    /// The same point, or one within 1.5 σ of it in each coordinate.
     fn beside(&mut self, p: Point) -> Point {
         if self.rng.one_in(5) {
             return p;
@@ -156,8 +155,9 @@ impl Draw {
         [0; 2].map(|_| parts(self.rng.integer(-NEAR * PARTS, NEAR * PARTS)))
     }
 
-    /// On the border of a square around the origin, in a direction that is as
-    /// likely a small slope as a large one.
+    /// A random point on the border of a square around the origin.
+    ///
+    /// Small slopes of its direction are as likely as large ones.
     fn far_point(&mut self) -> Point {
         let far = parts(self.far * PARTS);
         let along = if self.rng.one_in(2) {
@@ -181,7 +181,7 @@ impl Draw {
     }
 }
 
-/// A number of eighths; exact for all that are used here.
+/// A number of eighths; exact for all numbers used here.
 fn parts(count: i64) -> f64 {
     #[allow(clippy::cast_precision_loss)] // at most 2^29
     let (count, parts) = (count as f64, PARTS as f64);

@@ -1,4 +1,4 @@
-//! Many pairs under several backends, counted.
+//! A search through many pairs under several backends, with counts.
 
 use std::ops::Range;
 
@@ -12,11 +12,12 @@ use crate::Precision;
 /// The counts under one [`Seat`] rule.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct SeatCounts {
-    /// Pairs with an odd number of crossings.
+    /// The number of pairs with an odd number of crossings.
     pub odd: usize,
-    /// Pairs whose merged curves are not what the registrations say somewhere,
-    /// odd or not. (Of perturbed curves registrations say where *they* cross,
-    /// and where unperturbed curves touch the two are not the same.)
+    /// The number of pairs whose merged curves differ somewhere from the registrations, odd or not.
+    ///
+    /// (Registrations of perturbed curves say where the perturbed curves cross. If the unperturbed curves touch, the
+    /// two differ.)
     pub unfaithful: usize,
 }
 
@@ -25,31 +26,31 @@ pub struct SeatCounts {
 pub struct Row {
     /// The backend's name.
     pub backend: String,
-    /// Pairs that it declined.
+    /// The number of pairs that it declined.
     pub declined: usize,
-    /// Registrations by level: vertex-vertex, edge-vertex, edge-edge.
+    /// The number of registrations by level: vertex-vertex, edge-vertex, edge-edge.
     pub registered: [usize; 3],
-    /// For each of [`Seat::ALL`].
+    /// The counts for each of [`Seat::ALL`].
     pub seats: [SeatCounts; 3],
-    /// Pairs that are odd under some rule.
+    /// The number of pairs that are odd under some rule.
     pub odd_some: usize,
-    /// Pairs that are odd under all rules.
+    /// The number of pairs that are odd under all rules.
     pub odd_all: usize,
-    /// Those that are odd under some rule, by what was registered besides
-    /// crossings: nothing, vertices with vertices only, edges with vertices
-    /// only, both.
+    /// The number of pairs that are odd under some rule, by the registrations besides crossings.
+    ///
+    /// These are: nothing, vertices with vertices only, edges with vertices only, both.
     pub odd_with: [usize; 4],
-    /// Pairs with a cluster.
+    /// The number of pairs with a cluster.
     pub clustered: usize,
-    /// All clusters.
+    /// The number of all clusters.
     pub clusters: usize,
-    /// The most vertices in one.
+    /// The largest number of vertices in a cluster.
     pub largest_cluster: usize,
-    /// Clusters with a pair of vertices that were merged through others only.
+    /// The number of clusters with a pair of vertices that were merged only through others.
     pub intransitive: usize,
-    /// Pairs with an edge that collapsed.
+    /// The number of pairs with a collapsed edge.
     pub collapsed: usize,
-    /// All edges that collapsed.
+    /// The number of all collapsed edges.
     pub collapses: usize,
 }
 
@@ -58,7 +59,7 @@ pub struct Row {
 pub struct Found {
     /// The recipe that made it.
     pub recipe: Recipe,
-    /// Its number in the stream.
+    /// The pair's number in the stream.
     pub number: u64,
     /// The backend that registered it.
     pub backend: String,
@@ -69,19 +70,19 @@ pub struct Found {
 /// All counts of a search.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Census {
-    /// Pairs of simple polygons.
+    /// The number of pairs of simple polygons.
     pub pairs: usize,
-    /// Draws that were no simple polygons.
+    /// The number of draws that were not simple polygons.
     pub refused: usize,
-    /// One for each backend, in their order.
+    /// The rows, one for each backend, in their order.
     pub rows: Vec<Row>,
     /// Every odd pair, in the order of the recipes and numbers.
     pub found: Vec<Found>,
 }
 
-/// Examines the random pairs of each recipe with these numbers under each
-/// backend. The pairs are nearly degenerate for tolerances in this precision.
-/// The counts depend on nothing else.
+/// Examines the random pairs of each recipe with these numbers under each backend.
+///
+/// The pairs are nearly degenerate for tolerances in this precision. The counts depend on nothing else.
 #[must_use]
 pub fn search(backends: &[&dyn Contestant], precision: Precision, seed: u64, numbers: Range<u64>) -> Census {
     let of_recipe = |recipe| numbers.clone().into_par_iter().map(move |number| (recipe, number));
@@ -97,7 +98,7 @@ pub fn search(backends: &[&dyn Contestant], precision: Precision, seed: u64, num
 }
 
 impl Census {
-    /// The counts of two searches of other numbers, together.
+    /// The counts of two searches with different numbers, together.
     #[must_use]
     pub fn and(self, other: Census) -> Census {
         self.plus(other).sorted()

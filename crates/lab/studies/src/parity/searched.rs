@@ -1,4 +1,4 @@
-//! The command line of the study of parity, and what it finds.
+//! The command line of the study of parity, and its finds.
 
 use std::collections::BTreeMap;
 

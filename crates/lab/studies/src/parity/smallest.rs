@@ -1,4 +1,4 @@
-//! The smallest pair of each kind, of polygons as of surfaces.
+//! The smallest pair of each kind, for polygons and surfaces.
 
 use std::collections::BTreeMap;
 
@@ -8,16 +8,16 @@ use rayon::prelude::*;
 use crate::Precision;
 use crate::shrink::{Shrink, Shrunk};
 
-/// So many scenes are tried for one find.
+/// The maximum number of scenes that are tried for one find.
 const LIMIT: u64 = 20_000;
 
-/// A pair whose contacts contradict each other, by its place in a stream.
+/// A pair whose contacts contradict each other, identified by its number in a stream.
 pub trait Find: Sync {
-    /// What is found.
+    /// The type of the pair.
     type Pair: Shrink + Send;
-    /// How it is made.
+    /// The type of its recipe.
     type Recipe: Copy + Send;
-    /// What it has in common with others.
+    /// The type of its kind.
     type Kind: Ord + Send;
 
     /// The recipe that made it, and its number in the stream.
@@ -26,19 +26,19 @@ pub trait Find: Sync {
     /// The pair, made again.
     fn pair(&self, precision: Precision, seed: u64) -> Self::Pair;
 
-    /// Shrinks it, keeping what was found: the first backend contradicts itself, the second, exact, does not.
+    /// Shrinks the pair, keeping the find: the first backend contradicts itself, the second, exact, does not.
     fn shrunk(&self, backends: [&dyn Contestant; 2], pair: Self::Pair, limit: u64) -> Shrunk<Self::Pair>;
 
     /// The kind of a pair.
     fn kind(backend: &dyn Contestant, pair: &Self::Pair) -> Self::Kind;
 }
 
-/// A pair that was shrunk, and where it is from.
+/// A pair that was shrunk, and its origin.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Small<P, R> {
     /// The pair.
     pub pair: P,
-    /// Whether nothing smaller was found to show the same; not so if the limit came first.
+    /// True if no smaller pair shows the same; false if the limit came first.
     pub minimal: bool,
     /// The recipe that made the find.
     pub recipe: R,
@@ -47,8 +47,9 @@ pub struct Small<P, R> {
 }
 
 impl<P: Shrink, R> Small<P, R> {
-    /// Puts it among the smallest if it is the smaller of its kind; of two as
-    /// small the one that was there stays.
+    /// Stores the pair if it is the smallest of its kind so far.
+    ///
+    /// Of two equally small pairs the earlier one stays.
     pub fn keep<K: Ord>(self, kept: &mut BTreeMap<K, Self>, kind: K) {
         let key = |small: &Self| (small.pair.size(), !small.minimal);
         if kept.get(&kind).is_none_or(|known| key(&self) < key(known)) {
@@ -60,8 +61,9 @@ impl<P: Shrink, R> Small<P, R> {
 /// The smallest pair of each kind of these finds.
 pub type Smallest<F> = BTreeMap<<F as Find>::Kind, Small<<F as Find>::Pair, <F as Find>::Recipe>>;
 
-/// Shrinks finds of a backend, each for what was found of it, and keeps the
-/// smallest of each kind. The second backend is exact.
+/// Shrinks finds of a backend, each for its own contradiction, and keeps the smallest of each kind.
+///
+/// The second backend is exact.
 ///
 /// # Panics
 /// If the backend declines a pair that it found.

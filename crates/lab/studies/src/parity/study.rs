@@ -6,9 +6,9 @@ use super::searched::{Measured, Parity, Searched};
 use super::{Census, Find, Recipe, Smallest, search, smallest, space, suite, table};
 use crate::{Common, Error, File, Host, Precision, Study};
 
-/// So many pairs of each recipe between two looks at the watch.
+/// The number of pairs of each recipe between two checks of the watch.
 const PART: u64 = 500;
-/// So many finds.
+/// The default number of finds to shrink.
 const FINDS: usize = 16;
 
 impl Study for Parity {
@@ -36,7 +36,7 @@ Examples:
     const NEEDS_FOLDER: bool = true;
     type Measured = Measured;
 
-    /// Exact, perturbed, and the tolerances of each precision; in space also perturbed mesh by mesh.
+    /// The backends: exact, perturbed, and the tolerances of each precision; in space also perturbed per mesh.
     fn backends(&self) -> Vec<String> {
         let tolerances = Precision::ALL.map(Precision::tolerance);
         let per_mesh = (self.dimension == 3).then_some("sos:per-mesh");
@@ -66,7 +66,8 @@ Examples:
         let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
             let backends = [*exact, *sos, tolerance];
             let census = self.count(backends, precision, host)?;
-            // Finds of exact and perturbed signs are a fault of ours, and are counted; here are those of tolerances.
+            // Finds of exact and perturbed signs would be our own errors, and are only counted; here are those of
+            // tolerances.
             let name = tolerance.name();
             let finds = census.found.iter().filter(|found| found.backend == name).collect();
             let smallest = self.shrink([tolerance, *exact], precision, finds, host)?;

@@ -1,4 +1,4 @@
-//! The smallest pairs, as a suite that can be run.
+//! The smallest pairs, as a suite for `run`.
 
 use serde::Serialize;
 
@@ -36,7 +36,7 @@ struct Triangles {
     triangles: Vec<[usize; 3]>,
 }
 
-/// The smallest odd pairs of polygons.
+/// The suite of the smallest odd pairs of polygons.
 pub(super) fn polygons(parity: &Parity, searched: &[PlaneSearched]) -> Result<File, Error> {
     let scene = |(at, (precision, kind, small)): (usize, (Precision, &Kind, &Small<PolygonPair, Recipe>))| {
         let [a, b] = &small.pair.polygons;
@@ -61,7 +61,7 @@ pub(super) fn polygons(parity: &Parity, searched: &[PlaneSearched]) -> Result<Fi
     suite("Odd crossings", description, all(searched).enumerate().map(scene).collect())
 }
 
-/// The smallest broken pairs of surfaces.
+/// The suite of the smallest broken pairs of surfaces.
 pub(super) fn surfaces(parity: &Parity, searched: &[SpaceSearched]) -> Result<File, Error> {
     let scene = |(at, (precision, kind, small)): (
         usize,
@@ -95,7 +95,7 @@ fn suite<C: Serialize>(title: &str, description: &str, scene: Vec<Scene<C>>) -> 
     Ok(File::new("smallest.toml", toml::to_string(&suite).map_err(Error::format)?))
 }
 
-/// The command that found it.
+/// The command that found the pair.
 fn source<P, R>(parity: &Parity, dimension: &str, recipe: &str, small: &Small<P, R>) -> String {
     let minimal = if small.minimal { "minimal" } else { "the limit came before it was minimal" };
     let (seed, number) = (parity.common.seed, small.number);

@@ -1,4 +1,4 @@
-//! Counts of odd pairs by backend, as CSV and Markdown.
+//! Tables of odd pairs by backend, as CSV and Markdown.
 
 use std::fmt::Write as _;
 
@@ -73,7 +73,7 @@ fn line<'a>(precision: Precision, census: &Census, row: &'a Row) -> Line<'a> {
     }
 }
 
-/// One row for each precision and backend.
+/// The CSV table, with one row for each precision and backend.
 pub(super) fn csv(searched: &[PlaneSearched]) -> Result<File, Error> {
     let rows = searched
         .iter()
@@ -94,7 +94,7 @@ pub(super) fn thousands(count: usize) -> String {
     text
 }
 
-/// The counts, as Markdown.
+/// The page of the study, as Markdown.
 pub(super) fn page(parity: &Parity, searched: &[PlaneSearched]) -> String {
     let mut page = String::new();
     let mut say = |line: String| writeln!(page, "{line}").expect("memory");
@@ -151,7 +151,7 @@ fn corners(polygon: &[[f64; 2]]) -> String {
     corners.join(", ")
 }
 
-/// The rules under which a pair is odd.
+/// The names of the rules under which a pair is odd.
 pub(super) fn seats(kind: &Kind) -> String {
     let names: Vec<&str> = kind.seats().map(|seat| seat.name()).collect();
     names.join(", ")

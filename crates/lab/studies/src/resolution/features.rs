@@ -1,8 +1,7 @@
 //! The features whose smallest surviving size is measured.
 //!
-//! A gap survives where nothing is registered across it, a part of a shape
-//! where the contacts it makes are registered as what they are, at the last
-//! level of the hierarchy and with nothing more degenerate beside them.
+//! A gap survives if nothing is registered across it. A part of a shape survives if its contacts are registered
+//! correctly, at the last level of the hierarchy and with nothing more degenerate beside them.
 
 use predicament_contacts::algorithm::pairs::Contacts;
 use predicament_mesh::Simplices;
@@ -11,22 +10,22 @@ use predicament_predicates::{Dimension, Vertex};
 /// A feature with one size.
 #[derive(Clone, Copy, Debug)]
 pub struct Feature {
-    /// Its name in tables.
+    /// The feature's name in tables.
     pub name: &'static str,
     /// The dimension of its scene.
     pub dimension: Dimension,
-    /// The length that its size is.
+    /// The length that is the feature's size.
     pub size: &'static str,
-    /// The tolerance of the paper that stands in its way first.
+    /// The paper's tolerance that limits the feature first.
     pub tolerance: &'static str,
-    /// The largest size at which no primitive exceeds its length, however it is turned, in units of L.
+    /// The largest size at which no primitive exceeds its length in any rotation, in units of L.
     pub(super) most: f64,
-    /// What has to be registered, and nothing else: the ranks of the contacts.
+    /// The ranks of the contacts that must be registered, and no others.
     pub(super) contacts: &'static [[u8; 2]],
     pub(super) shape: fn(f64) -> Shape,
 }
 
-/// Points, and what the two complexes make of them.
+/// Points, and the two complexes over them.
 pub(super) struct Shape {
     pub(super) points: Vec<[f64; 3]>,
     pub(super) a: Simplices,
@@ -34,7 +33,7 @@ pub(super) struct Shape {
 }
 
 impl Feature {
-    /// Whether the contacts are those of the feature.
+    /// Returns true if the contacts are those of the feature.
     #[must_use]
     pub fn survives(&self, contacts: &Contacts) -> bool {
         contacts.registered.iter().map(|contact| [contact.a.rank, contact.b.rank]).eq(self.contacts.iter().copied())
@@ -170,7 +169,7 @@ pub const FEATURES: &[Feature] = &[
 
 const LEFT: [f64; 3] = [-0.2, 0.0, 0.0];
 const RIGHT: [f64; 3] = [0.2, 0.0, 0.0];
-/// The inradius of a triangle that is large itself.
+/// The inradius of a large triangle.
 const WIDE: f64 = 0.1;
 
 /// An equilateral triangle around the origin, by its inradius.

@@ -1,8 +1,7 @@
-//! How far from the crossing a shallow crossing is registered.
+//! The distance between a shallow crossing and the place where it is registered.
 //!
-//! A tolerance bounds distances from an edge, not positions along it: where two
-//! edges cross at a small angle, an end of the one can be within τ of the other
-//! far from where they cross, and is registered there.
+//! A tolerance bounds distances from an edge, not positions along it. If two edges cross at a small angle, an end of
+//! one can be within τ of the other far from the crossing, and is registered there.
 
 use predicament_corpus::Random;
 use predicament_error_calculus::vector::{minus, perp};
@@ -16,34 +15,33 @@ use super::pose::Pose;
 use super::{Ask, LENGTHS};
 use crate::Precision;
 
-/// Angles to a decade, and the decades.
+/// The number of angles per decade, and the decades.
 const STEPS: i32 = 10;
 const DECADES: std::ops::RangeInclusive<i32> = -9..=0;
-/// How often edges are drawn anew that don't cross after rounding.
+/// The maximum number of redraws of edges that don't cross after rounding.
 const TRIES: u32 = 100;
 
-/// The crossings at one angle, as they were registered.
+/// The crossings at one angle, as registered.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Location {
     /// The angle between the edges, in radians.
     pub angle: f64,
-    /// How many pairs of edges there were: rounding lets fewer cross where the angle is tiny.
+    /// The number of pairs of edges: after rounding fewer cross if the angle is tiny.
     pub crossed: u32,
-    /// For how many of them anything was registered.
+    /// The number of pairs with any registration.
     pub registered: u32,
-    /// How many were registered as crossings.
+    /// The number of pairs registered as crossings.
     pub crossings: u32,
-    /// The largest distance between the registered place on the first edge and
-    /// the crossing, in units of L.
+    /// The largest distance on the first edge between the registered position and the crossing, in units of L.
     pub worst: f64,
-    /// The mean of that distance over all that was registered.
+    /// The mean of that distance over all registered pairs.
     pub mean: f64,
 }
 
 /// Crosses two edges at each angle `trials` times, anywhere along them.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 pub fn location(
     ask: &Ask,
     length: f64,
@@ -86,11 +84,12 @@ pub fn location(
     at.collect()
 }
 
-/// The length of the first edge. Turned, it is never larger than half of L along an axis.
+/// The length of the first edge; in every rotation it is at most half of L along an axis.
 const LENGTH: f64 = 0.5;
 
-/// Two edges that cross at about this angle, and where on the first, from 0 to
-/// 1, by their rounded points; none where rounding keeps them from crossing.
+/// Two edges that cross at about this angle, and the crossing's position on the first, from 0 to 1.
+///
+/// The position is that of the rounded points. `None` if the rounded edges do not cross.
 fn crossing(angle: f64, precision: Precision, random: &mut Random) -> Option<(Scene, f64)> {
     let (on_first, on_second) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
     let pose = Pose::of_plane(random);

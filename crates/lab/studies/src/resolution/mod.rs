@@ -1,15 +1,13 @@
-//! How small can a feature be before tolerances lose it?
+//! The study of resolution: how small a feature can be before tolerances lose it.
 //!
-//! A scheme that registers what is close as degenerate can't tell small
-//! features apart. How small is a matter of its tolerances on paper; here it is
-//! a matter of what the whole hierarchy answers about features of a known size,
-//! in any position. The size is in units of L, the length that all tolerances
-//! are proportional to.
+//! A scheme that registers near simplices as degenerate can't distinguish small features. On paper the tolerances
+//! determine the smallest size. Here the answers of the whole hierarchy determine it, for features of a known size in
+//! any position. The size is in units of L, the length that all tolerances are proportional to.
 //!
 //! * [`Resolution`]: the study.
 //! * [`FEATURES`]: the features, each with one size.
-//! * [`survey`]: how many of each size survive.
-//! * [`location`]: how far from the crossing a shallow crossing is registered.
+//! * [`survey`]: the share of each size that survives.
+//! * [`location`]: the distance between a shallow crossing and its registration.
 
 mod features;
 mod location;
@@ -30,15 +28,17 @@ use predicament_predicates::{Dimension, Scene};
 use predicament_tasks::AnswerError;
 use predicament_tolerance::{Tolerances2d, Tolerances3d};
 
-/// Asks a backend for the contacts of two complexes; the reason where it declines.
+/// A function that queries a backend for the contacts of two complexes, or returns the reason why it declines.
 pub type Ask<'a> = dyn Fn(&Scene, &Complex, &Complex) -> Result<Contacts, AnswerError> + Sync + 'a;
 
-/// La and Lb of every scene here: L is hardly more than their sum, which is 1.
-/// (The primitives themselves are no larger, whatever way they are turned.)
+/// The lengths La and Lb of every scene here: L is hardly more than their sum, which is 1.
+///
+/// The primitives themselves are at most this large, in any rotation.
 const LENGTHS: [f64; 2] = [0.5, 0.5];
 
-/// The L of a backend for these scenes: of the tolerances of the paper in its
-/// precision, and 1 for backends that have none.
+/// The L of a backend for these scenes.
+///
+/// It is that of the paper's tolerances in the backend's precision, and 1 for backends without tolerances.
 #[must_use]
 pub fn length(backend: &str, dimension: Dimension) -> f64 {
     let [la, lb] = LENGTHS;

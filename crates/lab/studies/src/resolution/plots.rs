@@ -1,11 +1,11 @@
-//! The plots: what survives by size, and how far off shallow crossings are.
+//! The plots: the surviving share by size, and the errors of shallow crossings.
 
 use predicament_report::{Bar, Curve, Curves, curves, ranges};
 
 use super::{Feature, Location, Resolved, Survey};
 use crate::{Error, File};
 
-/// `resolution` and, where anything was registered, `location`.
+/// The plots `resolution` and, if anything was registered, `location`.
 pub(super) fn all(measured: &Resolved) -> Result<Vec<File>, Error> {
     let bars: Vec<Bar> = measured.features.iter().map(bar).collect();
     let sizes = ranges(&bars, "size over L: from where none survives to where all do", [-9, 0]);

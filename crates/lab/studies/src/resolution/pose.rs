@@ -1,5 +1,4 @@
-//! Features in any position: turned at random, then rounded to the precision
-//! of the backend that is asked about them.
+//! Features in any position: rotated at random, then rounded to the precision of the backend.
 
 use predicament_corpus::Random;
 
@@ -9,13 +8,13 @@ use crate::Precision;
 pub(super) struct Pose([[f64; 3]; 3]);
 
 impl Pose {
-    /// Any rotation of the plane.
+    /// A random rotation of the plane.
     pub(super) fn of_plane(random: &mut Random) -> Pose {
         let (sin, cos) = random.between(0.0, std::f64::consts::TAU).sin_cos();
         Pose([[cos, -sin, 0.0], [sin, cos, 0.0], [0.0, 0.0, 1.0]])
     }
 
-    /// Any rotation of space, all alike: from a random unit quaternion, by rejection.
+    /// A uniformly random rotation of space: from a random unit quaternion, by rejection.
     pub(super) fn of_space(random: &mut Random) -> Pose {
         let [w, x, y, z] = loop {
             let q: [f64; 4] = std::array::from_fn(|_| random.between(-1.0, 1.0));
@@ -31,7 +30,7 @@ impl Pose {
         ])
     }
 
-    /// A point turned, and rounded.
+    /// A point, rotated and rounded.
     pub(super) fn turn(&self, [x, y, z]: [f64; 3], precision: Precision) -> [f64; 3] {
         self.0.map(|[a, b, c]| {
             let turned = a * x + b * y + c * z;

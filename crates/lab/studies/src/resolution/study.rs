@@ -20,7 +20,7 @@ pub struct Resolution {
     )]
     pub backends: Vec<String>,
 
-    /// Positions to a size, and pairs of edges to an angle
+    /// Positions for each size, and pairs of edges for each angle
     #[arg(long, default_value_t = 200, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub trials: u32,
 
@@ -125,7 +125,7 @@ Examples:
 }
 
 impl Resolution {
-    /// Measures one thing with what a backend needs: its contacts, its L, its precision.
+    /// Measures one thing with a function that needs a backend's contacts, its L, and its precision.
     fn ask<T>(
         backend: &dyn Contestant,
         what: &str,

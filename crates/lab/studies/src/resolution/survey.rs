@@ -11,9 +11,9 @@ use super::pose::Pose;
 use super::{Ask, LENGTHS};
 use crate::Precision;
 
-/// Sizes to a decade.
+/// The number of sizes per decade.
 const STEPS: i32 = 20;
-/// The decades looked at: from where everything is lost to the largest feature.
+/// The decades of sizes: from sizes where everything is lost to the largest feature.
 const DECADES: std::ops::RangeInclusive<i32> = -9..=0;
 
 /// The share of one feature that survives, by size.
@@ -24,25 +24,26 @@ pub struct Survey {
 }
 
 impl Survey {
-    /// The size from which on the feature survives everywhere; `None` if even the largest did not.
+    /// The size from which on the feature survives everywhere; `None` if not even the largest did.
     #[must_use]
     pub fn safe(&self) -> Option<f64> {
         let kept = self.shares.iter().rev().take_while(|(_, share)| *share >= 1.0);
         kept.last().map(|&(size, _)| size)
     }
 
-    /// The largest size at which it survives nowhere; `None` if some did at all sizes.
+    /// The largest size at which it survives nowhere; `None` if some survived at every size.
     #[must_use]
     pub fn lost(&self) -> Option<f64> {
         self.shares.iter().rev().find(|(_, share)| *share <= 0.0).map(|&(size, _)| size)
     }
 }
 
-/// Asks about a feature in `trials` positions at each size; `length` is the
-/// backend's L where the primitives of the two meshes add up to 1.
+/// Queries a feature in `trials` positions at each size.
+///
+/// `length` is the backend's L if the primitives of the two meshes add up to 1.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 pub fn survey(
     feature: &Feature,
     ask: &Ask,
@@ -68,7 +69,7 @@ pub fn survey(
     Ok(Survey { shares: shares.collect::<Result<_, AnswerError>>()? })
 }
 
-/// The feature, turned at random.
+/// The feature, randomly rotated.
 fn place(feature: &Feature, size: f64, precision: Precision, random: &mut Random) -> (Scene, Complex, Complex) {
     let shape = (feature.shape)(size);
     let scene = match feature.dimension {

@@ -4,9 +4,9 @@ use std::fmt::Write as _;
 
 use super::{Feature, Location, Resolved};
 
-/// Both tables.
+/// The page with both tables.
 pub(super) fn page(measured: &Resolved) -> String {
-    // A String takes everything.
+    // Writing to a String cannot fail.
     let mut page = String::new();
     page += "| | feature | size | tolerance | backend | none up to | all from |\n";
     page += "|---|---|---|---|---|---|---|\n";

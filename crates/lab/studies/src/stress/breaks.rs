@@ -1,42 +1,44 @@
-//! Where backends break.
+//! The positions at which backends break.
 
 use predicament_tasks::Knob;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::{Measure, Share};
 
-/// Where a backend breaks on a task as a knob is turned: a row of `breaks.csv`.
+/// The break point of a backend on a task for a knob: a row of `breaks.csv`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct BreakPoint {
     /// The task.
     pub task: String,
     /// The knob.
     pub knob: String,
-    /// Which way it is turned: `up`, or `down` for negative factors.
+    /// The direction of the knob: `up`, or `down` for negative factors.
     pub way: String,
     /// The backend's name, with its parameters.
     pub backend: String,
-    /// The last position up to which every scene was answered as promised; none if the first was not.
+    /// The last position up to which every scene was answered as promised; `None` if the first was not.
     pub holds_to: Option<i32>,
-    /// The first position at which one was not; none if all were. The break point is between the two.
+    /// The first position at which a scene was not answered as promised; `None` if all were.
+    ///
+    /// The break point is between the two positions.
     pub breaks_at: Option<i32>,
-    /// Scenes that were not, there, of those answered.
+    /// The number of wrong scenes there, of those answered.
     pub wrong: u64,
-    /// Scenes that were answered there; at the last position that was looked at, where there is no break.
+    /// The number of scenes answered there, or at the last position if there is no break.
     pub answered: u64,
-    /// The upper end of the share of wrong scenes that is not surprising there (Wilson's, 95 %).
+    /// The upper end of the interval of the share of wrong scenes there (Wilson's, 95 %).
     pub wrong_high: f64,
     /// The first position at which a scene was declined.
     pub declines_at: Option<i32>,
-    /// How many distinct scenes there are at each position.
+    /// The number of distinct scenes at each position.
     pub scenes: u64,
-    /// Whether turning the knob rounds the scene: `no`, `yes`, or `beyond 53 bits`.
+    /// The rounding of the scene by the knob: `no`, `yes`, or `beyond 53 bits`.
     pub rounds: String,
 }
 
-/// What there are rows of, each once, in the order of the rows.
+/// The subjects of some rows, each once, in the order of the rows.
 pub(crate) struct Asked<'r> {
-    /// The knobs, each with the way that it is turned.
+    /// The knobs, each with its direction.
     pub(crate) ways: Vec<[&'r str; 2]>,
     pub(crate) backends: Vec<&'r str>,
     pub(crate) tasks: Vec<&'r str>,
@@ -60,7 +62,7 @@ impl<'r> Asked<'r> {
     }
 }
 
-/// A measure with where the knob was.
+/// A measure with the knob's position.
 pub(super) struct At<'a> {
     pub knob: Knob,
     pub position: i32,

@@ -1,10 +1,10 @@
-//! What must not change where points move exactly: metamorphic laws.
+//! Metamorphic laws: answers that must not change if points move exactly.
 //!
-//! No truth is needed: two scenes whose points are images of each other have the same signs, or opposite ones. Coordinates are integers of up to
-//! 21 bits, and all maps keep them doubles, so that nothing is rounded on the way.
+//! No truth is needed: two scenes whose points are images of each other have the same signs, or opposite ones.
+//! Coordinates are integers of up to 21 bits, and all maps keep them doubles, so that nothing is rounded on the way.
 //!
-//! A backend that breaks ties may break those of the image otherwise: only tuples that are no ties are asked of it. One with a band has another band in
-//! an image of another shape: there a zero contradicts nothing.
+//! A backend that breaks ties may break those of the image differently: it is only checked on tuples without ties. A
+//! backend with a band has another band in an image of another shape: there a zero contradicts nothing.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
@@ -15,28 +15,28 @@ use serde::{Deserialize, Serialize};
 
 use crate::Error;
 
-/// A law.
+/// A metamorphic law.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Law {
-    /// Times 2^300, and times 2^-300: the same signs.
+    /// Points times 2^300, and times 2^-300: the same signs.
     Scaling,
     /// The first coordinate negated: opposite signs.
     Reflection,
-    /// Moved by integers: the same signs.
+    /// Points moved by integers: the same signs.
     Translation,
-    /// Mapped by an integer matrix: orientations times the sign of its determinant.
+    /// Points mapped by an integer matrix: orientations times the sign of its determinant.
     Affine,
-    /// incircle is orient3d of the points lifted to the paraboloid.
+    /// The law that incircle is orient3d of the points lifted to the paraboloid.
     Lift,
     /// The same points in another order of vertices: the same signs.
     Renaming,
 }
 
 impl Law {
-    /// All of them.
+    /// All six laws.
     pub const ALL: [Law; 6] = [Law::Scaling, Law::Reflection, Law::Translation, Law::Affine, Law::Lift, Law::Renaming];
 
-    /// The name in tables.
+    /// The law's name in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -57,13 +57,13 @@ impl Law {
         }
     }
 
-    /// Whether a band is the same in the image.
+    /// Returns true if a band is the same in the image.
     const fn keeps_bands(self) -> bool {
         !matches!(self, Law::Affine | Law::Lift)
     }
 }
 
-/// How often a backend violates a law: a row of `stress-laws.csv`.
+/// The number of violations of a law by a backend: a row of `stress-laws.csv`.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Violations {
     /// The law.
@@ -72,11 +72,11 @@ pub struct Violations {
     pub predicate: String,
     /// The backend's name, with its parameters.
     pub backend: String,
-    /// Tuples that were asked about twice.
+    /// The number of tuples that were queried twice.
     pub tuples: u64,
-    /// Those whose answers contradict each other.
+    /// The number of tuples whose answers contradict each other.
     pub violations: u64,
-    /// Tuples of which nothing follows: ties that are broken, zeros of bands.
+    /// The number of tuples without a consequence: broken ties, zeros of bands.
     pub silent: u64,
     /// The first violation: the points, and both answers.
     pub first: String,
@@ -87,14 +87,14 @@ const KINDS: [PredicateKind; 4] =
 
 type Tuple = Vec<Vec<f64>>;
 
-/// All laws for one backend, with so many tuples each.
+/// All laws for one backend, with this many tuples each.
 pub(super) fn violations(backend: &dyn Contestant, tuples: u32, seed: u64) -> Result<Vec<Violations>, Error> {
     let mut all = Vec::new();
     for kind in KINDS {
         let mut random = Random::new("laws", kind.name(), seed);
         let given: Vec<Tuple> = (0..tuples).map(|at| tuple(kind, at % 2 == 0, &mut random)).collect();
         for law in Law::ALL.into_iter().filter(|law| law.is_about(kind)) {
-            // One that declines is asked nothing.
+            // A backend that declines is skipped.
             if let Ok(found) = held(backend, law, kind, &given) {
                 all.push(found);
             }
@@ -112,7 +112,7 @@ fn tuple(kind: PredicateKind, is_degenerate: bool, random: &mut Random) -> Tuple
     if is_degenerate {
         match kind {
             PredicateKind::Orient2d | PredicateKind::Orient3d => {
-                // The last is a sum of the others with whole weights.
+                // The last is a sum of the others with integer weights.
                 points.iter_mut().for_each(|p| p.iter_mut().for_each(|x| *x /= 16));
                 let weights: Vec<i64> = (1..kind.arity() - 1).map(|_| random.integer(-3, 3)).collect();
                 let along = |axis: usize| {
@@ -125,7 +125,7 @@ fn tuple(kind: PredicateKind, is_degenerate: bool, random: &mut Random) -> Tuple
                 }
             }
             _ => {
-                // On the circle of radius five, or the sphere of radius three, somewhere and so many times as large.
+                // On the circle of radius five, or the sphere of radius three, moved and scaled.
                 const CIRCLE: [[i64; 3]; 6] = [[5, 0, 0], [3, 4, 0], [4, -3, 0], [-4, 3, 0], [-3, -4, 0], [0, 5, 0]];
                 const SPHERE: [[i64; 3]; 6] = [[3, 0, 0], [1, 2, 2], [-2, 1, 2], [2, -2, 1], [-1, -2, -2], [0, 0, 3]];
                 let table = if dimension == 2 { CIRCLE } else { SPHERE };
@@ -141,7 +141,7 @@ fn tuple(kind: PredicateKind, is_degenerate: bool, random: &mut Random) -> Tuple
     points.into_iter().map(|p| p.into_iter().map(integer).collect()).collect()
 }
 
-/// The images of a tuple, and whether signs are opposite there.
+/// The images of a tuple, and true if signs are opposite there.
 fn images(law: Law, points: &Tuple) -> Vec<(Tuple, bool)> {
     let each = |map: &dyn Fn(&[f64]) -> Vec<f64>| points.iter().map(|p| map(p)).collect::<Tuple>();
     match law {
@@ -212,7 +212,7 @@ const fn question(kind: PredicateKind) -> Question {
     }
 }
 
-/// A scene of these points, in this order or the other way round, and the vertices in the order of the points.
+/// A scene of these points, in this order or reversed, and the vertices in the order of the points.
 fn scene_of(points: &Tuple, is_reversed: bool) -> Result<(Scene, Vec<Vertex>), Declined> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     if is_reversed {
@@ -238,7 +238,7 @@ mod tests {
 
     #[test]
     fn images_have_the_signs_that_laws_say() {
-        // By the judge, which knows no law.
+        // By the judge, which does not use the laws.
         for kind in KINDS {
             let mut random = Random::new("laws", "test", 3);
             let mut zeros = 0;

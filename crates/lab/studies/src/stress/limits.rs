@@ -3,20 +3,20 @@
 use predicament_tasks::{AnyTask, Knob, Turns};
 use serde::{Deserialize, Serialize};
 
-/// Where a knob ends for a task before its last position: a row of `limits.csv`.
+/// The end of a knob for a task before its last position: a row of `limits.csv`.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Limit {
     /// The task.
     pub task: String,
     /// The knob.
     pub knob: String,
-    /// The largest position at which scenes are scenes of the task; none if there is no such position.
+    /// The largest position at which scenes are valid for the task; `None` if there is no such position.
     pub to: Option<i32>,
-    /// What is wrong beyond it.
+    /// The reason for the limit.
     pub why: String,
 }
 
-/// Those of these tasks and knobs.
+/// The limits of these tasks and knobs.
 pub(super) fn limits(tasks: &[&'static dyn AnyTask], knobs: &[Knob]) -> Vec<Limit> {
     let of = |task: &&'static dyn AnyTask, knob: Knob| {
         let (to, why) = match task.turned_by(knob) {

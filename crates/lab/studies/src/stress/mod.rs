@@ -1,14 +1,14 @@
-//! Where do backends break? One knob at a time.
+//! The stress study: the position of each knob at which backends break, one knob at a time.
 //!
-//! A scene is made for a task, and its points are moved as a knob says: by noise, away from the origin, larger, flatter, rounded, turned. The
-//! content stays, so that one knows what has changed; what is true is found anew for each scene. The *break point* of a backend is where it
-//! begins to answer against its promise, and what it did before.
+//! A scene is made for a task, and its points are moved as a knob says: by noise, away from the origin, larger,
+//! flatter, rounded, turned. The content stays, so that only the moves change; the truth is computed again for each
+//! scene. The *break point* of a backend is the position where it begins to answer against its promise.
 //!
 //! * [`Stress`]: the study.
-//! * [`Knob`](predicament_tasks::Knob): what is turned, and how far; each task says how far its scenes can be.
+//! * [`Knob`](predicament_tasks::Knob): the change and its range; each task limits the range of its scenes.
 //! * [`Limit`]: a knob that does not fit a task.
-//! * [`BreakPoint`]: where a backend breaks.
-//! * `laws.rs`: what must not change where points move exactly (metamorphic laws).
+//! * [`BreakPoint`]: the position at which a backend breaks.
+//! * `laws.rs`: answers that must not change if points move exactly (metamorphic laws).
 
 mod breaks;
 mod laws;

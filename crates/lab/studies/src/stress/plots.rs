@@ -1,4 +1,6 @@
-//! Plots for each knob by position: scenes of all tasks that are answered against a promise, and the time over that at rest.
+//! The plots for each knob by position.
+//!
+//! They show the scenes of all tasks that are answered against a promise, and the time relative to that at rest.
 
 use predicament_report::{Curve, Curves, XAxis, curves};
 use predicament_tasks::Knob;
@@ -42,19 +44,19 @@ pub(super) fn all(stressed: &Stressed) -> Result<Vec<File>, Error> {
     Ok(files)
 }
 
-/// Where a position is on the axis; no noise at all is nowhere on one of exponents.
+/// The place of a position on the axis; `None` for no noise on an axis of exponents.
 fn drawn_at(knob: Knob, position: i32) -> Option<f64> {
     (knob != Knob::Noise || position > -1075).then(|| f64::from(position))
 }
 
-/// Points from left to right: some knobs turn both ways.
+/// Points from left to right: some knobs turn in both directions.
 fn sorted(points: impl Iterator<Item = (f64, f64)>) -> Vec<(f64, f64)> {
     let mut points: Vec<(f64, f64)> = points.collect();
     points.sort_by(|a, b| a.0.total_cmp(&b.0));
     points
 }
 
-/// The time over that at rest, the geometric mean of the tasks that a position has.
+/// The time relative to that at rest, the geometric mean of the tasks with this position.
 fn time(stressed: &Stressed, knob: Knob) -> Result<Vec<File>, Error> {
     let of = |backend: &str| -> Vec<&crate::compare::Measure> {
         let is =

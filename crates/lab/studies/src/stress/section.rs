@@ -1,4 +1,4 @@
-//! Break points in a report.
+//! The section about break points in a report.
 
 use std::path::Path;
 
@@ -9,13 +9,13 @@ use super::table::{counts, place};
 use super::{Asked, BreakPoint};
 use crate::folder::{FolderError, plots_in, rows_of};
 
-/// The file that a folder of this study has.
+/// The main file of this study's folder.
 const FILE: &str = "breaks.csv";
 
-/// The section of a report from a folder that the study has written; none where the folder has no such file.
+/// The section of a report from a folder that the study has written; `None` if the folder has no such file.
 ///
 /// # Errors
-/// [`FolderError`] with the file, and what is wrong.
+/// [`FolderError`] with the file, and the error.
 pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     let path = folder.join(FILE);
     if !path.exists() {

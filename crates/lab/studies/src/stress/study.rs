@@ -27,11 +27,11 @@ pub struct Stress {
     )]
     pub backends: Vec<String>,
 
-    /// Tasks, several with commas; all if left out
+    /// Tasks, several separated by commas; all if left out
     #[arg(short = 't', long = "task", value_name = "TASK", value_delimiter = ',')]
     pub tasks: Vec<String>,
 
-    /// Knobs, several with commas; all if left out
+    /// Knobs, several separated by commas; all if left out
     #[arg(short = 'k', long = "knob", value_parser = knob(), value_name = "KNOB", value_delimiter = ',')]
     pub knobs: Vec<Knob>,
 
@@ -39,7 +39,7 @@ pub struct Stress {
     #[arg(long, default_value_t = 3, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub scenes: u32,
 
-    /// Samples of the time at each position, of the first scene; none if 0
+    /// Samples of the time at each position, of the first scene; not timed if 0
     #[arg(long, default_value_t = 3, value_name = "N")]
     pub samples: u32,
 
@@ -47,7 +47,7 @@ pub struct Stress {
     #[arg(long, default_value_t = 400, value_name = "N")]
     pub tuples: u32,
 
-    /// The seed of the first scene; the next ones follow
+    /// The seed of the first scene; later scenes use the next seeds
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub seed: u64,
 
@@ -74,17 +74,17 @@ fn knob() -> impl TypedValueParser<Value = Knob> {
 /// All measures, break points, and violations of laws.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stressed {
-    /// The tasks that were stressed.
+    /// The tasks of the study.
     pub tasks: Vec<&'static dyn AnyTask>,
-    /// By task, knob and position; `kind` is the knob and `family` its position.
+    /// The measures by task, knob and position; `kind` is the knob and `family` its position.
     pub measures: Vec<Measure>,
-    /// For each task, knob, way and backend.
+    /// The break points for each task, knob, direction and backend.
     pub breaks: Vec<BreakPoint>,
-    /// For each task and knob that does not fit it, or not to the end.
+    /// The limits for each task and knob that does not fit it, or not to the end.
     pub limits: Vec<Limit>,
-    /// By backend, predicate and law.
+    /// The violations by backend, predicate and law.
     pub violations: Vec<Violations>,
-    /// The backends by name, and whether their promise is proved.
+    /// The backends by name, and true if their promise is proved.
     pub backends: Vec<(String, bool)>,
 }
 
@@ -216,11 +216,11 @@ impl Stress {
         tasks.iter().flat_map(|task| knobs.iter().flat_map(|&knob| Position::all(*task, knob))).collect()
     }
 
-    /// The measures of all backends where a knob is at a position.
+    /// The measures of all backends for a position of a knob.
     fn at(&self, position: &Position, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Vec<Measure>, Error> {
         let seeds = (0..self.scenes).map(|at| self.seed + u64::from(at));
         let mut scenes: Vec<LoadedScene> = seeds.map(|seed| position.scene(seed)).collect::<Result<_, Error>>()?;
-        // A family without chance makes one scene.
+        // A deterministic family makes one scene.
         let mut known = BTreeSet::new();
         scenes.retain(|scene| known.insert(scene.id.clone()));
         let group = Group { task: position.input.task, kind: position.knob.name(), family: &position.at.to_string() };

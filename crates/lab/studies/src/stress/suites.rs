@@ -1,6 +1,6 @@
 //! The scenes of each position as a suite, so that a break point can be kept.
 //!
-//! A scene is that of its family with the points written out: what they are does not depend on how a knob turns them.
+//! A scene is written as that of its family with explicit points: its content does not depend on the knob.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -14,7 +14,7 @@ use crate::{Error, File};
 /// A suite for each position of each knob, with the scenes of all tasks.
 ///
 /// # Errors
-/// [`Error::Unfit`] where a scene cannot be made or the folder has no path.
+/// [`Error::Unfit`] if a scene cannot be made or the folder has no path.
 pub(super) fn all(folder: &Path, positions: &[Position], seed: u64, scenes: u32) -> Result<Vec<File>, Error> {
     let folder = std::path::absolute(folder).map_err(Error::unfit)?;
     let mut suites: Vec<(String, String)> = Vec::new();
@@ -47,12 +47,12 @@ fn table(position: &Position, seed: u64) -> Result<String, Error> {
     Ok(format!("\n{}coordinates = [\n{}]\n", position.input.table(&name, seed), places(&loaded.scene)))
 }
 
-/// The points, one a line, without loss.
+/// The points, one per line, without loss.
 fn places(scene: &Scene) -> String {
     let mut rows = String::new();
     for point in scene.coordinates().chunks(scene.dimension().count()) {
         let cells: Vec<String> = point.iter().map(|&x| coordinate(x).to_string()).collect();
-        // A String takes everything.
+        // Writing to a String cannot fail.
         let _ = writeln!(rows, "  [{}],", cells.join(", "));
     }
     rows

@@ -7,9 +7,9 @@ use predicament_tasks::Knob;
 use super::{Asked, BreakPoint, Stressed};
 use crate::compare::short;
 
-/// All tables.
+/// The page with all tables.
 pub(super) fn page(stressed: &Stressed) -> String {
-    // A String takes everything.
+    // Writing to a String cannot fail.
     let mut page = String::from("# Where backends break\n\n");
     page += "For each knob the position at which a backend first answers a scene against its promise (in parentheses the last one before), `-` where \
              it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task; after it the wrong scenes of those answered \
@@ -47,7 +47,7 @@ pub(super) fn page(stressed: &Stressed) -> String {
     page
 }
 
-/// Where a backend breaks, in a cell.
+/// The text of a break point in a cell.
 pub(super) fn place(row: &BreakPoint) -> String {
     match (row.breaks_at, row.holds_to, row.declines_at) {
         (Some(at), Some(before), _) => format!("{at} ({before})"),
@@ -58,7 +58,9 @@ pub(super) fn place(row: &BreakPoint) -> String {
     }
 }
 
-/// The wrong scenes at a break point; where there is none, what none of so many scenes leaves possible.
+/// The number of wrong scenes at a break point.
+///
+/// Without a break point it is the upper limit that zero wrong scenes leave.
 pub(super) fn counts(row: &BreakPoint) -> Option<String> {
     (row.answered > 0).then(|| match row.breaks_at {
         Some(_) => format!("{} of {}", row.wrong, row.answered),
@@ -66,7 +68,7 @@ pub(super) fn counts(row: &BreakPoint) -> Option<String> {
     })
 }
 
-/// Knobs that do not fit a task, or not to the end.
+/// Writes the knobs that do not fit a task, or not to the end.
 fn limits(page: &mut String, stressed: &Stressed) {
     if stressed.limits.is_empty() {
         return;
@@ -78,7 +80,7 @@ fn limits(page: &mut String, stressed: &Stressed) {
     }
 }
 
-/// The time at rest and at the last position, for each knob that takes time.
+/// Writes the time at rest and at the last position, for each timed knob.
 fn times(page: &mut String, stressed: &Stressed) {
     let timed: Vec<&crate::compare::Measure> = stressed.measures.iter().filter(|row| row.measure == "time").collect();
     if timed.is_empty() {

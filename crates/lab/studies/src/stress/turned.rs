@@ -1,11 +1,11 @@
-//! Where points are when a knob is turned.
+//! The positions of points after a knob is turned.
 
 use nalgebra::{Rotation2, Rotation3, Vector2, Vector3};
 use predicament_corpus::Random;
 use predicament_predicates::Dimension;
 use predicament_tasks::{Knob, SHIFTED_BITS};
 
-/// The coordinates where the knob is at a position.
+/// The coordinates for a position of the knob.
 pub(crate) fn turned(
     knob: Knob,
     position: i32,
@@ -26,12 +26,13 @@ pub(crate) fn turned(
             coordinates.iter().map(|x| x + way).collect()
         }
         Knob::Shift => {
-            // Multiples of this: the sum of one that is at most the extent and a way of at most 2^28 of it has 53 bits.
+            // Multiples of this unit: the sum of a coordinate of at most the extent and a distance of at most 2^28
+            // extents has 53 bits.
             let unit = extent * power(-SHIFTED_BITS);
             let way = if position == 0 { 0.0 } else { extent * power(position) };
             coordinates.iter().map(|x| (x / unit).round_ties_even() * unit + way).collect()
         }
-        // In two steps: a factor alone may be no double.
+        // In two steps, since a single factor may not be a double.
         Knob::Scale => coordinates.iter().map(|x| x * power(position / 2) * power(position - position / 2)).collect(),
         Knob::Aspect => {
             let count = dimension.count();
@@ -39,7 +40,7 @@ pub(crate) fn turned(
             coordinates.iter().enumerate().map(|(at, x)| x * factor(at)).collect()
         }
         Knob::Precision => {
-            // Rounded to multiples of this.
+            // Rounded to multiples of this unit.
             let unit = extent * power(position - 52);
             coordinates.iter().map(|x| if position == 0 { *x } else { (x / unit).round_ties_even() * unit }).collect()
         }
@@ -48,7 +49,7 @@ pub(crate) fn turned(
     }
 }
 
-/// The least power of two that no coordinate is beyond.
+/// The least power of two that bounds all coordinates.
 fn extent(coordinates: &[f64]) -> f64 {
     let largest = coordinates.iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     let mut power = 1.0;
@@ -65,8 +66,10 @@ fn power(k: i32) -> f64 {
     predicament_formats::bits::power_of_two(i64::from(k))
 }
 
-/// Turned by the angle of (3, 4, 5) in the plane of the first two coordinates, then of the last two, five times as large each time: integers
-/// stay integers.
+/// The points turned by the angle of (3, 4, 5) and scaled by five, in the plane of the first two coordinates, then of
+/// the last two.
+///
+/// Integers stay integers.
 fn pythagorean(dimension: Dimension, coordinates: &[f64]) -> Vec<f64> {
     let mut all = coordinates.to_vec();
     match dimension {
@@ -87,7 +90,7 @@ fn pythagorean(dimension: Dimension, coordinates: &[f64]) -> Vec<f64> {
     all
 }
 
-/// Turned by an angle; in space about an axis that is no special one.
+/// The points turned by an angle; in space about an axis in general position.
 fn rotated(dimension: Dimension, coordinates: &[f64], angle: f64) -> Vec<f64> {
     let mut all = coordinates.to_vec();
     match dimension {
@@ -113,7 +116,7 @@ mod tests {
 
     use super::*;
 
-    /// Shifted points have the differences that they have at rest, in rationals; translated ones do not.
+    /// Shifted points have the same differences as at rest, in rationals; translated ones do not.
     #[test]
     fn a_shift_keeps_all_differences_and_a_translation_does_not() {
         use predicament_judge::rational;

@@ -1,11 +1,10 @@
-//! Climbing: one change at a time, kept if the value is not lower.
+//! Hill climbing: one change at a time, kept if the value is not lower.
 
 use predicament_corpus::Random;
 
-/// The largest value that was found, by so many climbs of so many steps, and where.
+/// The largest value found, by `climbs` climbs of `steps` steps, and its place.
 ///
-/// `start` makes a beginning, `change` one change; `value` is none where a place is not
-/// allowed.
+/// `start` makes a start, `change` one change; `value` is `None` for a forbidden place.
 pub(super) fn climb<P: Clone>(
     random: &mut Random,
     [climbs, steps]: [u64; 2],

@@ -1,7 +1,7 @@
-//! Errors of what the algorithms compute, against exact values.
+//! The errors of the values that the algorithms compute, against exact values.
 //!
-//! Exact are rationals; roots are enclosed to 2⁻¹⁹². Coordinates are numbers of the
-//! precision between −½ and ½, so that L is 1. Lengths are between 1 and 4.
+//! The exact values are rationals; roots are enclosed to 2⁻¹⁹². Coordinates are numbers of the precision between −½ and
+//! ½, so that L is 1. Lengths are between 1 and 4.
 
 use predicament_contacts::checks::audit::{Published, Symbol};
 use predicament_corpus::Random;
@@ -18,20 +18,20 @@ use rug::Rational;
 use super::climb::climb;
 use crate::Precision;
 
-/// A bound and the largest error that was found.
+/// A bound and the largest error found.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Observed {
-    /// The algorithm that computes it.
+    /// The algorithm that computes the quantity.
     pub algorithm: u8,
-    /// Where the bound is stated.
+    /// The section with the bound.
     pub section: &'static str,
-    /// Of what: `E[d²]`.
+    /// The name of the bounded value, such as `E[d²]`.
     pub name: String,
-    /// In which precision.
+    /// The precision of the computation.
     pub precision: Precision,
-    /// The bound as it is derived, over ε: first and second order at this ε.
+    /// The derived bound over ε: first and second order at this ε.
     pub derived: f64,
-    /// The largest error, over the same.
+    /// The largest error found, over ε.
     pub observed: f64,
 }
 
@@ -46,7 +46,7 @@ impl Observed {
 /// Searches for the largest error of every bound that has one.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of bounds.
+/// [`Stop`] if the watch says so; it counts bounds.
 pub fn errors(effort: [u64; 2], seed: u64, watch: &Watch) -> Result<Vec<Observed>, Stop> {
     let all: Vec<Derivation> = derivations().into_iter().filter(|row| algorithm(row).is_some()).collect();
     let rows: Vec<(&Derivation, Precision)> =
@@ -62,7 +62,7 @@ pub fn errors(effort: [u64; 2], seed: u64, watch: &Watch) -> Result<Vec<Observed
     Ok(found?.into_iter().flatten().collect())
 }
 
-/// The algorithm that computes it; none for what none of them does, and for magnitudes.
+/// The algorithm that computes the quantity; `None` if no algorithm does, and for magnitudes.
 fn algorithm(row: &Derivation) -> Option<u8> {
     if row.is_magnitude || row.derived.is_none() || row.published.is_none() {
         return None;
@@ -126,7 +126,7 @@ fn search<F: Float>(row: &Derivation, precision: Precision, effort: [u64; 2], se
     })
 }
 
-/// The error of a section's quantity: of itself where the bound is relative, else over L^p = 1.
+/// The error of a section's quantity: relative to itself if the bound is relative, else over L^p = 1.
 fn off<F: Float, const D: usize>(
     row: &Derivation,
     points: &[[f64; D]; 6],

@@ -1,8 +1,7 @@
-//! The lemmas: how small a guarded quantity can be where no sub-pair is registered.
+//! The lemmas: the smallest value of a guarded quantity if no sub-pair is registered.
 //!
-//! A place is allowed if the pair is within T₊ or crosses and no sub-pair is within T₋,
-//! by exact distances: what the lemmas start from. What is climbed is the inverse of
-//! the smallest quotient of a guarded quantity and its bound.
+//! The lemmas assume that the pair is within T₊ or crosses and no sub-pair is within T₋, by exact distances; other
+//! places are forbidden. The search maximizes the inverse of the smallest quotient of a guarded quantity and its bound.
 
 use predicament_contacts::checks::audit::PairKind;
 use predicament_corpus::Random;
@@ -21,11 +20,11 @@ use crate::audit::{Algorithm, Form, Scheme, ThresholdPairs, exactly};
 pub struct Guard {
     /// The algorithm.
     pub algorithm: Algorithm,
-    /// With the ε of this precision: the tolerances, as parts of L.
+    /// The precision whose ε determines the tolerances, as parts of L.
     pub precision: Precision,
-    /// The smallest quotient of a guarded quantity and its bound that was found.
+    /// The smallest quotient found of a guarded quantity and its bound.
     pub least: f64,
-    /// Where.
+    /// The pair with that quotient.
     pub pair: [Vec<[f64; 3]>; 2],
 }
 
@@ -34,7 +33,7 @@ type Pair = [Vec<[f64; 3]>; 2];
 /// Searches for the least guard of each algorithm that has any, with L = 1.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so; it is told of algorithms.
+/// [`Stop`] if the watch says so; it counts algorithms.
 pub fn guards(effort: [u64; 2], seed: u64, watch: &Watch) -> Result<Vec<Guard>, Stop> {
     let with_any = Algorithm::all().filter(|algorithm| algorithm.kind != PairKind::VertexVertex);
     let rows: Vec<(Algorithm, Precision)> =
@@ -90,7 +89,7 @@ fn search<F: Float>(algorithm: Algorithm, [climbs, steps]: [u64; 2], seed: u64) 
                     .map(|simplex| simplex.into_iter().map(|[x, y]| [x, y, 0.0]).collect()),
                 Dimension::Three => pairs.space(algorithm.kind.ranks()),
             };
-            // about the origin, so that changes of size are changes of nothing else
+            // about the origin, so that changes of size change nothing else
             let origin = pair[1][0];
             let pair = pair.map(|simplex| {
                 simplex.into_iter().map(|point| std::array::from_fn(|i| point[i] - origin[i])).collect()
@@ -102,7 +101,7 @@ fn search<F: Float>(algorithm: Algorithm, [climbs, steps]: [u64; 2], seed: u64) 
     };
     let mut best: Option<(f64, Pair)> = None;
     for _ in 0..climbs {
-        // the best of some beginnings
+        // the best of some random starts
         let beginnings: Vec<Pair> = (0..20).map(|_| draw()).collect();
         let start =
             beginnings.into_iter().max_by(|a, b| f64::total_cmp(&value(a).unwrap_or(0.0), &value(b).unwrap_or(0.0)));

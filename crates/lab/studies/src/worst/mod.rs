@@ -1,12 +1,11 @@
-//! How near do the worst inputs come to the bounds of the tolerance paper?
+//! The search for worst inputs: how near they come to the bounds of the tolerance paper.
 //!
-//! A bound that nothing comes near has room, and one that something passes is wrong.
-//! Random inputs say little about either. So inputs are searched for: from a random
-//! start one thing is changed at a time, and what is no worse is kept.
+//! A bound that no input comes near is loose, and a bound that an input exceeds is wrong. Random inputs say little
+//! about either. So the study searches for inputs: from a random start it changes one thing at a time, and keeps
+//! changes that are not worse.
 //!
-//! * [`errors`]: errors of what Algorithms 1 to 12 compute, against exact values.
-//! * [`guards`]: the lemmas of 4.3 to 5.7, quantities that are bounded from below
-//!   where no sub-pair is registered.
+//! * [`errors`]: errors of the values that Algorithms 1 to 12 compute, against exact values.
+//! * [`guards`]: the lemmas of 4.3 to 5.7, quantities that are bounded from below if no sub-pair is registered.
 //! * [`Worst`]: the study.
 
 mod climb;

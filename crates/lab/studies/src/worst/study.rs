@@ -24,15 +24,15 @@ pub struct Worst {
     pub common: Common,
 }
 
-/// 60 errors and 8 guards, in both precisions.
+/// The number of bounds: 60 errors and 8 guards, in both precisions.
 const BOUNDS: u64 = 2 * (60 + 8);
 
-/// All that was found.
+/// The results of the search.
 #[derive(Clone, Default, Debug)]
 pub struct Found {
-    /// The largest errors.
+    /// The largest errors found.
     pub errors: Vec<Observed>,
-    /// The least guards.
+    /// The least guards found.
     pub guards: Vec<Guard>,
 }
 
@@ -117,7 +117,7 @@ Examples:
                 sub-pair is within T₋.\n"
     }
 
-    /// A guard comes from rounded quotients: some 2⁻⁴⁰ of it are no violation.
+    /// A guard comes from rounded quotients: some 2⁻⁴⁰ of it is not a violation.
     fn holds(&self, found: &Found) -> bool {
         found.errors.iter().all(|row| row.share() <= 1.0) && found.guards.iter().all(|row| row.least >= 1.0 - 1e-12)
     }

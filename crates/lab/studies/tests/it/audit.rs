@@ -1,4 +1,4 @@
-//! Every algorithm in both precisions at the edges of its guarantee.
+//! Every algorithm in both precisions at the limits of its guarantee.
 
 use std::sync::atomic::AtomicBool;
 
@@ -55,7 +55,7 @@ fn as_printed_feet_are_on_the_wrong_side() {
         let broken = [Verdict::Missed, Verdict::Overreach, Verdict::Unguarded].map(|verdict| tally.count(verdict) > 0);
         match row.algorithm.kind {
             PairKind::EdgeVertex => assert_eq!(broken, [true, true, false], "{row:?}: {tally:?}"),
-            // what rests on "no degeneracy was registered" falls with it
+            // algorithms that rely on "no degeneracy was registered" fail with it
             PairKind::EdgeEdge => assert_eq!(broken, [true, false, true], "{row:?}: {tally:?}"),
             // Algorithms 11 and 12 miss crossings
             PairKind::TriangleEdge | PairKind::TetrahedronVertex => assert!(broken[0], "{row:?}: {tally:?}"),
@@ -80,7 +80,7 @@ fn an_interrupt_stops_a_row() {
     assert_eq!(stopped, Err(Stop::Interrupted));
 }
 
-/// The violations of a row with what is promised changed to other bands.
+/// The violations of a row if the promised bands are changed.
 fn violations_with(kind: PairKind, promise: impl Fn(Band) -> Band) -> [u64; 8] {
     let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, Form::Corrected);
     let bands = Bands::new(Dimension::Three, |ranks| scheme.tolerances.band(ranks).map(&promise));
@@ -106,7 +106,7 @@ fn promises_that_are_not_kept_are_told_apart() {
     }
 }
 
-/// How near distances are to a threshold, against plain rationals.
+/// The nearness of distances to a threshold, against plain rationals.
 #[test]
 fn closeness_is_that_of_exact_distances() {
     let scheme = Scheme::<f64>::new(Dimension::Three, 1.0, Form::Corrected);
@@ -155,7 +155,7 @@ fn every_tolerance_is_hit_on_both_sides_of_each_limit() {
     assert_eq!(tests, 2 * 17, "Algorithms 2 to 5 and 7 to 12 read 17 tolerances, in two precisions");
 }
 
-/// What single tests find of a tolerance that is off, by algorithm and precision.
+/// The findings of single tests with a wrong tolerance, by algorithm and precision.
 fn misread(misscaled: Misscaled, pairs: u64) -> Vec<(u8, u64)> {
     let (cancel, quiet) = (AtomicBool::new(false), |_: u64| {});
     let mut found = Vec::new();
@@ -183,7 +183,9 @@ fn a_tolerance_that_is_off_by_two_is_found_in_either_precision() {
     assert_eq!(rows, 2 * (17 + 9));
 }
 
-/// Single tests cannot see these, but for the rounding of single precision where T/2 is T₋: what they promise leaves the room.
+/// Single tests cannot detect these faults, because the promises allow them.
+///
+/// The exception is the rounding of single precision if T/2 is T₋.
 #[test]
 fn a_tolerance_of_half_its_size_that_keeps_its_promise_is_all_but_never_misread() {
     for misscaled in Misscaled::ALL.into_iter().filter(|misscaled| misscaled.keeps_its_promise()) {
@@ -209,7 +211,7 @@ fn constants_are_the_published_ones_and_each_that_is_off_is_found() {
     }
 }
 
-/// How many scenes each driver is given.
+/// The number of scenes for each driver.
 fn scenes() -> u64 {
     predicament_effort::some_or_all(40, 120)
 }

@@ -1,4 +1,4 @@
-//! What the study of cascades measures, against computations that share nothing with it.
+//! The measurements of the study of cascades, against independent computations.
 
 use std::str::FromStr;
 
@@ -35,7 +35,7 @@ pub(crate) fn exactly(corners: &[[f64; 2]]) -> Vec<Exact> {
     corners.iter().map(|corner| corner.map(rational)).collect()
 }
 
-/// A convex polygon without what is to the left of a line.
+/// A convex polygon without the part to the left of a line.
 fn cut(polygon: &[Exact], [a, b]: [&Exact; 2]) -> Vec<Exact> {
     let side = |p: &Exact| {
         let minus = |p: &Exact, i: usize| Rational::from(&p[i] - &a[i]);
@@ -85,7 +85,7 @@ fn areas_of_what_is_shaved_are_those_of_a_convex_polygon_cut_by_lines() {
     for (operand, sample) in operands.iter().zip(&measured.exact[0].samples) {
         assert_eq!(operand.operation, Operation::Difference);
         let corners = exactly(&operand.corners);
-        // Counterclockwise boxes, of which the side between the last and the first corner is the cut.
+        // Counterclockwise boxes, whose side between the last and the first corner is the cut.
         polygon = cut(&polygon, [&corners[3], &corners[0]]);
         assert_eq!(sample.area, twice_the_area(&polygon), "after step {}", sample.step);
         assert_eq!((sample.edges, sample.lost), (polygon.len(), 0));
@@ -113,7 +113,7 @@ fn exact_methods_hold_and_rounded_ones_are_found_out() {
     assert_eq!((&exact.area, exact.lost, exact.defects.crossings), (&sos.area, 0, 0));
     assert!(exact.bits > 106 && of("exact+snap").samples.iter().all(|sample| sample.bits <= 42), "doubles on a grid");
     assert!(of("exact+round").samples.iter().all(|sample| sample.bits <= 53));
-    // A square turned by a hair: rounded signs lose the whole polygon.
+    // A square turned by a tiny angle: rounded signs lose the whole polygon.
     let naive = of("naive+round");
     assert!(naive.broken.is_some() && naive.samples.iter().any(|sample| sample.lost > 0));
     let error = |name: &str| {
@@ -134,14 +134,14 @@ fn what_thickness_swallows_is_seen() {
     let measured = measured(&cascades(Cascade::Stars, &["thick:0.0001", "thick:0.001"], 40));
     let [thin, thick] = [0, 1].map(|at| &measured.followed[at]);
     let grown = thin.samples.last().unwrap();
-    // Were edges or vertices as thin again after each step, it would be 0.0003 or 0.0006.
+    // If edges or vertices became thin again after each step, it would be 0.0003 or 0.0006.
     assert!(grown.step == 40 && grown.thickness > 8e-4, "radii grow from step to step: {}", grown.thickness);
     let errors: Vec<f64> =
         thin.samples.iter().map(|sample| measured.area_error(Cascade::Stars, sample).unwrap()).collect();
     assert!(errors.iter().all(|error| *error < 1e-4) && errors[39] > errors[0], "{errors:?}");
     assert!(thick.samples.iter().any(|sample| sample.lost > 0), "features are no larger than the radius");
     assert!(thick.ended.as_ref().is_some_and(|(step, why)| *step < 40 && why.contains("nothing is left")));
-    // The step after which nothing is left is measured, and the next one cannot be done.
+    // The step with an empty result is measured, and the next one fails.
     let gone = thick.samples.last().unwrap();
     assert_eq!((gone.regions, thick.ended.as_ref().map(|(step, _)| *step)), (0, Some(gone.step + 1)));
 }

@@ -1,4 +1,4 @@
-//! What a cascade's samples count, counted again.
+//! The counts of a cascade's samples, counted independently.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -23,14 +23,14 @@ fn turn([a, b, p]: [&Exact; 3]) -> Rational {
     minus(b, 0) * minus(p, 1) - minus(b, 1) * minus(p, 0)
 }
 
-/// Where the lines of two edges meet.
+/// The point where the lines of two edges meet.
 fn meet([a, b]: [&Exact; 2], [c, d]: [&Exact; 2]) -> Exact {
     let [n, m] = [a, b].map(|p| turn([c, d, p]));
     let part = &n / Rational::from(&n - &m);
     [0, 1].map(|i: usize| Rational::from(&b[i] - &a[i]) * &part + &a[i])
 }
 
-/// Digits between the first and the last that is not zero; a denominator of 1 is not written.
+/// The digits between the first and the last nonzero one; a denominator of 1 is not written.
 fn digits(x: &Integer) -> usize {
     let text = x.to_string_radix(2);
     let digits = text.trim_start_matches('-').trim_end_matches('0').len();
@@ -104,7 +104,7 @@ fn loops_of_two_corners_are_left_out_and_counted() {
     let found = measured(&cascades(Cascade::Rotate, &["naive+round"], 60));
     let samples = &of(&found, "naive+round").samples;
     assert!(samples.last().unwrap().collapsed > 0);
-    // A loop of two corners would be there and back.
+    // A loop of two corners would run back and forth.
     assert!(samples.iter().all(|sample| sample.defects.flat == 0));
 }
 
@@ -165,8 +165,9 @@ fn regions_are_those_of_all_operands_at_once() {
     assert!(several > 1 && holes > 1, "{several} regions, {holes} holes");
 }
 
-/// A step in a session of its own, each vertex rounded to the nearest double: the loops, and how many corners at constructed
-/// vertices turn another way.
+/// A step in a separate session, with each vertex rounded to the nearest double.
+///
+/// Returns the loops, and the number of corners at constructed vertices that turn differently.
 fn rounded(regions: &[Loops], operand: &Operand) -> (Vec<Loops>, usize) {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut places: BTreeMap<[u64; 2], usize> = BTreeMap::new();
@@ -211,7 +212,7 @@ fn rounded(regions: &[Loops], operand: &Operand) -> (Vec<Loops>, usize) {
             let [was, is] = [&before, &exactly].map(|all| turn(places.map(|at| &all[at])).cmp0());
             turned += usize::from(is_new && was != is);
         }
-        // Without corners that have become one.
+        // Without corners that have been merged.
         (0..after.len()).filter(|&at| after[at] != after[(at + 1) % after.len()]).map(|at| after[at]).collect()
     };
     let regions = made.regions.iter().map(|region| region.loops().map(&mut after).collect()).collect();
@@ -240,7 +241,7 @@ fn rounded_results_are_those_of_each_step_by_itself() {
                 }
             }
             assert_eq!(sample.area, area, "{cascade:?} after step {}", sample.step);
-            // As a part of what it should be.
+            // Relative to the true value.
             let truth = &found.exact[0].samples[sample.step - 1].area;
             let wanted = (Rational::from(&area - truth) / truth).abs().to_f64();
             assert_eq!(found.area_error(cascade, sample), Some(wanted));
@@ -259,7 +260,7 @@ fn samples_are_spread_over_the_steps_and_the_first_that_breaks_is_one() {
     };
     assert_eq!(study(Cascade::Stars, "exact", 7, 2).0, [4, 7]);
     assert_eq!(study(Cascade::Stars, "exact", 9, 4).0, [3, 5, 7, 9]);
-    // The step after which nothing is left is another.
+    // The step with an empty result is another one.
     let (_, steps, _) = study(Cascade::Stars, "thick:0.001", 40, 1);
     assert!(steps.len() == 1 && steps[0] < 40, "{steps:?}");
     let (_, steps, broken) = study(Cascade::Rotate, "naive+round", 20, 1);

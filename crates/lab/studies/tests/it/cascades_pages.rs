@@ -1,4 +1,4 @@
-//! The rows, tables and plots of cascades say what was measured.
+//! The rows, tables and plots of cascades show the measurements.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use predicament_studies::{File, Study};
 
 use crate::cascades::{cascades, measured};
 
-/// Three steps by two methods, with something of each kind wrong that is not wrong in the last sample.
+/// Three steps by two methods, with an error of each kind that is not in the last sample.
 fn planted() -> (impl Study<Measured = Measured>, Measured) {
     let study = cascades(Cascade::Stars, &["exact", "naive"], 3);
     let mut found = measured(&study);

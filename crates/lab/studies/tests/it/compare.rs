@@ -1,4 +1,5 @@
-//! The comparison: errors of contacts are known where they are planted, a broken promise is seen, and rows are the same again.
+//! The comparison: known errors of planted contacts are measured, a broken promise is detected, and rows are
+//! reproducible.
 
 use predicament_report::Block;
 use predicament_studies::compare::{Compare, Compared, inputs};
@@ -28,7 +29,7 @@ fn compared(study: &Compare, names: &[&str]) -> Compared {
     study.survey(&backends, &quiet()).unwrap()
 }
 
-/// A number about a backend; none if there is no row.
+/// A number about a backend; `None` if there is no row.
 fn value(of: &Compared, kind: Kind, backend: &str, measure: &str, unit: &str) -> Option<f64> {
     let is = |row: &&predicament_studies::compare::Measure| {
         row.kind == kind.name() && row.backend == backend && row.measure == measure && row.unit == unit
@@ -45,7 +46,7 @@ fn what_is_far_off_is_measured_as_far_off() {
         assert!(location("exact") < 1e-8, "{kind:?}: {}", location("exact"));
         assert_eq!(value(&of, kind, "exact", "registered apart", "share of contacts"), Some(0.0));
     }
-    // What is within a wide distance is registered, and lies elsewhere.
+    // Contacts within a wide distance are registered, and are elsewhere.
     let wide = value(&of, Kind::Near, "epsilon:1e-4", "location: max", "L").unwrap();
     assert!(wide > 1e-3, "{wide}");
     // The fraction from the wrong end: half of an edge on average.
@@ -59,12 +60,12 @@ fn a_broken_promise_is_seen() {
     for (name, holds) in [("tolerance", true), ("fault:tolerance-wide-contacts", false)] {
         let mut of = compared(&small, &[name]);
         assert!(small.holds(&of));
-        // The fault does not say that it is proved.
+        // The fault does not claim to be proved.
         of.promises[0].proved = true;
         assert_eq!(small.holds(&of), holds, "{name}");
         assert_eq!(value(&of, Kind::Near, name, "overreach", "per 10^6 answers").map(|x| x == 0.0), Some(holds));
     }
-    // A control proves nothing, so that it breaks nothing.
+    // A control proves nothing, so it breaks no promise.
     let small = study(&["orient2d"], 1);
     let of = compared(&small, &["naive", "exact"]);
     assert_eq!(value(&of, Kind::Near, "naive", "wrong scenes", "per 1000 scenes"), Some(1000.0));
@@ -99,7 +100,7 @@ fn every_input_makes_scenes_of_two_sizes() {
     assert!(unknown.to_string().contains("orient2d"), "{unknown}");
 }
 
-/// A task joins by itself: nothing here names one.
+/// New tasks join automatically: this test names none.
 #[test]
 fn every_task_is_compared_on_general_and_degenerate_scenes() {
     let inputs = inputs(predicament_bundle::tasks());
@@ -120,7 +121,7 @@ fn bits_are_those_of_the_arithmetic_that_was_needed() {
         };
         of.measures.iter().find(is).map(|row| row.value)
     };
-    // Filters settle what is in general position. Three differences of 53 bits each are far longer than a double.
+    // Filters settle general position. Three differences of 53 bits each are far longer than a double.
     assert_eq!(bits("orient3d", Kind::General, "exact"), Some(53.0));
     let near = bits("orient3d", Kind::Near, "exact").unwrap();
     assert!((150.0..200.0).contains(&near), "{near}");
@@ -129,7 +130,7 @@ fn bits_are_those_of_the_arithmetic_that_was_needed() {
         assert_eq!(bits("orient3d", kind, "shewchuk"), None, "it does not say");
     }
     assert_eq!(bits("contacts2d", Kind::General, "tolerance:f32"), Some(24.0));
-    // Crossings of a lattice compare points that are constructed.
+    // Crossings of a lattice compare constructed points.
     assert_eq!(bits("crossings", Kind::Degenerate, "exact"), None);
     let page = small.page(&of);
     assert!(page.contains("| bits |") && page.contains("| near | exact | "), "{page}");
@@ -159,7 +160,7 @@ fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     let page = small.page(&of);
     let table = &page[page.find("## One parameter turned").unwrap()..];
     assert!(names[1..].iter().all(|name| table.contains(&format!("| `{name}` | "))), "{table}");
-    // Without times there is nothing to draw against.
+    // Without times there is no horizontal axis.
     of.measures.retain(|row| row.measure != "time");
     assert!(!small.page(&of).contains("One parameter turned"));
     assert!(small.plots(&of).unwrap().is_empty());

@@ -1,4 +1,4 @@
-//! A lattice of tetrahedra cut by surfaces: right contacts lose nothing, wrong ones do.
+//! A lattice of tetrahedra cut by surfaces: right contacts lose no volume, wrong ones do.
 
 use predicament_contacts::algorithm::pairs::{Contact, Contacts};
 use predicament_effort::some_or_all;
@@ -47,7 +47,7 @@ fn right_contacts_lose_no_volume() {
         assert_eq!((row.tetrahedra, row.whole), (6 * 216, 216.0));
         assert_eq!((pieces.inconsistent, pieces.undecided, made.sides.unknown), (0, 0, 0), "{name}");
         assert!((pieces.sum - row.whole).abs() < 1e-9 && pieces.lost == 0.0, "{name}");
-        // One by one they are what exact contacts make of them, up to rounding.
+        // One by one they equal the result of exact contacts, up to rounding.
         let Deviation { checked, off, .. } = made.deviation;
         assert!((40..=100).contains(&checked) && row.near > 100, "{name}: {checked} of {}", row.near);
         if row.backend != "tolerance" {
@@ -55,7 +55,7 @@ fn right_contacts_lose_no_volume() {
         } else if row.placement == Placement::Near {
             assert!(off > 10, "{name}: {:?}", made.deviation);
         }
-        // What is off is the bends of the surface within tetrahedra: a plane has none.
+        // The error is the bends of the surface within tetrahedra: a plane has none.
         let bound =
             if row.shape == Shape::Plane && row.placement != Placement::General { 0.2 } else { 0.2 * row.truth };
         assert!((pieces.inside - row.truth).abs() < bound, "{name}: {} for {}", pieces.inside, row.truth);
@@ -80,8 +80,9 @@ fn right_contacts_lose_no_volume() {
     assert_eq!(made.registered([0, 0]), 49);
 }
 
-/// The figures fail where contacts are wrong: tetrahedra that cannot be cut, or, where an edge
-/// has two points for each one, nothing but the volume.
+/// The figures fail if contacts are wrong.
+///
+/// There are tetrahedra that cannot be cut or, if an edge has two points for each one, only a wrong volume.
 #[test]
 fn wrong_contacts_lose_volume() {
     let measured = cuts(&["fault:contacts-one-sided"]);
@@ -111,7 +112,7 @@ fn volume_that_is_in_the_wrong_tetrahedron_is_found() {
     }
 }
 
-/// The pieces that are made of these contacts, and how many edges are contradicted.
+/// The pieces from these contacts, and the number of contradicted edges.
 fn pieces_of(scene: &Scene, contacts: &Contacts) -> (usize, Pieces) {
     let mut found = None;
     let both = scene.complexes.both();
@@ -141,7 +142,7 @@ fn one_wrong_contact_loses_the_tetrahedra_around_it() {
     assert_eq!((contradicted, pieces.inconsistent), (1, around));
     assert!(around > 0 && (pieces.lost * 6.0 - f64::from(u32::try_from(around).unwrap())).abs() < 1e-9);
 
-    // Merged: a vertex of the lattice taken for one of the surface is consistent, and moves volume.
+    // Merged: a vertex of the lattice mistaken for one of the surface is consistent, and changes the volume.
     let mut merged = right.contacts.clone();
     let end = Simplex { rank: 0, index: u32::try_from(lattice.vertices().binary_search(&edge[0]).unwrap()).unwrap() };
     let vertex = Simplex { rank: 0, index: 0 };

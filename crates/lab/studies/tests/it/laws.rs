@@ -1,4 +1,4 @@
-//! The laws hold for ours, and condemn every planted fault without a judge.
+//! The laws hold for our backends, and detect every planted fault without a judge.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};
 
@@ -22,7 +22,7 @@ fn rows(name: &str, plan: Survey) -> Vec<Row> {
 
 const SOME: Survey = Survey { tuples: 5_000, seed: 1 };
 
-/// The laws without a reference that it breaks.
+/// The broken laws that need no reference.
 fn broken(rows: &[Row]) -> Vec<Law> {
     let mut laws: Vec<Law> =
         rows.iter().filter(|row| !row.holds() && row.law != Law::Reference).map(|row| row.law).collect();
@@ -49,7 +49,7 @@ fn what_is_proved_keeps_every_law() {
     }
 }
 
-/// None of them is held against the truth or a judge of ties here.
+/// This test does not compare the faults with the truth or a judge of ties.
 #[test]
 fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
     let zero = Law::NeverZero;
@@ -66,7 +66,7 @@ fn every_wrong_perturbation_is_condemned_by_the_laws_alone() {
         (Fault::SosMixedOrders, &[mixed]),
         (Fault::CompareGreaterOnTies, &[anti, mixed]),
     ];
-    // Each of them takes a second, and the card of `selftest` has them all.
+    // Each of them takes a second, and the report card of `selftest` has them all.
     for (fault, laws) in faults.into_iter().step_by(some_or_all(5, 1)) {
         let rows = rows(&format!("fault:{}", fault.name()), SOME);
         let reference = rows.iter().find(|row| row.law == Law::Reference && !row.holds());

@@ -1,4 +1,4 @@
-//! The studies, each held to what it must find, and the shape that they share.
+//! The studies, each with the results that it must find, and their common structure.
 
 mod audit;
 mod cascades;
@@ -19,7 +19,7 @@ mod worst;
 use predicament_studies::{Error, Quiet};
 use predicament_tasks::Contestant;
 
-/// A host that is not watched, with all tasks and backends.
+/// A host without a watch, with all tasks and backends.
 fn quiet() -> Quiet {
     Quiet::on(predicament_bundle::tasks(), |name| predicament_bundle::backend(name).map_err(Error::unfit))
 }

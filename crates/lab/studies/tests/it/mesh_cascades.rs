@@ -1,4 +1,4 @@
-//! Cascades of meshes: what is promised holds, and rows are the same again.
+//! Cascades of meshes: promises hold, and rows are reproducible.
 
 use predicament_effort::some_or_all;
 use predicament_exact::Exact;
@@ -35,7 +35,7 @@ fn lattices_are_what_is_counted_and_spheres_have_their_points() {
         assert_eq!((one.samples.len(), one.samples[4].triangles, &one.ended), (5, 0, &None));
         assert!(one.samples.iter().all(|sample| sample.truth.is_some()));
     }
-    // A sample that is not what it should be breaks the promise.
+    // A sample with a wrong value breaks the promise.
     let mut doctored = measured.clone();
     doctored.followed[0].samples[2].open = 1;
     assert!(!study.holds(&doctored));

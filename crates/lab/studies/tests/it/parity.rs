@@ -19,7 +19,7 @@ fn search(precision: Precision, seed: u64, numbers: std::ops::Range<u64>) -> Cen
     predicament_studies::parity::search(&backends, precision, seed, numbers)
 }
 
-/// A tolerance, and what it is held against.
+/// A tolerance backend, and its exact reference.
 fn tolerant(precision: Precision) -> [Box<dyn Contestant>; 2] {
     [precision.tolerance(), "exact"].map(backend)
 }
@@ -31,7 +31,7 @@ fn pair(a: &[[f64; 2]], b: &[[f64; 2]]) -> PolygonPair {
 /// 2²⁶.
 const FAR: f64 = 67_108_864.0;
 
-/// A corner of B snaps to a corner of A, and takes an edge across the next.
+/// A corner of B snaps to a corner of A, and moves an edge across the next.
 fn snap() -> PolygonPair {
     pair(&[[16.0, 1.0], [-FAR, 0.0], [16.0, 0.0]], &[[32.0, 12.0], [0.0, -FAR], [0.0, FAR]])
 }
@@ -46,7 +46,7 @@ fn collapse() -> PolygonPair {
     pair(&[[1.0, 0.0], [0.0, FAR / 32.0], [0.0, 0.0]], &[[0.0, 2.0], [0.0, 0.0], [FAR / 8.0, 0.0]])
 }
 
-/// Odd wherever merged points sit.
+/// A pair that is odd for every position of merged points.
 fn everywhere() -> PolygonPair {
     pair(&[[-16.0, 0.0], [0.0, 0.0], [0.0, 8.0]], &[[0.0, 0.0], [-8.0, -1.0], [-FAR, 0.0]])
 }
@@ -150,8 +150,9 @@ fn a_search_in_parts_is_the_search_of_the_whole() {
     assert_eq!(Census::default().and(part(0..10)), part(0..10));
 }
 
-/// The units of the recipes are those of the tolerances: σ between a tenth and
-/// half of the range of near corners, in either precision.
+/// The units of the recipes are those of the tolerances.
+///
+/// σ is between a tenth and half of the range of near corners, in either precision.
 #[test]
 fn random_pairs_are_as_near_as_the_tolerances_reach() {
     for precision in [Precision::Double, Precision::Single] {
@@ -160,7 +161,7 @@ fn random_pairs_are_as_near_as_the_tolerances_reach() {
                 let (pair, _) = random_pair(recipe, precision, 2, number);
                 let coordinates = || pair.polygons.iter().flatten().flatten();
                 assert!(coordinates().all(|x| (x * 8.0).fract() == 0.0));
-                // without far corners there is no long edge and next to nothing is near
+                // without far corners there is no long edge and almost nothing is near
                 if pair.polygons.iter().any(|polygon| polygon.iter().flatten().all(|x| x.abs() < 100.0)) {
                     continue;
                 }
@@ -204,7 +205,7 @@ fn the_smallest_of_many_finds_show_what_they_are_kept_for() {
     }
 }
 
-/// The fault that the paper's print plants: mirrored segments.
+/// The fault that the paper's printed form plants: mirrored segments.
 #[test]
 fn the_printed_edge_vertex_test_is_far_worse() {
     let odd = |name: &str| {

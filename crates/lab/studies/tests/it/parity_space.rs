@@ -96,7 +96,7 @@ fn surfaces_are_embedded_and_either_precision_holds_them() {
                 let (pair, _) = random_surfaces(recipe, precision, 2, number);
                 assert!(pair.is_embedded());
                 for x in pair.surfaces.iter().flat_map(|surface| surface.points.as_flattened()) {
-                    #[allow(clippy::cast_possible_truncation)] // it is what is asked
+                    #[allow(clippy::cast_possible_truncation)] // the assertion detects lost bits
                     let single = *x as f32;
                     assert_eq!(f64::from(single), *x);
                 }
@@ -105,7 +105,7 @@ fn surfaces_are_embedded_and_either_precision_holds_them() {
     }
 }
 
-/// The counts fail where contacts are wrong: a broken tie, and a lost level.
+/// The counts fail if contacts are wrong: a broken tie, and a lost level.
 #[test]
 fn planted_faults_break_curves() {
     let broken = |name: &str| {

@@ -1,4 +1,4 @@
-//! What every study does, and what a new one gets for nothing.
+//! The behaviour of every study, which a new study gets from the trait.
 
 use std::cell::RefCell;
 use std::sync::atomic::AtomicBool;
@@ -25,7 +25,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
     study.report(&backends, host)
 }
 
-/// Each study on a small amount of work, and its files.
+/// Each study with a small amount of work, and its files.
 const SMALL: [(&str, &[&str]); 10] = [
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -121,7 +121,7 @@ fn rows_are_printed_where_the_arguments_ask_for_them() {
     assert!(rows.printed.starts_with("backend,law,predicates,tuples,violations,panics,first\n"), "{}", rows.printed);
 }
 
-/// Counts what it is told, and stops the study at the first chunk.
+/// Counts the reported work, and stops the study at the first chunk.
 struct Impatient<'a> {
     watch: Watch<'a>,
     told: RefCell<Vec<String>>,
@@ -157,7 +157,7 @@ fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
     }
 }
 
-/// Takes no scene.
+/// A backend that declines every scene.
 struct Never;
 
 impl Backend for Never {
@@ -206,7 +206,7 @@ fn reports_are_written_file_by_file() {
     assert_eq!(read, ["x,1\ny,2\n", "b\n"]);
 }
 
-/// How many backends it is given: the least that a study has to say.
+/// The smallest study: it counts its backends.
 #[derive(clap::Args)]
 struct Census {
     #[arg(long)]

@@ -1,4 +1,5 @@
-//! What is said about a backend: its times over pairs with the reference, its errors over its own scenes, and nothing by what others did.
+//! The results of a backend: its times over pairs with the reference, its errors over its own scenes, independent of
+//! other backends.
 
 use predicament_studies::Study;
 use predicament_studies::compare::{
@@ -17,7 +18,7 @@ fn row(input: usize, backend: &str, measure: &str, unit: &str, value: f64, of: u
     Measure { task, kind, family, backend, measure, unit, value, low: value, high: value, of }
 }
 
-/// A backend on an input: scenes by class, wrong answers of a hundred, and a time.
+/// A backend on an input: scenes by class, wrong answers per hundred, and a time.
 fn rows(input: usize, backend: &str, scenes: [u64; 5], wrong: u64, time: Option<f64>) -> Vec<Measure> {
     let asked: u64 = scenes.iter().sum();
     let n = |x: u64| f64::from(u32::try_from(x).unwrap());
@@ -40,7 +41,9 @@ fn ratio(measures: &[Measure], backend: &str) -> Ratio {
     standings(measures).into_iter().find(|of| of.backend == backend).unwrap().time.unwrap()
 }
 
-/// A backend that declines what takes long is not fast: means over own inputs said 9 times as fast, where it takes a tenth more.
+/// A backend that declines slow inputs is not fast.
+///
+/// Means over its own inputs said 9 times as fast, although it takes a tenth more.
 #[test]
 fn times_are_compared_on_what_both_answered() {
     let mut measures = Vec::new();
@@ -110,7 +113,7 @@ proptest! {
             let same = before.iter().find(|other| other.backend == of.backend);
             prop_assert_eq!(Some(of), same);
         }
-        // Members of a curve are compared with each other, and with no one else.
+        // Members of a curve are compared only with each other.
         let (before, after) = (tradeoffs(&measures), tradeoffs(&rest));
         for of in after.iter().filter(|of| of.knob.is_none() && !of.backend.starts_with("epsilon:") || !removed.starts_with("epsilon:")) {
             let same = before.iter().find(|other| other.backend == of.backend);
@@ -159,7 +162,7 @@ fn study(tasks: &[&str]) -> Compare {
     }
 }
 
-/// Every scene is in one class, and the reference is timed with each question asked twice.
+/// Every scene is in one class, and the reference is timed with each query computed twice.
 #[test]
 fn scenes_are_counted_once_and_inputs_are_timed_twice() {
     let names = ["exact", "tolerance", "sos:per-mesh", "epsilon:1e-4"];
@@ -167,7 +170,7 @@ fn scenes_are_counted_once_and_inputs_are_timed_twice() {
     let backends: Vec<&dyn Contestant> = backends.iter().map(AsRef::as_ref).collect();
     let tasks = ["orient2d", "contacts2d", "delaunay2d", "slice"];
     let of = study(&tasks).survey(&backends, &quiet()).unwrap();
-    // Without the yardstick no input is left out, however slow the machine is.
+    // Without that measure no input is left out, however slow the machine is.
     let (twice, measures): (Vec<Measure>, Vec<Measure>) =
         of.measures.into_iter().partition(|row| row.measure == ASKED_TWICE);
     let all = standings(&measures);

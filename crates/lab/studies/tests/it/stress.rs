@@ -1,4 +1,4 @@
-//! Stress: backends break where it is known that they do, and what is proved does not.
+//! Stress: backends break where they are known to, and proved backends do not.
 
 use predicament_corpus::{Level, Suite};
 use predicament_formats::{Cache, Manifest};
@@ -52,11 +52,11 @@ fn backends_break_where_they_do() {
     let [down, up] = ["down", "up"].map(|way| of(&found, Knob::Scale, way, "shewchuk").clone());
     assert_eq!((down.holds_to, down.breaks_at), (Some(-150), Some(-250)));
     assert_eq!((up.holds_to, up.breaks_at), (Some(150), Some(250)));
-    // One with a band declines where its tolerances are no doubles.
+    // A backend with a band declines if its tolerances are not doubles.
     assert!(of(&found, Knob::Scale, "up", "tolerance").declines_at.is_some());
     // Plain determinants are not zero where they should be, before anything is moved.
     assert_eq!(of(&found, Knob::Noise, "up", "naive").breaks_at, Some(-1075));
-    // What subtracts nothing first drowns far from the origin.
+    // A backend that does not subtract first fails far from the origin.
     assert!(of(&found, Knob::Translation, "up", "naive:nalgebra").breaks_at.is_some_and(|at| at <= 32));
     let violations = |law: &str, backend: &str| -> u64 {
         let own = found.violations.iter().filter(|row| row.law == law && row.backend == backend);
@@ -67,12 +67,12 @@ fn backends_break_where_they_do() {
         assert_eq!(violations(law, "exact") + violations(law, "sos"), 0, "{law}");
     }
     assert!(violations("scaling", "shewchuk") > 0 && violations("translation", "naive:nalgebra") > 0);
-    // Whole scenes are no promise of a band: they are in the tables, and not in the exit code.
+    // A band promises nothing about whole scenes: they are in the tables, and not in the exit code.
     let mut doctored = found.clone();
     let of_tolerance = doctored.measures.iter().find(|row| row.backend == "tolerance").unwrap().clone();
     doctored.measures.push(Measure { measure: "topology".to_owned(), value: 1.0, ..of_tolerance });
     assert!(study.holds(&doctored));
-    // A promise that is broken, or a law, is seen.
+    // A broken promise or law is detected.
     let mut doctored = found.clone();
     doctored.violations.iter_mut().find(|row| row.backend == "sos").unwrap().violations = 1;
     assert!(!study.holds(&doctored));
@@ -118,7 +118,7 @@ fn a_knob_that_does_not_fit_a_task_is_listed_with_the_reason() {
             };
             assert!(!why.contains("does not say"), "{}: {knob:?}", task.name());
             let study = Stress { scenes: 1, ..study(&[task.name()], &[knob]) };
-            // No backend: what fits is known without an answer.
+            // No backend: limits are known without answers.
             let found = stressed(&study, &[]);
             let [row] = &found.limits[..] else { panic!("{:?}", found.limits) };
             assert_eq!((&*row.task, &*row.knob, &*row.why), (task.name(), knob.name(), why));
@@ -137,7 +137,9 @@ fn table_row(of: &Stressed, task: &str) -> String {
     page.lines().find(|line| line.starts_with(&format!("| {task} |"))).unwrap().to_owned()
 }
 
-/// Scenes at the last position of a knob are scenes of their task: what is proved answers them as it promises.
+/// Scenes at the last position of a knob are valid scenes of their task.
+///
+/// Proved backends answer them as promised.
 #[test]
 fn algorithms_hold_where_their_scenes_are_moved_as_far_as_they_can_be() {
     for (task, knob) in [
@@ -182,11 +184,11 @@ fn the_scenes_of_each_position_are_suites_that_are_read_back() {
         let times: Vec<f64> = one.scene.coordinates().iter().map(|x| x * factor).collect();
         assert_eq!(other.scene.coordinates(), times);
         assert_ne!(one.id, other.id);
-        // Lengths of primitives are those of the points where they are.
+        // Lengths of primitives are those of the moved points.
         let lengths = |loaded: &predicament_corpus::LoadedScene| loaded.scene.primitive_lengths();
         assert_eq!(lengths(other), lengths(one).map(|lengths| lengths.map(|length| length * factor)));
     }
-    // A break point can be kept: plain doubles are wrong there as they were.
+    // A break point can be kept: plain doubles are wrong there as before.
     let noisy = load("noise_-53.toml");
     let turns = noisy.iter().find(|scene| scene.task == "orient2d").unwrap();
     let kept = Stress { scenes: 1, ..study.clone() };
@@ -227,7 +229,7 @@ fn a_folder_is_a_section_of_a_report() {
     }
     let section = predicament_studies::stress::section(&folder).unwrap().unwrap();
     assert_eq!(section.id, "stress");
-    // Noise, and scale both ways, each with its cells; plots after them.
+    // Noise, and scale in both directions, each with its cells; then plots.
     let shown = format!("{:?}", section.blocks);
     for caption in ["noise: ", "scale: ", "scale, down: "] {
         assert_eq!(shown.matches(&format!("caption: \"{caption}")).count(), 1, "{shown}");

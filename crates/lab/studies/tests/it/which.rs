@@ -1,4 +1,4 @@
-//! docs/WHICH.md says what the files of the sample say: each of its figures is made from them again.
+//! docs/WHICH.md agrees with the files of the sample: each of its figures is made from them again.
 
 use std::path::{Path, PathBuf};
 
@@ -14,14 +14,14 @@ fn page() -> String {
     std::fs::read_to_string(root().join("docs/WHICH.md")).unwrap().replace("\r\n", "\n")
 }
 
-/// The page as the files of a folder make it.
+/// The page made from the files of a folder.
 fn made(page: &str, folder: &Path) -> Result<String, String> {
     splice(page, &[], &[], &|name| part(folder, name).map(|made| made.map_err(|why| why.to_string())))
         .map(|(page, _)| page)
         .map_err(|why| why.message)
 }
 
-/// A copy of the sample's files in a folder of its own.
+/// A copy of the sample's files in a separate folder.
 fn copy(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("predicament-which-{name}-{}", std::process::id()));
     for study in ["compare", "curves", "stress", "cut", "parity", "parity-space"] {
@@ -45,7 +45,7 @@ fn the_page_says_what_the_files_of_the_sample_say() {
     assert_eq!(page, made);
 }
 
-/// What stands outside of the marks has no figures that could be wrong.
+/// Text outside of the marks has no figures that could be wrong.
 #[test]
 fn no_figure_is_written_by_hand() {
     let mut hand = String::new();
@@ -55,7 +55,7 @@ fn no_figure_is_written_by_hand() {
         rest = marked.split_once("<!-- /predicament -->").unwrap().1.to_owned();
     }
     hand += &rest;
-    // Code and links are no figures; nor are the level of intervals and the logarithm.
+    // Code and links are not figures; nor are the level of intervals and the logarithm.
     let mut plain = String::new();
     for (at, part) in hand.split('`').enumerate() {
         plain += if at % 2 == 0 { part } else { "" };

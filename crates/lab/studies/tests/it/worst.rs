@@ -1,4 +1,4 @@
-//! The search for worst inputs, on a small effort.
+//! The search for worst inputs, with a small effort.
 
 use predicament_studies::Host;
 

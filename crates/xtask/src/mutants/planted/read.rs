@@ -1,7 +1,7 @@
-//! Reads faults from `tests/faults.toml` of the crates.
+//! A reader of faults from `tests/faults.toml` of the crates.
 //!
-//! That is the part of TOML that these files need: tables in arrays, and values that are strings on one line, literal strings on
-//! several, or lists.
+//! It supports the part of TOML that these files need: tables in arrays, and values that are strings on one line,
+//! literal strings on several, or lists.
 
 use std::path::{Path, PathBuf};
 
@@ -38,10 +38,10 @@ fn folders(of: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(entries.filter_map(|entry| entry.ok().map(|entry| entry.path())).filter(|path| path.is_dir()).collect())
 }
 
-/// The faults of one file, whose changes are of files in a folder.
+/// The faults of one file, whose changes are to files in a folder.
 ///
 /// # Errors
-/// What is wrong, with its line.
+/// The error, with its line.
 pub(super) fn faults(text: &str, folder: &Path) -> Result<Vec<Planted>, String> {
     let mut faults: Vec<Planted> = Vec::new();
     for Table { line, name, mut entries } in tables(text)? {
@@ -135,11 +135,11 @@ fn tables(text: &str) -> Result<Vec<Table>, String> {
     Ok(tables)
 }
 
-/// A value, and what comes after it.
+/// A value, and the rest of the text.
 fn value(text: &str) -> Option<(Value, &str)> {
     let until = |text: &'_ str, end: &str| text.split_once(end).map(|(value, left)| (value.to_owned(), left.len()));
     if let Some(literal) = text.strip_prefix("'''") {
-        // A line's end right after the quotes is not of the string.
+        // A line's end right after the quotes is not part of the string.
         let (value, left) = until(literal.strip_prefix('\n').unwrap_or(literal), "'''")?;
         return Some((Value::Text(value), &text[text.len() - left..]));
     }

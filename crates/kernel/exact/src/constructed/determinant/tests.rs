@@ -1,4 +1,4 @@
-//! Determinants at the edges of each capacity.
+//! Tests of determinants at the limit of each capacity.
 
 use std::panic::catch_unwind;
 
@@ -6,10 +6,10 @@ use rug::{Integer, Rational, integer::Order};
 
 use super::*;
 
-/// The capacities, and beyond which they aren't enough.
+/// The capacities, each tested at its limit.
 const CAPACITIES: [usize; 5] = [9, 18, 36, 128, 1024];
 
-/// A generator of numbers with a lot of zeros and ones in them.
+/// A generator of numbers with many zeros and ones in them.
 struct Random(u64);
 
 impl Random {
@@ -43,7 +43,7 @@ struct Long {
 }
 
 impl Long {
-    /// So many limbs from `low` on, none of the outer ones zero.
+    /// A number of this many limbs from `low` on, with nonzero first and last limbs.
     fn random(random: &mut Random, limbs: usize, low: i32) -> Long {
         Long { limbs: (0..limbs).map(|_| random.limb()).collect(), low, negative: random.below(2) == 0 }
     }
@@ -74,7 +74,7 @@ fn rows<const N: usize>(random: &mut Random, limbs: usize) -> [[Long; N]; N] {
     })
 }
 
-/// Laplace's expansion in rationals.
+/// The determinant by Laplace's expansion in rationals.
 fn determinant(rows: &[Vec<Rational>]) -> Rational {
     let Some(((first, rest), columns)) = rows.split_first().map(|split| (split, 0..rows.len())) else {
         return Rational::from(1);
@@ -95,12 +95,13 @@ fn truth<const N: usize>(rows: &[[Long; N]; N]) -> Sign {
     Sign::from(determinant(&values).cmp0())
 }
 
-/// A determinant of N rows with so many limbs, by the capacity that is chosen for it.
+/// The sign of a determinant of N rows with this many limbs, by the capacity that is chosen for it.
 type Chosen<const N: usize> = fn(&[[Number; N]; N]) -> Sign;
 
-/// Rows that need as many limbs as a capacity has, and one more: both are answered rightly by
-/// the capacity that is chosen, the first by that very one. Where far more is needed, that one panics:
-/// so another one was chosen. Beyond the largest, rows are whole integers.
+/// Tests rows that need as many limbs as a capacity has, and one more.
+///
+/// The chosen capacity answers both correctly, and for the first it is `CAP` itself. If rows need far more limbs, `CAP`
+/// panics, which proves that another capacity was chosen. Beyond the largest, rows are whole integers.
 fn edge<const N: usize, const CAP: usize>(chosen: Chosen<N>, by_capacity: Chosen<N>, least: usize) {
     let mut random = Random(CAP as u64 + 1);
     let rounds = if CAP > 128 { 3 } else { 60 };
@@ -123,7 +124,7 @@ fn edge<const N: usize, const CAP: usize>(chosen: Chosen<N>, by_capacity: Chosen
     assert_eq!(chosen(&numbers), truth(&full), "{} limbs", limbs(&numbers));
 }
 
-/// Rows of entries with so many limbs.
+/// Rows of entries with this many limbs.
 fn full_rows<const N: usize>(random: &mut Random, limbs: usize) -> [[Long; N]; N] {
     std::array::from_fn(|_| {
         std::array::from_fn(|j| {
@@ -168,7 +169,7 @@ fn sides_at_each_edge() {
     edge::<4, 1024>(orient3d, side::<1024>, 5);
 }
 
-/// With an input vertex among four, whose weight is one: rows of differences.
+/// One of four vertices is an input vertex, with weight one: rows of differences.
 #[test]
 fn sides_of_an_input_vertex_at_each_edge() {
     fn edge<const CAP: usize>(by_capacity: fn([&[Number; 4]; 3], &[Number; 4]) -> Sign) {
@@ -185,7 +186,7 @@ fn sides_of_an_input_vertex_at_each_edge() {
                         [x, y, z, w]
                     })
                     .collect();
-                // From its coordinates' lowest limb up to that of its weight.
+                // From its coordinates' lowest limb up to the limb of its weight.
                 let low = 1 - i32::try_from(input).expect("a few limbs");
                 let [x, y, z] = std::array::from_fn(|_| Long::random(&mut random, input, low));
                 all.push([x, y, z, Long { limbs: vec![1], low: 0, negative: false }]);

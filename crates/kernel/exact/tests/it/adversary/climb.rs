@@ -1,45 +1,43 @@
 //! A search for points whose roundings all go the same way.
 //!
-//! Rounding does its worst just above powers of two, where half an ulp is
-//! nearly u times the number, and if every rounding goes half an ulp. So points
-//! start with differences just above given powers of two, and a pivot whose
-//! coordinates are sums of half ulps of them, which sets the direction of every
-//! difference's rounding at once. What products and sums add is then driven to
-//! its limit by annealing in the lower bits.
+//! Rounding errs most just above powers of two, where half an ulp is nearly u times the number, and if every rounding
+//! moves by half an ulp. So points start with differences just above given powers of two, and a pivot whose coordinates
+//! are sums of half ulps of them. The pivot sets the direction of every difference's rounding at once. Annealing in the
+//! lower bits then drives the roundings of products and sums to their limit.
 
 use super::traced::{Formula, Traced};
 use crate::common::Random;
 
 const U: f64 = f64::EPSILON / 2.0;
 
-/// What a difference of coordinates is there for.
+/// The role of a difference of coordinates.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Side {
-    /// It belongs to a term that is to come out too large.
+    /// The difference belongs to a term that should come out too large.
     Over,
-    /// It belongs to a term that is to come out too small.
+    /// The difference belongs to a term that should come out too small.
     Under,
-    /// It is tiny and steers roundings of sums; its sign doesn't matter.
+    /// The difference is tiny and steers roundings of sums; its sign doesn't matter.
     Steer,
 }
 
-/// A difference to start with.
+/// An initial difference of coordinates.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// What it is for.
+    /// The role of the difference.
     pub side: Side,
-    /// Whether it is negative.
+    /// True if the difference is negative.
     pub negative: bool,
-    /// It is just above two to this power.
+    /// The exponent: the difference is just above two to this power.
     pub exponent: i32,
 }
 
-/// A difference of a term that is to come out too large.
+/// A difference of a term that should come out too large.
 pub const fn over(exponent: i32) -> Entry {
     Entry { side: Side::Over, negative: false, exponent }
 }
 
-/// A difference of a term that is to come out too small.
+/// A difference of a term that should come out too small.
 pub const fn under(exponent: i32) -> Entry {
     Entry { side: Side::Under, negative: false, exponent }
 }
@@ -49,33 +47,33 @@ pub const fn steer(exponent: i32) -> Entry {
     Entry { side: Side::Steer, negative: false, exponent }
 }
 
-/// The negative of such a difference.
+/// The negative of a difference.
 pub const fn minus(entry: Entry) -> Entry {
     Entry { negative: true, ..entry }
 }
 
-/// Where to search.
+/// The parameters of a search.
 pub struct Recipe<const D: usize, const N: usize> {
     /// The determinant.
     pub formula: Formula<D, N>,
     /// The differences from the pivot, which is the last point: N − 1 of them, and one unused.
     pub entries: [[Entry; D]; N],
-    /// log2 of how far above powers of two the differences start, at most.
+    /// The binary logarithm of the largest initial distance above a power of two.
     pub spread: i32,
-    /// What |x + y| costs in units of u: large for errors at near ties.
+    /// The cost of |x + y| in units of u: large for errors at near ties.
     pub price: f64,
-    /// How many changes to try; the first seven tenths of them with a temperature.
+    /// The number of changes; the first seven tenths have a temperature.
     pub steps: u32,
 }
 
-/// How badly these points round: (|error| − price·u·|x + y|) over u times the permanent.
+/// The score of these points: (|error| − price·u·|x + y|) over u times the permanent.
 pub fn badness([x, y]: [Traced; 2], price: f64) -> f64 {
     let (error, sum) = ((x.error + y.error).abs(), (x.value + y.value).abs());
     (error / U - price * sum) / (x.magnitude + y.magnitude)
 }
 
 impl<const D: usize, const N: usize> Recipe<D, N> {
-    /// The points that one run ends with.
+    /// The final points of one run.
     pub fn climb(&self, seed: u64) -> [[f64; D]; N] {
         let mut random = Random(seed);
         let mut points = self.start(&mut random);
@@ -87,7 +85,7 @@ impl<const D: usize, const N: usize> Recipe<D, N> {
             let mut moved = points;
             self.change(&mut moved, &mut random);
             let moved_score = badness((self.formula)(&moved), self.price);
-            // Not a number where a change has gone too far: never accepted.
+            // NaN if a change has gone too far: never accepted.
             if moved_score >= score - temperature * patience(&mut random) {
                 points = moved;
                 score = moved_score;
@@ -109,7 +107,7 @@ impl<const D: usize, const N: usize> Recipe<D, N> {
         points
     }
 
-    /// A coordinate that is half an ulp, or nearly, for each difference on this axis that matters.
+    /// A coordinate with half an ulp, or nearly, of each difference on this axis that matters.
     fn pivot(&self, axis: usize) -> f64 {
         let mut entries: Vec<Entry> = self.entries[..N - 1].iter().map(|entry| entry[axis]).collect();
         entries.retain(|entry| entry.side != Side::Steer);
@@ -119,7 +117,7 @@ impl<const D: usize, const N: usize> Recipe<D, N> {
         for (i, entry) in entries.iter().enumerate() {
             let half = power(entry.exponent - 53);
             let half = if entry.negative == (entry.side == Side::Over) { -half } else { half };
-            // Short of the half, where rounding would turn around; but by whole ulps of what is there already.
+            // Slightly less than the half, where rounding would reverse; but by whole ulps of the value so far.
             pivot += match i.checked_sub(1) {
                 None => half * (1.0 - power(-10)),
                 Some(below) if pivot.is_sign_negative() == half.is_sign_negative() => {
@@ -156,12 +154,12 @@ impl<const D: usize, const N: usize> Recipe<D, N> {
     }
 }
 
-/// Nearly exponentially distributed, and the same on every machine, as the logarithm isn't.
+/// A nearly exponential random number, the same on every machine, as the logarithm isn't.
 fn patience(random: &mut Random) -> f64 {
     std::f64::consts::LN_2 * (f64::from(random.bits().leading_zeros()) + random.unit())
 }
 
-/// x with some of its lower 27 bits changed.
+/// The number x with some of its lower 27 bits changed.
 fn jiggled(x: f64, random: &mut Random) -> f64 {
     let bits = random.below(27);
     let ulps = random.bits() % (1 << bits);
@@ -169,7 +167,7 @@ fn jiggled(x: f64, random: &mut Random) -> f64 {
     f64::from_bits(if up { x.to_bits().wrapping_add(ulps) } else { x.to_bits().wrapping_sub(ulps) })
 }
 
-/// A number between −½ and ½, of any size down to 2^−`bits`.
+/// A random number between −½ and ½, of any size down to 2^−`bits`.
 fn small(random: &mut Random, bits: usize) -> f64 {
     let exponent = i32::try_from(random.below(bits)).expect("a small number");
     (random.unit() - 0.5) * power(-exponent)

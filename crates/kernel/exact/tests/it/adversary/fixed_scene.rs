@@ -1,4 +1,4 @@
-//! The static bounds: queries that reach them.
+//! Queries that reach the static bounds.
 
 use predicament_arithmetic::bound::{self, static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_effort::scaled;
@@ -12,10 +12,10 @@ use super::traced;
 use super::verdict::Verdict;
 use crate::common::{Random, nudge};
 
-/// What the static filter lets through, the semi-static one must. It is as good as
-/// it can be, given the other: queries between opposite corners of the scene's box
-/// have all but the permanent that it takes for granted, and convict a bound two
-/// percent smaller.
+/// Every query that the static filter accepts, the semi-static filter must accept.
+///
+/// Given that, the static bound is as good as it can be: queries between opposite corners of the scene's box nearly
+/// have the permanent that it assumes, and convict a bound two percent smaller.
 #[test]
 fn two_percent_of_each_are_caught_at_the_corners() {
     let mut random = Random(30);
@@ -41,12 +41,13 @@ fn reaches(estimate: Estimate, constant: f64, fixed: f64) {
     assert!(!certain(0.98 * fixed), "0.98 · {fixed} is more than {least}");
 }
 
-/// The errors of orient2d reach the static bound as well, within two percent: all
-/// four differences just above 1, from a corner of the scene.
+/// The errors of orient2d reach the static bound as well, within two percent.
+///
+/// All four differences are just above 1, from a corner of the scene.
 #[test]
 fn two_percent_of_static_orient2d_are_caught_by_errors() {
     let mut random = Random(31);
-    // Just beyond the middle of two doubles above 1, less 1.
+    // Just beyond the midpoint of two doubles above 1, minus 1.
     let rounded = |random: &mut Random, up: bool| {
         let half = ((random.unit() * 2f64.powi(27)).floor() + 0.5) * f64::EPSILON;
         if up { half.next_up() } else { half.next_down() }

@@ -1,14 +1,13 @@
-//! The lemma behind the constant of incircle: with D the determinant as a function
-//! of the differences e, and P its permanent, Σ |e·∂D/∂e| ≤ 3P + 14|D|.
+//! The lemma behind the constant of incircle: Σ |e·∂D/∂e| ≤ 3P + 14|D|.
 //!
-//! `docs/FILTERS.md` proves it; here a search tries to break it, and shows that
-//! 3 is not too much.
+//! D is the determinant as a function of the differences e, and P its permanent. `docs/FILTERS.md` proves the lemma;
+//! here a search tries to break it, and shows that 3 is not too much.
 
 use crate::common::Random;
 
 type Matrix = [[f64; 2]; 3];
 
-/// D, Σ |e·∂D/∂e| and P, by the textbook.
+/// The values D, Σ |e·∂D/∂e| and P, by the textbook.
 fn sums(m: &Matrix) -> [f64; 3] {
     let lift = |i: usize| m[i][0] * m[i][0] + m[i][1] * m[i][1];
     let minor = |i: usize, j: usize| m[i][0] * m[j][1] - m[j][0] * m[i][1];
@@ -18,7 +17,7 @@ fn sums(m: &Matrix) -> [f64; 3] {
     for (i, j, k) in [(0, 1, 2), (1, 2, 0), (2, 0, 1)] {
         determinant += lift(i) * minor(j, k);
         permanent += lift(i) * ((m[j][0] * m[k][1]).abs() + (m[k][0] * m[j][1]).abs());
-        // The cofactors of x and y in row i, next to the lift's own derivative.
+        // The cofactors of x and y in row i, and the lift's own derivative.
         let cofactors = [m[j][1] * lift(k) - m[k][1] * lift(j), m[k][0] * lift(j) - m[j][0] * lift(k)];
         for (x, cofactor) in m[i].iter().zip(cofactors) {
             moved += (2.0 * x * x * minor(j, k) + x * cofactor).abs();
@@ -27,7 +26,7 @@ fn sums(m: &Matrix) -> [f64; 3] {
     [determinant, moved, permanent]
 }
 
-/// The last row, scaled so that the determinant vanishes: it is s·A + s²·B in a scale s.
+/// The matrix with the last row scaled so that the determinant vanishes: it is s·A + s²·B in a scale s.
 fn tied(mut m: Matrix) -> Matrix {
     let [plus, ..] = sums(&m);
     let [minus, ..] = sums(&[m[0], m[1], m[2].map(|x| -x)]);
@@ -36,7 +35,7 @@ fn tied(mut m: Matrix) -> Matrix {
     m
 }
 
-/// The constant of P with which the lemma would just hold; where there's no tie to be had, none.
+/// The constant of P for which the lemma would just hold; `None` if no scale gives a tie.
 fn needed(m: &Matrix) -> f64 {
     let [determinant, moved, permanent] = sums(m);
     let needed = (moved - 14.0 * determinant.abs()) / permanent;

@@ -1,20 +1,18 @@
-//! Floating point that knows how wrong it is.
+//! Floating point that tracks its error.
 //!
-//! Every number carries its error, to first order: what its operands brought
-//! along, and what its own rounding added. The latter is exact (error-free
-//! transformations of Knuth and Dekker), so that a search sees which way each
-//! rounding went.
+//! Every number carries its error, to first order: the errors of its operands, and its own rounding error. The latter
+//! is exact (error-free transformations of Knuth and Dekker), so that a search knows the direction of each rounding.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// A double, its error and its magnitude.
 #[derive(Clone, Copy)]
 pub struct Traced {
-    /// What floating point says.
+    /// The floating-point value.
     pub value: f64,
-    /// How much that is above the truth, to first order in u.
+    /// The value minus the truth, to first order in u.
     pub error: f64,
-    /// The value with every term taken by magnitude: a share of the permanent.
+    /// The value with the magnitude of every term: a share of the permanent.
     pub magnitude: f64,
 }
 
@@ -77,16 +75,16 @@ fn halves(x: f64) -> [f64; 2] {
     [high, x - high]
 }
 
-/// One of the determinants, as `predicament_exact::estimate` evaluates it, up to its last sum x + y.
+/// A determinant as `predicament_exact::estimate` evaluates it, up to its last sum x + y.
 pub type Formula<const D: usize, const N: usize> = fn(&[[f64; D]; N]) -> [Traced; 2];
 
-/// (a − c) × (b − c).
+/// The summands of (a − c) × (b − c).
 pub fn orient2d([a, b, c]: &[[f64; 2]; 3]) -> [Traced; 2] {
     let [a, b] = [minus(a, c), minus(b, c)];
     [a[0] * b[1], -(a[1] * b[0])]
 }
 
-/// det(a − d, b − d, c − d).
+/// The summands of det(a − d, b − d, c − d).
 pub fn orient3d([a, b, c, d]: &[[f64; 3]; 4]) -> [Traced; 2] {
     let [a, b, c] = [a, b, c].map(|p| minus(p, d));
     [a[2] * minor(b, c) + b[2] * minor(c, a), c[2] * minor(a, b)]
@@ -105,13 +103,13 @@ pub fn plane([d, b, c, a]: &[[f64; 3]; 4]) -> [Traced; 2] {
     [normal[0] * d[0] + normal[1] * d[1], normal[2] * d[2]]
 }
 
-/// The 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
+/// The summands of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 pub fn incircle([a, b, c, d]: &[[f64; 2]; 4]) -> [Traced; 2] {
     let [a, b, c] = [a, b, c].map(|p| minus(p, d));
     [lift(a) * minor(b, c) + lift(b) * minor(c, a), lift(c) * minor(a, b)]
 }
 
-/// The 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
+/// The summands of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 pub fn insphere([a, b, c, d, e]: &[[f64; 3]; 5]) -> [Traced; 2] {
     let [a, b, c, d] = [a, b, c, d].map(|p| minus(p, e));
     let [ab, bc, cd] = [minor(a, b), minor(b, c), minor(c, d)];

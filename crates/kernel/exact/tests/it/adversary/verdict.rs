@@ -1,4 +1,4 @@
-//! How badly some points round, in rationals.
+//! The rounding error of some points, in rationals.
 
 use predicament_arithmetic::bound::UNIT_ROUNDOFF;
 use predicament_exact::rational::Value;
@@ -8,16 +8,16 @@ use super::traced::Formula;
 
 /// The error of x + y, exactly.
 pub struct Verdict {
-    /// |(x + y) − D|
+    /// The error |(x + y) − D|.
     error: Rational,
-    /// |x + y|
+    /// The sum |x + y|.
     sum: Rational,
     /// The permanent of the coordinates as given.
     permanent: Rational,
 }
 
 impl Verdict {
-    /// The verdict about x and y as this formula finds them.
+    /// The verdict about x and y as this formula computes them.
     pub fn new<const D: usize, const N: usize>(
         formula: Formula<D, N>,
         points: &[[f64; D]; N],
@@ -29,15 +29,15 @@ impl Verdict {
         Verdict { error, sum: sum.abs(), permanent: permanent(points) }
     }
 
-    /// Whether the error is at most `constant`·P + `price`·u·|x + y|.
+    /// Returns true if the error is at most `constant`·P + `price`·u·|x + y|.
     ///
-    /// That is what is proved, with a price of 0 for orient2d and insphere, ½ for
-    /// orient3d, less than 15 for incircle; and all of it that near ties can see.
+    /// That is the proved bound, with a price of 0 for orient2d and insphere, ½ for orient3d, less than 15 for
+    /// incircle. Near ties depend only on this part of it.
     pub fn within(&self, constant: f64, price: f64) -> bool {
         self.error <= exact(constant) * &self.permanent + self.paid(price)
     }
 
-    /// The same with a bound for constant · P.
+    /// Returns true if the error is at most `bound` + `price`·u·|x + y|.
     pub fn below(&self, bound: f64, price: f64) -> bool {
         self.error <= exact(bound) + self.paid(price)
     }
@@ -46,16 +46,17 @@ impl Verdict {
         exact(price * UNIT_ROUNDOFF) * &self.sum
     }
 
-    /// The constant, in units of u, with which that would just hold.
+    /// The constant, in units of u, for which the bound would just hold.
     pub fn badness(&self, price: f64) -> f64 {
         let error = &self.error - self.paid(price);
         (error / &self.permanent / exact(UNIT_ROUNDOFF)).to_f64()
     }
 }
 
-/// The permanent of the differences from the last point: of all ways to take one
-/// entry from each row and column the sum of the products' magnitudes. The columns
-/// are the axes and, where there are more rows than axes, the squared lengths.
+/// The permanent of the differences from the last point.
+///
+/// It is the sum of the magnitudes of all products with one entry from each row and column. The columns are the axes
+/// and, if there are more rows than axes, the squared lengths.
 fn permanent<const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Rational {
     let rows = points[..N - 1].iter().map(|point| {
         let differences = (0..D).map(|axis| (exact(point[axis]) - exact(points[N - 1][axis])).abs());

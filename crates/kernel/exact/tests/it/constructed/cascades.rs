@@ -1,5 +1,4 @@
-//! Cascades: vertices constructed while the session runs, from constructed
-//! ones, level upon level, each level judged.
+//! Cascades: vertices constructed from constructed ones while the session runs, level upon level, each level judged.
 
 use predicament_exact::{Exact, Session, constructed::Constructed};
 use predicament_predicates::{
@@ -13,12 +12,12 @@ use super::{
 };
 use crate::common::Random;
 
-/// How a cascade grows.
+/// The growth of a cascade.
 struct Growth {
     depth: usize,
-    /// Vertices of a level.
+    /// The number of vertices of a level.
     width: usize,
-    /// Whether there are vertices of three planes: their rows grow fastest.
+    /// True if some vertices are of three planes: their rows grow fastest.
     planes: bool,
 }
 
@@ -45,7 +44,7 @@ fn definition(random: &mut Random, dimension: Dimension, planes: bool, from: [&[
     }
 }
 
-/// Lines and planes go through what was constructed on them.
+/// Checks that lines and planes go through the vertices constructed on them.
 fn check_incidence(session: &Session<'_, Off>, construction: &Construction, x: Vertex) {
     for flat in construction.flats() {
         match (session.scene().dimension(), flat) {
@@ -57,8 +56,9 @@ fn check_incidence(session: &Session<'_, Off>, construction: &Construction, x: V
     }
 }
 
-/// Constructs level after level, and asks about the vertices of each. The
-/// judge says which definitions are of a point; the others have to be refused.
+/// Constructs level after level, and queries the vertices of each.
+///
+/// The judge says which definitions have a point; the session must refuse the others.
 fn cascade(random: &mut Random, base: &Scene, growth: &Growth, seen: &mut Seen) -> usize {
     let mut session = Exact.prepare(base, Off).expect("prepared");
     let mut judge = Judge::new(base);
@@ -99,7 +99,7 @@ fn cascade(random: &mut Random, base: &Scene, growth: &Growth, seen: &mut Seen) 
             check_one(&judge, session.constructed(), session.scene(), [a, b, c, d], seen);
         }
     }
-    // The same definitions by other orders are the same vertices.
+    // The same definitions in other orders are the same vertices.
     let turned: Vec<Construction> = definitions.iter().rev().map(|&definition| turned(definition)).collect();
     let mut vertices = session.construct(&turned).expect("as before");
     vertices.reverse();
@@ -173,8 +173,9 @@ fn levels_upon_every_exponent() {
     }
 }
 
-/// A session that rounds a first level before it constructs the second is
-/// told from one that keeps it, by most questions about incidence.
+/// A session that rounds the first level before the second differs from one that keeps it.
+///
+/// Most queries about incidence expose the difference.
 #[test]
 fn rounding_between_two_levels_is_caught() {
     let mut random = Random(104);
@@ -201,8 +202,9 @@ fn rounding_between_two_levels_is_caught() {
     assert!(asked > 50 && wrong > asked * 3 / 4, "{wrong} of {asked}");
 }
 
-/// One definition that is refused takes the whole batch with it, also from
-/// between others that are fine; the session goes on as if it had not been asked.
+/// A refused definition refuses the whole batch, also if it is between valid ones.
+///
+/// The session continues as if the call had not happened.
 #[test]
 fn a_refused_batch_leaves_nothing() {
     let v = Vertex::input;
@@ -242,7 +244,7 @@ fn a_refused_batch_leaves_nothing() {
     }
 }
 
-/// What is constructed costs what it is, whatever the scene: the points are shared, not copied.
+/// The cost of construction does not depend on the scene: the points are shared, not copied.
 #[test]
 fn input_vertices_are_not_copied() {
     let v = Vertex::input;

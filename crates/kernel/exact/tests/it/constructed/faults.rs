@@ -1,4 +1,4 @@
-//! Faults that are planted, and found out.
+//! Tests that planted faults are detected.
 
 use predicament_exact::constructed::{
     Constructed, EXACT,
@@ -10,12 +10,13 @@ use super::judge::Judge;
 use super::scenes::{distinct, scene};
 use crate::common::Random;
 
-/// What constructed vertices are granted.
+/// The error factor of rounded constructed vertices.
 const ERRORS: f64 = 65.0 / 64.0;
 
-/// Lies of filters about points near lines through constructed vertices, just
-/// beyond 1024, where doubles are coarsest in relation to themselves; with these
-/// errors granted to constructed vertices and the bound divided.
+/// The number of wrong answers of filters about points near lines through constructed vertices.
+///
+/// The points are just beyond 1024, where doubles are relatively coarsest. `errors` are granted to constructed
+/// vertices, and the bound is divided by `divisor`.
 fn lies(errors: f64, divisor: f64) -> usize {
     let mut random = Random(20);
     let mut lies = 0;
@@ -23,7 +24,7 @@ fn lies(errors: f64, divisor: f64) -> usize {
         let mut scene = scene(&mut random, Dimension::Two, 4, |random| 1024.0 + random.unit());
         let v = Vertex::input;
         let Ok(x) = scene.construct(Construction::Ssi([[v(0), v(1)], [v(2), v(3)]])) else { continue };
-        // Beyond the vertex from the first one, on the very line up to rounding.
+        // Beyond the vertex, seen from the first one, on the same line up to rounding.
         let middle = Constructed::new(&scene).expect("a point").approximation(x).to_vec();
         let beyond: Vec<f64> = middle.iter().zip(scene.point(v(0))).map(|(m, a)| m + 0.75 * (m - a)).collect();
         let mut wider = Scene::new(Dimension::Two, [scene.coordinates(), &beyond].concat()).expect("finite");
@@ -47,8 +48,9 @@ fn a_filter_that_forgets_the_approximation_is_caught() {
     assert!(lies(ERRORS, 6.0) > 10, "granted errors of both ends add up, and M counts |d| beside");
 }
 
-/// Points found by hill climbing towards wrong signs (see bounds.rs), the
-/// pivot constructed: rounding gives them a determinant of 2.7 u (of 3).
+/// Points found by hill climbing towards wrong signs (see bounds.rs), with a constructed pivot.
+///
+/// Rounding gives them a determinant of 2.7 u (of 3).
 #[test]
 fn half_of_orient2d_is_caught() {
     let [x, y] = [0.00011914968490606137, 5.779852929599067e-9];
@@ -73,7 +75,7 @@ fn half_of_orient2d_is_caught() {
     assert_eq!(ours.orient2d(Plane::Xy, v(0), v(1), pivot), (truth, EXACT));
 }
 
-/// The same in space, of input vertices: determinants of 4.2 u (of 7).
+/// The same in space, with input vertices: determinants of 4.2 u (of 7).
 #[test]
 fn half_of_orient3d_is_caught() {
     let points = [
@@ -89,7 +91,7 @@ fn half_of_orient3d_is_caught() {
     assert_eq!(filter::orient3d(a, b, c, d, filter::ORIENT3D / 2.0), Some(-truth));
 }
 
-/// Nothing is answered where something overflows, underflows or is unknown.
+/// The filter does not answer if something overflows, underflows or is unknown.
 #[test]
 fn the_filter_does_not_answer_out_of_range() {
     let point = |coordinates: [f64; 3]| coordinates.map(|x| Approximate::within(x, 0.0));
@@ -102,8 +104,9 @@ fn the_filter_does_not_answer_out_of_range() {
     assert_eq!([1e-110, 5e-324, 0.0, 1e103, f64::MAX, f64::NAN, f64::INFINITY].map(side), [None; 7]);
 }
 
-/// Half of all weights are negative before rows are turned: answers with the
-/// sign of the weight dropped would be wrong.
+/// Half of all weights are negative before rows are negated.
+///
+/// Answers without the sign of the weight would be wrong.
 #[test]
 fn a_dropped_weight_sign_is_caught() {
     let mut random = Random(21);

@@ -1,12 +1,12 @@
 //! The judge of constructed vertices: rational points, textbook determinants.
 //!
-//! Points come out of Gauss' elimination, and each is proved by substitution:
-//! it lies on every line and plane that defines it.
+//! Gauss' elimination computes the points, and substitution proves each: it lies on every line and plane that defines
+//! it.
 
 use predicament_predicates::{Axis, Construction, Plane, Scene, Sign, Vertex};
 use rug::Rational;
 
-/// A coordinate for each axis.
+/// A point, with one coordinate for each axis.
 pub type Point = Vec<Rational>;
 
 /// A scene's vertices, input and constructed, as rational points.
@@ -16,7 +16,7 @@ pub struct Judge {
 }
 
 impl Judge {
-    /// Panics if a construction defines no point.
+    /// The judge of a scene; panics if a construction defines no point.
     pub fn new(scene: &Scene) -> Judge {
         let input = scene.vertices().map(|v| rational(scene.point(v))).collect();
         let mut judge = Judge { input, constructed: Vec::new() };
@@ -27,12 +27,12 @@ impl Judge {
         judge
     }
 
-    /// The next constructed vertex.
+    /// Adds the next constructed vertex.
     pub fn add(&mut self, point: Point) {
         self.constructed.push(point);
     }
 
-    /// The point that the construction defines, if it does; proved.
+    /// The point that the construction defines, if it does; proved by substitution.
     pub fn meet(&self, construction: &Construction) -> Option<Point> {
         let point = self.solve(construction)?;
         for flat in construction.flats() {
@@ -47,14 +47,14 @@ impl Judge {
         Some(point)
     }
 
-    /// The same, not proved.
+    /// The point that the construction defines, without the proof.
     pub fn solve(&self, construction: &Construction) -> Option<Point> {
         let equations = match *construction {
             Construction::Ssi(lines) => lines.iter().map(|line| self.line2(*line)).collect(),
             Construction::Lpi { line, plane } => {
                 let [p, q] = line.map(|v| self.point(v));
                 let along = (0..3).find(|&axis| p[axis] != q[axis])?;
-                // A line is where two planes meet: those that it spans with the other two axes.
+                // A line is the intersection of two planes: those that it spans with the other two axes.
                 let beside = |axis: usize| {
                     let mut off = p.clone();
                     off[axis] += 1;
@@ -101,7 +101,7 @@ impl Judge {
         side(vertices.map(|v| self.point(v)))
     }
 
-    /// Coefficients and right-hand side.
+    /// The coefficients and the right-hand side of a line.
     fn line2(&self, line: [Vertex; 2]) -> Point {
         let [p, q] = line.map(|v| self.point(v));
         let [u, v] = [difference(&q[0], &p[0]), difference(&q[1], &p[1])];
@@ -163,7 +163,7 @@ fn plane3(p: &Point, q: &Point, r: &Point) -> Point {
     plane
 }
 
-/// The one solution of as many linear equations as unknowns, if there is one.
+/// The unique solution of as many linear equations as unknowns, if there is one.
 fn solve(mut rows: Vec<Point>) -> Option<Point> {
     let n = rows.len();
     for k in 0..n {

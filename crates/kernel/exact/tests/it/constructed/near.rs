@@ -1,4 +1,4 @@
-//! Points computed in floating point: how far off they are, and where they must not be taken for points.
+//! Points computed in floating point: the size of their errors, and cases that must not be accepted as points.
 
 use predicament_exact::constructed::Constructed;
 use predicament_exact::{Exact, Session};
@@ -18,7 +18,7 @@ fn power(exponent: i32) -> f64 {
     if exponent < -1022 { f64::from_bits(1 << (exponent + 1074).max(0)) } else { 2f64.powi(exponent) }
 }
 
-/// The kinds, each of vertices of its own.
+/// One definition of each kind, with separate vertices.
 fn kinds(dimension: Dimension) -> Vec<Construction> {
     let planes = [[v(0), v(1), v(2)], [v(3), v(4), v(5)], [v(6), v(7), v(8)]];
     match dimension {
@@ -29,7 +29,7 @@ fn kinds(dimension: Dimension) -> Vec<Construction> {
     }
 }
 
-/// The constructed vertex of the scene, judged; none if it is no point.
+/// The constructed vertex of the scene, judged; `None` if it has no point.
 fn with(inputs: &Scene, construction: Construction) -> Option<(Constructed, Judge)> {
     let mut scene = inputs.clone();
     scene.construct(construction).expect("input vertices");
@@ -40,13 +40,15 @@ fn with(inputs: &Scene, construction: Construction) -> Option<(Constructed, Judg
     Some((ours, judge))
 }
 
-/// Whether floating point could not tell that there is a point: then the slack is that of rounded coordinates.
+/// Returns true if floating point could not prove that there is a point.
+///
+/// Then the slack is that of rounded coordinates.
 fn was_exact(ours: &Constructed) -> bool {
     let (point, slack) = ours.near(Vertex::constructed(0));
     slack == 65.0 / 64.0 * point.iter().fold(0.0, |most: f64, x| most.max(x.abs())) + 2f64.powi(-300)
 }
 
-/// Flats that differ by 2^-k of their size, for every k: all are points, and no slack is too small.
+/// Lines and planes that differ by 2^-k of their size, for every k: all have points, and no slack is too small.
 #[test]
 fn every_angle() {
     let mut random = Random(201);
@@ -80,7 +82,7 @@ fn every_angle() {
     }
 }
 
-/// Parallel lines and planes whose differences are rounded, each in its own way: doubles see an angle, and are not believed.
+/// Parallel lines and planes whose differences are rounded: doubles see an angle, which must not be trusted.
 #[test]
 fn what_rounding_has_turned_is_refused() {
     let mut random = Random(202);
@@ -103,7 +105,7 @@ fn what_rounding_has_turned_is_refused() {
     assert!(believed > rounds / 4, "{believed} of {rounds}");
 }
 
-/// Magnitudes around the ends of the range that is proved, and far beyond, in one definition.
+/// Magnitudes around the ends of the proved range, and far beyond, in one definition.
 #[test]
 fn the_ends_of_the_range() {
     let mut random = Random(203);
@@ -134,7 +136,7 @@ fn the_ends_of_the_range() {
     }
 }
 
-/// What is near a point of the largest doubles, or nearly at infinity, is known to be so.
+/// A point of the largest doubles, or nearly at infinity, has a valid error bound.
 #[test]
 fn overflow_is_seen() {
     let mut random = Random(204);
@@ -149,8 +151,7 @@ fn overflow_is_seen() {
     }
 }
 
-/// The largest error in relation to what the slack grants, of lines that are nearly parallel, with differences where
-/// doubles are coarsest.
+/// The largest error relative to the slack, of nearly parallel lines, with differences where doubles are coarsest.
 #[test]
 fn half_the_slack_is_caught() {
     let mut random = Random(205);
@@ -181,7 +182,7 @@ fn half_the_slack_is_caught() {
     assert!(worst[0] > 0.5 && worst.iter().all(|&share| share <= 1.0), "{worst:?}");
 }
 
-/// Who asks first changes neither signs nor stages, on any thread.
+/// The order of queries changes neither signs nor stages, on any thread.
 #[test]
 fn order_does_not_matter() {
     let mut random = Random(206);

@@ -1,4 +1,4 @@
-//! Scenes with constructed vertices, and questions about them, judged.
+//! Scenes with constructed vertices, and judged queries about them.
 
 use predicament_exact::constructed::{Constructed, FILTER};
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Scene, Sign, Vertex};
@@ -8,12 +8,12 @@ use rug::Rational;
 use super::judge::{Judge, PLANES};
 use crate::common::Random;
 
-/// What a check has seen: so that a test can say that it has seen something.
+/// The counts of a check, so that a test can verify its coverage.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Seen {
-    /// Questions by their answer: negative, zero, positive.
+    /// The number of queries by answer: negative, zero, positive.
     pub signs: [usize; 3],
-    /// Questions that the filter settled.
+    /// The number of queries that the filter settled.
     pub filtered: usize,
 }
 
@@ -40,7 +40,7 @@ pub fn distinct<const N: usize>(random: &mut Random, n: usize) -> [Vertex; N] {
     }
 }
 
-/// Any construction for scenes of this dimension.
+/// A random construction for scenes of this dimension.
 pub fn any(random: &mut Random, dimension: Dimension, n: usize) -> Construction {
     match dimension {
         Dimension::Two => Construction::Ssi([distinct(random, n), distinct(random, n)]),
@@ -51,7 +51,7 @@ pub fn any(random: &mut Random, dimension: Dimension, n: usize) -> Construction 
     }
 }
 
-/// Adds up to `count` constructions that define a point. The others have to be declined.
+/// Adds up to `count` constructions that define a point; the others must be declined.
 pub fn construct(random: &mut Random, scene: &mut Scene, count: usize) {
     let judge = Judge::new(scene);
     let inputs = scene.clone();
@@ -67,8 +67,9 @@ pub fn construct(random: &mut Random, scene: &mut Scene, count: usize) {
     }
 }
 
-/// Asks about every axis and plane, with constructed vertices in some places
-/// and input vertices in the others; with and without the filter.
+/// Queries every axis and plane, with constructed vertices in some places and input vertices in the others.
+///
+/// It queries with and without the filter.
 pub fn check(random: &mut Random, scene: &Scene, rounds: usize) -> Seen {
     let judge = Judge::new(scene);
     let constructed = Constructed::new(scene).expect("every construction defines a point");
@@ -85,7 +86,7 @@ pub fn check(random: &mut Random, scene: &Scene, rounds: usize) -> Seen {
     seen
 }
 
-/// Approximate coordinates are as good as filters suppose: those of the first, and those of the second.
+/// Checks that the approximate coordinates are as good as the first and the second filter assume.
 pub fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
     let power = |exponent: i32| Rational::from(1) << exponent;
     for v in (0..scene.constructions().len()).map(Vertex::constructed) {
@@ -109,7 +110,7 @@ pub fn check_approximations(scene: &Scene, judge: &Judge, ours: &Constructed) {
     }
 }
 
-/// The same for vertices that are given.
+/// Checks the queries of four given vertices.
 pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]: [Vertex; 4], seen: &mut Seen) {
     let (axes, planes): (&[Axis], &[Plane]) = match scene.dimension() {
         Dimension::Two => (&[Axis::X, Axis::Y], &[Plane::Xy]),
@@ -120,7 +121,7 @@ pub fn check_one(judge: &Judge, ours: &Constructed, scene: &Scene, [a, b, c, d]:
         let (sign, stage) = ours.compare(axis, a, b);
         assert_eq!(sign, truth, "{axis:?} {a} {b} {scene:?}");
         assert_eq!(ours.compare_exactly(axis, [a, b]), truth, "{axis:?} {a} {b} exactly {scene:?}");
-        // The filters alone: they answer just where they are the stage.
+        // The filters alone: they answer exactly if they are the stage.
         assert_eq!(ours.compare_by_filter(axis, a, b), (stage == FILTER).then_some(truth), "{axis:?} {a} {b}");
         seen.add(truth, stage);
     }

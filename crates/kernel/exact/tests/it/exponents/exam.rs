@@ -1,4 +1,4 @@
-//! One query on every rung that it may be asked on, judged.
+//! One query on every rung that can answer it, judged.
 
 use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows, units};
 use predicament_exact::{
@@ -10,12 +10,12 @@ use predicament_predicates::{Backend, Dimension, Off, Plane, QuerySet, Question,
 
 use crate::common::{self, Random};
 
-/// One of so many queries is judged again, by elimination.
+/// One of this many queries is judged again, by elimination.
 const AGAIN: usize = 16;
-/// Queries that share a scene.
+/// The number of queries that share a scene.
 const CROWD: usize = 512;
 
-/// One of so many queries is asked.
+/// One of this many queries runs.
 pub fn one_in() -> usize {
     predicament_effort::some_or_all(50, 1)
 }
@@ -81,7 +81,9 @@ pub const INSPHERE: Predicate<3, 5> = Predicate {
     dyadic: |[a, b, c, d, e]| dyadic::insphere(a, b, c, d, e),
 };
 
-/// A double of this exponent with some sign and significand, of three bits if it is to be short; zero for none.
+/// A double of this exponent with a random sign and significand; zero for `None`.
+///
+/// A short double has three bits.
 pub fn double(random: &mut Random, exponent: Option<i32>, short: bool) -> f64 {
     let negative = random.below(2) == 0;
     let Some(exponent) = exponent else { return if negative { -0.0 } else { 0.0 } };
@@ -92,7 +94,7 @@ pub fn double(random: &mut Random, exponent: Option<i32>, short: bool) -> f64 {
     let significand = if short {
         *random.pick(&[1.0, 1.25, 1.5, 1.75])
     } else {
-        // The last one rounds up to 2 if it is drawn so.
+        // The last one may round up to 2.
         let any = 1.0 + random.unit();
         *random.pick(&[1.0, 1.0 + f64::EPSILON, 2.0 - f64::EPSILON, any])
     };
@@ -100,18 +102,18 @@ pub fn double(random: &mut Random, exponent: Option<i32>, short: bool) -> f64 {
     if negative { -magnitude } else { magnitude }
 }
 
-/// What an exam has seen: so that a test can say that it has seen something.
+/// The counts of an exam, so that a test can verify its coverage.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Seen {
-    /// Queries by their answer: negative, zero, positive.
+    /// The number of queries by answer: negative, zero, positive.
     pub signs: [usize; 3],
-    /// Those that the filter settled, where it may be asked.
+    /// The number of queries that the filter settled, if it may run.
     pub filtered: usize,
-    /// Those that doubles settle without error.
+    /// The number of queries that doubles settle without error.
     pub double: usize,
-    /// Those with differences of one limb.
+    /// The number of queries with differences of one limb.
     pub integer: usize,
-    /// Those with differences of two limbs.
+    /// The number of queries with differences of two limbs.
     pub wide_integer: usize,
 }
 
@@ -121,7 +123,7 @@ impl Seen {
     }
 }
 
-/// Asks query after query: each alone, and all in crowds.
+/// An exam that asks query after query: each alone, and all in crowds.
 pub struct Exam<const D: usize, const N: usize> {
     predicate: Predicate<D, N>,
     random: Random,
@@ -137,19 +139,19 @@ impl<const D: usize, const N: usize> Exam<D, N> {
         Exam { predicate, random: Random(seed), effort: Random(seed), seen: Seen::default(), crowd, truths }
     }
 
-    /// A double of this exponent, or zero; those of every other query are short.
+    /// A double of this exponent, or zero; short in every other query.
     pub fn double(&mut self, exponent: Option<i32>) -> f64 {
         double(&mut self.random, exponent, self.seen.all().is_multiple_of(2))
     }
 
-    /// Judges these points, or leaves them out if the effort is less than the whole.
+    /// Judges these points, or skips them if the effort is reduced.
     pub fn check(&mut self, points: [[f64; D]; N]) {
         if self.effort.below(one_in()) == 0 {
             self.judge(points);
         }
     }
 
-    /// The points in some order of points and axes, on each rung that may be asked.
+    /// Judges the points in some order of points and axes, on each rung that can answer.
     fn judge(&mut self, points: [[f64; D]; N]) {
         let points = self.shuffled(points);
         let Predicate { determinant: Determinant { form, bound }, question, .. } = self.predicate;
@@ -191,7 +193,7 @@ impl<const D: usize, const N: usize> Exam<D, N> {
         self.seen.signs[usize::try_from(truth.as_i8() + 1).expect("0, 1 or 2")] += 1;
     }
 
-    /// The points as they are, and with one coordinate an ulp to either side.
+    /// Judges the points, and the points with one coordinate moved by an ulp to either side.
     pub fn check_around(&mut self, points: [[f64; D]; N]) {
         self.check(points);
         let (row, axis) = (self.random.below(N), self.random.below(D));
@@ -204,14 +206,14 @@ impl<const D: usize, const N: usize> Exam<D, N> {
         }
     }
 
-    /// What is left to be asked in a crowd, and what was seen.
+    /// Asks the remaining crowd, and returns the counts.
     pub fn end(mut self) -> Seen {
         self.ask_crowd();
         println!("{:?}: {:?}", self.predicate.question, self.seen);
         self.seen
     }
 
-    /// All of them in one scene, one by one and as a batch: the ladder plans each query for itself.
+    /// Asks all queries in one scene, one by one and as a batch: the ladder plans each query separately.
     fn ask_crowd(&mut self) {
         let found = answers(self.predicate.question, &self.crowd);
         for ((points, truth), found) in self.crowd.iter().zip(&self.truths).zip(found) {

@@ -1,4 +1,4 @@
-//! What the first vertices decide, against the search through all monomials.
+//! Decisions by the first vertices, against the search through all monomials.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Construction, Dimension, Off, Plane, Predicates};
@@ -7,7 +7,9 @@ use super::*;
 use crate::constructed::search_all;
 use crate::constructed::testing::{Random, constructions};
 
-/// How often what was known, by the degree that decided; 0 for identities, and 4 for what was left open.
+/// The number of ties by result.
+///
+/// The index is the deciding degree, 0 for identities, and 4 for ties that remain open.
 type Counts = [usize; 5];
 
 fn check<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [Vertex; N], counts: &mut Counts) {
@@ -26,7 +28,7 @@ fn check<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [
     assert_eq!(known, search_all(scene, question, &args), "{question:?} of {args:?} in {scene:?}");
 }
 
-/// Asks about so many ties of any vertices, or of constructed ones only.
+/// Asks about `ties` ties of any vertices, or of constructed ones only.
 fn ask(random: &mut Random, scene: &Scene, ties: usize, with_inputs: bool, counts: &mut Counts) {
     let (exact, rows) = (Exact.prepare(scene, Off).unwrap(), Rows::new(scene));
     let inputs = if with_inputs { scene.len() } else { 0 };
@@ -60,7 +62,9 @@ fn ask(random: &mut Random, scene: &Scene, ties: usize, with_inputs: bool, count
     }
 }
 
-/// Points of a grid with steps of their own along each axis: one bit, many bits, subnormal, large, and far from each other.
+/// Points of a grid with a separate step along each axis.
+///
+/// Steps have one bit or many bits, are subnormal or large, and far from each other.
 fn grid(random: &mut Random, dimension: usize, side: usize, points: usize, round: usize) -> Scene {
     let long = 2f64.powi(50) - 3.0;
     let units = [
@@ -99,12 +103,12 @@ fn planes_of_a_grid() {
         ask(&mut random, &scene, 4, true, &mut counts);
     }
     assert!(counts.iter().enumerate().all(|(place, &count)| place == 3 || count > 1), "{counts:?}");
-    // Three of eight are left to the search, which is right as well: were shared vertices not looked at, it would be nearly half.
+    // Three of eight remain for the search, which is right as well: without shared vertices it would be nearly half.
     let open = counts[4] * 5 < counts.iter().sum::<usize>() * 2;
     assert!(open, "{counts:?}");
 }
 
-/// Two to four vertices of lines and planes through one point: the more of them, the higher the degree.
+/// Two to four vertices of lines and planes through one point: more vertices give a higher degree.
 #[test]
 fn points_at_one_place() {
     let (mut random, mut counts) = (Random(23), [0; 5]);
@@ -151,7 +155,7 @@ fn points_at_one_place() {
         let mut scene = Scene::new(dimension, coordinates).unwrap();
         let mut session = Exact.prepare(&scene, Off).unwrap();
         for definition in definitions {
-            // (Some are no points.)
+            // (Some have no point.)
             let _ = session.construct(&[definition]);
         }
         let made = session.scene().constructions().to_vec();

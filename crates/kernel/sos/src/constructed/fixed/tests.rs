@@ -1,4 +1,5 @@
-//! All numbers of limbs, with numbers that fill them, against the exact backend and polynomials in integers of any size.
+//! All numbers of limbs, with numbers that fill them, against the exact backend and polynomials in integers of any
+//! size.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off, Predicates, Question};
@@ -21,21 +22,21 @@ impl Random {
         usize::try_from(self.next() >> 8).unwrap() % bound
     }
 
-    /// An integer below 2^bits in magnitude, most of them not much below; more than 53 bits end in zeros.
+    /// A random integer below 2^bits in magnitude, mostly close to it; beyond 53 bits it ends in zeros.
     fn whole(&mut self, bits: u32) -> f64 {
         let digits = bits.min(53);
         let magnitude =
             2f64.powi((bits - digits).cast_signed()) * f64::from_bits(0x3ff0_0000_0000_0000 | self.next() >> 12);
-        // 1 to 2, of which so many digits are taken.
+        // A number from 1 to 2, cut off after this many digits.
         let magnitude = (magnitude * 2f64.powi(digits.cast_signed() - 1)).trunc();
         if self.below(2) == 0 { magnitude } else { -magnitude }
     }
 }
 
-/// What a question took: a place in this list.
+/// The cases of a question by the limbs that it takes.
 const COMPARE: [&str; 5] = ["one limb", "two limbs", "7 limbs", "14 limbs", "others"];
 
-/// How often each number of limbs was taken, and how often ties were broken in it.
+/// The number of questions for each number of limbs, and of ties broken there.
 #[derive(Default, Debug)]
 struct Seen([[usize; 2]; COMPARE.len()]);
 
@@ -115,13 +116,13 @@ fn long_coordinates_are_as_long_as_the_table_says() {
     }
 }
 
-/// Without ties: a limb too few would lose the highest bits.
+/// Without ties: with a limb too few the highest bits would be lost.
 #[test]
 fn numbers_that_fill_their_limbs() {
     let (mut random, mut orders, mut turns) = (Random(11), Seen::default(), Seen::default());
     for bits in (1_u32..22).chain(56..66).chain(118..136).chain([30_u32, 53, 90, 180]) {
         for round in 0..predicament_effort::scaled(60) {
-            // Some as small as others are large; or as far apart as they can be, and one in the middle.
+            // Some as small as others are large; or as far apart as possible, and one in the middle.
             let largest = 2f64.powi(bits.cast_signed()) - 2f64.powi(bits.saturating_sub(53).cast_signed());
             let mut number = |place: usize| match (round % 2, place % 5) {
                 (0, 0) => random.whole(bits.min(20)),
@@ -141,7 +142,7 @@ fn numbers_that_fill_their_limbs() {
     }
 }
 
-/// Points of a small grid, each axis with a unit of its own: determinants that were zero stay zero.
+/// Points of a small grid, with a separate unit for each axis: zero determinants stay zero.
 #[test]
 fn ties_in_any_number_of_limbs() {
     let (mut random, mut orders, mut turns) = (Random(12), Seen::default(), Seen::default());

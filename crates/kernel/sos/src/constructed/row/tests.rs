@@ -15,7 +15,7 @@ fn value(number: Number) -> Rational {
     if number.negative { -magnitude } else { magnitude }
 }
 
-/// Holds a vertex' row and derivatives to the coefficients of its polynomial.
+/// Compares a vertex' row and derivatives with the coefficients of its polynomial.
 fn check(scene: &Scene, rows: &Rows, index: usize) -> bool {
     let row = rows.of(scene, index);
     let Place::Meet(construction) = row.place else { return false };
@@ -58,7 +58,9 @@ fn check(scene: &Scene, rows: &Rows, index: usize) -> bool {
     true
 }
 
-/// All kinds, with common vertices and without, at all scales: coordinates of a bit, of many, and as large and as small as they can be.
+/// All kinds, with and without common vertices, at all scales.
+///
+/// Coordinates have one bit or many, and are as large and as small as possible.
 #[test]
 fn rows_and_derivatives_are_coefficients() {
     let mut random = Random(5);

@@ -1,11 +1,12 @@
-//! Numbers in the infinitesimals' places, and determinants of the points that they move.
+//! Small numbers in place of infinitesimals, and determinants of the moved points.
 
 use predicament_predicates::Scene;
 use rug::{Integer, Rational};
 
-/// Input vertices where numbers have the infinitesimals' places: coordinate
-/// number n is moved by 2^(−32 · 2^n), n counted from 1. Each vertex
-/// stands in one place of the question, so that no infinitesimal has a square.
+/// Input vertices moved by small numbers in place of infinitesimals.
+///
+/// Coordinate number n moves by 2^(−32 · 2^n), n counted from 1. Each vertex stands in one place of the question, so
+/// that no infinitesimal has a square.
 pub fn moved(scene: &Scene) -> Vec<Vec<Rational>> {
     let dimension = scene.dimension().count();
     let by = |n: usize| Rational::from((Integer::from(1), Integer::from(1) << (32_u32 << (n + 1))));
@@ -14,7 +15,7 @@ pub fn moved(scene: &Scene) -> Vec<Vec<Rational>> {
     coordinates.chunks(dimension).map(<[Rational]>::to_vec).collect()
 }
 
-/// p + t (q − p) for the t with f = 0, from f(p) and f(q).
+/// The point p + t (q − p) for the t with f = 0, from f(p) and f(q).
 pub fn between(p: &[Rational], q: &[Rational], [at_p, at_q]: [Rational; 2]) -> Vec<Rational> {
     let t = at_p.clone() / (at_p - at_q);
     p.iter().zip(q).map(|(p, q)| Rational::from(q - p) * &t + p).collect()

@@ -1,4 +1,4 @@
-//! Where backends break as a knob is turned, and which metamorphic laws they break.
+//! The knob positions at which backends break, and the metamorphic laws that they break.
 
 use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
@@ -11,7 +11,7 @@ use crate::stress::{Asked, BreakPoint, Violations};
 use predicament_records::format::thousands;
 use predicament_records::is_predicate;
 
-/// The first position of each knob at which a backend breaks: of predicates, then of algorithms.
+/// The first position of each knob at which a backend breaks: in predicates, then in algorithms.
 pub(super) fn breaks(files: &Files) -> Result<String, FolderError> {
     let rows = files.breaks()?;
     let Asked { ways, backends, .. } = Asked::of(&rows);
@@ -45,7 +45,7 @@ pub(super) fn breaks(files: &Files) -> Result<String, FolderError> {
     ))
 }
 
-/// The upper end of a share of none, for each number of scenes that there is.
+/// The upper end of the interval of a zero share, for each number of scenes that occurs.
 fn upper_ends(rows: &[BreakPoint]) -> String {
     let mut counts: Vec<u64> = rows.iter().map(|row| row.scenes).filter(|&n| n > 0).collect();
     counts.sort_unstable();
@@ -54,14 +54,14 @@ fn upper_ends(rows: &[BreakPoint]) -> String {
     listed(&ends.collect::<Vec<_>>())
 }
 
-/// The earliest break point of some tasks; where there is none, where the first declines.
+/// The earliest break point of some tasks; if there is none, the first declined position.
 fn earliest(rows: &[&BreakPoint]) -> String {
     let place = |knob: &str, position: i32| {
         let knob = Knob::ALL.into_iter().find(|of| of.name() == knob);
         knob.and_then(|knob| knob.positions().iter().position(|at| *at == position)).unwrap_or(usize::MAX)
     };
     let broken = rows.iter().filter_map(|row| Some((place(&row.knob, row.breaks_at?), row.breaks_at?, row)));
-    // Of the tasks that break first the one with the largest share of wrong scenes.
+    // Of the tasks that break first, the one with the largest share of wrong scenes.
     let worst = broken.min_by(|(a, _, row), (b, _, other)| {
         a.cmp(b).then((other.wrong * row.answered).cmp(&(row.wrong * other.answered)))
     });
@@ -73,14 +73,14 @@ fn earliest(rows: &[&BreakPoint]) -> String {
     }
     let declining = rows.iter().filter(|row| row.declines_at.is_some()).count();
     if rows.iter().any(|row| row.holds_to.is_some()) {
-        // What one task declines says nothing of the others.
+        // A declined task says nothing about the others.
         return if declining == 0 { "-".to_owned() } else { format!("-, d in {declining} of {} tasks", rows.len()) };
     }
     let declined = rows.iter().filter_map(|row| Some((place(&row.knob, row.declines_at?), row.declines_at?)));
     declined.min().map_or("n/a".to_owned(), |(_, at)| format!("d {at}"))
 }
 
-/// Violations of metamorphic laws by each backend.
+/// The table of violations of metamorphic laws by each backend.
 pub(super) fn laws(files: &Files) -> Result<String, FolderError> {
     let rows = files.violations()?;
     let mut backends: Vec<&str> = Vec::new();

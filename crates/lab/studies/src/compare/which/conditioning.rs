@@ -1,4 +1,4 @@
-//! Wrong answers by how degenerate a query is, and the bits that answers took.
+//! Wrong answers by degeneracy of queries, and the bit length of answers.
 
 use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
@@ -9,7 +9,7 @@ use crate::compare::conditioning::{BIN, ZERO};
 use crate::compare::words::{counted, listed, percents};
 use crate::compare::{Conditioned, REFERENCE, Share, ranking};
 
-/// The bins in which backends are wrong, and who is wrong nowhere.
+/// The bins in which backends are wrong, and the backends that are never wrong.
 pub(super) fn wrong(files: &Files) -> Result<String, FolderError> {
     let rows = files.conditioning()?;
     let (mut tasks, mut backends): (Vec<&str>, Vec<&str>) = Default::default();

@@ -13,7 +13,7 @@ fn lacks(what: &str) -> FolderError {
     FolderError::Lacks { file: "curves/compare.csv", what: what.to_owned() }
 }
 
-/// The members of curves over the inputs that all of a curve answered.
+/// The members of curves, over the inputs that all members answered.
 pub(super) fn curves(files: &Files) -> Result<String, FolderError> {
     table::curves(&files.curves()?).ok_or_else(|| lacks("two backends that differ in one parameter"))
 }

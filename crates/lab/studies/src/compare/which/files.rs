@@ -1,4 +1,4 @@
-//! The files that the parts are made of.
+//! The files from which the parts are made.
 
 use std::path::{Path, PathBuf};
 
@@ -25,47 +25,47 @@ impl Files {
         if rows.is_empty() { Err(FolderError::NoRows { path }) } else { Ok(rows) }
     }
 
-    /// The comparison.
+    /// The measures of the comparison.
     pub fn measures(&self) -> Result<Vec<Measure>, FolderError> {
         self.rows("compare", FILE, "compare")
     }
 
-    /// What its backends promise.
+    /// The promises of the compared backends.
     pub fn promises(&self) -> Result<Vec<Promise>, FolderError> {
         self.rows("compare", PROMISES, "compare")
     }
 
-    /// Its answers by how degenerate queries are.
+    /// The answers by degeneracy of queries.
     pub fn conditioning(&self) -> Result<Vec<Conditioned>, FolderError> {
         self.rows("compare", "conditioning.csv", "compare")
     }
 
-    /// The comparison of backends that differ in one parameter.
+    /// The measures of the comparison of backends that differ in one parameter.
     pub fn curves(&self) -> Result<Vec<Measure>, FolderError> {
         self.rows("curves", FILE, "compare")
     }
 
-    /// Where backends break.
+    /// The break points of backends.
     pub fn breaks(&self) -> Result<Vec<BreakPoint>, FolderError> {
         self.rows("stress", "breaks.csv", "stress")
     }
 
-    /// Violations of metamorphic laws.
+    /// The violations of metamorphic laws.
     pub fn violations(&self) -> Result<Vec<Violations>, FolderError> {
         self.rows("stress", "stress-laws.csv", "stress")
     }
 
-    /// Cuts of tetrahedra: columns of the file.
+    /// The rows of the cuts of tetrahedra.
     pub fn cuts<T: DeserializeOwned>(&self) -> Result<Vec<T>, FolderError> {
         self.rows("cut", "cut.csv", "cut")
     }
 
-    /// Closed curves: columns of the file.
+    /// The rows of closed curves.
     pub fn parity<T: DeserializeOwned>(&self) -> Result<Vec<T>, FolderError> {
         self.rows("parity", "parity.csv", "parity")
     }
 
-    /// Closed surfaces: columns of the file.
+    /// The rows of closed surfaces.
     pub fn parity_space<T: DeserializeOwned>(&self) -> Result<Vec<T>, FolderError> {
         self.rows("parity-space", "parity-space.csv", "parity --dimension 3")
     }

@@ -1,4 +1,4 @@
-//! Each backend on each input of a kind: time over that of the reference, and what is wrong.
+//! Each backend on each input of a kind: its time ratio to the reference, and its errors.
 
 use crate::folder::FolderError;
 use predicament_report::{Cell, Table};

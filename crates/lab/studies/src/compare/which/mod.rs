@@ -1,7 +1,8 @@
-//! The page "which backend for what": each of its tables and sentences with figures, made of the files of studies.
+//! The page "which backend for what": its tables and sentences with figures, made from the files of studies.
 //!
-//! The page has marks (`<!-- predicament: which NAME -->`), and a report puts these parts between them. A part is made of rows of files in
-//! the folder of a run: nothing in it is true of one run only. A part whose file is missing is an error with the file's name.
+//! The page has marks (`<!-- predicament: which NAME -->`), and a report puts these parts between them. A part is made
+//! from rows of files in the folder of a run, and holds for every run. A part whose file is missing is an error with
+//! the file's name.
 
 mod breaks;
 mod conditioning;
@@ -17,10 +18,10 @@ use std::path::Path;
 
 use files::Files;
 
-/// What makes a part.
+/// A function that makes a part.
 type Make = fn(&Files) -> Result<String, FolderError>;
 
-/// What the names of all parts begin with.
+/// The prefix of all part names.
 const PREFIX: &str = "which ";
 
 /// The parts, in the order of the page.
@@ -44,13 +45,13 @@ const PARTS: [(&str, Make); 17] = [
     ("parity", pieces::parity),
 ];
 
-/// A part of the page from what studies have written into the folder of a run; none for a name that is no part's.
+/// A part of the page, made from files that studies have written into the folder of a run; `None` for an unknown name.
 ///
-/// Studies have folders there: `compare`, `curves` (a comparison of backends that differ in one parameter), `stress`, `cut`, `parity` and
-/// `parity-space`.
+/// Studies have folders there: `compare`, `curves` (a comparison of backends that differ in one parameter), `stress`,
+/// `cut`, `parity` and `parity-space`.
 ///
 /// # Errors
-/// [`FolderError`] with the file that is missing or wrong, or with the names that there are.
+/// [`FolderError`] with the file that is missing or wrong, or with the known names.
 #[must_use]
 pub fn part(folder: &Path, name: &str) -> Option<Result<String, FolderError>> {
     let name = name.strip_prefix(PREFIX)?;

@@ -1,4 +1,4 @@
-//! What becomes of meshes that are cut, and of closed curves that are merged.
+//! The results for meshes that are cut, and for closed curves that are merged.
 
 use crate::folder::FolderError;
 use serde::Deserialize;
@@ -22,7 +22,7 @@ struct Cut {
     slivers: u64,
 }
 
-/// Tetrahedra that are cut by registered contacts alone: a line for each backend.
+/// The table of tetrahedra that are cut by registered contacts alone: a line for each backend.
 pub(super) fn cut(files: &Files) -> Result<String, FolderError> {
     let rows: Vec<Cut> = files.cuts()?;
     let mut lines = Vec::new();
@@ -76,7 +76,10 @@ struct Space {
     loose: u64,
 }
 
-/// Closed curves that cross an odd number of times, and closed surfaces whose curves of intersection have loose ends.
+/// The table of broken curves.
+///
+/// It counts closed curves that cross an odd number of times, and closed surfaces whose curves of intersection have
+/// loose ends.
 pub(super) fn parity(files: &Files) -> Result<String, FolderError> {
     let plane: Vec<Plane> = files.parity()?;
     let space: Vec<Space> = files.parity_space()?;
@@ -89,7 +92,7 @@ pub(super) fn parity(files: &Files) -> Result<String, FolderError> {
         let share = Share { count: row.loose, of: row.pairs - row.declined };
         ("pairs of closed surfaces meet in curves with loose ends", [&row.backend, &row.pairs_for], share)
     });
-    // Recipes are summed up.
+    // The counts of recipes are added up.
     let mut sums: Vec<(&str, [&String; 2], Share)> = Vec::new();
     for (what, of, share) in plane.chain(space) {
         match sums.iter_mut().find(|(other, key, _)| *other == what && *key == of) {

@@ -1,4 +1,4 @@
-//! What backends promise, what that costs, and the ranking.
+//! The promises of backends, their cost, and the ranking.
 
 use crate::folder::FolderError;
 use predicament_report::{Cell, Table};
@@ -8,7 +8,7 @@ use crate::compare::measure::FEATURES;
 use crate::compare::ranking;
 use crate::compare::words::{largest, short};
 
-/// For each backend its promise, the smallest feature that it tells, and how far off its contacts are.
+/// The promise of each backend, the smallest feature that it distinguishes, and the error of its contacts.
 pub(super) fn promises(files: &Files) -> Result<String, FolderError> {
     let (measures, promises) = (files.measures()?, files.promises()?);
     let mut table = Table::new("").words(["backend", "promise", "proved"]).numbers([
@@ -37,13 +37,13 @@ pub(super) fn promises(files: &Files) -> Result<String, FolderError> {
     Ok(ranking::markdown(table))
 }
 
-/// Each backend over its own scenes, and its time over pairs with the reference.
+/// The ranking: each backend over its own scenes, and its time over pairs with the reference.
 pub(super) fn ranking(files: &Files) -> Result<String, FolderError> {
     let table = ranking::table(&files.measures()?, &files.promises()?);
     Ok(format!("{}\n\n{}", ranking::markdown(table), ranking::MEANING))
 }
 
-/// How times are compared, and on which inputs they are not.
+/// The rule for comparing times, and the inputs that it leaves out.
 pub(super) fn rule(files: &Files) -> Result<String, FolderError> {
     Ok(ranking::rule(&files.measures()?))
 }

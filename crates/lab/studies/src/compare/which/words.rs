@@ -1,4 +1,4 @@
-//! Each backend in sentences.
+//! A description of each backend in sentences.
 
 use crate::folder::FolderError;
 use predicament_records::format::{significant, thousands};
@@ -12,7 +12,7 @@ use crate::compare::words::{
 };
 use crate::compare::{InputKey, Measure, REFERENCE, Share, Standing, inputs_of};
 
-/// How many inputs and scenes there are.
+/// The numbers of inputs and scenes.
 pub(super) fn scenes(files: &Files) -> Result<String, FolderError> {
     let measures = files.measures()?;
     let inputs = inputs_of(&measures);
@@ -63,7 +63,7 @@ pub(super) fn backends(files: &Files) -> Result<String, FolderError> {
     Ok(all?.join("\n"))
 }
 
-/// What it takes, over all pairs and by kind of input.
+/// The sentence about its time, over all pairs and by kind of input.
 fn takes(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     if of.backend == REFERENCE {
         return Some("All times are over its own.".to_owned());
@@ -84,7 +84,7 @@ fn takes(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     ))
 }
 
-/// Its wrong answers.
+/// The sentence about its wrong answers.
 fn wrong(of: &Standing<'_>) -> Option<String> {
     (of.answers.of > 0).then(|| {
         if of.answers.count == 0 {
@@ -95,12 +95,12 @@ fn wrong(of: &Standing<'_>) -> Option<String> {
     })
 }
 
-/// Its zeros within a band.
+/// The sentence about its zeros within a band.
 fn undecided(of: &Standing<'_>) -> Option<String> {
     (of.in_band.count > 0).then(|| format!("{} of its answers are undecided, within its band.", share(of.in_band)))
 }
 
-/// The laws of whole scenes that it breaks, and in which tasks.
+/// The sentence about the laws of whole scenes that it breaks, and the tasks.
 fn breaks(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     (of.laws.of > 0).then(|| {
         if of.laws.count == 0 {
@@ -111,13 +111,13 @@ fn breaks(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     })
 }
 
-/// Scenes that are off by rounding only.
+/// The sentence about scenes that are off by rounding only.
 fn rounded(of: &Standing<'_>) -> Option<String> {
     let part = Share { count: of.scenes.rounded, of: of.scenes.asked };
     (part.count > 0).then(|| format!("Off by the rounding of output coordinates only: {} scenes.", counted(part)))
 }
 
-/// Scenes that it has not done.
+/// The sentence about scenes that it has not done.
 fn not_done(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     let part = Share { count: of.scenes.not_done, of: of.scenes.asked };
     (part.count > 0).then(|| {
@@ -134,7 +134,7 @@ fn not_done(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     })
 }
 
-/// Inputs with a count, the largest share first, each with its count.
+/// The inputs with a nonzero count, the largest share first, each with its count.
 fn worst(measures: &[Measure], backend: &str, get: impl Fn(&Standing<'_>) -> Share) -> Vec<String> {
     let mut shares: Vec<(InputKey<'_>, Share)> = Vec::new();
     for (input, _) in inputs_of(measures) {
@@ -145,7 +145,7 @@ fn worst(measures: &[Measure], backend: &str, get: impl Fn(&Standing<'_>) -> Sha
     shares.iter().map(|(of, share)| format!("{} ({})", input(of), counted(*share))).collect()
 }
 
-/// The features that it loses, and how far off its contacts are.
+/// The sentence about the features that it loses, and the error of its contacts.
 fn loses(measures: &[Measure], backend: &str) -> Option<String> {
     let feature = |kind: &str| largest(measures, backend, |row| row.task == FEATURES && row.kind == kind);
     let [plane, space] = ["2D", "3D"].map(feature);

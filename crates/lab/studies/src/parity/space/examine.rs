@@ -1,4 +1,4 @@
-//! Two closed surfaces merged by what a backend registers.
+//! Two closed surfaces merged by the contacts that a backend registers.
 
 use predicament_contacts::algorithm::arrangement::Arrangement;
 use predicament_contacts::algorithm::pairs::Contacts;
@@ -8,23 +8,24 @@ use predicament_tasks::{AnswerError, Contestant};
 use super::SurfacePair;
 use crate::contacts::contacts;
 
-/// How registrations can contradict each other.
+/// The ways in which registrations can contradict each other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Broken {
-    /// A curve comes to a piercing and has no way on.
+    /// A curve comes to a piercing and has no continuation.
     NoWay,
-    /// A curve comes to a piercing, and the two triangles overlap: they have
-    /// more than one other point in common, and none of them is the next.
+    /// A curve comes to a piercing, and the two triangles overlap.
+    ///
+    /// They have more than one other point in common, and none of them is the next.
     NoDirection,
     /// The boundary of a triangle passes through the other surface an odd number of times.
     Odd,
 }
 
 impl Broken {
-    /// All, in the order of reports.
+    /// All three ways, in the order of reports.
     pub const ALL: [Broken; 3] = [Broken::NoWay, Broken::NoDirection, Broken::Odd];
 
-    /// The name in reports.
+    /// The name of the contradiction in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -35,19 +36,19 @@ impl Broken {
     }
 }
 
-/// Two surfaces, merged.
+/// The results of merging two surfaces.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Examined {
     /// The registered pairs.
     pub contacts: Contacts,
-    /// Where curves of intersection end.
+    /// The ends of curves of intersection.
     pub ends: LooseEnds,
-    /// How often boundaries of triangles pierce.
+    /// The numbers of times that boundaries of triangles pierce.
     pub boundaries: Boundaries,
 }
 
 impl Examined {
-    /// How many contradictions of this sort there are.
+    /// The number of contradictions of this sort.
     #[must_use]
     pub fn count(&self, broken: Broken) -> usize {
         let ends = |way: bool| self.ends.loose.iter().filter(|end| (end.others == 0) == way).count();
@@ -58,18 +59,17 @@ impl Examined {
         }
     }
 
-    /// The contradictions that there are, in order.
+    /// The sorts of contradictions that occur, in order.
     #[must_use]
     pub fn broken(&self) -> Vec<Broken> {
         Broken::ALL.into_iter().filter(|&broken| self.count(broken) > 0).collect()
     }
 }
 
-/// Registers the contacts of two surfaces with this backend, merges them, and
-/// counts.
+/// Registers the contacts of two surfaces with this backend, merges them, and counts contradictions.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 ///
 /// # Panics
 /// If a surface is not closed.

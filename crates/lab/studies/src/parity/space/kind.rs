@@ -1,4 +1,4 @@
-//! What broken pairs of surfaces have in common.
+//! The kinds of broken pairs of surfaces.
 
 use predicament_tasks::Contestant;
 
@@ -7,12 +7,12 @@ use super::{Broken, Found, Recipe, SurfacePair, examine, random_surfaces, shrink
 use crate::Precision;
 use crate::shrink::Shrunk;
 
-/// What a broken pair has in common with others: how it is broken, and the levels of its contacts.
+/// The kind of a broken pair: its contradictions, and the levels of its contacts.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Kind {
-    /// The ways in which it is broken.
+    /// The ways in which the pair is broken.
     pub ways: Vec<Broken>,
-    /// Whether contacts of each level are registered.
+    /// True if contacts of a level are registered, for each level.
     pub registered: [bool; 4],
 }
 

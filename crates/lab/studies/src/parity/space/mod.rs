@@ -1,12 +1,11 @@
-//! The same in space: do registrations break the curves in which closed surfaces cross?
+//! The study of parity in space: whether registrations break the curves in which closed surfaces cross.
 //!
-//! Two closed surfaces cross in closed curves, and the boundary of a triangle
-//! of the one passes through the other an even number of times. Where
-//! registrations say otherwise, they contradict each other. Surfaces are
-//! embedded, decided exactly; that each is closed is in its triangles.
+//! Two closed surfaces cross in closed curves, and the boundary of a triangle of one passes through the other an even
+//! number of times. If registrations say otherwise, they contradict each other. Surfaces are embedded, decided exactly;
+//! their triangles show that each is closed.
 //!
 //! * [`SurfacePair`]: two closed surfaces; [`random_surfaces`]: those of the recipes.
-//! * [`examine`]: what a backend's registrations make of a pair.
+//! * [`examine`]: merges a pair by a backend's registrations and counts contradictions.
 //! * [`search`]: many pairs, counted; [`shrink_broken`]: the smallest that a find can be reduced to.
 
 mod examine;

@@ -1,4 +1,4 @@
-//! A pair of closed surfaces, and how it is shrunk.
+//! A pair of closed surfaces, and its reductions.
 
 use std::collections::BTreeMap;
 
@@ -12,19 +12,20 @@ use predicament_tasks::{AnswerError, Contestant};
 use super::examine::{Broken, Examined, examine};
 use crate::shrink::{Shrink, Shrunk, length, shorter, shrink};
 
-/// Triangles over points of their own.
+/// A surface: triangles over a list of points.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Surface {
     /// The points.
     pub points: Vec<[f64; 3]>,
-    /// The triangles, by their points.
+    /// The triangles, by the indices of their points.
     pub triangles: Vec<[usize; 3]>,
 }
 
 impl Surface {
-    /// The surface with one point moved onto another: triangles that have both
-    /// are gone, and two that became the same cancel each other. What was
-    /// closed stays closed.
+    /// The surface with one point moved onto another.
+    ///
+    /// Triangles that have both points are removed, and two triangles that became equal cancel each other. A closed
+    /// surface stays closed.
     fn contracted(&self, from: usize, onto: usize) -> Surface {
         let mut counts: BTreeMap<[usize; 3], usize> = BTreeMap::new();
         for triangle in &self.triangles {
@@ -38,7 +39,7 @@ impl Surface {
         Surface { points: self.points.clone(), triangles: left.collect() }.tidied()
     }
 
-    /// The surface without points that no triangle has.
+    /// The surface without unused points.
     fn tidied(self) -> Surface {
         let mut places = BTreeMap::new();
         let mut points = Vec::new();
@@ -54,7 +55,7 @@ impl Surface {
         Surface { points, triangles }
     }
 
-    /// Its edges, each once.
+    /// The edges, each once.
     fn edges(&self) -> Vec<[usize; 2]> {
         let sides = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]);
         let mut edges: Vec<[usize; 2]> = self.triangles.iter().flat_map(sides).collect();
@@ -67,17 +68,17 @@ impl Surface {
 /// Two closed surfaces.
 #[derive(Clone, PartialEq, Debug)]
 pub struct SurfacePair {
-    /// The first and the second.
+    /// The first and the second surface.
     pub surfaces: [Surface; 2],
 }
 
 impl SurfacePair {
-    /// The points as a scene, the first surface's first, and each surface as a
-    /// complex of its triangles. The scene knows the lengths of both and which
-    /// vertices are of the second.
+    /// The points as a scene, the first surface's first, and each surface as a complex of its triangles.
+    ///
+    /// The scene has the lengths of both meshes and marks the vertices of the second.
     ///
     /// # Panics
-    /// If a coordinate is not finite, or a triangle names a point that is not there or one twice.
+    /// If a coordinate is not finite, or a triangle names a missing point or a point twice.
     #[must_use]
     pub fn scene(&self) -> (Scene, Complexes) {
         let [a, b] = &self.surfaces;
@@ -91,7 +92,7 @@ impl SurfacePair {
         complexes.in_scene(scene)
     }
 
-    /// Whether no surface crosses or touches itself, decided exactly.
+    /// Returns true if no surface crosses or touches itself, decided exactly.
     #[must_use]
     pub fn is_embedded(&self) -> bool {
         let (scene, complexes) = self.scene();
@@ -116,13 +117,13 @@ impl SurfacePair {
     }
 }
 
-/// Fewer triangles first; then shorter coordinates; then smaller ones.
+/// The measure is fewer triangles first, then shorter coordinates, then smaller ones.
 impl Shrink for SurfacePair {
     type Size = (usize, u32, u64);
 
     fn size(&self) -> (usize, u32, u64) {
         let sum: f64 = self.coordinates().map(f64::abs).sum();
-        // The bits of doubles that are not negative are in their order.
+        // For nonnegative doubles the order of bits is the order of values.
         let triangles = self.surfaces.iter().map(|surface| surface.triangles.len()).sum();
         (triangles, self.coordinates().map(length).sum(), sum.to_bits())
     }
@@ -135,7 +136,7 @@ impl Shrink for SurfacePair {
             }
         }
         smaller.retain(|pair| pair.surfaces.iter().all(|surface| surface.triangles.len() >= 4));
-        // To another origin and another unit.
+        // With another origin and another unit.
         for &origin in self.surfaces.iter().flat_map(|surface| &surface.points) {
             smaller.push(self.each(|p| [0, 1, 2].map(|axis| p[axis] - origin[axis])));
             for axis in 0..3 {
@@ -165,9 +166,9 @@ impl Shrink for SurfacePair {
     }
 }
 
-/// Shrinks a pair for which this backend's registrations are broken in all of
-/// these ways, keeping that, both surfaces embedded, and the exact contacts
-/// whole. Tries at most `limit` pairs.
+/// Shrinks a pair for which this backend's registrations are broken in all of these ways.
+///
+/// It keeps this property, both surfaces embedded, and the exact contacts consistent. It tries at most `limit` pairs.
 #[must_use]
 pub fn shrink_broken(
     [backend, exact]: [&dyn Contestant; 2],

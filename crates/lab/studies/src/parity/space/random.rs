@@ -1,8 +1,7 @@
 //! Random pairs of closed surfaces that come near contact.
 //!
-//! Edges have lengths of about one and σ = 6.5·ε^¼·L: a thousandth in double
-//! precision, a quarter in single. Coordinates have 24 bits, which either
-//! precision holds, and are much finer than σ.
+//! Edges have lengths of about one and σ = 6.5·ε^¼·L: a thousandth in double precision, a quarter in single.
+//! Coordinates have 24 bits, which either precision can represent, and are much finer than σ.
 
 use predicament_corpus::Random;
 
@@ -10,15 +9,16 @@ use super::shapes::{Point, cuboid, eighths, pick, rotation, star};
 use super::{Surface, SurfacePair};
 use crate::Precision;
 
-/// How a pair is made.
+/// The recipe of a pair.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Recipe {
     /// Tetrahedra and octahedra of random shape, near each other.
     Uniform,
-    /// Vertices within two σ of vertices, edges and triangles of the first: of
-    /// a copy, or of a tetrahedron planted there.
+    /// Vertices within two σ of vertices, edges and triangles of the first surface.
+    ///
+    /// They are of a copy, or of a tetrahedron planted there.
     Near,
-    /// Squashed to a thickness of a few σ.
+    /// Surfaces squashed to a thickness of a few σ.
     Slivers,
     /// Boxes with two faces about a tolerance apart, turned at random.
     Sheets,
@@ -28,7 +28,7 @@ impl Recipe {
     /// All recipes, in the order of reports.
     pub const ALL: [Recipe; 4] = [Recipe::Uniform, Recipe::Near, Recipe::Slivers, Recipe::Sheets];
 
-    /// The name in reports.
+    /// The recipe's name in reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -40,9 +40,9 @@ impl Recipe {
     }
 }
 
-/// The pair with this number, of the stream of this seed, and how many draws
-/// before it were refused because one of the surfaces was not embedded. Nearly
-/// degenerate are the pairs for tolerances in this precision.
+/// The pair with this number, of the stream of this seed, and the number of refused draws before it.
+///
+/// A draw is refused if a surface is not embedded. The pairs are nearly degenerate for tolerances in this precision.
 #[must_use]
 pub fn random_surfaces(recipe: Recipe, precision: Precision, seed: u64, number: u64) -> (SurfacePair, usize) {
     let name = format!("parity-space/{}/{}/{number}", precision.name(), recipe.name());
@@ -63,7 +63,7 @@ pub fn random_surfaces(recipe: Recipe, precision: Precision, seed: u64, number: 
     }
 }
 
-/// σ of two surfaces with primitives of these sizes.
+/// The tolerance σ of two surfaces with primitives of these sizes.
 fn sigma(precision: Precision, [a, b]: [f64; 2]) -> f64 {
     let root = match precision {
         Precision::Double => f64::EPSILON,
@@ -103,7 +103,7 @@ fn slivers(precision: Precision, rng: &mut Random) -> [Surface; 2] {
         let factor = thick * rng.between(0.25, 4.0);
         let aside = [0.5, 0.5, 2.0 * thick].map(|reach| rng.between(-reach, reach));
         let flat = star(rng).moved(|[x, y, z]| [x + aside[0], y + aside[1], z * factor + aside[2]]);
-        // Half of them are in one plane but for their thickness, the others cross.
+        // Half of them are in one plane except for their thickness, the others cross.
         let own = turn;
         if rng.one_in(2) {
             turn = rotation(rng);

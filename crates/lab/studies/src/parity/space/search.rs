@@ -1,4 +1,4 @@
-//! Many pairs under several backends, counted by recipe.
+//! A search through many pairs under several backends, with counts by recipe.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -12,29 +12,29 @@ use crate::Precision;
 /// The counts of one recipe and backend.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Row {
-    /// Pairs of embedded surfaces.
+    /// The number of pairs of embedded surfaces.
     pub pairs: usize,
-    /// Draws that were not embedded.
+    /// The number of draws that were not embedded.
     pub refused: usize,
-    /// Pairs that the backend declined.
+    /// The number of pairs that the backend declined.
     pub declined: usize,
-    /// Registrations by level, the sum of the ranks.
+    /// The number of registrations by level, the sum of the ranks.
     pub registered: [usize; 4],
-    /// Pairs that are broken, for each of [`Broken::ALL`].
+    /// The number of broken pairs, for each of [`Broken::ALL`].
     pub broken: [usize; 3],
-    /// Pairs with loose ends: curves without a way on or without a direction.
+    /// The number of pairs with loose ends: curves without a continuation or a direction.
     pub loose: usize,
-    /// Pairs that are broken in some way.
+    /// The number of pairs that are broken in some way.
     pub some: usize,
-    /// Of these, pairs with piercings and nothing degenerate registered.
+    /// The number of broken pairs with piercings and no degenerate registration.
     pub piercings_alone: usize,
-    /// All loose ends.
+    /// The number of all loose ends.
     pub ends: usize,
-    /// Pieces of intersection curves.
+    /// The number of pieces of intersection curves.
     pub pieces: usize,
-    /// Boundaries of triangles that were held to the law.
+    /// The number of triangle boundaries checked against the law.
     pub boundaries: usize,
-    /// Boundaries with a degenerate contact, which were not.
+    /// The number of boundaries with a degenerate contact, which were not checked.
     pub degenerate: usize,
 }
 
@@ -80,11 +80,11 @@ impl Row {
 pub struct Found {
     /// The recipe that made it.
     pub recipe: Recipe,
-    /// Its number in the stream.
+    /// The pair's number in the stream.
     pub number: u64,
-    /// The place of the backend that registered it.
+    /// The index of the backend that registered it.
     pub backend: usize,
-    /// The ways in which it is broken.
+    /// The ways in which the pair is broken.
     pub ways: Vec<Broken>,
 }
 
@@ -93,15 +93,15 @@ pub struct Found {
 pub struct Census {
     /// The backends' names, in their order.
     pub backends: Vec<String>,
-    /// By recipe and the place of the backend.
+    /// The rows, by recipe and index of the backend.
     pub rows: BTreeMap<(Recipe, usize), Row>,
     /// Every broken pair, in the order of recipes, numbers and backends.
     pub found: Vec<Found>,
 }
 
-/// Examines the random pairs of each recipe with these numbers under each
-/// backend. The pairs are nearly degenerate for tolerances in this precision.
-/// The counts depend on nothing else.
+/// Examines the random pairs of each recipe with these numbers under each backend.
+///
+/// The pairs are nearly degenerate for tolerances in this precision. The counts depend on nothing else.
 #[must_use]
 pub fn search(backends: &[&dyn Contestant], precision: Precision, seed: u64, numbers: Range<u64>) -> Census {
     let of_recipe = |recipe| numbers.clone().into_par_iter().map(move |number| (recipe, number));
@@ -123,7 +123,7 @@ impl Census {
         Census { backends: backends.iter().map(|backend| backend.name()).collect(), ..Census::default() }
     }
 
-    /// The counts of two searches of other numbers with the same backends, together.
+    /// The counts of two searches with different numbers and the same backends, together.
     #[must_use]
     pub fn and(self, other: Census) -> Census {
         self.plus(other).sorted()

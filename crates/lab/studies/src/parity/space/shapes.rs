@@ -1,4 +1,4 @@
-//! Small closed surfaces: tetrahedra, octahedra, boxes, and how they are moved.
+//! Small closed surfaces: tetrahedra, octahedra, boxes, and moves of them.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, rounded};
@@ -7,11 +7,12 @@ use super::Surface;
 
 pub(super) type Point = [f64; 3];
 
-/// Coordinates have so many bits: either precision holds them.
+/// The number of bits of coordinates, which either precision can represent.
 const BITS: u32 = 24;
 
-/// A tetrahedron or an octahedron around the origin, turned at random, its
-/// corners at distances from 1/2 to 1: star-shaped, hence embedded.
+/// A randomly rotated tetrahedron or octahedron around the origin.
+///
+/// Its corners are at distances from 1/2 to 1: star-shaped, hence embedded.
 pub(super) fn star(rng: &mut Random) -> Surface {
     let (corners, triangles): (Vec<Point>, Vec<[usize; 3]>) = if rng.one_in(3) {
         let corners = vec![[1.0, 1.0, 1.0], [1.0, -1.0, -1.0], [-1.0, 1.0, -1.0], [-1.0, -1.0, 1.0]];
@@ -63,30 +64,30 @@ pub(super) fn rotation(rng: &mut Random) -> [Point; 3] {
 }
 
 impl Surface {
-    /// With each point changed.
+    /// The surface with each point changed.
     pub(super) fn moved(mut self, mut change: impl FnMut(Point) -> Point) -> Surface {
         self.points.iter_mut().for_each(|point| *point = change(*point));
         self
     }
 
-    /// With short coordinates.
+    /// The surface with coordinates rounded to few bits.
     pub(super) fn short(self) -> Surface {
         self.moved(|point| point.map(|x| rounded(x, BITS)))
     }
 
-    /// With a turn around the origin.
+    /// The surface rotated around the origin.
     pub(super) fn turned(self, rows: [Point; 3]) -> Surface {
         self.moved(|[x, y, z]| rows.map(|[a, b, c]| a * x + b * y + c * z))
     }
 
-    /// The largest edge of a triangle's box.
+    /// The largest edge of a triangle's bounding box.
     pub(super) fn primitive(&self) -> f64 {
         let extent = |[a, b]: [usize; 2]| (0..3).map(move |axis| (self.points[a][axis] - self.points[b][axis]).abs());
         let sides = |&[a, b, c]: &[usize; 3]| [[a, b], [b, c], [c, a]];
         self.triangles.iter().flat_map(sides).flat_map(extent).fold(0.0, f64::max)
     }
 
-    /// A point beside a vertex, an edge or a triangle, no further than `reach` along each axis, or just there.
+    /// A point within `reach` along each axis of a vertex, an edge or a triangle, or exactly there.
     pub(super) fn beside(&self, reach: f64, rng: &mut Random) -> Point {
         let triangle = self.triangles[pick(self.triangles.len(), rng)];
         let corners = triangle.map(|at| self.points[at]);
@@ -115,7 +116,7 @@ pub(super) fn pick(count: usize, rng: &mut Random) -> usize {
     usize::try_from(rng.integer(0, last)).expect("not negative")
 }
 
-/// A multiple of 1/8 in [low, high].
+/// A random multiple of 1/8 in [low, high].
 pub(super) fn eighths(low: i64, high: i64, rng: &mut Random) -> f64 {
     integer(rng.integer(8 * low, 8 * high)) / 8.0
 }

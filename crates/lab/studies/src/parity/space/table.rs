@@ -1,4 +1,4 @@
-//! Counts of broken pairs by recipe and backend, as CSV and Markdown.
+//! Tables of broken pairs by recipe and backend, as CSV and Markdown.
 
 use std::fmt::Write as _;
 
@@ -79,7 +79,7 @@ fn rows(census: &Census) -> impl Iterator<Item = (Recipe, &str, &Row)> {
     census.rows.iter().map(|((recipe, place), row)| (*recipe, census.backends[*place].as_str(), row))
 }
 
-/// One row for each precision, recipe and backend.
+/// The CSV table, with one row for each precision, recipe and backend.
 pub(in super::super) fn csv(searched: &[SpaceSearched]) -> Result<File, Error> {
     let lines = searched.iter().flat_map(|Searched { precision, census, .. }| {
         rows(census).map(|(recipe, backend, row)| line(*precision, recipe, backend, row))
@@ -93,7 +93,7 @@ fn share(count: usize, row: &Row) -> String {
     format!("{} ({low:.3} to {high:.3} %)", thousands(count))
 }
 
-/// The counts, as Markdown.
+/// The page of the study, as Markdown.
 pub(in super::super) fn page(parity: &Parity, searched: &[SpaceSearched]) -> String {
     let mut page = String::new();
     let mut say = |line: String| writeln!(page, "{line}").expect("memory");
@@ -144,7 +144,7 @@ fn points(points: &[[f64; 3]]) -> String {
     points.join(", ")
 }
 
-/// The ways in which a pair is broken.
+/// The names of the ways in which a pair is broken.
 pub(in super::super) fn ways(kind: &Kind) -> String {
     let names: Vec<&str> = kind.ways.iter().map(|way| Broken::name(*way)).collect();
     names.join(", ")
