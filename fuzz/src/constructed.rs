@@ -104,7 +104,7 @@ fn construct(scene: &mut Scene, bytes: &[u8; BYTES]) {
         };
         let mut tried = scene.clone();
         if tried.construct(construction).is_err() {
-            continue; // a vertex twice in a line or plane
+            continue; // a line or plane with a repeated vertex
         }
         let is_point = judge.meet(&construction).is_some();
         assert_eq!(Constructed::new(&tried).is_ok(), is_point, "{construction} of {:?}", scene.coordinates());

@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use predicament_formats::hexfloat;
 use predicament_predicates::{Dimension, PredicateKind, Question};
 
-/// The scene that a target's bytes encode, as tables of a suite; a text if they encode none.
+/// The scene that a target's bytes encode, as tables of a suite.
 ///
 /// # Errors
-/// The nature of the bytes, and what to do with them.
+/// A text, if the bytes encode no scene: what they are, and what to do with them.
 pub fn scene(target: &str, name: &str, bytes: &[u8]) -> Result<String, String> {
     let text_targets = crate::OF_TASKS.iter().map(|(name, _)| *name).chain(["scenes"]);
     if text_targets.into_iter().any(|text| text == target) {

@@ -68,7 +68,7 @@ impl Random {
         assert!(u32::try_from(items.len()).is_ok(), "{} items are too many to shuffle", items.len());
         for last in (1..items.len()).rev() {
             // A multiplication replaces a division.
-            #[allow(clippy::cast_possible_truncation)] // no more than `last`
+            #[allow(clippy::cast_possible_truncation)] // at most `last`
             let other = ((u64::from(self.0.next_u32()) * (last as u64 + 1)) >> 32) as usize;
             items.swap(last, other);
         }

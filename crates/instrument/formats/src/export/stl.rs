@@ -75,7 +75,7 @@ fn triangles(points: &[[f64; 3]], faces: &IndexedFaces) -> Result<Vec<[u32; 3]>,
 
 /// The single equal to a double, if there is one.
 fn single(x: f64) -> Option<f32> {
-    #[allow(clippy::cast_possible_truncation)] // what is not the same is refused
+    #[allow(clippy::cast_possible_truncation)] // an inexact single is refused
     let single = x as f32;
     (f64::from(single).to_bits() == x.to_bits()).then_some(single)
 }
