@@ -134,7 +134,7 @@ mod tests {
         }
     }
 
-    /// If the bytes gave easy scenes only, rounded coordinates would pass.
+    /// Rounded coordinates are detected, so the bytes do not give easy scenes only.
     #[test]
     fn all_kinds_and_signs_come_up_and_rounding_is_caught() {
         let (mut signs, mut kinds, mut rounded) = ([0; 3], [0; 3], 0);

@@ -183,7 +183,7 @@ mod tests {
         }
     }
 
-    /// If the bytes gave easy points only, these backends would pass.
+    /// Backends that round are detected, so the bytes do not give easy points only.
     #[test]
     fn backends_that_round_are_caught_on_the_same_bytes() {
         let naive = |kind| (0..RUNS).filter(|&run| first_wrong(&Naive::default(), kind, &bytes(run)).is_some()).count();

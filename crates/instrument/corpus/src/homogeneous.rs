@@ -119,7 +119,7 @@ fn ends_coincide(p: &[Integer], q: &[Integer]) -> bool {
     p.iter().zip(q).all(|(p, q)| Integer::from(p * at_q) == Integer::from(q * at_p))
 }
 
-/// The same point with a positive weight; `None` for a point at infinity.
+/// The point with a positive weight; `None` for a point at infinity.
 fn positive(point: Vec<Integer>) -> Option<Vec<Integer>> {
     match point.last()?.cmp0() {
         std::cmp::Ordering::Greater => Some(point),

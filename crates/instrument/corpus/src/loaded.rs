@@ -43,7 +43,7 @@ impl LoadedScene {
         any.downcast_ref()
     }
 
-    /// The same scene with moved points, and its new content id.
+    /// The scene with its points moved, and its new content id.
     ///
     /// # Errors
     /// [`MoveError`] if the coordinates make no scene, if their number differs from the scene's, or if the scene has

@@ -73,7 +73,7 @@ impl Backend for Engine {
         Some(self.shared.hello.version.clone())
     }
 
-    /// The same engine, asked for predicates that return at once.
+    /// The engine, asked for predicates that return at once.
     fn binding(&self) -> Option<Engine> {
         (!self.empty).then(|| Engine { shared: Arc::clone(&self.shared), empty: true })
     }

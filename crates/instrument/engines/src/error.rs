@@ -209,9 +209,9 @@ pub enum ProtocolError {
         /// The version of the tool.
         tool: &'static str,
     },
-    /// The engine offers what is no predicate of the protocol.
-    UnknownPredicate(String),
     /// The engine offers something that is not a predicate of the protocol.
+    UnknownPredicate(String),
+    /// The engine offers no predicate.
     NoPredicate,
     /// The meaning of zero is neither exact nor never.
     UnknownZero(String),

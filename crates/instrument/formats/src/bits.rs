@@ -21,7 +21,7 @@ fn finite(x: f64) -> Parts {
     Parts::of(x).expect("coordinates are finite")
 }
 
-/// The double `k` steps above `x` (below for negative `k`) in the order of all doubles; ±0 are one step.
+/// The double `k` steps above `x` (below for negative `k`) in the order of all doubles; ±0 count as one double.
 pub fn step(x: f64, k: i64) -> f64 {
     let magnitude = i64::try_from(x.abs().to_bits()).expect("the sign bit is off");
     let place = if x.is_sign_negative() { -magnitude } else { magnitude } + k;

@@ -55,7 +55,7 @@ impl<'t> Document<'t> {
     }
 }
 
-/// One value of the file.
+/// A value of the file.
 #[derive(Clone, Copy)]
 pub struct Field<'d, 't> {
     document: &'d Document<'t>,
@@ -263,7 +263,7 @@ impl<'d, 't> Fields<'d, 't> {
         Fields { document, decimals: &document.exact, kind, table, at, asked: RefCell::default() }
     }
 
-    /// The same table, with this reader of coordinates.
+    /// Changes the reader of the table's coordinates.
     #[must_use]
     pub fn reading(self, decimals: &'d Decimals) -> Fields<'d, 't> {
         Fields { decimals, ..self }

@@ -65,19 +65,19 @@ impl CorpusError {
         CorpusError { kind: ErrorKind::Usage, ..CorpusError::file(what, message, cure) }
     }
 
-    /// The same error, at a line.
+    /// Sets the error's position to a line.
     #[must_use]
     pub fn at_line(self, line: usize) -> CorpusError {
         self.at(Some(Position::Line(line)))
     }
 
-    /// The same error, at a byte of a binary file, counted from 0.
+    /// Sets the error's position to a byte of a binary file, counted from 0.
     #[must_use]
     pub fn at_byte(self, byte: usize) -> CorpusError {
         self.at(Some(Position::Byte(byte)))
     }
 
-    /// The same error, at a position, or about the file as a whole.
+    /// Sets the error's position; `None` is for errors about the file as a whole.
     #[must_use]
     pub fn at(self, position: Option<Position>) -> CorpusError {
         CorpusError { position, ..self }
@@ -92,7 +92,7 @@ impl CorpusError {
         }
     }
 
-    /// The same error, at the line of another file that refers to this file.
+    /// Moves the error to the line of another file that refers to this file; the message then names this file.
     #[must_use]
     pub fn named_by(self, file: &str, line: usize) -> CorpusError {
         let message = format!("{}: {}", self.place(), self.message);

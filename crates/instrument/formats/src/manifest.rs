@@ -37,7 +37,7 @@ impl std::fmt::Display for Manager {
     }
 }
 
-/// One file of one published package.
+/// A file of a published package.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
     /// The key by which suites refer to the file.
@@ -54,7 +54,7 @@ pub struct Entry {
     pub sha256: String,
 }
 
-/// All entries by key.
+/// The entries of a manifest, by key.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Manifest {
     entries: BTreeMap<String, Entry>,
@@ -89,7 +89,7 @@ impl Manifest {
         self.entries.get(key)
     }
 
-    /// The entries of a manifest, in the order of their keys.
+    /// All entries, in the order of their keys.
     pub fn entries(&self) -> impl ExactSizeIterator<Item = &Entry> {
         self.entries.values()
     }

@@ -269,14 +269,14 @@ impl<'f> Section<'f> {
         &self.rows[strip * self.words..][..self.words]
     }
 
-    /// One word of the ends of a strip: bit k is set if exactly one side of face k along w is a filled cell.
+    /// A word of the ends of a strip: bit k is set if exactly one side of face k along w is a filled cell.
     fn ends(&self, strip: usize, word: usize) -> u64 {
         let row = self.row(strip);
         let next = row.get(word + 1).map_or(0, |next| next << 63);
         row[word] ^ (row[word] >> 1 | next)
     }
 
-    /// One word of the corners at a face along v: bit k is set if an odd number of the four cells around face k along w
+    /// A word of the corners at a face along v: bit k is set if an odd number of the four cells around face k along w
     /// is filled.
     fn corners(&self, face: usize, word: usize) -> u64 {
         self.ends(face, word) ^ self.ends(face + 1, word)

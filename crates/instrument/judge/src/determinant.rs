@@ -23,8 +23,8 @@ use crate::row::Row;
 pub struct Verdict {
     /// The exact value of the predicate's determinant; the predicate is its sign.
     pub determinant: Rational,
-    /// The same expression with the absolute value of every product and difference term: the scale that rounding errors
-    /// are relative to.
+    /// The permanent: the determinant's expression with the absolute value of every product and difference term.
+    /// Rounding errors are relative to this scale.
     pub permanent: Rational,
 }
 
@@ -143,7 +143,7 @@ fn axes(question: &Question) -> &[Axis] {
     }
 }
 
-/// The matrix of differences to the last vertex, with the lifted column where there is one.
+/// The matrix of differences to the last vertex, with the lifted column for circles and spheres.
 fn rows<'p>(question: Question, args: &[Vertex], point: impl Fn(Vertex) -> Cow<'p, [Rational]>) -> Vec<Vec<Rational>> {
     let (last, others) = args.split_last().expect("no predicate takes no vertex");
     let axes = axes(&question);
@@ -169,7 +169,7 @@ pub fn determinant(rows: &[Vec<Rational>]) -> Rational {
     expand(rows, 0, &mut (0..rows.len()).collect::<Vec<_>>(), &|term, odd| if odd { -term } else { term })
 }
 
-/// The same expansion with the absolute value of each term.
+/// The permanent of a matrix: Laplace expansion with the absolute value of each term.
 fn permanent(rows: &[Vec<Rational>]) -> Rational {
     let positive: Vec<Vec<Rational>> =
         rows.iter().map(|row| row.iter().map(|x| Rational::from(x.abs_ref())).collect()).collect();

@@ -16,7 +16,7 @@ impl Row {
         self.coordinates.iter().map(|x| Rational::from((x, &self.weight))).collect()
     }
 
-    /// The same point over the least denominator.
+    /// The point over the least denominator.
     pub(crate) fn reduced(mut self) -> Row {
         let common = self.coordinates.iter().fold(self.weight.clone(), |common, x| common.gcd(x));
         self.coordinates.iter_mut().for_each(|x| x.div_exact_mut(&common));

@@ -18,7 +18,7 @@ impl Sample {
         Sample { of, step: 1 }
     }
 
-    /// As many items as the budget allows at `cost` each, evenly spaced: at least one if there are any.
+    /// The sample of as many items as the budget allows at `cost` each, evenly spaced: at least one if there are any.
     #[must_use]
     pub fn within(budget: u64, of: usize, cost: u64) -> Sample {
         let afforded = usize::try_from(budget / cost.max(1)).unwrap_or(usize::MAX).max(1);

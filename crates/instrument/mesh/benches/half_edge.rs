@@ -33,7 +33,7 @@ fn shuffle<T>(list: &mut [T], random: &mut Random) {
     }
 }
 
-/// The same surface with triangles and vertices in random order.
+/// The surface with triangles and vertices in random order.
 fn shuffled(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut random = Random::new("half-edge", "bench", 1);
     let mut names: Vec<u32> = (0..(SIDE + 1) * (SIDE + 1)).collect();

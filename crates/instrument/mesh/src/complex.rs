@@ -29,7 +29,7 @@ pub enum ComplexError {
         /// The vertices of the tetrahedron, as given.
         simplex: Vec<Vertex>,
     },
-    /// One rank has 2^32 simplices or more.
+    /// There are 2^32 simplices or more of one rank.
     TooMany,
 }
 

@@ -239,7 +239,7 @@ impl MaterialMesh {
         &self.sides
     }
 
-    /// One more than the largest region number.
+    /// The largest region number plus one.
     #[must_use]
     pub fn regions(&self) -> u32 {
         self.regions

@@ -79,7 +79,7 @@ pub struct Unused {
 static FILE: TableKind = TableKind::new("file of expectations", &["expect"]);
 static EXPECT: TableKind = TableKind::new("table [[expect]]", &["scene", "backend", "class", "reason", "level"]);
 
-/// One name or a list of names, none of them empty.
+/// Reads a name or a list of names, none of them empty.
 fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     let field = fields.required(key)?;
     let names = field.one_or_more()?;
@@ -92,7 +92,7 @@ fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
     }
 }
 
-/// The class of a name; a legal class cannot be expected.
+/// The class with this name; a legal class cannot be expected.
 fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
     let class: Class = name.str()?.parse().map_err(|why: UnknownName| name.error(why.to_string(), "correct it"))?;
     if class.is_legal() {
@@ -159,7 +159,7 @@ impl Expectations {
         fields.finish()
     }
 
-    /// These expectations combined with others.
+    /// Adds other expectations to these.
     #[must_use]
     pub fn and(mut self, others: Expectations) -> Expectations {
         self.entries.extend(others.entries);

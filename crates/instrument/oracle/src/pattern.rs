@@ -11,7 +11,8 @@ use globset::{Glob, GlobMatcher};
 /// The glob that matches this text only.
 #[must_use]
 pub fn escape(text: &str) -> String {
-    // Inside a class a backslash is literal; globset does not escape it, although it would escape the next character.
+    // Globset leaves a backslash unescaped, where it would escape the next character. Inside a class a backslash is
+    // literal.
     globset::escape(text).replace('\\', "[\\]")
 }
 

@@ -48,7 +48,7 @@ struct Geometry {
     id: Option<Value>,
 }
 
-/// One polygon: its rings, each a list of arc references.
+/// A polygon: its rings, each a list of arc references.
 type Polygon = Vec<Vec<i64>>;
 
 /// Reads the polygons of one object.

@@ -134,7 +134,7 @@ pub fn map(random: &mut Random, grid: Grid) -> (Scene, Regions, PolygonMap) {
     (scene, regions, map)
 }
 
-/// The same regions as a [`PolygonMap`].
+/// The regions as a [`PolygonMap`].
 pub fn polygon_map(regions: &Regions) -> PolygonMap {
     let mut map = PolygonMap::new();
     for (at, rings) in regions.iter().enumerate() {

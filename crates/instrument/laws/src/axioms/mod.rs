@@ -47,7 +47,7 @@ pub enum Law {
     Transitivity,
     /// The three-term Grassmann-Plücker relation of one predicate.
     GrassmannPlucker,
-    /// The same relation with points at infinity, which links a predicate to those of fewer dimensions.
+    /// The three-term relation with points at infinity, which links a predicate to those of fewer dimensions.
     MixedGrassmannPlucker,
     /// An answer does not depend on other queries in the same batch.
     Place,
@@ -104,14 +104,14 @@ impl Zeros {
     }
 }
 
-/// The same meaning for all predicates.
+/// Gives all predicates the same meaning of zero.
 impl From<ZeroMeaning> for Zeros {
     fn from(zero: ZeroMeaning) -> Zeros {
         Zeros([zero; PredicateKind::ALL.len()])
     }
 }
 
-/// One query with its answer.
+/// A query with its answer.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Answer {
     /// The question of the query.

@@ -11,9 +11,9 @@ pub enum OperationError {
     NoSuchFace(Face),
     /// The mesh does not have this vertex, or has it no longer.
     NoSuchVertex(MeshVertex),
-    /// This half-edge needs a face on its left, but has none.
+    /// A half-edge needs a face on its left, but has none.
     OnBoundary(HalfEdge),
-    /// This half-edge must not have a face on its left, but has one.
+    /// A half-edge must not have a face on its left, but has one.
     NotOnBoundary(HalfEdge),
     /// The two half-edges are of different faces; they must be of the same face.
     TwoFaces(HalfEdge, HalfEdge),

@@ -109,8 +109,8 @@ impl HalfEdgeMesh {
         })
     }
 
-    /// One half-edge of each boundary loop, the half-edge with the smallest handle. A loop is returned if its
-    /// half-edges do not have the marker `marker`, and then gets this marker.
+    /// The half-edge with the smallest handle of each boundary loop. A loop is returned if its half-edges do not have
+    /// the marker `marker`, and then gets this marker.
     pub fn boundary_loops(&mut self, marker: u8) -> impl Iterator<Item = HalfEdge> + '_ {
         let mut at = 0;
         std::iter::from_fn(move || {

@@ -79,7 +79,8 @@ fn constructs<B: Backend>(
     batches(case, session, complaints);
 }
 
-/// A batch with an invalid construction, and a batch with a degenerate construction.
+/// Checks that a batch with an invalid construction is refused as a whole, and so is one with a degenerate
+/// construction.
 fn refused_together(case: &Case, declared: Constructs, session: &mut dyn Predicates, complaints: &mut Vec<String>) {
     let before = session.scene().clone();
     let missing = Vertex::input(case.scene.len());
@@ -104,7 +105,7 @@ fn refused_together(case: &Case, declared: Constructs, session: &mut dyn Predica
     }
 }
 
-/// The same lines and planes in other orders, in a reversed batch, give the same vertices.
+/// Checks that the lines and planes of known vertices, in other orders and in a reversed batch, give those vertices.
 fn interned(case: &Case, session: &mut dyn Predicates, complaints: &mut Vec<String>) {
     let turn = |&definition: &Construction| match definition {
         Construction::Ssi([[a, b], line]) => Construction::Ssi([line, [b, a]]),
@@ -120,7 +121,7 @@ fn interned(case: &Case, session: &mut dyn Predicates, complaints: &mut Vec<Stri
     }
 }
 
-/// Kept vertices have the exact signs; rounding of rounded vertices is detected.
+/// Checks that kept vertices have the exact signs, and that the rounding of rounded vertices is detected.
 fn truth(
     case: &Case,
     declared: Constructs,
@@ -146,7 +147,7 @@ fn truth(
     }
 }
 
-/// A scene that has all vertices from the start gets the same answers.
+/// Checks that a scene that has all vertices from the start gets the same answers.
 fn prepared<B: Backend>(case: &Case, backend: &B, session: &dyn Predicates, complaints: &mut Vec<String>) {
     let scene: Scene = session.scene().clone();
     match backend.prepare(&scene, Off) {
@@ -162,7 +163,7 @@ fn prepared<B: Backend>(case: &Case, backend: &B, session: &dyn Predicates, comp
     }
 }
 
-/// Batches, lines and planes answer as single calls do.
+/// Checks that batches, lines and planes answer as single calls do.
 fn batches(case: &Case, session: &dyn Predicates, complaints: &mut Vec<String>) {
     for &(question, ref args, _) in case.asked(case.known(session)) {
         let single = question.ask(session, args);

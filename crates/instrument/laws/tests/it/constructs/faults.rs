@@ -39,7 +39,7 @@ pub struct Faulty(pub Fault);
 
 pub struct Session<'s> {
     exact: <Exact as Backend>::Session<'s, Off>,
-    /// The same scene with rounded vertices, and exact signs about the rounded vertices.
+    /// A session with rounded vertices, and exact signs about the rounded vertices.
     rounded: <Shewchuk as Backend>::Session<'s, Off>,
     prepared: usize,
     fault: Fault,

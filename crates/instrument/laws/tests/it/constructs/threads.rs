@@ -13,7 +13,7 @@ fn cross(session: &impl Predicates, [[a, b], [c, d]]: [[Vertex; 2]; 2]) -> bool 
     apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
 }
 
-/// One phase: finds all crossings among these segments in parallel, and constructs them in one call.
+/// Runs one phase: finds all crossings among these segments in parallel, and constructs them in one call.
 fn phase(session: &mut impl Predicates, segments: &[[Vertex; 2]]) -> Vec<Vertex> {
     let asked = &*session;
     let found: Vec<Construction> = (0..segments.len())
