@@ -168,9 +168,9 @@ impl Decimal {
         self.is_print(x.abs(), 17) || *self == Decimal::of(x)
     }
 
-    /// True if a positive number can be printed as this decimal, with this decimal's number of digits up to `most`, or
-    /// with as few as identify it among all numbers of its type. The two prints differ next to a power of two: there
-    /// the nearest decimal with the fewest digits may denote another number.
+    /// True if a positive number can be printed as this decimal: with the same number of digits, up to `most`, or with
+    /// as few as identify the number among all of its type. The two prints differ next to a power of two: there the
+    /// nearest decimal with the fewest digits may denote another number.
     fn is_print(&self, x: impl LowerExp, most: usize) -> bool {
         let is = |text: String| Decimal::read(&text).is_some_and(|printed| printed == *self);
         let digits = self.digits.len();

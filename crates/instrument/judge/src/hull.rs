@@ -1,8 +1,8 @@
 //! The vertices of convex hulls by definition: every pair, every triple.
 //!
-//! A vertex is extreme if it lies on a line or plane that has all other vertices on one side, and is an extreme vertex
-//! among those on that line or plane. Nothing is sorted or wrapped. Time grows with the third power (plane) or the
-//! fourth power (space) of the number of vertices.
+//! A vertex is extreme if some line or plane through it has all other vertices on one side, and the vertex is extreme
+//! among the vertices on that line or plane. Nothing is sorted or wrapped. Time grows with the third power (plane) or
+//! the fourth power (space) of the number of vertices.
 
 use predicament_predicates::{Axis, Dimension, Plane, Predicates, Sign, Vertex};
 

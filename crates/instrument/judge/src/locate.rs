@@ -13,11 +13,11 @@
 //! a probe that is a vertex of the map is on the boundary of that vertex' regions.
 //!
 //! # How
-//! The ray goes to the right. An edge is crossed iff its lower end is at the probe's y or below, its upper end above
-//! (half-open, so that a vertex at the ray's height counts once or twice as it should), and the probe is left of it.
-//! Sides are signs of [integers](crate::sign). If the box of an edge does not hold the probe, comparing doubles is
-//! enough, and exact. Every probe is tested against every edge. (The algorithm under test sends a vertical ray, through
-//! an index.)
+//! The ray goes to the right. An edge is crossed iff its lower end is at the probe's y or below, its upper end is
+//! above, and the probe is left of the edge. This half-open rule counts a vertex at the ray's height once or twice, as
+//! it should. Sides are signs of [integers](crate::sign). If the box of an edge does not hold the probe, comparing
+//! doubles is enough, and exact. Every probe is tested against every edge. (The algorithm under test sends a vertical
+//! ray, through an index.)
 
 use std::collections::BTreeMap;
 

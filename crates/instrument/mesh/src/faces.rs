@@ -1,7 +1,7 @@
 //! The faces of a complex' simplices by index, looked up once.
 //!
-//! The simplices of a list are sorted by their first vertex before anything else, so simplices with the same first
-//! vertex are adjacent, and a face is found among a few.
+//! The simplices of a list are sorted, first by their first vertex. Simplices with the same first vertex are adjacent,
+//! so a face is found among a few.
 
 use predicament_predicates::Vertex;
 

@@ -1,4 +1,5 @@
-//! Solids with rational corners or points: the fast computations against those of scenes, and against definitions.
+//! Solids with rational corners or points: the fast computations against the computations for scenes, and against
+//! definitions.
 
 use predicament_judge::rational;
 use predicament_judge::solids::{Boundary, Materials, Place};

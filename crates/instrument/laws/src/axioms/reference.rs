@@ -1,4 +1,4 @@
-//! The law of the reference: where a reference is not zero, the answer is the same.
+//! The law of the reference: if a reference answers a non-zero sign, the session answers the same.
 //!
 //! All other laws compare answers with each other. This law needs the exact answers. It states that a perturbation must
 //! not change a sign that is not zero.

@@ -20,7 +20,7 @@
 //! | insphere (x, y, z, lift, 1) | ∞lift in front | orient3d | − |
 //!
 //! So a relation with one, two or three such vectors links predicates to each other. A perturbation of the coordinates
-//! moves no point at infinity, nor does a perturbation that moves the lift as one more coordinate, so the relations
+//! moves no point at infinity, and neither does a perturbation of the lift as one more coordinate. So the relations
 //! hold for every consistently perturbed scene. They fail if two predicates use two different perturbations, which is
 //! what they are meant to detect.
 //!

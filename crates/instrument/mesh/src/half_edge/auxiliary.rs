@@ -7,7 +7,7 @@ impl HalfEdgeMesh {
     /// half-edge in that direction. At least one of both loops is a boundary loop. The joined loop belongs to the face
     /// of the other loop, if it has a face. This makes holes: the boundary loop of the hole becomes a part of the face.
     ///
-    /// The time is that of walking a boundary loop. The inverse is
+    /// The time is proportional to the length of a boundary loop. The inverse is
     /// [`remove_auxiliary_edge`](HalfEdgeMesh::remove_auxiliary_edge) of the half-edge that comes from the face, or of
     /// either half-edge if there is no face.
     ///

@@ -2,7 +2,7 @@
 //!
 //! Each edge becomes two, one for the face on either side, with boundary half-edges between them. At a vertex the faces
 //! between two gaps are a fan, and each fan gets its own vertex. If the edges enclose a part of the mesh, that part is
-//! disconnected. The time is that of walking the rings at the edges, however large the parts are.
+//! disconnected. The time is proportional to the rings at the edges, and independent of the size of the parts.
 
 use super::{HalfEdge, HalfEdgeMesh, MeshVertex, OperationError};
 

@@ -13,7 +13,7 @@ const DOOMED: Face = Face(u32::MAX - 1);
 impl HalfEdgeMesh {
     /// Removes faces, and the edges and vertices that lose their last face.
     ///
-    /// Edges that had no faces before stay. The time is that of walking the rings of the vertices.
+    /// Edges that had no faces before stay. The time is proportional to the rings of the vertices.
     ///
     /// # Errors
     /// [`OperationError::NoSuchFace`], [`OperationError::ListedTwice`].

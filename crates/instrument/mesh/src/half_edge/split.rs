@@ -77,7 +77,8 @@ impl HalfEdgeMesh {
 
     /// Splits a face by an edge from the end of `first` to the end of `second`, and returns the half-edge in that
     /// direction, which follows `first`. The loop with `first` keeps the face. The loop of the returned half-edge's
-    /// opposite, from the next of `first` to `second`, gets a new face. The time is that of walking the new loop.
+    /// opposite, from the next of `first` to `second`, gets a new face. The time is proportional to the length of the
+    /// new loop.
     ///
     /// The inverse is [`join_faces`](HalfEdgeMesh::join_faces) of the returned half-edge.
     ///

@@ -76,7 +76,7 @@ fn by_rule(name: &str, zero: ZeroMeaning, rule: fn([f64; 2], [usize; 2]) -> Sign
     judged(&load(name), &predicament_bundle::entry(ByRule { zero, rule }))
 }
 
-/// The measures of a union by a backend, by the columns of its row.
+/// The measures that a backend computed for a union, by column name of its table row.
 fn mass(outcome: &Outcome) -> impl Fn(&str) -> f64 + use<> {
     let fields = outcome.rows[0].fields.clone();
     move |column| {
