@@ -2,10 +2,10 @@
 //!
 //! # Definition
 //! A simplex is a list of vertices. Its *open* simplex is the set of all Σ wᵢ pᵢ with weights wᵢ > 0 that add up to
-//! one, whether or not the points are in general position; the closed simplex allows zero weights. A *sub-pair* of (s,
-//! t) is a pair of non-empty faces of s and of t, other than (s, t) itself. The pair (s, t) is **registered** iff the
-//! open simplices of s and t have a common point and those of no sub-pair have one. It has **ended** iff a sub-pair is
-//! registered, which is so iff the open simplices of a sub-pair meet.
+//! one, whether or not the points are in general position; the closed simplex allows zero weights. A *sub-pair* of
+//! (s, t) is a pair of non-empty faces of s and of t, other than (s, t) itself. The pair (s, t) is **registered** iff
+//! the open simplices of s and t have a common point and those of no sub-pair have one. It has **ended** iff a sub-pair
+//! is registered, which is so iff the open simplices of a sub-pair meet.
 //!
 //! So the registered pairs describe the common points of two closed simplices by their carriers of the lowest
 //! dimensions. For example, two edges that share a vertex register one pair: that vertex with itself.
@@ -19,7 +19,7 @@
 //! moving along the dependency, within the support, ends at a smaller support; if they are independent, the support has
 //! no other solution. Hence
 //!
-//! > (s, t) is registered iff its equations have exactly one solution, and all > weights of it are positive.
+//! > (s, t) is registered iff its equations have exactly one solution, and all weights of it are positive.
 //!
 //! There are at most as many independent columns as equations, so the ranks of a registered pair add up to D at most:
 //! pairs beyond the last level need not be tested. Registration depends on the pair alone, so pairs can be judged one

@@ -165,7 +165,8 @@ impl<'s> Materials<'s> {
         let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(q, &a));
         let normal = cross(&ab, &ac);
         if normal.iter().all(|x| x.cmp0().is_eq()) {
-            // The corners are collinear: a point can be on the triangle, but no ray crosses it.
+            // The corners are collinear: the triangle is the path from the first over the second to the third corner. A
+            // point can be on it, but no ray crosses it.
             let from_q = [a, b, c].map(|corner| less(&corner, q));
             let is_between = |u: usize, v: usize| {
                 let is_on_line = cross(&from_q[u], &from_q[v]).iter().all(|x| x.cmp0().is_eq());

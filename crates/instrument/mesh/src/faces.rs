@@ -41,6 +41,9 @@ impl Faces {
     }
 
     /// The faces of the simplex in ascending order, then the simplex itself.
+    ///
+    /// # Panics
+    /// If the complex has no such simplex.
     pub fn of(&self, simplex: Simplex) -> impl Iterator<Item = Simplex> + '_ {
         const NONE: &[u32] = &[];
         let at = simplex.index as usize;
