@@ -1,7 +1,7 @@
-//! The crate `axiolid-predicates`: a filter, then expansions, and an answer that says whether it is proved.
+//! The crate `axiolid-predicates`: a filter, then expansions, and an answer with a flag for certainty.
 //!
-//! Its conventions are ours. Its documentation says that the exact predicates are always certain for finite coordinates; an
-//! answer that is not certain is none, and is declined.
+//! Its conventions are ours. According to its documentation, the exact predicates are always certain for finite
+//! coordinates; an uncertain answer is declined.
 
 use axiolid_guarantees::{Certified, Sign};
 use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, locked, serve};

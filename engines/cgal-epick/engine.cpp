@@ -43,7 +43,7 @@ public:
         return CGAL::orientation(flat_[a.id], flat_[b.id], flat_[c.id]);
     }
 
-    // CGAL's orientation in space is positive where d is above the plane: the opposite of ours.
+    // CGAL's orientation in space is positive if d is above the plane: the opposite of ours.
     CGAL::Orientation orient3d(Vertex a, Vertex b, Vertex c, Vertex d) const {
         return -CGAL::orientation(solid_[a.id], solid_[b.id], solid_[c.id], solid_[d.id]);
     }

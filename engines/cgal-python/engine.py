@@ -1,4 +1,4 @@
-"""CGAL's kernel with exact predicates through its Python package, which has the orientation of the plane."""
+"""The planar orientation of CGAL's kernel with exact predicates, through its Python package."""
 
 import importlib.metadata
 import sys

@@ -1,19 +1,20 @@
 //! The crate `delaunay`: its `AdaptiveKernel`, which breaks ties by Simulation of Simplicity.
 //!
-//! The kernel takes the place of a point in the slice for its identity, and the later place moves further. Asked as it stands, that
-//! is the argument's place. The crate's own callers sort the points of a simplex by vertex key first and ask spheres with
-//! the query last (`core::util::canonical_points`): that is the engine `delaunay-sorted`.
+//! The kernel uses the index of a point in the slice as the point's identity; later points move further. Without
+//! sorting, the identity is the argument's position. The crate's own callers first sort the points of a simplex by
+//! vertex key, and query spheres with the query point last (`core::util::canonical_points`): that is the engine
+//! `delaunay-sorted`.
 //!
-//! `in_sphere` is a side, whatever the orientation, so the determinant's sign is that times the kernel's orientation of the
-//! simplex. Where the kernel has an error in place of an answer (its terms are those of first order) the answer is zero, and so it is
-//! where a vertex comes twice.
+//! `in_sphere` returns a side, whatever the orientation, so the determinant's sign is the side times the kernel's
+//! orientation of the simplex. If the kernel returns an error instead of an answer (it has first-order terms only), the
+//! answer is zero. It is also zero if a vertex occurs twice.
 
 use delaunay::geometry::kernel::{AdaptiveKernel, Kernel};
 use delaunay::geometry::point::Point;
 use delaunay::geometry::traits::coordinate::Coordinate;
 use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, by_id, locked};
 
-/// The kernel, with points as they come or sorted by vertex.
+/// The kernel, with points in the given order or sorted by vertex.
 #[derive(Default)]
 pub struct Delaunay<const SORTED: bool>;
 

@@ -1,9 +1,9 @@
-// orient_2dlifted_SOS of geogram's PCK: the orientation of points in space, with ties broken by Simulation of Simplicity on the
-// points' addresses. Its first two coordinates are ours, and its heights are our third.
+// orient_2dlifted_SOS of geogram's PCK: the orientation of points in space, with ties broken by Simulation of Simplicity on
+// the points' addresses. Its first two coordinates are ours, and its heights are our third coordinates.
 //
-// It asks for three points that turn left seen from above. So the last of the points that leaves three that are no line is the one
-// that is asked about, and the three are turned round if need be; this test is in the time. Points that leave no such three, all
-// of them in an upright plane, are zero: their determinant is, however the heights are perturbed.
+// It requires three points that turn left as seen from above. So the query point is the last point whose removal leaves
+// three points that are not collinear from above, and the three are reversed if necessary. The measured time includes this
+// test. If all points are in a vertical plane, the answer is zero: the determinant is zero however the heights are perturbed.
 
 #include <geogram/basic/common.h>
 #include <geogram/basic/environment.h>

@@ -1,4 +1,4 @@
-// The predicates of geogram's PCK that leave ties alone.
+// The predicates of geogram's PCK that do not break ties.
 
 #include <geogram/basic/common.h>
 #include <geogram/basic/environment.h>
@@ -16,7 +16,7 @@ struct Pck {
 
     static GEO::Sign orient2d(const double* a, const double* b, const double* c) { return GEO::PCK::orient_2d(a, b, c); }
 
-    // Its orientation in space is positive where d is above the plane: the opposite of ours.
+    // Its orientation in space is positive if d is above the plane: the opposite of ours.
     static int orient3d(const double* a, const double* b, const double* c, const double* d) {
         return -GEO::PCK::orient_3d(a, b, c, d);
     }

@@ -1,10 +1,13 @@
-//! What both engines of the crate need: orientations in the tool's convention, and a base for circles and spheres.
+//! Shared code of both engines of the crate: orientations in the tool's convention, and a base for circles and spheres.
 //!
-//! `orient_3d` is the opposite of ours. Circles and spheres ask for a side, not for the sign of a determinant, and only of a
-//! base (three points, or four) that is positive by the crate's own orientation; it panics where the base is flat. So the
-//! last of the points that leaves a base is the one that is asked about, the base is turned round if need be, and the
-//! side becomes the determinant's sign by the orientation. These orientation tests are in the time. Points that leave no base, all
-//! of them flat, are zero: their determinant is, however the lift is perturbed. So is a vertex that comes twice.
+//! `orient_3d` is the opposite of ours. Circles and spheres return a side, not the sign of a determinant, and require a
+//! base (three points, or four) that is positive by the crate's own orientation; the crate panics if the base is flat.
+//! So the query point is the last point whose removal leaves a base that is not flat. The base is reversed if
+//! necessary, and the orientation turns the side into the determinant's sign. The measured time includes these
+//! orientation tests.
+//!
+//! If every base is flat, the answer is zero: the determinant is zero however the lift is perturbed. The answer is also
+//! zero if a vertex occurs twice.
 
 use geogram_predicates::Sign;
 use predicament_engine::{Answer, Vertex, by_id};
@@ -46,7 +49,7 @@ pub fn insphere(points: [Vertex<3>; 5], side: impl Fn([Vertex<3>; 5]) -> Sign) -
     })
 }
 
-/// The answer for the last point, or for one before it where the others are flat.
+/// The answer for the last point, or for an earlier point if the base without the last point is flat.
 fn by_a_base<const D: usize, const N: usize>(
     mut points: [Vertex<D>; N],
     ask: impl Fn([Vertex<D>; N]) -> Option<Answer>,

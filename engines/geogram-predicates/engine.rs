@@ -1,5 +1,6 @@
-//! The crate `geogram_predicates`, a port of geogram's PCK, by the predicates that leave ties alone. `base.rs` has its
-//! conventions. The predicates that break ties are the engine `geogram-predicates-sos`.
+//! The crate `geogram_predicates`, a port of geogram's PCK, with the predicates that do not break ties.
+//!
+//! `base.rs` has its conventions. The predicates that break ties are the engine `geogram-predicates-sos`.
 
 mod base;
 

@@ -1,5 +1,6 @@
-//! The circles and spheres of the crate `geogram_predicates` that break ties, by Simulation of Simplicity on keys: the lift of
-//! a vertex moves and nothing else does. A vertex' id is its key. `base.rs` has the conventions.
+//! The circles and spheres of the crate `geogram_predicates` that break ties, by Simulation of Simplicity on keys.
+//!
+//! Only the lift of a vertex is perturbed. A vertex' id is its key. `base.rs` has the conventions.
 
 mod base;
 

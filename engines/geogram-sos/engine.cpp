@@ -1,9 +1,9 @@
 // The predicates of geogram's PCK that break ties: circles and spheres, by Simulation of Simplicity on the points' addresses.
 //
-// They ask for a side of a base (three points, or four) that is positive by geogram's own orientation, which in space is the
-// opposite of ours. So the last of the points that leaves a base that is not flat is the one that is asked about, the base is
-// turned round if need be, and the side becomes the determinant's sign by the orientation. These orientation tests are in the time.
-// Points that leave no base, all of them flat, are zero: their determinant is, however the lift is perturbed.
+// They return a side, and require a base (three points, or four) that is positive by geogram's own orientation, which in
+// space is the opposite of ours. So the query point is the last point whose removal leaves a base that is not flat. The base
+// is reversed if necessary, and the orientation turns the side into the determinant's sign. The measured time includes these
+// orientation tests. If every base is flat, the answer is zero: the determinant is zero however the lift is perturbed.
 
 #include <geogram/basic/common.h>
 #include <geogram/basic/environment.h>
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    // `ask` returns nothing where the points but the last are flat.
+    // `ask` returns nothing if the points without the last are flat.
     template <std::size_t N, class Ask>
     static Answer by_a_base(const double* (&points)[N], const Ask& ask) {
         int parity = 1;

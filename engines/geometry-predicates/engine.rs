@@ -1,4 +1,4 @@
-//! The crate `geometry-predicates`. Its conventions are those of Shewchuk's C, and so are the tool's.
+//! The crate `geometry-predicates`. Its conventions are those of Shewchuk's C code, as in the tool.
 
 use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, locked, serve};
 

@@ -17,7 +17,7 @@ public:
 
     predicament::Answer orient2d(const double* a, const double* b, const double* c) const {
         const int index = GEOSOrientationIndex_r(handle_, a[0], a[1], b[0], b[1], c[0], c[1]);
-        // 2 is its sign of an exception.
+        // The value 2 reports an exception.
         return index == 2 ? predicament::Answer::declined : static_cast<predicament::Answer>(index);
     }
 

@@ -1,6 +1,6 @@
-//! The crate `hyperlimit`: predicates on exact reals, here rationals, and an answer that says what decided it.
+//! The crate `hyperlimit`: predicates on exact reals, here rationals, with answers that report what decided them.
 //!
-//! Its conventions are ours. A double becomes a `Real` without rounding when a scene is prepared. An outcome that is unknown is
+//! Its conventions are ours. A double becomes a `Real` without rounding when a scene is prepared. An unknown outcome is
 //! declined.
 
 use hyperlimit::{Point2, Point3, PredicateOutcome, Real, Sign};

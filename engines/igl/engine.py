@@ -1,4 +1,4 @@
-"""The predicates of libigl's Python package. orient3d has a form for arrays; the others take a query at a time."""
+"""The predicates of libigl's Python package. orient3d takes arrays; the others take one query at a time."""
 
 import importlib.metadata
 import sys

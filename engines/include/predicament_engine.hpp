@@ -1,6 +1,6 @@
 // predicament_engine.hpp: predicates in C++ for the tool predicament.
 //
-// Write a type with the predicates that you have, and a `main` of one line:
+// Write a type with your predicates, and a `main` of one line:
 //
 //     #include "predicament_engine.hpp"
 //
@@ -13,7 +13,7 @@
 //
 //     int main(int argc, char** argv) { return predicament::serve<Mine>(argc, argv); }
 //
-// Predicates, static or not; those that the type lacks are declined:
+// Predicates, static or not; predicates that the type lacks are declined:
 //
 //     compare(int axis, a, b)   orient2d(a, b, c)   orient3d(a, b, c, d)
 //     incircle(a, b, c, d)      insphere(a, b, c, d, e)
@@ -25,13 +25,13 @@
 // Optional members:
 //
 //     void prepare(const double* points, std::size_t count, int dimension)
-//         called before the first batch of a scene, and again where the points change that predicates see: orient2d
-//         about a plane of a scene in space sees `dimension` 2 and the projected points. Ids stay the same. It is not
-//         in the time of a batch. It may throw `predicament::Declined`.
+//         called before the first batch of a scene, and again whenever predicates get other points: for orient2d in a
+//         plane of a scene in space, `dimension` is 2 and the points are projected. Ids stay the same. The time of a
+//         batch excludes this call. It may throw `predicament::Declined`.
 //     static constexpr const char* precision = "f32"
 //         for predicates that round coordinates to singles.
 //
-// C++17 and POSIX, nothing else. Compile with -ffp-contract=off, and without -ffast-math.
+// This header needs C++17 and POSIX only. Compile with -ffp-contract=off, and without -ffast-math.
 
 #ifndef PREDICAMENT_ENGINE_HPP
 #define PREDICAMENT_ENGINE_HPP
@@ -58,18 +58,18 @@
 
 namespace predicament {
 
-/// What a zero of the engine means: zero, or nothing, since ties are broken.
+/// The meaning of the engine's zero: the determinant is zero, or (`never`) ties are broken and zero has no meaning.
 enum class Zero { exact, never };
 
-/// An answer as the protocol has it, for predicates that decline single queries.
+/// An answer of the protocol, for predicates that decline single queries.
 enum class Answer : int { negative = -1, zero = 0, positive = 1, declined = 2, nan = 3 };
 
-/// Thrown by `prepare` or a predicate: this scene or batch is not for this engine. The text is the reason.
+/// The exception of `prepare` or a predicate for a scene or batch that is not for this engine, with the reason.
 struct Declined : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A vertex of the scene: its id, and where its coordinates are.
+/// A vertex of the scene: its id, and a pointer to its coordinates.
 struct Vertex {
     const double* at;
     std::uint32_t id;
@@ -78,20 +78,20 @@ struct Vertex {
 
 namespace detail {
 
-/// Longest body of a message, in bytes.
+/// The maximum size of a message's body, in bytes.
 constexpr std::uint32_t longest = std::uint32_t{1} << 30;
 
-/// Ends the program because of input that is not the protocol. Exit code 2.
+/// Ends the program with exit code 2, for input that breaks the protocol.
 [[noreturn]] inline void malformed(const std::string& what) {
     std::fprintf(stderr, "engine: %s\n", what.c_str());
     std::exit(2);
 }
 
-/// The engine's own end of stdout. Whatever a library prints goes to stderr instead.
+/// Returns the engine's own handle for stdout. Output of a library goes to stderr instead.
 inline int claim_stdout() {
     const int own = dup(STDOUT_FILENO);
     if (own < 0 || dup2(STDERR_FILENO, STDOUT_FILENO) < 0) malformed("stdout can't be duplicated");
-    std::fflush(stdout);  // what was printed before `main`
+    std::fflush(stdout);  // output from before `main`
     return own;
 }
 
@@ -130,10 +130,10 @@ struct Bytes {
     std::string text() const { return std::string(reinterpret_cast<const char*>(at), size); }
 };
 
-/// A message that was read: its body, and where the values are.
+/// A received message: its body, and the positions of its values.
 class Message {
 public:
-    /// Reads the next message. False where stdin ends before its first byte.
+    /// Reads the next message. Returns false if stdin ends before its first byte.
     bool read() {
         unsigned char length[4];
         const std::size_t got = read_bytes(length, 4);
@@ -141,7 +141,7 @@ public:
         if (got < 4) malformed("stdin ends within the length of a message");
         const std::uint32_t size = read_u32(length);
         if (size > longest) malformed("a message of " + std::to_string(size) + " bytes; the longest has 2^30");
-        constexpr std::size_t piece = std::size_t{1} << 20;  // memory is taken as bytes arrive
+        constexpr std::size_t piece = std::size_t{1} << 20;  // memory grows with the bytes that arrive
         body_.clear();
         while (body_.size() < size) {
             const std::size_t before = body_.size();
@@ -153,21 +153,21 @@ public:
         return true;
     }
 
-    /// The value of `key`. It is not `given` where the message lacks it.
+    /// The value of `key`. It is not `given` if the message lacks the key.
     Bytes value(const char* key) const {
         for (const auto& entry : entries_)
             if (entry.first == key) return entry.second;
         return {};
     }
 
-    /// The value of a key that the message must have.
+    /// The value of a required key.
     Bytes need(const char* key) const {
         const Bytes found = value(key);
         if (!found.given) malformed("a message `" + type() + "` without `" + key + "`");
         return found;
     }
 
-    /// The kind of message.
+    /// The type of the message.
     std::string type() const { return entries_.front().second.text(); }
 
 private:
@@ -229,7 +229,7 @@ private:
     std::string body_;
 };
 
-/// The byte of an answer: that of the protocol.
+/// The protocol's byte for an answer.
 template <class T>
 inline std::uint8_t encode(T value) {
     static_assert(!std::is_same_v<T, bool>, "a predicate returns a sign, not a bool");
@@ -243,7 +243,7 @@ inline std::uint8_t encode(T value) {
     }
 }
 
-// The predicates: their names, how many vertices they take, and a call of the engine's.
+// The predicates: their names, their numbers of vertices, and a call of the engine's function.
 struct Compare {
     static constexpr const char* name = "compare";
     static constexpr std::size_t arity = 2;
@@ -310,7 +310,7 @@ std::string precision_of(long) {
     return "f64";
 }
 
-/// Makes the compiler compute `vertex` though nobody uses it.
+/// Makes the compiler compute `vertex` although the result is unused.
 inline void use(Vertex vertex) {
 #if defined(__GNUC__)
     __asm__ volatile("" : : "r"(vertex.at), "r"(vertex.id));
@@ -320,7 +320,7 @@ inline void use(Vertex vertex) {
 #endif
 }
 
-/// A predicate that returns 0 at once; the compiler doesn't know that.
+/// A predicate that returns 0 at once, hidden from the compiler.
 template <class... V>
 inline int empty(V... vertices) {
     (use(vertices), ...);
@@ -331,14 +331,14 @@ inline int empty(V... vertices) {
     return zero;
 }
 
-/// Points as predicates see them: `stride` doubles each.
+/// The points that predicates receive: `stride` doubles each.
 struct Points {
     std::vector<double> coordinates;
     std::size_t stride = 0;
     std::size_t count() const { return stride == 0 ? 0 : coordinates.size() / stride; }
 };
 
-/// Calls `f` for each query and writes a byte for each. This loop is what is timed.
+/// Calls `f` for each query and writes a byte for each. Only this loop is timed.
 template <class F, std::size_t... I>
 inline void each(const F& f, const Points& points, const std::vector<std::uint32_t>& ids, std::uint8_t* signs,
                  std::index_sequence<I...>) {
@@ -350,7 +350,7 @@ inline void each(const F& f, const Points& points, const std::vector<std::uint32
         signs[query] = encode(f(Vertex{first + stride * id[I], id[I]}...));
 }
 
-/// The engine `E` and the scene that it was given.
+/// The engine `E` and its scene.
 template <class E>
 class Server {
 public:
@@ -363,7 +363,7 @@ public:
         Message message;
         while (message.read()) {
             Reply reply = answer_or_reason(message);
-            const Bytes id = message.value("id");  // which question it answers
+            const Bytes id = message.value("id");  // the number of the question
             if (id.given) reply.bytes("id", id.at, id.size);
             reply.send(out_);
         }
@@ -467,7 +467,7 @@ private:
         return View::scene;
     }
 
-    /// Makes the points of `view` those that predicates see.
+    /// Prepares the engine for the points of `view`.
     void look(View view) {
         if (view == view_) return;
         view_ = View::none;

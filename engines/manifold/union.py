@@ -3,9 +3,10 @@
     pip install manifold3d numpy
     python union.py cubes.csv [--volume V] [--area A]
 
-Prints volume, area and seconds: of the boolean alone, and with the making of
-the cubes; reading the file is in neither. CPU seconds are those of all
-threads. V and A are what to compare with, as exact integers.
+Prints volume, area and seconds: of the boolean alone, and including the
+construction of the cubes. Both exclude reading the file. CPU seconds are
+those of all threads. V and A are the exact volume and area to compare with,
+as integers.
 """
 
 import argparse
@@ -17,7 +18,7 @@ from manifold3d import Manifold, OpType
 
 
 def read(path):
-    """The lower corners and the edge of a file of cubes."""
+    """The lower corners and the edge length in a file of cubes."""
     with open(path, encoding="ascii") as file:
         head = file.readline().split()
         if head[:2] != ["#", "edge"] or len(head) != 3:
@@ -36,7 +37,7 @@ def read(path):
 
 
 class Clock:
-    """Seconds that passed, and of CPU time, since it was made."""
+    """The wall-clock and CPU seconds since its construction."""
 
     def __init__(self):
         self.wall, self.cpu = time.perf_counter(), time.process_time()
@@ -57,7 +58,7 @@ def main():
     cubes = [cube.translate(lower) for lower in lowers]
     boolean = Clock()
     union = Manifold.batch_boolean(cubes, OpType.Add)
-    # Nothing is computed before it is asked for.
+    # Evaluation is lazy: these calls force the computation.
     triangles, status = union.num_tri(), union.status()
     seconds = f"boolean seconds {boolean}\ntotal seconds {total}"
     volume, area = union.volume(), union.surface_area()

@@ -1,4 +1,4 @@
-// Determinants in plain doubles: where to start from with predicates of your own.
+// Determinants in plain doubles: a starting point for predicates of your own.
 
 #include "predicament_engine.hpp"
 

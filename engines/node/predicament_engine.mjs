@@ -1,6 +1,6 @@
-// Predicates in JavaScript for the tool predicament. One file, nothing but Node.
+// Predicates in JavaScript for the tool predicament. One file, with Node as its only dependency.
 //
-// Write an object with the predicates that you have, and call `serve`:
+// Write an object with your predicates, and call `serve`:
 //
 //     import { serve } from "../node/predicament_engine.mjs";
 //
@@ -12,13 +12,13 @@
 //     });
 //
 // Predicates: compare(axis, a, b) (axis 0, 1 or 2), orient2d(a, b, c), orient3d(a, b, c, d), incircle(a, b, c, d),
-// insphere(a, b, c, d, e). Those that the object lacks are declined. a, b, … are arrays of coordinates, or what `prepare` made
-// of the points. Signs are those of docs/ENGINES.md.
+// insphere(a, b, c, d, e). Predicates that the object lacks are declined. a, b, … are arrays of coordinates, or the objects
+// that `prepare` returned for the points. Signs are those of docs/ENGINES.md.
 //
-// Optional: prepare(points, dimension), called before the first batch of a scene, and again where the points change that
-// predicates see (orient2d about a plane of a scene in space sees projected points); it may return an array with one object for
-// each point, which predicates get instead. precision: "f32" for predicates that round coordinates to singles. Throw `Declined`
-// where a scene is not for this engine.
+// Optional: prepare(points, dimension), called before the first batch of a scene, and again whenever predicates get other
+// points (orient2d in a plane of a scene in space gets projected points). It may return an array with one object for each
+// point, which predicates get instead. precision: "f32" for predicates that round coordinates to singles. Throw `Declined`
+// if a scene is not for this engine.
 
 import fs from "node:fs";
 
@@ -27,10 +27,10 @@ const DIMENSION = { orient3d: 3, incircle: 2, insphere: 3 };
 const PLANES = { xy: [0, 1], yz: [1, 2], zx: [2, 0] };
 const LONGEST = 2 ** 30;
 
-/** This scene or batch is not for this engine. The message is the reason. */
+/** The exception for a scene or batch that is not for this engine, with the reason. */
 export class Declined extends Error {}
 
-/** The input is not the protocol. */
+/** The exception for input that breaks the protocol. */
 class Malformed extends Error {}
 
 /** Answers the tool as `engine` until stdin ends; with --version, prints its version. Ends the program. */
@@ -44,14 +44,14 @@ export function serve(engine) {
         console.error(`usage: ${process.argv[1]} [--version]; without it, an engine on stdin and stdout`);
         process.exit(2);
     }
-    // Whatever a library prints goes to stderr.
+    // Output of a library goes to stderr.
     console.log = console.info = console.debug = console.error;
     process.stdout.write = process.stderr.write.bind(process.stderr);
     const server = new Server(engine);
     try {
         for (let question = read(); question !== null; question = read()) {
             const answer = server.answer(question);
-            if (question.has("id")) answer.id = question.get("id"); // which question it answers
+            if (question.has("id")) answer.id = question.get("id"); // the number of the question
             write(encoded(answer));
         }
     } catch (problem) {
@@ -62,7 +62,7 @@ export function serve(engine) {
     process.exit(0);
 }
 
-/** Does `call` again while the pipe is not ready. */
+/** Repeats `call` while the pipe is not ready. */
 function patiently(call) {
     for (;;) {
         try {
@@ -79,7 +79,7 @@ function write(bytes) {
     for (let done = 0; done < bytes.length; ) done += patiently(() => fs.writeSync(1, bytes, done));
 }
 
-/** Up to `count` bytes of stdin; fewer only at its end. Memory is taken as bytes arrive. */
+/** Up to `count` bytes of stdin; fewer only at its end. Memory grows with the bytes that arrive. */
 function readBytes(count) {
     const pieces = [];
     for (let missing = count; missing > 0; ) {
@@ -92,7 +92,7 @@ function readBytes(count) {
     return Buffer.concat(pieces);
 }
 
-/** The next message as a map of buffers; null where stdin ends before its first byte. */
+/** The next message as a map of buffers; null if stdin ends before its first byte. */
 function read() {
     const length = readBytes(4);
     if (length.length === 0) return null;
@@ -131,7 +131,7 @@ function encoded(entries) {
     return whole;
 }
 
-/** The value of a key that a message must have. */
+/** The value of a required key. */
 function need(entries, key) {
     if (!entries.has(key)) throw new Malformed(`a message \`${entries.get("type")}\` without \`${key}\``);
     return entries.get(key);
@@ -142,7 +142,7 @@ function encode(value) {
     return value > 0 ? 1 : value < 0 ? 255 : value === undefined ? 2 : value === value ? 0 : 3;
 }
 
-/** Calls `f` for each query and writes a byte for each, for each number of vertices. These loops are what is timed. */
+/** Calls `f` for each query and writes a byte for each, for each number of vertices. Only these loops are timed. */
 const EACH = {
     2(f, o, ids, signs) {
         for (let q = 0, i = 0; q < signs.length; q += 1, i += 2) signs[q] = encode(f(o[ids[i]], o[ids[i + 1]]));
@@ -161,7 +161,7 @@ const EACH = {
     },
 };
 
-/** An engine and the scene that it was given. */
+/** An engine and its scene. */
 class Server {
     constructor(engine) {
         this.engine = engine;
@@ -215,7 +215,7 @@ class Server {
         return { type: "ready", ns: process.hrtime.bigint() - start };
     }
 
-    /** Makes the points of `view`, the scene or a plane of it, those that predicates see. */
+    /** Prepares the engine for the points of `view`: the scene or one of its planes. */
     look(view) {
         if (this.view === view) return;
         this.view = null;

@@ -1,6 +1,6 @@
 """Predicates in Python for the tool predicament. One file, standard library only.
 
-Write a class with the predicates that you have, and call `serve`:
+Write a class with your predicates, and call `serve`:
 
     import sys
     sys.path.insert(0, "../python")
@@ -16,26 +16,26 @@ Write a class with the predicates that you have, and call `serve`:
     predicament_engine.serve(Mine())
 
 Predicates: `compare(axis, a, b)` (axis 0, 1 or 2), `orient2d(a, b, c)`, `orient3d(a, b, c, d)`, `incircle(a, b, c, d)`,
-`insphere(a, b, c, d, e)`. Those that the object lacks are declined. Signs are those of docs/ENGINES.md. Each has one
-of three forms:
+`insphere(a, b, c, d, e)`. Predicates that the object lacks are declined. Signs are those of
+docs/ENGINES.md. Each predicate has one of three forms:
 
     orient2d(a, b, c)           one query; a, b, c are tuples of coordinates, or what `prepare` made of the points
     orient2d_arrays(a, b, c)    all queries; a, b, c are numpy arrays with the coordinates of one vertex a row
-    orient2d_ids(ids)           all queries; one row of vertex ids each, as tuples, or as a numpy array where `arrays = True`
+    orient2d_ids(ids)           all queries; one row of vertex ids each, as tuples, or as a numpy array if `arrays = True`
 
-The last two return a sequence of numbers. `compare_arrays` and `compare_ids` get the axis as well, as first parameter.
+The last two return a sequence of numbers. `compare_arrays` and `compare_ids` also get the axis, as first parameter.
 
 Optional members:
 
-    prepare(points, dimension)  called before the first batch of a scene, and again where the points change that
-                                predicates see: orient2d about a plane of a scene in space sees projected points. `points` is
-                                a list of tuples, or a numpy array where `arrays = True`. It may return a list with one object
-                                for each point, which predicates of the first form get in place of tuples.
+    prepare(points, dimension)  called before the first batch of a scene, and again whenever predicates get other
+                                points: orient2d in a plane of a scene in space gets projected points. `points` is
+                                a list of tuples, or a numpy array if `arrays = True`. It may return a list with one
+                                object for each point, which predicates of the first form get instead of tuples.
     arrays                      True if `prepare` and predicates of the last form want numpy arrays
     precision                   "f32" for predicates that round coordinates to singles
 
-Raise `Declined` with a reason where a scene is not for this engine. Gathering the coordinates for the first two forms is in
-the time of a batch, and in that of the empty predicate.
+Raise `Declined` with a reason if a scene is not for this engine. The time of a batch includes gathering the coordinates
+for the first two forms, and so does the time of the empty predicate.
 """
 
 import array
@@ -53,11 +53,11 @@ LONGEST = 1 << 30
 
 
 class Declined(Exception):
-    """This scene or batch is not for this engine. The text is the reason."""
+    """The exception for a scene or batch that is not for this engine, with the reason."""
 
 
 class Malformed(Exception):
-    """The input is not the protocol."""
+    """The exception for input that breaks the protocol."""
 
 
 def serve(engine):
@@ -67,7 +67,7 @@ def serve(engine):
         sys.exit(0)
     if sys.argv[1:]:
         sys.exit(_complain(f"usage: {sys.argv[0]} [--version]; without it, an engine on stdin and stdout"))
-    # The engine's own end of stdout. Whatever a library prints goes to stderr instead.
+    # The engine's own handle for stdout. Output of a library goes to stderr instead.
     out = os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)
     source = sys.stdin.buffer
@@ -76,7 +76,7 @@ def serve(engine):
         while (message := _read(source)) is not None:
             answer = server.answer(message)
             if "id" in message:
-                answer["id"] = message["id"]  # which question it answers
+                answer["id"] = message["id"]  # the number of the question
             out.write(_encode(answer))
             out.flush()
     except (Malformed, OSError) as problem:
@@ -90,7 +90,7 @@ def _complain(text):
 
 
 def _read(source):
-    """The next message as a dictionary of bytes; None where stdin ends before its first byte."""
+    """The next message as a dictionary of bytes; None if stdin ends before its first byte."""
     length = source.read(4)
     if not length:
         return None
@@ -99,7 +99,7 @@ def _read(source):
     (size,) = struct.unpack("<I", length)
     if size > LONGEST:
         raise Malformed(f"a message of {size} bytes; the longest has 2^30")
-    pieces = []  # memory is taken as bytes arrive
+    pieces = []  # memory grows with the bytes that arrive
     missing = size
     while missing:
         piece = source.read(min(missing, 1 << 20))
@@ -161,7 +161,7 @@ def _sign(value):
 
 
 class _Server:
-    """An engine and the scene that it was given."""
+    """An engine and its scene."""
 
     def __init__(self, engine):
         self.engine = engine
@@ -193,7 +193,7 @@ class _Server:
             return _message("declined", reason=reason)
         except Malformed:
             raise
-        except Exception as problem:  # whatever a predicate raises is this engine's answer, not its end
+        except Exception as problem:  # an exception of a predicate becomes an answer and does not end the engine
             traceback.print_exc()
             return _message("error", message=f"{type(problem).__name__}: {problem}")
 
@@ -230,7 +230,7 @@ class _Server:
         return _message("ready", ns=time.perf_counter_ns() - start)
 
     def look(self, axes, view):
-        """Makes the points of `view`, projected on `axes`, those that predicates see."""
+        """Prepares the engine for the points of `view`, projected on `axes`."""
         if self.view == view:
             return
         self.view = None
@@ -279,7 +279,7 @@ class _Server:
         return _message("signs", ns=ns, signs=self.signs(answers))
 
     def ids(self, data, name):
-        """The vertex ids, a row for each query."""
+        """The vertex ids, one row per query."""
         takes = PREDICATES[name]
         if len(data) % (4 * takes):
             raise Malformed(f"ids of {len(data)} bytes are no whole queries of {name}")
@@ -323,7 +323,7 @@ class _Server:
 
 
 def _need(message, key, text=True):
-    """The value of a key that a message must have."""
+    """The value of a required key."""
     if key not in message:
         raise Malformed(f"a message `{message['type'].decode('ascii', 'replace')}` without `{key}`")
     value = message[key]

@@ -1,8 +1,8 @@
 //! The crate `rgeometry`: an orientation in the plane that breaks ties by three numbers.
 //!
-//! `Orientation::new` is exact for doubles. `Orientation::break_ties` looks at no coordinate: a tie is the turn of (i, 2^i),
-//! (j, 2^j), (k, 2^k), where the numbers are the vertices' ids. It panics where a number comes twice; that question is not put
-//! to it, and the answer is zero. It has no other predicate that breaks ties.
+//! `Orientation::new` is exact for doubles. `Orientation::break_ties` uses no coordinates: a tie is the turn of (i,
+//! 2^i), (j, 2^j), (k, 2^k), where the numbers are the vertices' ids. It panics if a number occurs twice; this engine
+//! answers such queries with zero, without a call. The crate has no other predicate that breaks ties.
 
 use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, by_id, locked, serve};
 use rgeometry::{Orientation, SoS};

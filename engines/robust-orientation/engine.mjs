@@ -1,5 +1,5 @@
-// The npm packages robust-orientation and robust-in-sphere. In the plane orientation, and in space the sphere, have the opposite
-// of our sign.
+// The npm packages robust-orientation and robust-in-sphere. The orientation in the plane and the sphere in space have the
+// opposite of our sign.
 
 import fs from "node:fs";
 import orient from "robust-orientation";

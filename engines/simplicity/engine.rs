@@ -1,9 +1,9 @@
-//! The crate `simplicity`: Simulation of Simplicity after Edelsbrunner and Mücke, by the place of a point in a list, which is
-//! that of the scene.
+//! The crate `simplicity`: Simulation of Simplicity after Edelsbrunner and Mücke, by the index of a point in a list,
+//! here the scene's list of points.
 //!
-//! Its conventions are ours. It answers "positive?" and nothing else, so it says something about one vertex named twice too:
-//! that question is not put to it, and the answer is zero. Coordinates of a vertex move the further the later they come, the
-//! lift is that of the moved point.
+//! Its conventions are ours. It only answers "positive?", even if a vertex occurs twice; this engine answers such
+//! queries with zero, without a call. Later coordinates of a vertex move further, and the lift is that of the moved
+//! point.
 
 use predicament_engine::{Answer, Engine, Points, Predicate, Vertex, Zero, by_id, locked, serve};
 use simplicity::nalgebra::{Vector1, Vector2, Vector3};

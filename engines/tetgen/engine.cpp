@@ -1,4 +1,4 @@
-// The predicates that tetgen.h declares: TetGen's version of Shewchuk's, with static filters of its own.
+// The predicates that tetgen.h declares: TetGen's version of Shewchuk's predicates, with additional static filters.
 
 #include <tetgen.h>
 
@@ -12,8 +12,8 @@ public:
     static constexpr predicament::Zero zero = predicament::Zero::exact;
     static std::string version() { return TETGEN_VERSION; }
 
-    // As TetGen does: the static filters are for the extent of the points along each axis. Its interface wants extents above 0,
-    // so there are no static filters where all points are in a plane across an axis.
+    // As in TetGen, the static filters use the extent of the points along each axis. The interface requires extents above 0,
+    // so there are no static filters if all points are in a plane perpendicular to an axis.
     void prepare(const double* points, std::size_t count, int dimension) {
         if (dimension != 3 || count == 0) return;
         double extent[3];
@@ -32,7 +32,7 @@ public:
             exactinit(0, 0, 0, extent[0], extent[1], extent[2]);
     }
 
-    // Its parameters are not const; it writes to none of them.
+    // The library's parameters are not const, but it does not write to them.
     static double orient3d(const double* a, const double* b, const double* c, const double* d) {
         return ::orient3d(mutable_(a), mutable_(b), mutable_(c), mutable_(d));
     }

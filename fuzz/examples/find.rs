@@ -1,4 +1,6 @@
-//! Prints what a fuzz target has found as scenes of a suite: `cargo run --release --example find -- TARGET artifacts/TARGET/crash-… NAME`.
+//! Prints the finds of a fuzz target as scenes of a suite.
+//!
+//! Usage: `cargo run --release --example find -- TARGET artifacts/TARGET/crash-… NAME`.
 
 use std::process::ExitCode;
 

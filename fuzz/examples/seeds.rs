@@ -1,4 +1,4 @@
-//! Writes what fuzzing starts from: `cargo run --release --example seeds`, in the folder of the fuzz targets.
+//! Writes the seeds of the fuzz targets: `cargo run --release --example seeds`, in the folder of the fuzz targets.
 
 use std::path::Path;
 use std::process::ExitCode;

@@ -8,18 +8,18 @@ use predicament_predicates::{
 use crate::judge_of_constructed::{Judge, PLANES};
 use crate::points;
 
-/// Bytes that say what is constructed; as many that say what is asked; the points come after.
+/// The number of bytes for the constructions, and also for the queries; the points come after both.
 const BYTES: usize = 32;
-/// Constructions that are tried.
+/// The number of constructions that are tried.
 const CONSTRUCTIONS: usize = 3;
-/// Queries, of which each is asked along every axis, in every plane, and in space.
+/// The number of queries; each is made along every axis, in every plane, and in space.
 const QUERIES: usize = 6;
 
-/// One fuzz case about constructed vertices.
+/// Runs one fuzz case about constructed vertices.
 ///
 /// # Panics
-/// If the exact backend gives a wrong sign, alone or in a batch, or if it and the judge
-/// do not agree on whether there is such a vertex: the message has the scene.
+/// If the exact backend gives a wrong sign, alone or in a batch, or if it and the judge disagree on whether the vertex
+/// exists: the message has the scene.
 pub fn check(bytes: &[u8]) {
     for (question, args, truth, answers) in answered(bytes).1 {
         let asked = question.query(&args);
@@ -27,10 +27,10 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// A query, its arguments, the truth, and the answers alone and in a batch.
+/// A query, its arguments, the exact sign, and the answers alone and in a batch.
 type Answered = (Question, Vec<Vertex>, Sign, [Sign; 2]);
 
-/// The scene that bytes stand for, and the answers to all that is asked about it.
+/// The scene that bytes encode, and the answers to all its queries.
 fn answered(bytes: &[u8]) -> (Scene, Vec<Answered>) {
     let (&head, bytes) = bytes.split_first().unwrap_or((&0, &[]));
     let mut parts = [[0; BYTES]; 2];
@@ -56,7 +56,7 @@ fn answered(bytes: &[u8]) -> (Scene, Vec<Answered>) {
     for _ in 0..QUERIES {
         let any = [0; 4].map(|_| {
             let at = bytes.next().unwrap_or(0);
-            // Constructed ones as often as not.
+            // Constructed vertices with probability one half.
             match at / 2 {
                 index if at % 2 == 1 && constructed > 0 => Vertex::constructed(index % constructed),
                 index => Vertex::input(index % inputs),
@@ -89,8 +89,8 @@ fn ask(session: &impl Predicates, question: Question, args: &[Vertex], truth: Si
     (question, args.to_vec(), truth, [question.ask(session, args), batch[1]])
 }
 
-/// Adds the constructions that bytes stand for, as far as they are points. Where the judge says
-/// that one is none, the backend has to decline it.
+/// Adds the constructions that bytes encode, if they give points. If the judge finds that a construction gives no
+/// point, the backend must decline it.
 fn construct(scene: &mut Scene, bytes: &[u8; BYTES]) {
     let judge = Judge::new(scene);
     let n = scene.len();
@@ -104,7 +104,7 @@ fn construct(scene: &mut Scene, bytes: &[u8; BYTES]) {
         };
         let mut tried = scene.clone();
         if tried.construct(construction).is_err() {
-            continue; // a vertex twice in a line or plane
+            continue; // a line or plane with a repeated vertex
         }
         let is_point = judge.meet(&construction).is_some();
         assert_eq!(Constructed::new(&tried).is_ok(), is_point, "{construction} of {:?}", scene.coordinates());
@@ -134,7 +134,7 @@ mod tests {
         }
     }
 
-    /// If the bytes made easy scenes only, rounded coordinates would do.
+    /// Rounded coordinates are detected, so the bytes do not give easy scenes only.
     #[test]
     fn all_kinds_and_signs_come_up_and_rounding_is_caught() {
         let (mut signs, mut kinds, mut rounded) = ([0; 3], [0; 3], 0);

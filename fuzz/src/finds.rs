@@ -1,14 +1,14 @@
-//! What a fuzzer has found, as a scene of a suite.
+//! Conversion of a fuzzer's finds to scenes of a suite.
 
 use std::fmt::Write as _;
 
 use predicament_formats::hexfloat;
 use predicament_predicates::{Dimension, PredicateKind, Question};
 
-/// The scene that bytes of a target stand for, as tables of a suite; in words where they stand for none.
+/// The scene that a target's bytes encode, as tables of a suite.
 ///
 /// # Errors
-/// What the bytes are instead, and what to do with them.
+/// A text, if the bytes encode no scene: what they are, and what to do with them.
 pub fn scene(target: &str, name: &str, bytes: &[u8]) -> Result<String, String> {
     let text_targets = crate::OF_TASKS.iter().map(|(name, _)| *name).chain(["scenes"]);
     if text_targets.into_iter().any(|text| text == target) {
@@ -58,7 +58,7 @@ mod tests {
     use super::*;
     use crate::tests::bytes;
 
-    /// What is found becomes a scene whose points are those of the case.
+    /// A find becomes a scene with the points of the case.
     #[test]
     fn finds_are_scenes() {
         for kind in PredicateKind::ALL {
@@ -67,7 +67,7 @@ mod tests {
                 let tables = scene(kind.name(), "find", &bytes).unwrap();
                 let (found, questions) = crate::case(kind, &bytes);
                 let defs = crate::scenes::of_text(&format!("title = \"t\"\n{tables}"));
-                // Scenes that are alike but for their names are refused together.
+                // Scenes that differ only in their names are refused together.
                 if defs.is_empty() {
                     continue;
                 }

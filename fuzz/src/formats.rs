@@ -1,11 +1,11 @@
-//! Readers of data files: any bytes are read or refused in one line, and never a panic.
+//! Readers of data files: any bytes are read or refused with a one-line error, never with a panic.
 //!
-//! The first byte chooses the format and whether decimals are rounded, the others are the file; of binary PLY and STL,
-//! what follows a header, which random bytes would hardly ever make.
+//! The first byte chooses the format and whether decimals are rounded; the others are the file. For binary PLY and STL
+//! they are the part after a header, since random bytes would hardly ever form a header.
 
 use predicament_formats::{CorpusError, Decimals, Manifest, Position, fmt_csv, geometry, mesh, points, topojson};
 
-/// The formats by what their names end in.
+/// The formats, as the ends of file names.
 const NAMES: [&str; 12] = [
     "a.csv",
     "a.geojson",
@@ -21,7 +21,7 @@ const NAMES: [&str; 12] = [
     "binary.stl",
 ];
 
-/// The file that bytes stand for.
+/// The file that bytes encode.
 fn file(name: &str, bytes: &[u8]) -> Vec<u8> {
     let header = |encoding: &str| {
         format!(
@@ -43,10 +43,11 @@ fn file(name: &str, bytes: &[u8]) -> Vec<u8> {
     file
 }
 
-/// Reads bytes as the file of some format, in every way in which tasks do.
+/// Reads bytes as the file of some format, in every way that tasks use.
 ///
 /// # Panics
-/// If an error is no single line or at no place of the file, if a part of a mesh has no place, if what is rewritten is rewritten again, or if it reads as something else.
+/// If an error is not a single line or has no position in the file, if a part of a mesh has no position, if a rewritten
+/// file is rewritten again, or if it reads differently.
 pub fn check(bytes: &[u8]) {
     let Some((&head, bytes)) = bytes.split_first() else { return };
     let name = NAMES[usize::from(head >> 1) % NAMES.len()];
@@ -79,7 +80,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// Reads a mesh: every error, every point and every face is at a place that the file has.
+/// Reads a mesh: every error, every point and every face has a position inside the file.
 fn check_mesh(name: &str, bytes: &[u8], decimals: &Decimals) {
     let lines = 1 + bytes.iter().filter(|byte| matches!(byte, b'\n' | b'\r')).count();
     let is_there = |position: Position| match position {
@@ -98,7 +99,7 @@ fn check_mesh(name: &str, bytes: &[u8], decimals: &Decimals) {
     assert_eq!(mesh.places.point(mesh.points.len()).or(mesh.places.face(mesh.faces.len())), None, "{name}");
 }
 
-/// What was read, if anything was; an error is one line.
+/// The value that was read, if any; an error must be one line.
 fn one_line<T>(result: Result<T, CorpusError>) -> Option<T> {
     match result {
         Ok(read) => Some(read),
@@ -138,7 +139,7 @@ mod tests {
             for round in [0, 1] {
                 let head = 2 * u8::try_from(at).expect("twelve formats") + round;
                 check(&[&[head], text.as_bytes()].concat());
-                // The same without its end.
+                // The first half of the same file.
                 check(&[&[head], &text.as_bytes()[..text.len() / 2]].concat());
                 let read = points::read(NAMES[at], text.into(), &Decimals::new(round == 1));
                 assert_eq!(read.is_ok(), round == 1, "{}: {read:?}", NAMES[at]);
@@ -146,7 +147,7 @@ mod tests {
         }
     }
 
-    /// A mesh of three points and two faces behind each header, whole and changed.
+    /// A mesh of three points and two faces behind each header, complete and changed.
     #[test]
     fn binary_files_are_read() {
         let places = [[0_i8, 0], [1, 0], [0, 1]];

@@ -1,6 +1,6 @@
 //! Half-edge meshes: any faces make a valid mesh or are refused, and any operations keep it valid or are refused.
 //!
-//! The first bytes are faces over a few vertices; three bytes are an operation and its arguments.
+//! The first bytes encode faces over a few vertices; then three bytes encode an operation and its arguments.
 
 use predicament_formats::{Decimals, MeshFormat, mesh, write_mesh};
 use predicament_mesh::HalfEdgeMesh;
@@ -14,7 +14,8 @@ use sequence::{KINDS, Sequence};
 
 const VERTICES: u8 = 12;
 
-/// Faces from bytes: one says how many corners there are, two to five, and each is one more. 255 ends the list.
+/// Reads faces from bytes: one byte for the number of corners, two to five, and one byte for each corner. 255 ends the
+/// list.
 fn faces(bytes: &mut impl Iterator<Item = u8>) -> IndexedFaces {
     let mut faces = IndexedFaces::default();
     while let Some(head) = bytes.next().filter(|&head| head != 255) {
@@ -24,10 +25,10 @@ fn faces(bytes: &mut impl Iterator<Item = u8>) -> IndexedFaces {
     faces
 }
 
-/// Makes a mesh of bytes and works on it; where the faces are refused, on a fan of triangles.
+/// Builds a mesh from bytes and operates on it; if the faces are refused, on a fan of triangles.
 ///
 /// # Panics
-/// If an invariant is broken, an inverse does not work, a written mesh is not read back, or an error is no single line.
+/// If an invariant is broken, an inverse fails, a written mesh is not read back, or an error is not a single line.
 pub fn check(bytes: &[u8]) {
     let mut bytes = bytes.iter().copied();
     let vertices = || (0..usize::from(VERTICES)).map(Vertex::input).collect();
@@ -66,7 +67,7 @@ fn counts(mesh: &HalfEdgeMesh) -> [i64; 3] {
     counts.map(|count| i64::try_from(count).expect("a few"))
 }
 
-/// Writes the faces, at places that differ, in every format that takes them, and reads them back.
+/// Writes the faces, with distinct points, in every format that supports them, and reads them back.
 fn written(made: &HalfEdgeMesh) {
     let (vertices, faces) = made.to_indexed();
     let points: Vec<[f64; 3]> = (0_u16..).take(vertices.len()).map(|at| [f64::from(at) / 8.0, -0.0, 1.0]).collect();

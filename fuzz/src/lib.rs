@@ -1,5 +1,5 @@
-//! The body of the fuzz targets: bytes become points, the points are asked
-//! about, and the exact backend has to agree with the judge in rationals.
+//! The code of the fuzz targets: bytes become points, the points become queries, and the exact backend must agree with
+//! the judge in rationals.
 //!
 //! With a nightly compiler and `cargo install cargo-fuzz`, from the folder above:
 //!
@@ -7,17 +7,16 @@
 //! cargo +nightly fuzz run insphere -- -max_len=256
 //! ```
 //!
-//! Random bytes make random points, and those are easy. [`points`] therefore
-//! has ways to say "nearly as before" in a byte or two, so that mutations walk
-//! along the degenerate cases instead of away from them. [`constructed`] also
-//! makes lines and planes through the points, and asks about where they meet.
+//! Random bytes give random points, which are easy. [`points`] therefore can encode "nearly as before" in a byte or
+//! two, so that mutations stay near degenerate cases instead of leaving them. [`constructed`] also constructs lines and
+//! planes through the points, and queries their intersections.
 //!
-//! [`formats`] and [`half_edge`] are about something else: the readers of data files, which never panic, and the
-//! operations on meshes, which keep every invariant. [`suites`] and [`run_folder`] are about the other readers.
+//! [`formats`] and [`half_edge`] have other subjects: the readers of data files, which must never panic, and the
+//! operations on meshes, which must keep every invariant. [`suites`] and [`run_folder`] are about the other readers.
 //!
-//! [`ties`] holds Simulation of Simplicity against its own judge. [`scenes`] is about all tasks: a suite's text is run through
-//! `exact`, `sos` and `tolerance`, and judged; [`OF_TASKS`] are targets that do so for some tasks only. [`seeds`] writes what fuzzing starts from, and [`finds`] makes scenes of
-//! what it has found.
+//! [`ties`] compares Simulation of Simplicity with its own judge. [`scenes`] is about all tasks: it runs a suite's text
+//! through `exact`, `sos` and `tolerance`, and judges the answers; [`OF_TASKS`] lists targets that do so for some tasks
+//! only. [`seeds`] writes the seeds, and [`finds`] turns finds into scenes.
 
 #![forbid(unsafe_code)]
 
@@ -42,7 +41,8 @@ use predicament_predicates::{
     Axis, Backend, Dimension, Off, Plane, PredicateKind, QuerySet, Question, Scene, Sign, Vertex,
 };
 
-/// The targets of scenes of some tasks: the hierarchy of tolerances, triangulation, and what is made of segments that cross.
+/// The targets for scenes of some tasks: the hierarchy of tolerances, triangulation, and algorithms on crossing
+/// segments.
 pub const OF_TASKS: [(&str, &[&str]); 3] = [
     ("contacts", &["contacts2d", "contacts3d"]),
     ("triangulate", &["triangulate", "delaunay2d"]),
@@ -58,7 +58,7 @@ pub fn tasks_of(target: &str) -> &'static [&'static str] {
     OF_TASKS.into_iter().find(|(name, _)| *name == target).expect("a target of some tasks").1
 }
 
-/// One fuzz case: sessions, alone and in a batch, and raw predicates.
+/// Runs one fuzz case: sessions, alone and in a batch, and raw predicates.
 ///
 /// # Panics
 /// If the exact backend gives a wrong sign: the message has the points bit by bit.
@@ -79,7 +79,7 @@ pub fn check(kind: PredicateKind, bytes: &[u8]) {
     }
 }
 
-/// The answer from bare coordinates; there is no comparison of those.
+/// The answer from bare coordinates; `None` for a comparison, which has no such form.
 fn ask_raw(scene: &Scene, question: Question, args: &[Vertex]) -> Option<Sign> {
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
@@ -98,8 +98,7 @@ fn bits(scene: &Scene) -> String {
     bits.join(" ")
 }
 
-/// The first answer of a backend that is not the exact sign, in words: every
-/// run of consecutive points is asked about, one query at a time and as a batch.
+/// The first wrong sign of a backend, in words: every run of consecutive points is a query, made alone and in a batch.
 pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -> Option<String> {
     let (scene, questions) = case(kind, bytes);
     let session = backend.prepare(&scene, Off).expect("nothing here is beyond the backends that are fuzzed");
@@ -120,7 +119,7 @@ pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -
     })
 }
 
-/// The scene that bytes stand for, and what is asked about it.
+/// The scene that bytes encode, and its queries.
 fn case(kind: PredicateKind, bytes: &[u8]) -> (Scene, Vec<Question>) {
     let (&head, bytes) = bytes.split_first().unwrap_or((&0, &[]));
     let space = match kind {
@@ -154,7 +153,7 @@ mod tests {
 
     const RUNS: u64 = 4000;
 
-    /// Bytes from a linear congruence (Knuth's MMIX constants), as many as a case can use.
+    /// Bytes from a linear congruential generator (Knuth's MMIX constants), as many as a case can use.
     pub(crate) fn bytes(run: u64) -> Vec<u8> {
         let mut state = run.wrapping_mul(0x9e37_79b9_7f4a_7c15);
         (0..128)
@@ -184,7 +183,7 @@ mod tests {
         }
     }
 
-    /// If the bytes made easy points only, nothing would be wrong with these.
+    /// Backends that round are detected, so the bytes do not give easy points only.
     #[test]
     fn backends_that_round_are_caught_on_the_same_bytes() {
         let naive = |kind| (0..RUNS).filter(|&run| first_wrong(&Naive::default(), kind, &bytes(run)).is_some()).count();

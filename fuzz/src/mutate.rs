@@ -1,8 +1,8 @@
-//! Changes to a suite's text that keep it one: numbers become other numbers, and rows of arrays go, come again, or change places.
+//! Changes to a suite's text that keep it a suite: they replace numbers, and delete, repeat or swap rows of arrays.
 
 use predicament_formats::hexfloat;
 
-/// A stream of numbers that are hardly random: libFuzzer gives one seed a change.
+/// A stream of weak pseudo-random numbers: libFuzzer gives one seed per change.
 struct Stream(u64);
 
 impl Stream {
@@ -17,7 +17,7 @@ impl Stream {
     }
 }
 
-/// The text changed in one to four places; the same text where it has no numbers.
+/// The text changed in one to four places; the same text if it has no numbers.
 #[must_use]
 pub fn mutated(text: &str, seed: u32) -> String {
     let mut stream = Stream(u64::from(seed).wrapping_mul(0x9e37_79b9_7f4a_7c15) | 1);
@@ -31,7 +31,7 @@ pub fn mutated(text: &str, seed: u32) -> String {
     text
 }
 
-/// The change that libFuzzer asks for: of the text, or once in a while of its bytes, by `bytewise`. Returns the new size.
+/// Applies a change for libFuzzer: to the text, or occasionally to its bytes, by `bytewise`. Returns the new size.
 #[must_use]
 pub fn in_place(
     data: &mut [u8],
@@ -50,7 +50,7 @@ pub fn in_place(
     }
 }
 
-/// Where the numbers of a text are, and what they are: what may stand for a coordinate, in quotes or not.
+/// The positions and values of a text's numbers that may be coordinates, in quotes or not.
 fn numbers(text: &str) -> Vec<(usize, usize, f64)> {
     let bytes = text.as_bytes();
     let is_part = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'.' | b'+' | b'-' | b'_');
@@ -83,7 +83,7 @@ fn numbers(text: &str) -> Vec<(usize, usize, f64)> {
     found
 }
 
-/// One number becomes another one: of the text, a neighbour, between others, small, turned, scaled.
+/// Replaces one number: by another of the text, a neighbour, one in between, a small one, a negated or a scaled one.
 fn number(text: &str, stream: &mut Stream) -> String {
     let numbers = numbers(text);
     if numbers.is_empty() {
@@ -120,7 +120,7 @@ fn number(text: &str, stream: &mut Stream) -> String {
     format!("{}{word}{}", &text[..start], &text[end..])
 }
 
-/// A row of an array, with the comma behind it, goes, comes again, or changes places with another one.
+/// Deletes, repeats or swaps rows of an array, each with the comma behind it.
 fn row(text: &str, stream: &mut Stream) -> String {
     let rows = rows(text);
     if rows.is_empty() {
@@ -143,7 +143,7 @@ fn row(text: &str, stream: &mut Stream) -> String {
     }
 }
 
-/// Brackets within brackets: the rows of arrays, of whatever depth.
+/// The positions of brackets within brackets: the rows of arrays, at any depth.
 fn rows(text: &str) -> Vec<(usize, usize)> {
     let (mut open, mut found, mut in_quotes) = (Vec::new(), Vec::new(), false);
     for (at, byte) in text.bytes().enumerate() {
@@ -158,7 +158,7 @@ fn rows(text: &str) -> Vec<(usize, usize)> {
             _ => {}
         }
     }
-    // `[[scene]]` is no row.
+    // `[[scene]]` is not a row.
     found.retain(|&(start, end)| {
         text[start..end].contains([',', '"']) || text[start..end].bytes().any(|byte| byte.is_ascii_digit())
     });
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(rows(text).iter().map(|&(a, b)| &text[a..b]).collect::<Vec<_>>(), ["[1, \"0x1p-1\"]", "[2.5, -4]"]);
     }
 
-    /// Most changes of an embedded scene leave a scene, and another one.
+    /// Most changes of an embedded scene leave a scene, and a different one.
     #[test]
     fn what_is_changed_stays_a_suite_more_often_than_not() {
         let (mut all, mut scenes, mut other) = (0, 0, 0);

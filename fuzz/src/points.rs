@@ -1,20 +1,18 @@
-//! Points from bytes. Every string of bytes is a list of finite points, and
-//! what it lacks at its end is zeros.
+//! Points from bytes. Every string of bytes encodes a list of finite points; missing bytes at its end count as zeros.
 
-/// At most this many more points than a query takes: a scene's plan looks at
-/// all of its points, also at those that a query doesn't ask about.
+/// The maximum number of points beyond those of one query: a scene's plan uses all of its points, including those
+/// outside of the query.
 const MORE: usize = 3;
 
-/// The points that bytes stand for, as many as there are bytes for: at least
-/// `least`, and at most [`MORE`] beyond.
+/// The points that bytes encode, as many as there are bytes for: at least `least`, and at most [`MORE`] beyond.
 ///
-/// A point starts with a byte that says how it is made:
-/// * of its own coordinates: any finite double, a short number, or zero,
-/// * of an earlier point, moved by some ulps,
-/// * of two earlier points p and q, as p + k (q − p), moved by some ulps,
-/// * of an earlier point by exchanging coordinates and changing signs, which
-///   keeps its distance to the origin, moved by some ulps or not,
-/// * of an earlier point by a power of two.
+/// A point starts with a byte for the way it is made:
+/// * from its own coordinates: any finite double, a short number, or zero,
+/// * from an earlier point, moved by some ulps,
+/// * from two earlier points p and q, as p + k (q − p), moved by some ulps,
+/// * from an earlier point by exchanging coordinates and changing signs, which keeps its distance to the origin, moved
+///   by some ulps or not,
+/// * from an earlier point, scaled by a power of two.
 #[must_use]
 pub fn from_bytes<const D: usize>(bytes: &[u8], least: usize) -> Vec<[f64; D]> {
     let mut bytes = Bytes(bytes);
@@ -48,7 +46,7 @@ pub fn from_bytes<const D: usize>(bytes: &[u8], least: usize) -> Vec<[f64; D]> {
     points
 }
 
-/// A point of coordinates that know nothing of earlier ones.
+/// A point with coordinates that are independent of earlier points.
 fn own<const D: usize>(bytes: &mut Bytes) -> [f64; D] {
     std::array::from_fn(|_| match bytes.next() % 4 {
         0 => 0.0,
@@ -69,18 +67,18 @@ fn moved<const D: usize>(point: [f64; D], bytes: &mut Bytes) -> [f64; D] {
     })
 }
 
-/// 2^(8 exponent), from subnormal to huge.
+/// The power 2^(8 exponent), from subnormal to huge.
 fn power_of_two(exponent: i8) -> f64 {
     2.0_f64.powi(8 * i32::from(exponent))
 }
 
-/// The number itself; a NaN or an infinity without the topmost bit of its
-/// exponent, which makes a number between 1 and 2 of either sign of it.
+/// The number itself; for a NaN or an infinity, the number without the topmost bit of its exponent, which is between 1
+/// and 2 in magnitude.
 fn finite(x: f64) -> f64 {
     if x.is_finite() { x } else { f64::from_bits(x.to_bits() & !(1 << 62)) }
 }
 
-/// Bytes, and zeros after their end.
+/// Bytes, followed by zeros.
 struct Bytes<'a>(&'a [u8]);
 
 impl Bytes<'_> {

@@ -1,11 +1,12 @@
-//! Polygons that are what `triangulate` is promised: sides that cross or lie on each other are no polygon, and whatever is answered
-//! breaks some rule.
+//! The polygons that `triangulate` promises to handle. If sides cross or overlap, the input is not a polygon, and every
+//! answer breaks some rule.
 
 use predicament_judge as judge;
 use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};
 
-/// Whether the sides of loops have nothing in common but the corners between one and the next, in the plane. (Loops may touch in more
-/// than that and are still polygons; of those, and of faces in space, nothing is said here.)
+/// True if the sides of loops in the plane have nothing in common but the corners between consecutive sides.
+///
+/// (Loops may touch further and still be polygons; this function does not recognize those, nor faces in space.)
 #[must_use]
 pub fn is_simple(scene: &Scene, loops: &[Vec<Vertex>]) -> bool {
     let mut corners: Vec<Vertex> = loops.concat();
@@ -23,9 +24,9 @@ pub fn is_simple(scene: &Scene, loops: &[Vec<Vertex>]) -> bool {
             let shared = [a, b].iter().filter(|v| [c, d].contains(v)).count();
             let signs = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
             match shared {
-                // Apart: both ends of one are on one side of the other's line.
+                // Disjoint: both ends of one side are on the same side of the other's line.
                 0 => [[0, 1], [2, 3]].iter().any(|&[p, q]| signs[p] == signs[q] && signs[p] != Sign::Zero),
-                // One after the other: they turn, or go on the same way.
+                // Consecutive: they turn, or continue in the same direction.
                 1 => {
                     let way = |[from, to]: [Vertex; 2]| {
                         [Axis::X, Axis::Y].map(|axis| judge::sign(scene, Question::Compare(axis), &[from, to]))
@@ -50,7 +51,7 @@ mod tests {
             is_simple(&scene, &[all])
         };
         assert!(is_simple(&[0.0, 0.0, 4.0, 0.0, 4.0, 4.0, 1.0, 1.0]) && is_simple(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]));
-        // They cross, they come back, one ends on another, two corners are in one place.
+        // They cross, they turn back, one ends on another, two corners coincide.
         assert!(!is_simple(&[0.0, 0.0, 4.0, 4.0, 4.0, 0.0, 0.0, 4.0]));
         assert!(!is_simple(&[2.0, 3.0, 0.0, 1.0, 2.0, 0.0, 0.0, 1.0]));
         assert!(!is_simple(&[0.0, 0.0, 4.0, 0.0, 2.0, 0.0, 0.0, 4.0]));

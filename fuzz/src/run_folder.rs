@@ -1,7 +1,8 @@
-//! Run folders: one file of a folder is of fuzzed bytes; the folder is read or refused in one line that names it.
+//! Run folders: one file of a folder has fuzzed bytes; the folder is read or refused with a one-line error that names
+//! the file.
 //!
-//! The first byte says which file. The others of the folder are those of a small run; they have no digests, by which every change
-//! would be refused.
+//! The first byte chooses the file. The other files of the folder are those of a small run. They have no digests, which
+//! would cause a refusal of every change.
 
 use std::path::PathBuf;
 use std::sync::LazyLock;
@@ -33,7 +34,7 @@ static FOLDER: LazyLock<(PathBuf, Vec<Vec<u8>>)> = LazyLock::new(|| {
     let text = std::fs::read_to_string(&state).expect("it was written");
     let without = text.split(",\n  \"digests\"").next().unwrap_or_default().to_owned() + "\n}\n";
     std::fs::write(&state, without).expect("it was written");
-    // Nor do its JSON files have seals.
+    // Its JSON files have no seals either.
     for file in FILES.iter().filter(|file| file.ends_with(".json")).map(|file| folder.join(file)) {
         let text = std::fs::read_to_string(&file).expect("it was written");
         let lines: Vec<&str> = text.lines().filter(|line| !line.starts_with("  \"seal\"")).collect();
@@ -85,16 +86,16 @@ fn make(folder: &PathBuf) -> Result<(), predicament_records::Error> {
     writer.finish(Outcome::Interrupted)
 }
 
-/// The text of a file as it is before anything is changed.
+/// The original text of a file.
 #[must_use]
 pub fn text_of(file: u8) -> Vec<u8> {
     FOLDER.1[usize::from(file) % FILES.len()].clone()
 }
 
-/// One fuzz case.
+/// Runs one fuzz case.
 ///
 /// # Panics
-/// If an error is no single line that names a file of the folder.
+/// If an error is not a single line that names a file of the folder.
 pub fn check(bytes: &[u8]) {
     let Some((&file, bytes)) = bytes.split_first() else { return };
     let (folder, files) = &*FOLDER;
@@ -106,7 +107,7 @@ pub fn check(bytes: &[u8]) {
     std::fs::write(&path, &files[file]).expect("the folder for temporary files is writable");
     let said = [read.as_ref().err().map(ToString::to_string), lined.err().map(|error| error.to_string())];
     for said in said.into_iter().flatten() {
-        // What a file has in a cell may come with the message, escaped or not; a line of its own is none.
+        // A message may quote a cell of a file, escaped or not; it must not become a separate line.
         assert!(said.starts_with(&*folder.display().to_string()), "{said:?}");
     }
     if let Ok(run) = read {

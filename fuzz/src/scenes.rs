@@ -1,7 +1,7 @@
-//! Scenes of any task, as text: what `exact`, `sos` and `tolerance` answer to them is judged, and the judge finds nothing.
+//! Scenes of any task, as text: the answers of `exact`, `sos` and `tolerance` are judged, without findings.
 //!
-//! The text is a suite, so that what is found is a scene as it stands. Bytes that are no suite are no case; [`mutate`](crate::mutate)
-//! keeps most of them one.
+//! The text is a suite, so that a find is a scene already. Bytes that are not a suite are skipped;
+//! [`mutate`](crate::mutate) keeps most of them a suite.
 
 use std::any::Any;
 use std::sync::{LazyLock, atomic::AtomicBool};
@@ -11,24 +11,25 @@ use predicament_formats::{Cache, Manifest};
 use predicament_triangulate::task::Polygons;
 use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch};
 
-/// The backends that are held to their promises.
+/// The backends whose promises are checked.
 pub const BACKENDS: [&str; 3] = ["exact", "sos", "tolerance"];
 
-/// Vertices that a scene of the fuzzers has at most, and queries: what takes a second finds less than a thousand that take one in all.
+/// The maximum number of vertices, and of queries, of a fuzzed scene: one slow scene of a second finds less than a
+/// thousand scenes that take a second in total.
 const MOST_VERTICES: usize = 60;
 const MOST_QUERIES: usize = 3000;
 
-/// What is sampled beyond the queries themselves.
+/// The budget for samples beyond the queries themselves.
 const BUDGET: Budget = Budget { permutations: 300, relations: 100, ties: 20, ..Budget::QUICK };
 
-/// Backends by name, made once.
+/// The backends by name, created once.
 static CONTESTANTS: LazyLock<Vec<Box<dyn Contestant>>> =
     LazyLock::new(|| BACKENDS.map(|name| predicament_bundle::backend(name).expect("a backend of the house")).into());
 
-/// The scenes of a text that are written out in it and small.
+/// The scenes that are written in a text and small.
 #[must_use]
 pub fn of_text(text: &str) -> Vec<SceneDef> {
-    // Generators make as much as they are told to.
+    // Generators can make scenes of any size.
     let is_generator = |line: &str| line.trim_start_matches([' ', '\t', '[', '"', '\'']).starts_with("generate");
     if text.lines().any(is_generator) {
         return Vec::new();
@@ -37,7 +38,7 @@ pub fn of_text(text: &str) -> Vec<SceneDef> {
     suite.map_or_else(|_| Vec::new(), |suite| suite.scenes)
 }
 
-/// One fuzz case: the scenes of a text that are of one of these tasks, or of any if none is named.
+/// Runs one fuzz case: the scenes of a text that are of one of these tasks, or of any task if the list is empty.
 ///
 /// # Panics
 /// If a backend breaks its promise, with the first finding.
@@ -56,7 +57,7 @@ pub fn check(bytes: &[u8], tasks: &[&str]) {
 /// The first promise that one of these backends breaks on a scene, in words.
 #[must_use]
 pub fn first_wrong(def: &SceneDef, backends: &[Box<dyn Contestant>]) -> Option<String> {
-    // What is somewhere else is not there.
+    // Data outside of the text is not available.
     let loaded = def.load(Level::Quick, &Cache::new("/nowhere")).ok()?;
     if loaded.scene.len() > MOST_VERTICES || loaded.count() > MOST_QUERIES {
         return None;
@@ -80,7 +81,7 @@ pub fn first_wrong(def: &SceneDef, backends: &[Box<dyn Contestant>]) -> Option<S
     })
 }
 
-/// A promise that was broken, if one was.
+/// The broken promise in words, if there is one.
 fn broken(loaded: &LoadedScene, backend: &str, outcome: &Outcome) -> Option<String> {
     let class = Class::ALL
         .into_iter()
@@ -94,17 +95,17 @@ fn broken(loaded: &LoadedScene, backend: &str, outcome: &Outcome) -> Option<Stri
     ))
 }
 
-/// Whether a backend may answer so: by its promise, or for a reason that is documented and in `expected.toml`.
+/// True if a backend may answer so: by its promise, or for a reason that is documented and in `expected.toml`.
 fn is_promised(task: &str, backend: &str, class: Class) -> bool {
     class.is_legal()
         || class == Class::Declined
         || class == Class::Topology
             && match backend {
-                // Faces of closed cubes in one plane.
+                // Coplanar faces of closed cubes.
                 "exact" => task == "cube-union",
-                // A mesh that touches itself and whose vertices move each on its own.
+                // A mesh that touches itself and whose vertices move independently.
                 "sos" => task == "mesh-intersect",
-                // Each answer is within the band, and an algorithm that takes them for exact is not.
+                // Each answer is within the band, but an algorithm that treats them as exact may fail.
                 _ => true,
             }
 }

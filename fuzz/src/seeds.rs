@@ -1,4 +1,4 @@
-//! What fuzzing starts from: the embedded suites, as bytes of each target.
+//! The seeds of fuzzing: the embedded suites, as bytes of each target.
 
 use std::path::Path;
 
@@ -6,9 +6,9 @@ use predicament_corpus::{Level, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Dimension, PredicateKind};
 
-/// Bytes of a seed at most: small ones are tried more often.
+/// The maximum size of a seed in bytes: small seeds are tried more often.
 const MOST: usize = 6000;
-/// Points of a seed at most, where they are in bytes.
+/// The maximum number of points of a seed, if they are encoded as bytes.
 const MOST_POINTS: usize = 8;
 
 /// The folder of the embedded suites.
@@ -28,7 +28,7 @@ fn files() -> Vec<(String, String)> {
     files
 }
 
-/// The scenes that are written out in the suites, each as a suite of its own, with its name; sorted.
+/// The scenes that are written in the suites, each as a separate suite, with its name; sorted.
 #[must_use]
 pub fn scenes() -> Vec<(String, String)> {
     let mut scenes = Vec::new();
@@ -47,7 +47,7 @@ pub fn scenes() -> Vec<(String, String)> {
     scenes
 }
 
-/// The tables of a suite as they are written.
+/// The tables of a suite, as their text.
 fn tables(text: &str) -> Vec<String> {
     let mut tables: Vec<String> = Vec::new();
     for line in text.lines() {
@@ -62,7 +62,7 @@ fn tables(text: &str) -> Vec<String> {
     tables
 }
 
-/// Suites, expectations and the manifest, in pieces, with the byte that says which it is.
+/// Suites, expectations and the manifest, in pieces, with the byte for their kind.
 #[must_use]
 pub fn suites() -> Vec<(String, Vec<u8>)> {
     let mut seeds = Vec::new();
@@ -80,11 +80,11 @@ pub fn suites() -> Vec<(String, Vec<u8>)> {
     seeds
 }
 
-/// Points as the bytes of a target, with the first ones of it.
+/// Points as the bytes of a target, after the target's first bytes.
 fn of_points(first: &[u8], dimension: usize, coordinates: &[f64]) -> Vec<u8> {
     let mut bytes = first.to_vec();
     for point in coordinates.chunks_exact(dimension).take(MOST_POINTS) {
-        // A point of its own, of any doubles: see `points`.
+        // A point from its own coordinates, any doubles: see `points`.
         bytes.push(0);
         for coordinate in point {
             bytes.push(3);
@@ -94,7 +94,8 @@ fn of_points(first: &[u8], dimension: usize, coordinates: &[f64]) -> Vec<u8> {
     bytes
 }
 
-/// The first points of the scenes of signs, as bytes for the targets of this predicate, and for that of broken ties.
+/// The first points of the scenes of signs, as bytes for the targets of this predicate, and for the target of broken
+/// ties.
 #[must_use]
 pub fn points(kind: PredicateKind, with_scheme: Option<u8>) -> Vec<(String, Vec<u8>)> {
     let mut seeds = Vec::new();
@@ -137,10 +138,10 @@ pub fn all() -> Vec<(&'static str, Vec<(String, Vec<u8>)>)> {
     all
 }
 
-/// Writes all seeds into `corpus/TARGET` of the fuzz crate's folder, and says how many there are of each.
+/// Writes all seeds into `corpus/TARGET` of the fuzz crate's folder; returns their number per target.
 ///
 /// # Errors
-/// That of the file system.
+/// The error of the file system.
 pub fn write(folder: &Path) -> std::io::Result<Vec<(&'static str, usize)>> {
     let mut written = Vec::new();
     for (target, seeds) in all() {
@@ -163,7 +164,7 @@ mod tests {
         for (target, seeds) in all() {
             assert!(seeds.len() > 2, "{target}: {} seeds", seeds.len());
         }
-        // Points are read back as they were written.
+        // Points are read back as written.
         let bytes = of_points(&[], 2, &[0.5, 12.0, -0.25, 1e300]);
         assert_eq!(crate::points::from_bytes::<2>(&bytes, 2), [[0.5, 12.0], [-0.25, 1e300]]);
     }

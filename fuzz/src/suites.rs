@@ -1,6 +1,7 @@
-//! What people write by hand: suites, expectations, the manifest of downloads. Any bytes are read or refused in one line.
+//! Handwritten files: suites, expectations, the manifest of downloads. Any bytes are read or refused with a one-line
+//! error.
 //!
-//! The first byte says which of these it is.
+//! The first byte chooses the kind of file.
 
 use std::path::Path;
 
@@ -11,11 +12,11 @@ use predicament_oracle::expect::Expectations;
 /// The number of kinds of files.
 pub const KINDS: u8 = 3;
 
-/// One fuzz case.
+/// Runs one fuzz case.
 ///
 /// # Panics
-/// If an error is no single line that names the file and a line of it, or if a suite that was rewritten losslessly is refused or is
-/// rewritten again.
+/// If an error is not a single line that names the file and a line of it, or if a losslessly rewritten suite is refused
+/// or rewritten again.
 pub fn check(bytes: &[u8]) {
     let Some((&kind, bytes)) = bytes.split_first() else { return };
     let Ok(text) = std::str::from_utf8(bytes) else { return };
@@ -35,7 +36,7 @@ pub fn check(bytes: &[u8]) {
     }
 }
 
-/// What was read, if anything was; an error is one line about a line that is there.
+/// The value that was read, if any; an error must be one line about an existing line.
 fn one_line<T, E: ToString>(read: Result<T, E>, text: &str) -> Option<T> {
     match read {
         Ok(read) => Some(read),

@@ -1,31 +1,31 @@
-//! Simulation of Simplicity on the points that bytes stand for: each sign is that of the judge, and each tie is broken as explicit
-//! infinitesimals break it.
+//! Simulation of Simplicity on the points that bytes encode: each sign equals the judge's, and each tie is broken as
+//! explicit infinitesimals break it.
 
 use predicament_judge as judge;
 use predicament_predicates::{Backend, Off, PredicateKind, QuerySet, Sign, Vertex};
 use predicament_sos::{Scheme, Sos, infinitesimal};
 
-/// The schemes.
+/// The schemes that the first byte chooses from.
 const SCHEMES: [Scheme; 2] = [Scheme::PerCoordinate, Scheme::EdelsbrunnerMucke];
 
-/// One fuzz case; the first byte chooses the predicate and the scheme.
+/// Runs one fuzz case; the first byte chooses the predicate and the scheme.
 ///
 /// # Panics
-/// If a sign is another than the judge's, alone or in a batch: the message has the points bit by bit.
+/// If a sign differs from the judge's, alone or in a batch: the message has the points bit by bit.
 pub fn check(bytes: &[u8]) {
     if let Some(wrong) = first_wrong(bytes, |scheme| Sos { scheme }) {
         panic!("{wrong}");
     }
 }
 
-/// The predicate and the scheme of a first byte.
+/// The predicate and the scheme that a first byte chooses.
 #[must_use]
 pub fn chosen(head: u8) -> (PredicateKind, usize) {
     let kind = PredicateKind::ALL[usize::from(head) % PredicateKind::ALL.len()];
     (kind, usize::from(head) / PredicateKind::ALL.len() % SCHEMES.len())
 }
 
-/// The first sign that is not as it has to be, in words.
+/// The first wrong sign, in words.
 fn first_wrong<B: Backend>(bytes: &[u8], backend: impl Fn(Scheme) -> B) -> Option<String> {
     let (&head, bytes) = bytes.split_first()?;
     let (kind, scheme) = chosen(head);
@@ -65,7 +65,7 @@ mod tests {
         for run in 0..2000 {
             check(&bytes(run));
         }
-        // The other scheme's ties are other ties.
+        // The other scheme breaks ties differently.
         let swapped = |scheme| Sos {
             scheme: if scheme == Scheme::PerCoordinate { Scheme::EdelsbrunnerMucke } else { Scheme::PerCoordinate },
         };

@@ -1,7 +1,8 @@
-//! Says whether backends share one compilation of the tasks.
+//! Decides whether backends share one compilation of the tasks.
 //!
-//! Times are published of optimised builds, in which each task is compiled for each backend. That is most of what this crate costs to
-//! compile, and of no use to a build that nobody times: there all backends go behind a pointer (`boxed.rs`).
+//! Times are published for optimised builds, in which each task is compiled for each backend. These compilations are
+//! most of this crate's build time, and untimed builds do not need them: there all backends are behind a pointer
+//! (`boxed.rs`).
 
 fn main() {
     println!("cargo::rerun-if-changed=build.rs");

@@ -1,4 +1,4 @@
-//! Predicates in Rust for the tool `predicament`: a type with the predicates that a library has, and a `main` of one line.
+//! Predicates in Rust for the tool `predicament`: a type with a library's predicates, and a `main` of one line.
 //!
 //! ```text
 //! use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, locked, serve};
@@ -25,8 +25,9 @@
 //! }
 //! ```
 //!
-//! Signs are those of `docs/ENGINES.md`. A predicate that panics is answered by `error`, with the query and the text of the
-//! panic: the tool counts the scene as a panic and starts the engine again. A library that prints goes to stderr (on Unix).
+//! Signs are those of `docs/ENGINES.md`. If a predicate panics, the answer is `error`, with the query and the text of
+//! the panic: the tool counts the scene as a panic and restarts the engine. The output of a library that prints goes to
+//! stderr (on Unix).
 
 mod message;
 mod server;
@@ -35,21 +36,21 @@ use std::cmp::Ordering;
 use std::ops::Neg;
 use std::process::ExitCode;
 
-/// What a zero of the engine means.
+/// The meaning of the engine's zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zero {
     /// The determinant is zero.
     Exact,
-    /// Nothing: ties are broken.
+    /// The engine breaks ties, so a zero has no meaning.
     Never,
 }
 
-/// What coordinates are rounded to.
+/// The precision to which coordinates are rounded.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Precision {
-    /// Doubles: they are not rounded.
+    /// Double precision: coordinates are not rounded.
     F64,
-    /// Singles.
+    /// Single precision.
     F32,
 }
 
@@ -62,14 +63,14 @@ pub enum Predicate {
     Orient2d,
     /// The side of the fourth of four points.
     Orient3d,
-    /// A fourth point and the circle of three.
+    /// The position of a fourth point relative to the circle of three.
     Incircle,
-    /// A fifth point and the sphere of four.
+    /// The position of a fifth point relative to the sphere of four.
     Insphere,
 }
 
 impl Predicate {
-    /// Its name in the protocol.
+    /// The predicate's name in the protocol.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -86,15 +87,15 @@ impl Predicate {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[repr(u8)]
 pub enum Answer {
-    /// −1.
+    /// The sign −1.
     Negative = 255,
-    /// 0.
+    /// The sign 0.
     Zero = 0,
-    /// +1.
+    /// The sign +1.
     Positive = 1,
-    /// The query is not for this engine, and so the scene is not.
+    /// The engine declines the query, and with it the scene.
     Declined = 2,
-    /// A NaN in place of a number.
+    /// The library returned NaN.
     Nan = 3,
 }
 
@@ -109,7 +110,7 @@ impl From<Ordering> for Answer {
 }
 
 impl From<f64> for Answer {
-    /// The sign of a determinant.
+    /// The sign of a determinant; `Nan` for NaN.
     fn from(determinant: f64) -> Answer {
         determinant.partial_cmp(&0.0).map_or(Answer::Nan, Answer::from)
     }
@@ -130,43 +131,43 @@ impl Neg for Answer {
 /// A vertex of the scene: its coordinates and its id.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Vertex<const D: usize> {
-    /// Where it is.
+    /// The coordinates.
     pub at: [f64; D],
-    /// Which one it is, counted from 0.
+    /// The vertex number, counted from 0.
     pub id: u32,
 }
 
-/// All points that predicates see, by the ids of their vertices.
+/// All points that predicates receive, by the ids of their vertices.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Points<'p> {
-    /// Of a scene in the plane, or of one in space, projected.
+    /// The points of a scene in the plane, or of a scene in space, projected.
     Plane(&'p [[f64; 2]]),
-    /// Of a scene in space.
+    /// The points of a scene in space.
     Space(&'p [[f64; 3]]),
 }
 
 /// A library's predicates in the tool's conventions.
 pub trait Engine: Default {
-    /// The name in the answer to `hello`.
+    /// The engine's name in the answer to `hello`.
     const NAME: &'static str;
-    /// What zero means.
+    /// The meaning of zero.
     const ZERO: Zero;
-    /// The predicates that it has; each other one is declined.
+    /// The predicates that the engine has; others are declined.
     const PREDICATES: &'static [Predicate];
-    /// What coordinates are rounded to.
+    /// The precision to which coordinates are rounded.
     const PRECISION: Precision = Precision::F64;
-    /// Whether orient2d in the plane of z and x sees (x, z), and the answer is turned. A perturbation needs it that moves a
-    /// point's coordinates in their order, as the library would project by itself.
+    /// True if orient2d in the zx plane receives (x, z), and the answer is negated. A perturbation that moves a point's
+    /// coordinates in their order needs this, since the library itself would project in that order.
     const IN_ORDER: bool = false;
 
-    /// The version of the library, in one line.
+    /// The version of the library, on one line.
     fn version() -> String;
 
-    /// Sees the points before the first batch of a scene, outside of the time, and again where predicates see others:
-    /// orient2d in a plane of a scene in space sees projected points. Ids stay the same.
+    /// Receives the points before the first batch of a scene, outside of the measured time, and again whenever
+    /// predicates get other points: orient2d in a plane of a scene in space gets projected points. Ids stay the same.
     ///
     /// # Errors
-    /// Why the scene is not for this engine.
+    /// The reason why the scene is not for this engine.
     fn prepare(&mut self, points: Points<'_>) -> Result<(), String> {
         let _ = points;
         Ok(())
@@ -178,32 +179,35 @@ pub trait Engine: Default {
         Answer::Declined
     }
 
-    /// Positive for a counterclockwise turn.
+    /// The turn of three points, positive if counterclockwise.
     fn orient2d(&self, points: [Vertex<2>; 3]) -> Answer {
         let _ = points;
         Answer::Declined
     }
 
-    /// Positive where the fourth point is below the plane of the others, seen counterclockwise from above.
+    /// The side of the fourth point, positive if it is below the plane of the others, which are counterclockwise from
+    /// above.
     fn orient3d(&self, points: [Vertex<3>; 4]) -> Answer {
         let _ = points;
         Answer::Declined
     }
 
-    /// Positive where the fourth point is inside the circle of three that turn counterclockwise.
+    /// The position of the fourth point, positive if it is inside the circle of the others, which turn
+    /// counterclockwise.
     fn incircle(&self, points: [Vertex<2>; 4]) -> Answer {
         let _ = points;
         Answer::Declined
     }
 
-    /// Positive where the fifth point is inside the sphere of four that are positive.
+    /// The position of the fifth point, positive if it is inside the sphere of the others, which have a positive
+    /// orient3d.
     fn insphere(&self, points: [Vertex<3>; 5]) -> Answer {
         let _ = points;
         Answer::Declined
     }
 }
 
-/// The points in the order of their ids, and whether the order is an odd permutation; none where a vertex comes twice.
+/// The points sorted by id, and true if the permutation is odd; `None` if a vertex occurs twice.
 #[must_use]
 pub fn by_id<const D: usize, const N: usize>(mut points: [Vertex<D>; N]) -> Option<([Vertex<D>; N], bool)> {
     let mut odd = false;
@@ -219,7 +223,7 @@ pub fn by_id<const D: usize, const N: usize>(mut points: [Vertex<D>; N]) -> Opti
     (!twice).then_some((points, odd))
 }
 
-/// The version of a package in a lock file of cargo.
+/// The version of a package in a Cargo lock file.
 #[must_use]
 pub fn locked(lock: &str, package: &str) -> String {
     let name = format!("name = \"{package}\"");

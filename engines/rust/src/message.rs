@@ -3,23 +3,23 @@
 use std::io::{ErrorKind, Read, Write};
 use std::ops::Range;
 
-/// The longest body of a message, in bytes.
+/// The maximum size of a message's body, in bytes.
 const LONGEST: u32 = 1 << 30;
 
-/// Where a key and its value are.
+/// The byte ranges of a key and its value.
 type Entry = (Range<usize>, Range<usize>);
 
-/// A message that was read.
+/// A received message.
 pub struct Message {
     body: Vec<u8>,
     entries: Vec<Entry>,
 }
 
 impl Message {
-    /// The next message; none where the input ends before its first byte.
+    /// Reads the next message; returns `None` if the input ends before its first byte.
     ///
     /// # Errors
-    /// Where the input is not the protocol.
+    /// If the input is not a message of the protocol.
     pub fn read(input: &mut impl Read) -> Result<Option<Message>, String> {
         let failed = |error: std::io::Error| format!("stdin can't be read: {error}");
         let mut length = Vec::new();
@@ -33,7 +33,7 @@ impl Message {
             return Err(format!("a message of {size} bytes; the longest has 2^30"));
         }
         let mut body = Vec::new();
-        // Memory is taken as bytes arrive.
+        // Memory grows with the bytes that arrive.
         if input.by_ref().take(u64::from(size)).read_to_end(&mut body).map_err(failed)? < size as usize {
             return Err("stdin ends within a message".to_owned());
         }
@@ -52,18 +52,18 @@ impl Message {
         self.bytes(key).map(|value| String::from_utf8_lossy(value).into_owned())
     }
 
-    /// The value of a key that the message must have.
+    /// The value of a required key.
     pub fn need(&self, key: &str) -> Result<&[u8], String> {
         self.bytes(key).ok_or_else(|| format!("a message `{}` without `{key}`", self.kind()))
     }
 
-    /// The kind of message.
+    /// The type of the message.
     pub fn kind(&self) -> String {
         self.text("type").unwrap_or_default()
     }
 }
 
-/// Where the keys and values of a body are.
+/// The byte ranges of a body's keys and values.
 fn split(body: &[u8]) -> Result<Vec<Entry>, String> {
     let mut entries = Vec::new();
     let mut at = 0;
@@ -89,15 +89,15 @@ fn split(body: &[u8]) -> Result<Vec<Entry>, String> {
 pub struct Reply(Vec<u8>);
 
 impl Reply {
-    /// A message of this kind.
+    /// A message of this type.
     pub fn new(kind: &str) -> Reply {
         Reply(Vec::new()).with("type", kind)
     }
 
-    /// The message with one more key and its value.
+    /// Adds a key and its value to the message.
     pub fn with(mut self, key: &str, value: impl AsRef<[u8]>) -> Reply {
         let value = value.as_ref();
-        // Keys are this crate's own, and values shorter than the message that asked for them.
+        // Keys are chosen by this crate, and values are shorter than the message that they answer.
         self.0.push(u8::try_from(key.len()).expect("a short key"));
         self.0.extend(key.as_bytes());
         self.0.extend(u32::try_from(value.len()).expect("a value of less than 4 GiB").to_le_bytes());

@@ -1,4 +1,4 @@
-//! The answers to messages: the scene that is kept, the batch that is timed.
+//! The server: stores the scene, answers messages, and times batches.
 
 use std::hint::black_box;
 use std::io::{Read, Write};
@@ -9,7 +9,7 @@ use std::time::Instant;
 use crate::message::{Message, Reply};
 use crate::{Answer, Engine, Points, Precision, Predicate, Vertex, Zero};
 
-/// The byte of a query that was not asked yet; none of the protocol's.
+/// The byte of a query not yet answered; it is not a byte of the protocol.
 const NOT_ASKED: u8 = 128;
 
 /// Runs an engine with these arguments.
@@ -32,7 +32,7 @@ pub fn main<E: Engine>(args: Vec<String>) -> Result<(), String> {
     serve::<E>(std::io::stdin().lock(), &mut output).map_err(|why| format!("engine: {why}"))
 }
 
-/// The program's end of stdout. Whatever a library prints goes to stderr.
+/// The program's own handle for stdout. Output of a library goes to stderr.
 #[cfg(unix)]
 fn own_stdout() -> Result<impl Write, String> {
     let claimed = rustix::io::dup(std::io::stdout()).and_then(|own| {
@@ -42,7 +42,7 @@ fn own_stdout() -> Result<impl Write, String> {
     claimed.map_err(|error| format!("engine: stdout can't be duplicated: {error}"))
 }
 
-/// Stdout: this system has no safe call to claim it, and a library that prints breaks the protocol.
+/// Stdout itself: this system has no safe call to claim it, and a library that prints breaks the protocol.
 #[cfg(not(unix))]
 fn own_stdout() -> Result<impl Write, String> {
     Ok(std::io::stdout())
@@ -67,12 +67,12 @@ fn serve<E: Engine>(mut input: impl Read, output: &mut impl Write) -> Result<(),
     Ok(())
 }
 
-/// Why a message has no answer.
+/// The reason why a message gets no answer.
 #[derive(PartialEq, Eq, Debug)]
 enum Refused {
     /// The scene or the predicate is not for this engine.
     Declined(String),
-    /// The library has failed.
+    /// The library failed.
     Failed(String),
     /// The message is not one of the protocol. The program ends.
     Malformed(String),
@@ -84,10 +84,10 @@ impl From<String> for Refused {
     }
 }
 
-/// Which points predicates see: those of the scene, or of a plane by its axes.
+/// The points that predicates receive: those of the scene, or their projection to a plane, given by its axes.
 type View = Option<[usize; 2]>;
 
-/// An engine and the scene that it was given.
+/// An engine and its scene.
 #[derive(Default)]
 struct Server<E> {
     engine: E,
@@ -95,7 +95,7 @@ struct Server<E> {
     plane: Vec<[f64; 2]>,
     space: Vec<[f64; 3]>,
     projected: Vec<[f64; 2]>,
-    /// The points that the engine has prepared; none before that.
+    /// The points that the engine has prepared; `None` at first.
     prepared: Option<View>,
 }
 
@@ -134,7 +134,7 @@ impl<E: Engine> Server<E> {
         Ok(Reply::new("ready").with("ns", start.elapsed().as_nanos().to_string()))
     }
 
-    /// Makes these points those that predicates see.
+    /// Prepares the engine for these points.
     fn look(&mut self, view: View) -> Result<(), Refused> {
         if self.prepared == Some(view) {
             return Ok(());
@@ -181,7 +181,7 @@ impl<E: Engine> Server<E> {
         }
     }
 
-    /// Declines a predicate that is about points of another dimension.
+    /// Declines a predicate for points of another dimension.
     fn has(&mut self, dimension: usize, batch: &Batch) -> Result<(), Refused> {
         if self.dimension != dimension {
             return Err(Refused::Declined(format!("{} is about points of dimension {dimension}", batch.name)));
@@ -242,12 +242,12 @@ fn along<const D: usize>(axis: usize, point: Vertex<D>) -> Vertex<1> {
 struct Batch<'m> {
     message: &'m Message,
     name: String,
-    /// Whether a predicate is asked that returns at once.
+    /// True if the batch is for a predicate that returns at once.
     empty: bool,
 }
 
 impl Batch<'_> {
-    /// Which of these names the value of a key is.
+    /// The index among `names` of a key's value.
     fn one_of(&self, key: &str, names: &[&str], default: Option<&str>) -> Result<usize, Refused> {
         let given = self.message.text(key).or(default.map(str::to_owned));
         let given = given.ok_or_else(|| format!("a message `batch` without `{key}`"))?;
@@ -255,7 +255,7 @@ impl Batch<'_> {
         found.ok_or_else(|| Refused::Malformed(format!("`{given}` is no {key} of the scene")))
     }
 
-    /// Asks all queries, timed: a byte for each.
+    /// Answers all queries, with one byte each, and measures the time.
     fn ask<const D: usize, const N: usize>(
         &self,
         points: &[[f64; D]],
@@ -272,7 +272,7 @@ impl Batch<'_> {
         }
         let queries = ids.as_chunks().0;
         if self.empty {
-            // The compiler does not know what it returns, and makes its arguments.
+            // `black_box` hides the result from the compiler and makes it build the arguments.
             let empty = |points: [Vertex<D>; N]| {
                 black_box(points);
                 black_box(Answer::Zero)
@@ -282,7 +282,7 @@ impl Batch<'_> {
         self.each(points, queries, predicate)
     }
 
-    /// Calls `predicate` for each query and keeps a byte for each. This loop is what is timed.
+    /// Calls `predicate` for each query and stores a byte for each. Only this loop is timed.
     fn each<const D: usize, const N: usize>(
         &self,
         points: &[[f64; D]],
@@ -308,10 +308,10 @@ impl Batch<'_> {
     }
 }
 
-/// Whether the library is at work: its panics are told to the tool, and not on stderr with the paths of this machine.
+/// True during a call of the library: its panics are reported to the tool, not to stderr with this machine's paths.
 static IN_LIBRARY: AtomicBool = AtomicBool::new(false);
 
-/// What the library has done; the text of its panic, if it panicked.
+/// The result of the library's work, or the text of its panic.
 fn caught<R>(work: impl FnOnce() -> R) -> Result<R, String> {
     IN_LIBRARY.store(true, Ordering::Relaxed);
     let done = catch_unwind(AssertUnwindSafe(work));
@@ -377,7 +377,7 @@ mod tests {
         ids.iter().flat_map(|id| id.to_le_bytes()).collect()
     }
 
-    /// Three points in the plane.
+    /// A scene of three points in the plane.
     fn plane() -> Reply {
         Reply::new("scene").with("dimension", "2").with("points", doubles(&[0.0, 0.0, 4.0, 0.0, 1.0, 2.0]))
     }
@@ -386,7 +386,7 @@ mod tests {
         Reply::new("batch").with("predicate", "orient2d").with("ids", ids(of))
     }
 
-    /// The answers to these messages, and how it ended.
+    /// The answers to these messages, and the server's final result.
     fn asked(questions: &[Reply]) -> (Vec<Message>, Result<(), String>) {
         let (mut input, mut output) = (Vec::new(), Vec::new());
         questions.iter().for_each(|question| question.send(&mut input).unwrap());
@@ -434,7 +434,7 @@ mod tests {
         assert_eq!(last(&[plane(), empty]).bytes("signs"), Some(&[0, 0][..]), "nothing is asked");
     }
 
-    /// One turn in space that is +, − and +: the third as −(x, z), by an engine that wants coordinates in order.
+    /// Turns in space that are +, − and +; the third is −(x, z), by an engine that wants coordinates in order.
     #[test]
     fn points_in_space_are_projected_and_go_back() {
         let points = [0.0, 0.0, 0.0, 1.0, 0.0, 3.0, 5.0, 1.0, 2.0];

@@ -1,4 +1,4 @@
-//! Stdout is the protocol's, whatever a library prints.
+//! Stdout carries only the protocol, even if a library prints.
 
 use std::io::Write;
 use std::process::{Command, Output, Stdio};
@@ -13,7 +13,7 @@ fn message(entries: &[(&str, &[u8])]) -> Vec<u8> {
     [&length(&body), body.as_slice()].concat()
 }
 
-/// What the engine makes of this input.
+/// The output of the engine for this input.
 fn loud(args: &[&str], input: &[u8]) -> Output {
     let program = Command::new(env!("CARGO_BIN_EXE_loud"))
         .args(args)

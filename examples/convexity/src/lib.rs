@@ -1,4 +1,4 @@
-//! Convexity: which way a polygon turns at each of its corners.
+//! Convexity: the direction in which a polygon turns at each of its corners.
 
 use std::path::{Path, PathBuf};
 

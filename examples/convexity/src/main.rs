@@ -1,4 +1,4 @@
-//! The tool with the task beside its own.
+//! The tool with this task added.
 
 fn main() -> std::process::ExitCode {
     predicament::cli()

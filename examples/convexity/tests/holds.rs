@@ -1,4 +1,4 @@
-//! The tool on the crate's own suite: what it finds is expected, and the planted fault is found.
+//! Runs the tool on the crate's own suite: all findings are expected, and the planted fault is detected.
 
 use std::path::Path;
 use std::process::Command;

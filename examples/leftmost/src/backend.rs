@@ -1,17 +1,17 @@
 //! A backend that orders coordinates by the sign of their difference in doubles.
 //!
-//! Doubles underflow gradually, so a difference is zero only where its operands are equal, and
-//! a difference that overflows keeps its sign: the answers are exact.
+//! Doubles underflow gradually, so a difference is zero only if its operands are equal, and a difference that overflows
+//! keeps its sign: the answers are exact.
 
 use predicament::predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-/// Compares coordinates by subtracting them; declines every other predicate.
+/// A backend that compares coordinates by subtracting them; it declines every other predicate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct ByDifference;
 
-/// [`ByDifference`] in one scene.
+/// The session of [`ByDifference`] for one scene.
 pub struct Session<'s, T> {
     scene: &'s Scene,
     tally: T,

@@ -1,4 +1,4 @@
-//! What a scene of the task asks, how a suite writes it, and one family of generated scenes.
+//! The content of a scene, its syntax in a suite, and a family of generated scenes.
 
 use predicament::corpus::{
     Canon, Content, Context, Family, Items, List, Making, Parts, Recipe, SceneFormat, Source, Spelled, spelled_points,

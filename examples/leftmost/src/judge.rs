@@ -1,4 +1,4 @@
-//! What is true, by comparing rationals, and how each vertex of an answer is classified.
+//! The exact answer, by comparing rationals, and the classification of each vertex of an answer.
 
 use predicament::judge::{Judged, rational};
 use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sign, Vertex, ZeroMeaning};
@@ -13,7 +13,7 @@ pub fn exactly(scene: &Scene, content: &Among) -> Vec<Vertex> {
     content.0.iter().copied().filter(|&vertex| Some(x(vertex)) == smallest).collect()
 }
 
-/// The same for [`Task::truth`](predicament::tasks::Task::truth).
+/// The exact answer for [`Task::truth`](predicament::tasks::Task::truth).
 pub fn truth(scene: &Scene, content: &Among, watch: &Watch) -> Result<Vec<Vertex>, Stop> {
     watch.done(0)?;
     let leftmost = exactly(scene, content);

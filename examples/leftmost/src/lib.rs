@@ -1,6 +1,6 @@
-//! A task, a backend and a study outside of the workspace: what a crate of your own looks like.
+//! A task, a backend and a study in a crate of your own, outside of the workspace.
 //!
-//! `docs/TASKS.md` walks through the task, `docs/BACKENDS.md` through the backend, `docs/STUDIES.md` through the study.
+//! `docs/TASKS.md` explains the task, `docs/BACKENDS.md` the backend, `docs/STUDIES.md` the study.
 
 mod backend;
 mod content;

@@ -1,4 +1,4 @@
-//! `leftmost.csv`, a row for each scene and backend, and the section of a report that shows it.
+//! The table `leftmost.csv`, with a row for each scene and backend, and the section of a report that shows it.
 
 use predicament::predicates::Vertex;
 use predicament::records::{Error, RowError, RunDir, serde};
@@ -44,7 +44,7 @@ impl LeftmostRow {
     }
 }
 
-/// The section of a report; none where no scene of the task was run.
+/// The section of a report; `None` if the runs have no scene of the task.
 pub(crate) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("").words(run_head(runs)).words(["scene", "backend", "leftmost"]);

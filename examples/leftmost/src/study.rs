@@ -1,4 +1,4 @@
-//! A study of the crate's own: how many vertices of a column does a backend take for the leftmost ones?
+//! A study of the crate's own: the number of vertices of a column that a backend takes for leftmost.
 
 use clap::Args;
 use predicament::predicates::{Axis, Predicates, Scene, Sign, Vertex};
@@ -16,7 +16,7 @@ pub struct Column {
     pub n: u32,
 }
 
-/// A backend, and how many vertices it found.
+/// A backend, and the number of vertices that it found.
 type Row = (String, usize);
 
 impl Study for Column {

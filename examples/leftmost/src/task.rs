@@ -1,4 +1,4 @@
-//! The task: the vertices with the smallest x, whatever backend compares.
+//! The task: the vertices with the smallest x, by the comparisons of any backend.
 
 use std::path::{Path, PathBuf};
 
@@ -13,7 +13,7 @@ use predicament::tasks::{
 
 use crate::{Among, LeftmostRow, judge, section};
 
-/// Vertices between two looks at the watch.
+/// The number of vertices between two checks of the watch.
 const CHUNK: usize = 4096;
 
 /// The task.

@@ -1,5 +1,5 @@
-//! The backend against every embedded scene that only compares coordinates, and against this crate's own task; the tool
-//! on the crate's own suite.
+//! Tests the backend on every embedded scene that only compares coordinates, and on this crate's own task; tests the
+//! tool on the crate's own suite.
 
 use std::path::Path;
 use std::process::Command;

@@ -1,4 +1,4 @@
-//! Predicates in plain doubles, as docs/BACKENDS.md has them.
+//! Predicates in plain doubles, as shown in docs/BACKENDS.md.
 
 use predicament::predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,

@@ -1,4 +1,4 @@
-//! The backend against embedded scenes.
+//! Tests the backend on embedded scenes.
 
 use mine::Mine;
 use predicament::Level;

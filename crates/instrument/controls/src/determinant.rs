@@ -1,12 +1,11 @@
-//! Plain f64 determinants, with the point that is subtracted as a parameter.
+//! Plain f64 determinants, with the subtracted point as a parameter.
 //!
-//! All five predicates are determinants of homogeneous coordinates, which
-//! subtracting one row from the others makes smaller. In real numbers it
-//! doesn't matter which row; in floating point it decides which inputs go wrong
-//! (Kettner, Mehlhorn, Pion, Schirra and Yap 2008, section 3). Where none is subtracted, the determinant of the homogeneous matrix is taken as a
-//! library of linear algebra takes it: what most people write.
+//! All five predicates are determinants of homogeneous coordinates; subtracting one row from the others makes them
+//! smaller. In real numbers the choice of row does not matter; in floating point it decides which inputs give wrong
+//! signs (Kettner, Mehlhorn, Pion, Schirra and Yap 2008, section 3). Without a subtraction, the determinant of the
+//! homogeneous matrix is computed as in a linear algebra library, which is the most common way to write it.
 
-/// The point that is subtracted from the others first.
+/// The point that is first subtracted from the others.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum Pivot {
     /// The last argument, as Shewchuk does.
@@ -14,12 +13,11 @@ pub enum Pivot {
     Last,
     /// The first argument, as Kettner et al. do.
     First,
-    /// None: `determinant()` of the homogeneous matrix, by the crate nalgebra.
+    /// No point: `determinant()` of the homogeneous matrix, by the crate nalgebra.
     Homogeneous,
 }
 
-/// The turn a, b, c. For [`Pivot::First`], with p, q, r for a, b, c:
-/// (q.x − p.x)(r.y − p.y) − (q.y − p.y)(r.x − p.x).
+/// The turn a, b, c. For [`Pivot::First`], with p, q, r for a, b, c: (q.x − p.x)(r.y − p.y) − (q.y − p.y)(r.x − p.x).
 #[inline(always)]
 pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
     match pivot {
@@ -29,7 +27,7 @@ pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
     }
 }
 
-/// The side of d on the plane of a, b, c.
+/// The determinant for the side of d relative to the plane of a, b, c.
 #[inline(always)]
 pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
     match pivot {
@@ -40,7 +38,7 @@ pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
     }
 }
 
-/// d in the circle of a, b, c.
+/// The determinant for the position of d relative to the circle of a, b, c.
 #[inline(always)]
 pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
     let lifted = |p, q| {
@@ -54,19 +52,19 @@ pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
     }
 }
 
-/// e in the sphere of a, b, c, d.
+/// The determinant for the position of e relative to the sphere of a, b, c, d.
 #[inline(always)]
 pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
     match pivot {
         Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
-        // Of five rows it is an even one.
+        // For five rows it is an even permutation.
         Pivot::First => lifted_quadruple(minus(b, a), minus(c, a), minus(d, a), minus(e, a)),
         Pivot::Homogeneous => homogeneous::insphere([a, b, c, d, e]),
     }
 }
 
-/// Determinants of homogeneous matrices. They are out of line: beside them the others would not be inlined where they are asked, and points
-/// that go through memory cost several times the determinant.
+/// Determinants of homogeneous matrices. They are out of line: inlined, they would prevent the inlining of the other
+/// determinants, and points that go through memory cost several times the determinant.
 mod homogeneous {
     use nalgebra::{Matrix3, Matrix4, Matrix5};
 

@@ -7,15 +7,14 @@ use predicament_predicates::{
 use crate::naive_session::Last;
 use crate::session::{Float, Session};
 
-/// Plain f64 determinants, zero if smaller in magnitude than a fixed epsilon,
-/// whatever the size of the coordinates. Comparisons too: the determinant is
-/// the difference then.
+/// Plain f64 determinants, zero if smaller in magnitude than a fixed epsilon, whatever the size of the coordinates.
+/// This includes comparisons, whose determinant is the difference.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Epsilon {
     eps: f64,
 }
 
-/// Why a number is no epsilon.
+/// The error for a number that is not a valid epsilon.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct BadEpsilon(pub f64);
 
@@ -28,21 +27,21 @@ impl std::fmt::Display for BadEpsilon {
 impl std::error::Error for BadEpsilon {}
 
 impl Epsilon {
-    /// A determinant is zero if its magnitude is less than `eps`, in the units
-    /// of the determinant; with an `eps` of 0 this is [`Naive`](crate::Naive).
+    /// A backend for which a determinant is zero if its magnitude is less than `eps`, in the units of the determinant.
+    /// With an `eps` of 0 this is [`Naive`](crate::Naive).
     ///
     /// # Errors
     /// [`BadEpsilon`] if `eps` is NaN, infinite or negative.
     pub fn new(eps: f64) -> Result<Epsilon, BadEpsilon> {
         if eps.is_finite() && eps >= 0.0 {
-            // −0 is 0, also in the name.
+            // −0 becomes 0, also in the name.
             Ok(Epsilon { eps: eps.abs() })
         } else {
             Err(BadEpsilon(eps))
         }
     }
 
-    /// The threshold.
+    /// The threshold below which a determinant is zero.
     #[must_use]
     pub fn eps(&self) -> f64 {
         self.eps
@@ -50,7 +49,7 @@ impl Epsilon {
 }
 
 impl Default for Epsilon {
-    /// 1e-10, a constant often met in programs.
+    /// The threshold 1e-10, a constant common in programs.
     fn default() -> Epsilon {
         Epsilon { eps: 1e-10 }
     }
@@ -81,7 +80,7 @@ impl Float for Epsilon {
 
     #[inline(always)]
     fn value(&self, determinant: f64) -> f64 {
-        // A selected zero, not a branch: which determinants are small can't be predicted.
+        // A selected zero instead of a branch, because small determinants are not predictable.
         if determinant.abs() < self.eps { 0.0 } else { determinant }
     }
 }
@@ -89,7 +88,7 @@ impl Float for Epsilon {
 impl Backend for Epsilon {
     type Session<'s, T: Tally + 's> = Session<'s, Epsilon, T>;
 
-    /// `epsilon:` and the threshold, which reads back as the same number.
+    /// The text `epsilon:` and the threshold, which parses back to the same number.
     fn name(&self) -> String {
         format!("epsilon:{:e}", self.eps)
     }

@@ -1,22 +1,18 @@
-//! Backends to compare with: predicates in common use, as they are used.
+//! Control backends: predicates in common use, as they are used.
 //!
-//! Controls are ordinary backends. They declare the same contract as `exact`, that
-//! zero means zero, without guaranteeing it: a harness that finds no errors in them
-//! finds none at all.
+//! Controls are ordinary backends. They declare the same contract as `exact`, that zero means zero, without
+//! guaranteeing it. A harness that finds no errors in them cannot find errors at all.
 //!
-//! * [`Naive`]: plain f64 determinants, the pivot a parameter.
-//! * [`Epsilon`]: the same, with |determinant| < ε taken for zero.
-//! * [`Shewchuk`]: the crate `robust` as it is, without a guard against
-//!   underflow and overflow.
+//! * [`Naive`]: plain f64 determinants, with the pivot as a parameter.
+//! * [`Epsilon`]: the same, with zero for |determinant| < ε.
+//! * [`Shewchuk`]: the crate `robust` as it is, without a guard against underflow and overflow.
 //!
-//! Constructed vertices are [computed](constructed) in doubles when a scene is
-//! prepared or a session constructs them, and taken for points with those
-//! coordinates from then on: that is wrong before the first predicate is asked.
-//! Others may be constructed from those; a definition of no point, such as
-//! parallel lines, is not refused: its coordinates are infinite or NaN.
+//! Constructed vertices are [computed](constructed) in doubles when a scene is prepared or a session constructs them,
+//! and from then on treated as points with those coordinates. So the input of the first predicate is already wrong.
+//! Further vertices may be constructed from them. A construction that gives no point, such as parallel lines, is not
+//! refused: its coordinates are infinite or NaN.
 //!
-//! Each keeps the determinant it computed for
-//! [`estimate`](predicament_predicates::Predicates::estimate).
+//! Each control returns the determinant it computed as [`estimate`](predicament_predicates::Predicates::estimate).
 
 mod determinant;
 mod epsilon;

@@ -17,7 +17,7 @@ pub struct Naive {
 impl Backend for Naive {
     type Session<'s, T: Tally + 's> = NaiveSession<'s, T>;
 
-    /// `naive`, `naive:first` or `naive:nalgebra`.
+    /// The name `naive`, `naive:first` or `naive:nalgebra`.
     fn name(&self) -> String {
         match self.pivot {
             Pivot::Last => "naive",

@@ -1,7 +1,8 @@
-//! The session of plain determinants, of a type of its own for each pivot.
+//! The session of plain determinants, with a separate type for each pivot.
 //!
-//! A loop that asks which point is the pivot for every query takes up to three times as long as one that knows. So a session knows, and a batch asks
-//! once: the floor that others are compared with should be as low as it is for who writes one determinant.
+//! A loop that tests for the pivot in every query takes up to three times as long as a loop with a fixed pivot. So the
+//! session's type fixes the pivot, and a batch tests once: this baseline should be as fast as a single handwritten
+//! determinant.
 
 use predicament_predicates::{
     Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions, Sign,
@@ -11,10 +12,10 @@ use predicament_predicates::{
 use crate::determinant::{self, Pivot};
 use crate::session::{Float, Session};
 
-/// Determinants about a pivot that is known when this is compiled.
+/// Defines types of determinants with a pivot that is fixed at compile time.
 macro_rules! about {
     ($($name:ident: $in_lanes:literal)*) => {$(
-        /// Determinants about this pivot.
+        /// The determinants with this pivot.
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
 
@@ -47,13 +48,13 @@ macro_rules! about {
 // (nalgebra's determinant is out of line and pivots: it branches.)
 about!(Last: true First: true Homogeneous: false);
 
-/// Plain determinants, prepared for one scene: by pivot.
+/// The session of plain determinants for one scene, by pivot.
 pub enum NaiveSession<'s, T> {
-    /// [`Pivot::Last`].
+    /// The session for [`Pivot::Last`].
     Last(Session<'s, Last, T>),
-    /// [`Pivot::First`].
+    /// The session for [`Pivot::First`].
     First(Session<'s, First, T>),
-    /// [`Pivot::Homogeneous`].
+    /// The session for [`Pivot::Homogeneous`].
     Homogeneous(Session<'s, Homogeneous, T>),
 }
 
@@ -67,7 +68,7 @@ impl<'s, T> NaiveSession<'s, T> {
     }
 }
 
-/// The same of the session, whichever it is.
+/// Evaluates an expression with the session of any variant.
 macro_rules! each {
     ($of:expr, $session:ident => $asked:expr) => {
         match $of {
@@ -78,15 +79,15 @@ macro_rules! each {
     };
 }
 
-/// [`Sign::of`], from a table. After a choice of pivots that one is compiled to branches, and a wrong guess at the sign of a random
-/// determinant costs more than the determinant.
+/// The value of [`Sign::of`], from a table. After the match on pivots, `Sign::of` compiles to branches, and a
+/// mispredicted sign of a random determinant costs more than the determinant.
 #[inline(always)]
 fn sign(x: f64) -> Sign {
     const SIGNS: [Sign; 4] = [Sign::Zero, Sign::Positive, Sign::Negative, Sign::Zero];
     SIGNS[usize::from(x > 0.0) | usize::from(x < 0.0) << 1]
 }
 
-// A method that is left out would fall back to its default and pass over the session's own.
+// An omitted method would use its default instead of the session's own method.
 #[deny(clippy::missing_trait_methods)]
 impl<T: Tally> Predicates for NaiveSession<'_, T> {
     #[inline]

@@ -1,20 +1,18 @@
-//! Constructed vertices computed in doubles, once, and taken for input vertices from
-//! then on, as most programs do.
+//! Constructed vertices, computed once in doubles and treated as input vertices from then on, as in most programs.
 //!
-//! Every operation rounds, nothing bounds by how much, and what is asked later
-//! is asked about another point than the one that lines and planes define.
-//! Where they are parallel in floating point, the vertex is infinite or NaN.
-//! Lines and planes through constructed vertices go through the rounded ones.
+//! Every operation rounds, without an error bound. Later queries use another point than the one that the lines and
+//! planes define. If they are parallel in floating point, the vertex is infinite or NaN. Lines and planes through
+//! constructed vertices use the rounded vertices.
 
 use predicament_predicates::{Construction, Scene, Vertex};
 
-/// The vertices of the scene's constructions, coordinate after coordinate.
+/// The coordinates of the scene's constructed vertices, one after the other.
 #[must_use]
 pub fn constructed(scene: &Scene) -> Vec<f64> {
     all(scene).split_off(scene.coordinates().len())
 }
 
-/// The same after the coordinates of the input vertices.
+/// The coordinates of all vertices: first the input vertices, then the constructed vertices.
 pub(crate) fn all(scene: &Scene) -> Vec<f64> {
     let constructed = scene.constructions().len() * scene.dimension().count();
     let mut all = Vec::with_capacity(scene.coordinates().len() + constructed);
@@ -23,8 +21,7 @@ pub(crate) fn all(scene: &Scene) -> Vec<f64> {
     all
 }
 
-/// Computes the next vertex from the input vertices, of which there are so
-/// many, and from those constructed before.
+/// Computes the next vertex from the `inputs` input vertices and from the vertices constructed before, and appends it.
 pub(crate) fn push(all: &mut Vec<f64>, inputs: usize, construction: &Construction) {
     match *construction {
         Construction::Ssi(lines) => {
@@ -46,22 +43,22 @@ fn point<const D: usize>(all: &[f64], inputs: usize, v: Vertex) -> [f64; D] {
     all.as_chunks().0[v.construction().map_or(v.index(), |index| inputs + index)]
 }
 
-/// a + t(b − a) with t = (c − a) × (d − c) / (b − a) × (d − c).
+/// The intersection a + t(b − a) with t = (c − a) × (d − c) / (b − a) × (d − c).
 fn segments([[a, b], [c, d]]: [[[f64; 2]; 2]; 2]) -> [f64; 2] {
     let [u, v, way] = [minus(b, a), minus(d, c), minus(c, a)];
     let t = (way[0] * v[1] - way[1] * v[0]) / (u[0] * v[1] - u[1] * v[0]);
     [0, 1].map(|i| a[i] + t * u[i])
 }
 
-/// p + t(q − p) with t = N·(r − p) / N·(q − p), N the plane's normal.
+/// The intersection p + t(q − p) with t = N·(r − p) / N·(q − p), N the plane's normal.
 fn line_plane([p, q]: [[f64; 3]; 2], plane: [[f64; 3]; 3]) -> [f64; 3] {
     let (u, normal) = (minus(q, p), normal(plane));
     let t = dot(normal, minus(plane[0], p)) / dot(normal, u);
     [0, 1, 2].map(|i| p[i] + t * u[i])
 }
 
-/// Cramer's rule for the planes L·x = l, M·x = m, N·x = n:
-/// (l M × N + m N × L + n L × M) / L·(M × N).
+/// The intersection of the planes L·x = l, M·x = m, N·x = n by Cramer's rule: (l M × N + m N × L + n L × M) / L·(M ×
+/// N).
 fn three_planes(planes: [[[f64; 3]; 3]; 3]) -> [f64; 3] {
     let [l, m, n] = planes.map(normal);
     let [mn, nl, lm] = [cross(m, n), cross(n, l), cross(l, m)];

@@ -1,4 +1,4 @@
-//! One session for all controls: a scene, and a way to compute determinants.
+//! The session type of all controls: a scene, and a way to compute determinants.
 
 use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
@@ -7,9 +7,9 @@ use predicament_predicates::{
 
 use crate::rounded;
 
-/// How a control computes: a determinant for each predicate, and the number whose sign it answers.
+/// A control's arithmetic: a determinant for each predicate, and the number whose sign it answers.
 pub(crate) trait Float: Send + Sync {
-    /// Whether batches are answered in vector registers: for formulas without branches. Else they are loops over single queries.
+    /// True if batches use vector registers, for formulas without branches; else batches are loops over single queries.
     const IN_LANES: bool;
 
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
@@ -17,14 +17,14 @@ pub(crate) trait Float: Send + Sync {
     fn incircle(&self, points: [[f64; 2]; 4]) -> f64;
     fn insphere(&self, points: [[f64; 3]; 5]) -> f64;
 
-    /// The number whose sign is answered for a determinant.
+    /// The number whose sign is the answer, computed from the determinant.
     #[inline(always)]
     fn value(&self, determinant: f64) -> f64 {
         determinant
     }
 }
 
-/// A formula for `N` points of `D` coordinates, by which [`Float`] offers all of its own.
+/// A formula for `N` points of `D` coordinates; [`Float`] types implement it for all their determinants.
 trait Formula<const D: usize, const N: usize>: Float {
     fn determinant(&self, points: [[f64; D]; N]) -> f64;
 }
@@ -49,7 +49,8 @@ formulas! {
     (3, 5): |float, points| float.insphere(points);
 }
 
-/// Answers a batch in vector registers. It is generic over the formula and not over the session, of which there are two for each formula.
+/// Answers a batch in vector registers. It is generic over the formula rather than over the session, since each formula
+/// has two session types.
 #[inline(never)]
 fn in_lanes<F: Formula<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
     float: &F,
@@ -63,13 +64,13 @@ fn in_lanes<F: Formula<D, N>, V: View<E, D>, const E: usize, const D: usize, con
 
 /// A control, prepared for one scene.
 pub struct Session<'s, F, T> {
-    /// With the vertices that were constructed since.
+    /// The scene, including vertices constructed during the session.
     scene: Scene,
-    /// The scene's points, in the view of its dimension; the other one is empty.
+    /// The scene's points, in the slice of its dimension; the other slice is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
-    /// In scenes with constructed vertices: the coordinates of all vertices, the
-    /// constructed ones as they were computed after the others. Else empty.
+    /// The coordinates of all vertices in scenes with constructed vertices: first the input vertices, then the
+    /// constructed vertices as computed. Else empty.
     all: Vec<f64>,
     float: F,
     tally: T,
@@ -86,8 +87,8 @@ impl<'s, F, T> Session<'s, F, T> {
     }
 }
 
-/// Where coordinates are looked up: those of input vertices only, or (`ALL`) of
-/// constructed ones as well. Scenes without any don't pay for the difference.
+/// A view of coordinates: those of input vertices only, or (`ALL`) of constructed vertices too. Scenes without
+/// constructed vertices have no overhead.
 #[derive(Clone, Copy)]
 struct Points<'a, const ALL: bool> {
     dimension: Dimension,
@@ -113,7 +114,7 @@ impl<const ALL: bool> Points<'_, ALL> {
         }
     }
 
-    // Inlined always: points that go through memory cost several times the determinant.
+    // Always inlined: points that go through memory cost several times the determinant.
 
     #[inline(always)]
     fn flat<const N: usize>(self, plane: Plane, vertices: [Vertex; N]) -> [[f64; 2]; N] {
@@ -165,8 +166,8 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         Points { dimension, points2, points3, input: self.scene.len() }
     }
 
-    /// a − b: what a comparison amounts to. It is zero for equal coordinates
-    /// only, since differences underflow gradually.
+    /// The difference a − b, whose sign is the comparison. It is zero for equal coordinates only, since differences
+    /// underflow gradually.
     #[inline(always)]
     fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, [a, b]: [Vertex; 2]) -> f64 {
         points.coordinate(axis, a) - points.coordinate(axis, b)
@@ -182,7 +183,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.float.orient3d(points.solid(vertices))
     }
 
-    // Out of the way of scenes without constructed vertices.
+    // Kept out of line, for the sake of scenes without constructed vertices.
 
     #[inline(never)]
     fn difference_all(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
@@ -207,8 +208,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
     /// Four points of a 2D scene.
     ///
     /// # Panics
-    /// If the scene is 3D, where a circle through three points says nothing
-    /// about a fourth: `supports` refuses it.
+    /// If the scene is 3D, where a circle through three points gives no side for a fourth; `supports` refuses it.
     #[inline(always)]
     fn circle(&self, vertices: [Vertex; 4]) -> [[f64; 2]; 4] {
         assert!(self.scene.dimension() == Dimension::Two, "incircle needs a 2D scene");
@@ -245,7 +245,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.float.value(determinant)
     }
 
-    // The numbers whose signs are answered.
+    // The numbers whose signs are the answers.
 
     #[inline(always)]
     pub(crate) fn compare_value(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
@@ -279,7 +279,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         &self.scene
     }
 
-    /// Whatever comes out is a vertex, if not a finite one.
+    /// Constructs vertices; every result becomes a vertex, even if it is not finite.
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         if self.all.is_empty() {
             self.all.extend_from_slice(self.scene.coordinates());
@@ -321,8 +321,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         Sign::of(self.insphere_value([a, b, c, d, e]))
     }
 
-    /// The determinant; none for wrong numbers of vertices. For a comparison
-    /// it is the difference.
+    /// The determinant; `None` for a wrong number of vertices. For a comparison it is the difference.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
             (Question::Compare(axis), &[a, b]) => Some(self.difference_of(axis, [a, b])),
@@ -346,7 +345,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         match (self.scene.dimension(), axis) {
             (Dimension::Two, Axis::X) => self.compare_lanes::<Along<0>, 2>(self.points2, queries, out, one),
             (Dimension::Two, Axis::Y) => self.compare_lanes::<Along<1>, 2>(self.points2, queries, out, one),
-            // There is no such axis: the first query says so.
+            // There is no such axis: the first query reports it.
             (Dimension::Two, Axis::Z) => self.one_by_one(kind, queries, out, one),
             (Dimension::Three, Axis::X) => self.compare_lanes::<Along<0>, 3>(self.points3, queries, out, one),
             (Dimension::Three, Axis::Y) => self.compare_lanes::<Along<1>, 3>(self.points3, queries, out, one),
@@ -402,8 +401,8 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.many::<V, E, 2, 3>(PredicateKind::Orient2d, points, (queries, out), one);
     }
 
-    /// Answers a batch, in vector registers where the formula is made for them: by the formula from points in view, and by `one` where a
-    /// vertex is none of the scene's points.
+    /// Answers a batch, in vector registers if the formula supports them. The formula is used for points in view, and
+    /// `one` for queries with other vertices.
     #[inline(always)]
     fn many<V: View<E, D>, const E: usize, const D: usize, const N: usize>(
         &self,

@@ -5,7 +5,7 @@ use robust::{Coord, Coord3D};
 
 use crate::session::{Float, Session};
 
-/// The crate `robust`, without a guard: right unless something underflows or overflows.
+/// The crate `robust`, without a guard: correct unless a computation underflows or overflows.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub struct Shewchuk;
 

@@ -1,7 +1,7 @@
-//! What is asked about a scene's points, as the library sees it.
+//! The content of a scene: the questions about its points, as the library handles them.
 //!
-//! Each task has a content type of its own: queries, cells, a map with probes.
-//! The library only carries it, hashes it and counts it.
+//! Each task has its own content type: queries, cells, a map with probes. The library only stores it, hashes it and
+//! counts it.
 
 use std::any::Any;
 use std::fmt::Debug;
@@ -12,22 +12,21 @@ use predicament_predicates::Scene;
 
 use crate::{Canon, Level, Spelled};
 
-/// What one task asks about a scene's points: queries, cells, a map with probes.
+/// One task's questions about a scene's points: queries, cells, a map with probes.
 pub trait Content: Any + Debug + Send + Sync {
-    /// The number of questions: queries, probes, simplices. Progress and times per query go by it.
+    /// The number of questions: queries, probes, simplices. Progress and times per query use this number.
     fn count(&self) -> usize;
 
-    /// Feeds everything that makes the content what it is to the content id: a
-    /// text that no other task begins with, then the values.
+    /// Feeds the content to the content id: a text that is unique to the task, then all values.
     fn canon(&self, canon: &mut Canon);
 
-    /// The scene with what the content tells it about its points, which have moved, and the content over it; none where
-    /// the content holds nothing that depends on where points are.
+    /// The scene after its points have moved, updated with what the content knows about its points, and the content for
+    /// that scene. The content is `None` if it does not depend on the points' coordinates.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         (scene, None)
     }
 
-    /// The scene and what is asked about it, written out without the name of the task; none where it cannot be.
+    /// The scene and its questions in written form, without the name of the task; `None` if they cannot be written.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let _ = scene;
         None
@@ -37,11 +36,11 @@ pub trait Content: Any + Debug + Send + Sync {
 /// A scene with its content.
 #[derive(Clone, Debug)]
 pub struct Parts {
-    /// The points.
+    /// The points of the scene.
     pub scene: Scene,
-    /// What is asked about them.
+    /// The questions about the points.
     pub content: Arc<dyn Content>,
-    /// What an importer changed.
+    /// Counts of changes by the importer.
     pub notes: ImportNotes,
 }
 
@@ -53,32 +52,32 @@ impl Parts {
     }
 }
 
-/// Where a scene's points and content come from.
+/// The source of a scene's points and content.
 pub enum Source {
-    /// Written out in the suite: read and checked with it.
+    /// Written in the suite: read and checked with it.
     Written(Parts),
     /// Elsewhere: a data file, a download, a generator.
     Elsewhere(Arc<dyn Elsewhere>),
 }
 
 impl Source {
-    /// A scene that is made or read when it is loaded.
+    /// A scene that is generated or read when it is loaded.
     #[must_use]
     pub fn elsewhere(elsewhere: impl Elsewhere + 'static) -> Source {
         Source::Elsewhere(Arc::new(elsewhere))
     }
 }
 
-/// A scene that is not written out in its suite.
+/// A scene that is not written in its suite.
 pub trait Elsewhere: Send + Sync {
     /// Reads, generates or imports the scene.
     ///
     /// # Errors
-    /// [`CorpusError`] where a data file is missing or wrong; data that was not
-    /// fetched yet is an error that says how to fetch it.
+    /// [`CorpusError`] if a data file is missing or wrong; for data that is not yet fetched, the error says how to
+    /// fetch it.
     fn load(&self, level: Level, cache: &Cache) -> Result<Parts, CorpusError>;
 
-    /// The fetched file that it needs (the first, where there are two), if any.
+    /// The fetched file that the scene needs (the first, if there are two), if any.
     fn fetch_entry(&self) -> Option<&Entry> {
         None
     }

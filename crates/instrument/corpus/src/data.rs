@@ -1,4 +1,4 @@
-//! Data that a scene's table refers to: files beside the suite and downloads, and points from either place.
+//! Data that a scene's table refers to: files beside the suite and downloads, and points from either.
 
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 
 use crate::Context;
 
-/// A data file that a suite names, and the line that names it.
+/// A data file that a suite refers to, and the line of the reference.
 #[derive(Clone, Debug)]
 pub struct Origin {
     place: OriginPlace,
@@ -31,7 +31,7 @@ impl Origin {
         Origin { place, named: (field.file().to_owned(), field.line()) }
     }
 
-    /// A file beside the suite, by the value of a key.
+    /// The file beside the suite that a key's value names.
     ///
     /// # Errors
     /// As [`Context::path`].
@@ -39,7 +39,7 @@ impl Origin {
         context.path(field).map(|path| Origin::new(OriginPlace::Path(path), field))
     }
 
-    /// A file of a package, by the value of a key.
+    /// The file of a package that a key's value names.
     ///
     /// # Errors
     /// As [`Context::fetched`].
@@ -47,10 +47,10 @@ impl Origin {
         context.fetched(field).map(|entry| Origin::new(OriginPlace::Fetched(entry), field))
     }
 
-    /// The file's name and what is in it.
+    /// The file's name and its bytes.
     ///
     /// # Errors
-    /// [`CorpusError`] at the suite's line where the file can't be read or was not fetched.
+    /// [`CorpusError`] at the suite's line if the file can't be read or was not fetched.
     pub fn bytes(&self, cache: &Cache) -> Result<(String, Vec<u8>), CorpusError> {
         match &self.place {
             OriginPlace::Path(path) => Ok((path.display().to_string(), self.opened(read_bytes(path))?)),
@@ -63,20 +63,20 @@ impl Origin {
     /// The file's name and its text.
     ///
     /// # Errors
-    /// As [`bytes`](Origin::bytes), and where it is not UTF-8.
+    /// As [`bytes`](Origin::bytes), and if it is not UTF-8.
     pub fn text(&self, cache: &Cache) -> Result<(String, String), CorpusError> {
         let (file, bytes) = self.bytes(cache)?;
         let text = text_of(&file, bytes)?;
         Ok((file, text))
     }
 
-    /// What was read, or an error at the line that names the file.
+    /// The value that was read, or an error at the line that refers to the file.
     fn opened<T>(&self, read: Result<T, CorpusError>) -> Result<T, CorpusError> {
         let (file, line) = &self.named;
         read.map_err(|error| error.named_by(file, *line))
     }
 
-    /// The fetched file, if it is one.
+    /// The manifest entry of a fetched file; `None` for a file beside the suite.
     #[must_use]
     pub fn entry(&self) -> Option<&Entry> {
         match &self.place {
@@ -86,7 +86,7 @@ impl Origin {
     }
 }
 
-/// The `points` of a scene: written out, `{ path = "…" }`, or `{ fetch = "…" }`.
+/// The `points` of a scene: written in the suite, `{ path = "…" }`, or `{ fetch = "…" }`.
 #[derive(Clone, Debug)]
 pub struct PointSource {
     file: String,
@@ -101,10 +101,10 @@ enum PointPlace {
 }
 
 impl PointSource {
-    /// Reads `points`.
+    /// Reads the value of `points`.
     ///
     /// # Errors
-    /// [`CorpusError`] at the line that is wrong. What is wrong in a data file is found when it is loaded.
+    /// [`CorpusError`] at the line that is wrong. Errors in a data file appear when it is loaded.
     pub fn read(context: &Context<'_>, field: &Field<'_, '_>, file: &str) -> Result<PointSource, CorpusError> {
         let place = if field.is_table() {
             let table = field.fields(&POINTS)?;
@@ -121,13 +121,13 @@ impl PointSource {
         Ok(PointSource { file: file.to_owned(), line: field.line(), place })
     }
 
-    /// No points at all: for scenes whose points come from elsewhere.
+    /// An empty list of points, for scenes whose points come from elsewhere.
     #[must_use]
     pub fn none(dimension: Dimension) -> PointSource {
         PointSource { file: String::new(), line: 0, place: PointPlace::Written(dimension, Vec::new()) }
     }
 
-    /// The fetched file that holds the points, if one does.
+    /// The manifest entry of the fetched file that holds the points, if any.
     #[must_use]
     pub fn entry(&self) -> Option<&Entry> {
         match &self.place {
@@ -136,7 +136,7 @@ impl PointSource {
         }
     }
 
-    /// Whether the points are written out in the suite.
+    /// True if the points are written in the suite.
     #[must_use]
     pub fn is_written(&self) -> bool {
         matches!(self.place, PointPlace::Written(..))
@@ -148,16 +148,16 @@ impl PointSource {
         CorpusError::file(&self.file, message, cure).at_line(self.line)
     }
 
-    /// The points' dimension and coordinates, and what reading their file changed.
+    /// The points' dimension and coordinates, and counts of changes by their reader.
     ///
     /// # Errors
-    /// [`CorpusError`] where the data file is missing or wrong.
+    /// [`CorpusError`] if the data file is missing or wrong.
     pub fn coordinates(&self, cache: &Cache) -> Result<(Dimension, Vec<f64>, ImportNotes), CorpusError> {
         let (points, _) = self.load(cache)?;
         Ok((points.dimension, points.coordinates, points.notes))
     }
 
-    /// The points, and the data file that they are from.
+    /// Loads the points; returns them with the name of their data file.
     fn load(&self, cache: &Cache) -> Result<(ImportedPoints, Option<String>), CorpusError> {
         match &self.place {
             PointPlace::Written(dimension, coordinates) => {
@@ -175,15 +175,15 @@ impl PointSource {
         }
     }
 
-    /// The points as a scene, and what reading their file changed.
+    /// The points as a scene, and counts of changes by their reader.
     ///
     /// # Errors
-    /// As [`coordinates`](PointSource::coordinates), and where they make no scene.
+    /// As [`coordinates`](PointSource::coordinates), and if the points make no scene.
     pub fn scene(&self, cache: &Cache) -> Result<(Scene, ImportNotes), CorpusError> {
         self.located(cache).map(|points| (points.scene, points.notes))
     }
 
-    /// The points as a scene, with where they are.
+    /// The points as a scene, with their positions in the data file.
     ///
     /// # Errors
     /// As [`scene`](PointSource::scene).
@@ -195,19 +195,19 @@ impl PointSource {
     }
 }
 
-/// Points as a scene, with where they are in their data file.
+/// Points as a scene, with their positions in their data file.
 #[derive(Clone, Debug)]
 pub struct LocatedPoints {
     /// The points.
     pub scene: Scene,
-    /// What reading their file changed.
+    /// Counts of changes by the reader of the data file.
     pub notes: ImportNotes,
     places: Places,
     file: Option<String>,
 }
 
 impl LocatedPoints {
-    /// Where these points are, to be put behind a message about them; nothing where they are in no data file.
+    /// The positions of these points, to be appended to a message about them; empty if they are not in a data file.
     #[must_use]
     pub fn places(&self, of: &[Vertex]) -> String {
         let Some(file) = &self.file else { return String::new() };

@@ -9,14 +9,12 @@ use predicament_formats::{
 use crate::Vocabulary;
 use crate::suite::SUITE;
 
-/// Rewrites the decimals of a suite that are not exactly doubles: each
-/// becomes the hex float of its nearest double, and a comment at the end of
-/// its line keeps what was written. All other bytes stay, so that a suite
-/// without such decimals, and a suite that was rewritten, come back unchanged.
+/// Rewrites the decimals of a suite that are not exactly doubles: each becomes the hex float of its nearest double, and
+/// a comment at the end of its line keeps the original text. All other bytes stay. Suites without such decimals, and
+/// suites that were already rewritten, are returned unchanged.
 ///
 /// # Errors
-/// [`CorpusError`] where the text is no TOML, or a coordinate is no number
-/// that a double could be near to.
+/// [`CorpusError`] if the text is not TOML, or a coordinate is not a number within the range of doubles.
 pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, CorpusError> {
     let document = Document::new(file, text);
     let root = document.parse()?;
@@ -38,15 +36,15 @@ pub fn fmt(vocabulary: &Vocabulary, file: &str, text: &str) -> Result<String, Co
     edits.sort_by_key(|edit| edit.span.start);
     let rewritten = apply(text, &edits);
     let again = Document::new(file, &rewritten);
-    // A comment inside a multi-line string would be text.
+    // A comment inside a multi-line string would become part of the string.
     again.parse().map_err(|error| CorpusError { cure: "write each point on a line of its own".into(), ..error })?;
     Ok(rewritten)
 }
 
-/// The key of every generator for its points, written out.
+/// The key of every generator for written points.
 const WRITTEN: &str = "coordinates";
 
-/// One literal and what replaces it.
+/// A literal and its replacement.
 struct Edit<'t> {
     span: Range<usize>,
     decimal: &'t str,
@@ -57,8 +55,8 @@ fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
     fields.get(key).map_or(Ok(Vec::new()), |field| Ok(field.items("tables")?.collect()))
 }
 
-/// The coordinates in a value: itself, those of its items, or those under such keys of a table. Other keys, such as
-/// `path`, hold none.
+/// Collects the coordinates in a value: the value itself, its items, or the values of these keys in a table. Other
+/// keys, such as `path`, hold no coordinates.
 fn collect<'t>(field: &Field<'_, 't>, keys: &[&'static str], edits: &mut Vec<Edit<'t>>) -> Result<(), CorpusError> {
     if field.is_array() {
         for item in field.items("coordinates")? {
@@ -91,8 +89,7 @@ fn edit<'t>(field: &Field<'_, 't>) -> Result<Option<Edit<'t>>, CorpusError> {
     }
 }
 
-/// Replaces the literals from left to right, and ends each line that had any
-/// with a comment.
+/// Replaces the literals from left to right, and appends a comment to each line that had any.
 fn apply(text: &str, edits: &[Edit<'_>]) -> String {
     let mut out = String::with_capacity(text.len() + 64 * edits.len());
     let mut start = 0;

@@ -1,4 +1,4 @@
-//! How scenes of a task are written in suites: its name, its keys, its generators.
+//! The syntax of a task's scenes in suites: its name, its keys, its generators.
 
 use std::borrow::Cow;
 use std::sync::Arc;
@@ -7,61 +7,61 @@ use predicament_formats::{CorpusError, Field, Fields, TableKind};
 
 use crate::{Context, Level, Parts, Random, Source};
 
-/// How the scenes of one task are written in suites.
+/// The syntax of one task's scenes in suites.
 pub trait SceneFormat: Send + Sync {
-    /// The name in suites, CSV files and on the command line.
+    /// The task's name in suites, CSV files and on the command line.
     fn name(&self) -> &'static str;
 
-    /// What is asked, in one line, with the source.
+    /// A one-line description of the questions, with the source.
     fn about(&self) -> &'static str;
 
     /// A commented scene to start from, for `predicament new`; empty if there is none.
     ///
-    /// Lines that start with `@written ` are those of a scene whose data are written out, lines that start with
-    /// `@file ` those of one whose data are in a file, `{data}`. `{task}` is the name.
+    /// Lines that start with `@written ` are for scenes with data in the suite. Lines that start with `@file ` are for
+    /// scenes with data in a file, `{data}`. `{task}` is the task's name.
     fn template(&self) -> String {
         String::new()
     }
 
-    /// The keys of its `[[scene]]` tables besides those of every scene (`name`,
-    /// `task`, `round`, `tags`, `source`, `analysis`).
+    /// The keys of the task's `[[scene]]` tables besides the keys of all scenes (`name`, `task`, `round`, `tags`,
+    /// `source`, `analysis`).
     fn keys(&self) -> &'static [&'static str];
 
-    /// Those of its keys, of scenes and generators, that hold coordinates:
-    /// numbers, or arrays of them, or tables that hold some of these keys. `corpus fmt` makes them lossless.
+    /// The keys of the task's scenes and generators that hold coordinates: numbers, arrays of numbers, or tables that
+    /// hold some of these keys. `corpus fmt` makes them lossless.
     fn coordinate_keys(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// Those of its keys that take a data file as `{ path = … }`: where `solve TASK FILE` writes the names of the files.
+    /// The keys of the task that take a data file as `{ path = … }`: `solve TASK FILE` writes the file names there.
     fn file_keys(&self) -> &'static [&'static str] {
         &["points"]
     }
 
-    /// Reads a `[[scene]]` table. Keys that it does not ask for are errors.
+    /// Reads a `[[scene]]` table. Keys that it does not read are errors.
     ///
     /// # Errors
     /// [`CorpusError`] at the line that is wrong.
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError>;
 
-    /// Its generator families.
+    /// The task's generator families.
     fn families(&self) -> &'static [Family] {
         &[]
     }
 
-    /// The keys of its `[[generate]]` tables besides those of every generator
-    /// (`family`, `n`, `n_full`, `seed` and those of scenes) and of the families.
+    /// The keys of the task's `[[generate]]` tables besides the keys of all generators (`family`, `n`, `n_full`, `seed`
+    /// and the keys of scenes) and of the families.
     fn generator_keys(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// Lines of a `[[generate]]` table, such as `shift = 1`: values of the keys that a family needs, or that make its scenes large. Where
-    /// all families are tried, each gets the lines of its keys.
+    /// Lines of a `[[generate]]` table, such as `shift = 1`, for keys that a family needs, or that make its scenes
+    /// large. A command that tries all families gives each family the lines of its keys.
     fn sample_keys(&self) -> &'static [&'static str] {
         &[]
     }
 
-    /// Those keys of generators that are part of a scene's default name.
+    /// The keys of generators that are part of a scene's default name.
     fn naming_keys(&self) -> &'static [&'static str] {
         &[]
     }
@@ -70,30 +70,32 @@ pub trait SceneFormat: Send + Sync {
 /// A family of generated scenes: one kind of difficulty.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// The name in `[[generate]]` tables.
+    /// The family's name in `[[generate]]` tables.
     pub name: &'static str,
-    /// The name in `throughput.csv`; none where each scene is a family of its own.
+    /// The family's name in `throughput.csv`; `None` if each scene is its own family.
     pub reported_as: Option<&'static str>,
-    /// The parameters that it takes besides the task's generator keys.
+    /// The parameters that the family takes besides the task's generator keys.
     pub parameters: &'static [&'static str],
-    /// What it is, in one line.
+    /// A one-line description.
     pub about: &'static str,
-    /// Reads the parameters.
+    /// Reads the family's parameters.
     pub read: fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError>,
 }
 
-/// A family with its parameters: makes scenes.
+/// A scene generator: a family with its parameters.
 #[derive(Clone)]
 pub struct Recipe {
-    /// The number of queries, where the parameters fix it.
+    /// The number of queries, if the parameters fix it.
     pub fixed_size: Option<usize>,
     make: Arc<dyn Fn(&Making) -> Parts + Send + Sync>,
     coordinates: Arc<dyn Fn(u64) -> u64 + Send + Sync>,
 }
 
 impl Recipe {
-    /// A recipe for any number of queries, and about how many coordinates a scene of n has, at most: what asks for too many is refused
-    /// before it is made. `coordinates` has to grow with n and not overflow.
+    /// A recipe for any number of queries n.
+    ///
+    /// `coordinates` returns an approximate upper bound on a scene's number of coordinates; scenes that are too large
+    /// are refused before they are generated. It must grow with n and not overflow.
     pub fn new(
         coordinates: impl Fn(u64) -> u64 + Send + Sync + 'static,
         make: impl Fn(&Making) -> Parts + Send + Sync + 'static,
@@ -101,7 +103,7 @@ impl Recipe {
         Recipe { fixed_size: None, make: Arc::new(make), coordinates: Arc::new(coordinates) }
     }
 
-    /// About how many coordinates a scene of n has, at most.
+    /// An approximate upper bound on the number of coordinates in a scene of n.
     #[must_use]
     pub fn coordinates(&self, n: u64) -> u64 {
         (self.coordinates)(n)
@@ -113,14 +115,14 @@ impl Recipe {
         Recipe { fixed_size: Some(size), ..self }
     }
 
-    /// Makes a scene.
+    /// Generates a scene.
     #[must_use]
     pub fn make(&self, making: &Making) -> Parts {
         (self.make)(making)
     }
 }
 
-/// What a recipe is asked to make.
+/// The request to a recipe.
 #[derive(Clone, Copy, Debug)]
 pub struct Making {
     /// The family's name.
@@ -129,9 +131,9 @@ pub struct Making {
     pub task: &'static str,
     /// The seed of the suite.
     pub seed: u64,
-    /// How many queries; families that make a whole take it as a size.
+    /// The number of queries, or the size for families that make a single whole.
     pub n: usize,
-    /// How much is run.
+    /// The amount of work of the run.
     pub level: Level,
 }
 
@@ -159,11 +161,11 @@ impl std::fmt::Debug for Vocabulary {
 
 /// The keys of every `[[scene]]` table.
 const SCENE: [&str; 6] = ["name", "task", "round", "tags", "source", "analysis"];
-/// The keys of every `[[generate]]` table besides those.
+/// The keys of every `[[generate]]` table besides those of scenes.
 const GENERATOR: [&str; 5] = ["family", "n", "n_full", "seed", "coordinates"];
 
 impl Vocabulary {
-    /// The tasks, in the order of messages and reports.
+    /// A vocabulary with these tasks, in the order of messages and reports.
     ///
     /// # Panics
     /// If two tasks have the same name.
@@ -186,7 +188,7 @@ impl Vocabulary {
         Vocabulary { tasks: tasks.into(), scene, generator }
     }
 
-    /// The tasks.
+    /// The tasks, in the order of messages and reports.
     #[must_use]
     pub fn tasks(&self) -> &[&'static dyn SceneFormat] {
         &self.tasks
@@ -206,7 +208,8 @@ impl Vocabulary {
         })
     }
 
-    /// Message and cure for a key of a scene that only one or two other tasks know: the scene was meant for them.
+    /// The message and fix for a scene key that only one or two other tasks know: the scene was probably meant for
+    /// them.
     pub(crate) fn foreign(&self, key: &str, task: &'static dyn SceneFormat) -> Option<(String, String)> {
         if SCENE.contains(&key) || task.keys().contains(&key) {
             return None;

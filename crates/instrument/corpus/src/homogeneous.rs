@@ -1,11 +1,9 @@
 //! Vertices as integers over a common weight, by joins and meets.
 //!
-//! In homogeneous coordinates the line through two points of the plane, and
-//! the point where two lines meet, are cross products; so are, one dimension
-//! up, the plane through three points and the point on three planes. A line
-//! meets a plane where the combination of its two points lies on the plane.
-//! No formula here subtracts one point from another, so that this is a
-//! computation of its own beside everything that does.
+//! In homogeneous coordinates the line through two points of the plane, and the intersection of two lines, are cross
+//! products. One dimension higher, so are the plane through three points and the intersection of three planes. A line
+//! meets a plane where the combination of its two points lies on the plane. No formula here subtracts one point from
+//! another, which makes this independent of all computations that do.
 
 use predicament_arithmetic::Parts;
 use predicament_predicates::{Construction, NoPoint, Scene, Vertex};
@@ -13,8 +11,8 @@ use rug::Integer;
 
 use predicament_formats::bits::lowest_bit;
 
-/// The exact coordinates of a vertex times its weight, and the weight, which
-/// is positive; none for a construction that is no point.
+/// The exact coordinates of a vertex times its weight, and the weight, which is positive; `None` for a construction
+/// that gives no point.
 ///
 /// # Panics
 /// If the scene has no such vertex.
@@ -29,7 +27,7 @@ pub fn homogeneous(scene: &Scene, v: Vertex) -> Option<Vec<Integer>> {
 /// [`homogeneous`] for a construction from vertices of the scene.
 ///
 /// # Errors
-/// Why it is no point.
+/// The reason why the construction gives no point.
 pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, NoPoint> {
     let span = |flat: &[Vertex]| -> Vec<Vec<Integer>> { flat.iter().map(|&v| input(scene, v)).collect() };
     let line = |flat: &[Vertex]| hyperplane(&span(flat)).ok_or(NoPoint::SegmentEnds);
@@ -53,7 +51,7 @@ pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, 
     positive(point).ok_or(parallel)
 }
 
-/// The doubles of a point times a power of two, and that power.
+/// The coordinates of an input vertex times a power of two, and that power.
 fn input(scene: &Scene, v: Vertex) -> Vec<Integer> {
     let point = scene.point(v);
     let lowest = lowest_exponent(point.iter().copied()).min(0);
@@ -61,13 +59,13 @@ fn input(scene: &Scene, v: Vertex) -> Vec<Integer> {
     point.iter().map(|&x| integer(x, lowest)).chain([weight]).collect()
 }
 
-/// The exponent of the lowest bit of any of these doubles; 0 where all are zero.
+/// The exponent of the lowest bit of any of these doubles; 0 if all are zero.
 #[must_use]
 pub fn lowest_exponent(values: impl Iterator<Item = f64>) -> i64 {
     values.filter_map(lowest_bit).min().unwrap_or(0)
 }
 
-/// x·2^-lowest, for a double without bits below 2^lowest.
+/// The integer x·2^-lowest, for a double without bits below 2^lowest.
 ///
 /// # Panics
 /// If x has bits below 2^lowest.
@@ -82,15 +80,15 @@ pub fn integer(x: f64, lowest: i64) -> Integer {
     if negative { -magnitude } else { magnitude }
 }
 
-/// The line through two points or the plane through three; none where they span none.
+/// The line through two points or the plane through three; `None` if the points do not span it.
 fn hyperplane(points: &[Vec<Integer>]) -> Option<Vec<Integer>> {
     let flat = cross(points);
-    // The normal vanishes for points that span too little, and only for those.
+    // The normal vanishes exactly for points that do not span a line or plane.
     let normal = &flat[..flat.len() - 1];
     normal.iter().any(|x| !x.is_zero()).then_some(flat)
 }
 
-/// The vector that is orthogonal to all of these, one fewer than it has coordinates.
+/// The vector that is orthogonal to all rows; there is one row fewer than coordinates.
 fn cross(rows: &[Vec<Integer>]) -> Vec<Integer> {
     (0..=rows.len())
         .map(|left_out| {
@@ -121,7 +119,7 @@ fn ends_coincide(p: &[Integer], q: &[Integer]) -> bool {
     p.iter().zip(q).all(|(p, q)| Integer::from(p * at_q) == Integer::from(q * at_p))
 }
 
-/// The same point with a positive weight; none at infinity.
+/// The point with a positive weight; `None` for a point at infinity.
 fn positive(point: Vec<Integer>) -> Option<Vec<Integer>> {
     match point.last()?.cmp0() {
         std::cmp::Ordering::Greater => Some(point),

@@ -1,4 +1,4 @@
-//! Content ids: what a scene *is*, whatever it is called.
+//! Content ids: a hash of a scene's content, independent of its name.
 
 use std::collections::BTreeMap;
 
@@ -8,12 +8,11 @@ use sha2::{Digest, Sha256};
 
 use crate::{Content, LoadedScene, SceneDef};
 
-/// The first 16 hex digits of a SHA-256 over the canonical bytes of a scene:
-/// dimension, coordinate bits, constructions where there are any, and content.
+/// The content id of a scene: the first 16 hex digits of a SHA-256 over its canonical bytes, dimension, coordinate
+/// bits, constructions if any, and content.
 ///
-/// Names, tags and sources are not part of it, so that expectations and
-/// baselines survive renames. Negative zeros are read as positive ones: the two
-/// are the same point, and every predicate is a function of points.
+/// Names, tags and sources are not included, so that expectations and baselines survive renames. Negative zeros are
+/// hashed as positive zeros: the two are the same point, and every predicate is a function of points.
 #[must_use]
 pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
     let mut canon = Canon(Sha256::new());
@@ -21,7 +20,7 @@ pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
     canon.count(scene.dimension().count());
     canon.count(scene.coordinates().len());
     for &x in scene.coordinates() {
-        // -0 + 0 is +0 in the default rounding; everything else stays.
+        // -0 + 0 is +0 in the default rounding; all other values stay.
         canon.bytes(&(x + 0.0).to_bits().to_le_bytes());
     }
     if !scene.constructions().is_empty() {
@@ -35,7 +34,7 @@ pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
     hex(&canon.0.finalize()[..8])
 }
 
-/// Feeds a digest with values whose bytes can't run into each other.
+/// A digest of values, encoded so that adjacent values stay distinct.
 pub struct Canon(Sha256);
 
 impl Canon {
@@ -43,7 +42,7 @@ impl Canon {
         self.0.update(bytes);
     }
 
-    /// A number.
+    /// Adds a number.
     ///
     /// # Panics
     /// If it has more than 64 bits.
@@ -51,13 +50,13 @@ impl Canon {
         self.bytes(&u64::try_from(n).expect("no machine has more").to_le_bytes());
     }
 
-    /// A text, with its length before it.
+    /// Adds a text, preceded by its length.
     pub fn text(&mut self, text: &str) {
         self.count(text.len());
         self.bytes(text.as_bytes());
     }
 
-    /// Vertices, with their number before them.
+    /// Adds vertices, preceded by their number.
     pub fn vertices(&mut self, vertices: &[Vertex]) {
         self.count(vertices.len());
         for vertex in vertices {
@@ -77,22 +76,22 @@ impl Canon {
     }
 }
 
-/// The ids met so far: two scenes of one library may not be the same scene,
-/// or an expectation for one would speak about both.
+/// The ids seen so far. Two scenes of one library must differ in content, or an expectation for one would apply to
+/// both.
 #[derive(Clone, Debug, Default)]
 pub struct SeenIds(BTreeMap<String, String>);
 
 impl SeenIds {
-    /// Nothing met yet.
+    /// An empty set of ids.
     #[must_use]
     pub fn new() -> SeenIds {
         SeenIds::default()
     }
 
-    /// Notes a loaded scene and its definition.
+    /// Records a loaded scene and its definition.
     ///
     /// # Errors
-    /// [`CorpusError`] where another scene with the same content was met before.
+    /// [`CorpusError`] if another scene with the same content was seen before.
     pub fn insert(&mut self, definition: &SceneDef, loaded: &LoadedScene) -> Result<(), CorpusError> {
         self.note(loaded.id.clone(), definition)
     }

@@ -1,19 +1,19 @@
-//! How much of a suite is run.
+//! The amount of a suite that is run.
 
 use predicament_predicates::UnknownName;
 
-/// How much work a run does.
+/// The amount of work of a run.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub enum Level {
-    /// Seconds: what every change is tested with.
+    /// Takes seconds: the level for testing every change.
     #[default]
     Quick,
-    /// As much as the suite's author thought worth an hour.
+    /// Takes up to an hour, as the suite's author chose.
     Full,
 }
 
 impl Level {
-    /// The name on the command line.
+    /// The level's name on the command line.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

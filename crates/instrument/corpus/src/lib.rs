@@ -1,11 +1,9 @@
-//! The library of scenes: suites, what they define, and content ids.
+//! The library of scenes: suites, their definitions, and content ids.
 //!
-//! A [`Library`] holds [`Suite`]s, a suite holds [`SceneDef`]s, and
-//! [`SceneDef::load`] makes one a [`LoadedScene`]: points, what is asked about
-//! them, and an id that depends on nothing else. What a task's keys mean comes
-//! from the task ([`SceneFormat`]); this crate names no task and no backend, and
-//! never says what is true. How files are read is the crate `formats`; the tasks
-//! are the crate `tasks`. `docs/FORMAT.md` describes the files.
+//! A [`Library`] holds [`Suite`]s, and a suite holds [`SceneDef`]s. [`SceneDef::load`] returns a [`LoadedScene`]:
+//! points, the questions about them, and an id that depends on nothing else. The task defines the meaning of its keys
+//! ([`SceneFormat`]); this crate refers to no particular task or backend, and does not compute correct answers. The
+//! crate `formats` reads files; the tasks are in the crate `tasks`. `docs/FORMAT.md` describes the files.
 
 mod content;
 mod data;

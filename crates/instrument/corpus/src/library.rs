@@ -1,4 +1,4 @@
-//! All the suites of a folder, or those that the tool carries with it.
+//! The suites of a folder, or the suites embedded in the tool.
 
 use std::borrow::Cow;
 use std::path::{Path, PathBuf};
@@ -10,16 +10,16 @@ use predicament_formats::{Cache, CorpusError, Manifest, read_suite};
 
 use crate::{Level, LoadedScene, SeenIds, Suite, Vocabulary};
 
-// A link to the folder of the repository; in a package it is the folder itself.
+// In the repository this is a link to the folder; in a package it is the folder itself.
 static EMBEDDED: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/corpora");
 
-/// Files of a corpora folder that are no suites.
+/// The files of a corpora folder that are not suites.
 const COMPANIONS: [&str; 2] = [FETCH, "expected.toml"];
 const FETCH: &str = "fetch.toml";
 
 /// The suites and the fetch manifest of one corpora folder.
 ///
-/// A suite is read when it is first asked for: a command about one suite reads no other.
+/// Suites are read on first use: a command about one suite reads no other.
 #[derive(Clone, Debug)]
 pub struct Library {
     files: Vec<File>,
@@ -34,16 +34,16 @@ pub struct Library {
 struct File {
     /// The suite's name.
     name: String,
-    /// The file as errors name it.
+    /// The file's name in errors.
     shown: String,
     text: Cow<'static, str>,
 }
 
 impl Library {
-    /// The suites in `corpora/`, as they were when the tool was built. None is read yet.
+    /// The suites in `corpora/`, as they were when the tool was built, not yet read.
     ///
     /// # Errors
-    /// [`CorpusError`] where the fetch manifest is wrong.
+    /// [`CorpusError`] if the fetch manifest is wrong.
     pub fn embedded(vocabulary: &Vocabulary) -> Result<Library, CorpusError> {
         let named = EMBEDDED.files().filter_map(|file| Some((file.path().to_str()?, file.contents_utf8()?)));
         let files = named.map(|(name, text)| (name.to_owned(), format!("corpora/{name}"), Cow::Borrowed(text)));
@@ -53,7 +53,7 @@ impl Library {
     /// The suites of a folder on disk, all of them read.
     ///
     /// # Errors
-    /// [`CorpusError`] where the folder can't be read or a suite is wrong.
+    /// [`CorpusError`] if the folder can't be read or a suite is wrong.
     pub fn from_dir(vocabulary: &Vocabulary, folder: &Path) -> Result<Library, CorpusError> {
         let unreadable = |path: &Path, error: std::io::Error| {
             CorpusError::usage(path.display().to_string(), error.to_string(), "name a readable folder of suites")
@@ -72,7 +72,7 @@ impl Library {
         Ok(library)
     }
 
-    /// Suites from (file name, name in errors, text).
+    /// A library of suites, each given as file name, name in errors, and text.
     fn assemble(
         vocabulary: &Vocabulary,
         mut files: Vec<(String, String, Cow<'static, str>)>,
@@ -99,21 +99,21 @@ impl Library {
         Suite::parse(&self.vocabulary, &file.shown, &file.text, self.folder.as_deref(), &self.manifest)
     }
 
-    /// The tasks that its suites can name.
+    /// The tasks that the suites can use.
     #[must_use]
     pub fn vocabulary(&self) -> &Vocabulary {
         &self.vocabulary
     }
 
-    /// The names of the suites, in order. None is read for them.
+    /// The names of the suites, in order. This does not read the suites.
     pub fn names(&self) -> impl Iterator<Item = &str> {
         self.files.iter().map(|file| file.name.as_str())
     }
 
-    /// All suites in the order of their names, read once.
+    /// All suites in the order of their names, read on the first call.
     ///
     /// # Errors
-    /// [`CorpusError`] where a suite is wrong, or two have a scene with the same content.
+    /// [`CorpusError`] if a suite is wrong, or two have a scene with the same content.
     pub fn suites(&self) -> Result<&[Suite], CorpusError> {
         let read = || {
             let mut seen = SeenIds::new();
@@ -128,7 +128,7 @@ impl Library {
         self.suites.get_or_init(read).as_deref().map_err(Clone::clone)
     }
 
-    /// What can be fetched.
+    /// The manifest of files that can be fetched.
     #[must_use]
     pub fn manifest(&self) -> &Manifest {
         &self.manifest
@@ -137,7 +137,7 @@ impl Library {
     /// A suite by its name, or by the path of a TOML file.
     ///
     /// # Errors
-    /// [`CorpusError`] where there is neither, or the file is wrong.
+    /// [`CorpusError`] if neither exists, or the file is wrong.
     pub fn suite(&self, name: &str) -> Result<Suite, CorpusError> {
         if let Some(at) = self.names().position(|known| known == name) {
             return match self.suites.get() {
@@ -157,11 +157,11 @@ impl Library {
         ))
     }
 
-    /// A file beside the suites, such as `expected.toml`: the name to use in
-    /// errors and the text; none where there is no such file.
+    /// A file beside the suites, such as `expected.toml`: its name in errors and its text; `None` if the file does not
+    /// exist.
     ///
     /// # Errors
-    /// [`CorpusError`] where the file is there and can't be read.
+    /// [`CorpusError`] if the file exists but can't be read.
     pub fn companion(&self, name: &str) -> Result<Option<(String, String)>, CorpusError> {
         let Some(folder) = &self.folder else {
             let text = EMBEDDED.get_file(name).and_then(|file| file.contents_utf8());
@@ -177,8 +177,7 @@ impl Library {
         }
     }
 
-    /// Loads every scene, one at a time, and hands it to `visit`; two scenes
-    /// with the same content are an error.
+    /// Loads every scene, one at a time, and calls `visit` with it; two scenes with the same content are an error.
     ///
     /// # Errors
     /// The first [`CorpusError`] of a scene.

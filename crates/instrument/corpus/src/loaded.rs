@@ -1,4 +1,4 @@
-//! A loaded scene: points, content, and what its suite says about it.
+//! Loaded scenes: points, content, and the descriptions in the suite.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -8,45 +8,46 @@ use predicament_predicates::{Scene, SceneError, Vertex};
 
 use crate::{Content, content_id};
 
-/// A scene with its content, ready for a task, and all that its suite says about it.
+/// A scene with its content and its descriptions in the suite, ready for a task.
 #[derive(Clone, Debug)]
 pub struct LoadedScene {
-    /// The suite it is from.
+    /// The name of the scene's suite.
     pub suite: String,
-    /// Its name in the suite.
+    /// The scene's name in the suite.
     pub name: String,
     /// The content id: see [`content_id`](crate::content_id).
     pub id: String,
     /// The name of the task.
     pub task: &'static str,
-    /// The family as `throughput.csv` calls it; the scene's name where it has none.
+    /// The family's name in `throughput.csv`; the scene's name if it has no family.
     pub family: String,
-    /// Free words to select by.
+    /// Free words for selecting scenes.
     pub tags: Vec<String>,
-    /// Where the scene is from.
+    /// The origin of the scene.
     pub source: String,
-    /// One sentence that ends up in the report.
+    /// One sentence for the report.
     pub analysis: String,
     /// The points.
     pub scene: Scene,
-    /// What is asked.
+    /// The questions about the points.
     pub content: Arc<dyn Content>,
-    /// What an importer changed.
+    /// Counts of changes by the importer.
     pub notes: ImportNotes,
 }
 
 impl LoadedScene {
-    /// The content, where it is of this type.
+    /// The content, if it has this type.
     #[must_use]
     pub fn content<C: Content>(&self) -> Option<&C> {
         let any: &dyn Any = self.content.as_ref();
         any.downcast_ref()
     }
 
-    /// The same scene with its points elsewhere, and the content id of that.
+    /// The scene with its points moved, and its new content id.
     ///
     /// # Errors
-    /// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
+    /// [`MoveError`] if the coordinates make no scene, if their number differs from the scene's, or if the scene has
+    /// constructed vertices.
     pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, MoveError> {
         let (scene, content) = moved(&self.scene, &self.content, coordinates)?;
         Ok(LoadedScene { id: content_id(&scene, content.as_ref()), scene, content, ..self })
@@ -59,10 +60,11 @@ impl LoadedScene {
     }
 }
 
-/// A scene and its content with the points elsewhere, in their order. Which vertices are of the second of two meshes stays.
+/// A scene and its content with moved points, in the same order. The split of vertices into two meshes stays.
 ///
 /// # Errors
-/// One line, where the coordinates make no scene, are not as many as the scene has, or the scene has constructed vertices.
+/// [`MoveError`] if the coordinates make no scene, if their number differs from the scene's, or if the scene has
+/// constructed vertices.
 pub(crate) fn moved(
     scene: &Scene,
     content: &Arc<dyn Content>,
@@ -84,20 +86,20 @@ pub(crate) fn moved(
     Ok((elsewhere, other.unwrap_or_else(|| Arc::clone(content))))
 }
 
-/// Why the points of a scene are not moved.
+/// The reason why the points of a scene cannot be moved.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum MoveError {
     /// The scene has constructed vertices.
     Constructed,
-    /// Another number of coordinates is given.
+    /// The number of given coordinates is wrong.
     Count {
-        /// How many coordinates the scene has.
+        /// The number of the scene's coordinates.
         had: usize,
-        /// How many are given.
+        /// The number of given coordinates.
         given: usize,
     },
-    /// The coordinates are not those of a scene.
+    /// The coordinates do not make a scene.
     Scene(SceneError),
 }
 

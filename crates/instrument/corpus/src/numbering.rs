@@ -1,15 +1,13 @@
-//! Vertex numbers for probes, alternately before and after the points that they are located among.
+//! Vertex numbers for probes, alternately before and after the points among which they are located.
 //!
-//! Under Simulation of Simplicity a vertex moves further the smaller its number
-//! is. Were all probes numbered after what they are located in, each would move
-//! less than what it touches, and ties would always be broken in the same simple
-//! way. So probes are numbered before and after it in turn.
+//! Under Simulation of Simplicity a vertex moves further the smaller its number is. If all probes were numbered after
+//! these points, each probe would move less than everything it touches, and ties would always be broken in the same
+//! simple way. So probes are numbered alternately before and after the points.
 
 use predicament_predicates::{Scene, Vertex};
 
-/// Points with places to probe: the even places first, then the points, then
-/// the odd places; and the vertex of each place. The points move up by half
-/// the number of places, rounded up.
+/// Numbers points and places to probe: the even places first, then the points, then the odd places. Returns the
+/// coordinates in this order and the vertex of each place. The points move up by half the number of places, rounded up.
 #[must_use]
 pub fn numbered<P: Copy>(points: Vec<P>, places: &[P]) -> (Vec<P>, Vec<Vertex>) {
     let behind = places.len().div_ceil(2) + points.len();
@@ -19,18 +17,18 @@ pub fn numbered<P: Copy>(points: Vec<P>, places: &[P]) -> (Vec<P>, Vec<Vertex>) 
     (every_other(0).chain(points).chain(every_other(1)).collect(), vertices)
 }
 
-/// Points without the places that are probed among them, which [`numbered`] has put there.
+/// Points separated from the probed places, which reverses [`numbered`].
 #[derive(Clone, PartialEq, Debug)]
 pub struct Unnumbered {
-    /// The points that are no probes, in their order.
+    /// The points that are not probes, in their order.
     pub points: Vec<Vec<f64>>,
     /// The places, in the order of the probes.
     pub places: Vec<Vec<f64>>,
-    /// For each vertex of the scene that is no probe its number among `points`.
+    /// The index in `points` of each vertex of the scene that is not a probe.
     numbers: Vec<usize>,
 }
 
-/// The points of a scene and the places of its probes.
+/// Separates a scene into its points and the places of its probes.
 #[must_use]
 pub fn unnumbered(scene: &Scene, probes: &[Vertex]) -> Unnumbered {
     let mut is_probe = vec![false; scene.len()];
@@ -48,7 +46,7 @@ pub fn unnumbered(scene: &Scene, probes: &[Vertex]) -> Unnumbered {
 }
 
 impl Unnumbered {
-    /// A vertex of the scene, which is no probe, by its number among the points.
+    /// The vertex number among `points` of a scene's vertex that is not a probe.
     #[must_use]
     pub fn vertex(&self, v: Vertex) -> Vertex {
         Vertex::input(self.numbers[v.index()])

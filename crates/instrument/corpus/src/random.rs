@@ -1,4 +1,4 @@
-//! Streams of random numbers that are the same on every platform.
+//! Streams of random numbers, identical on every platform.
 
 use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
@@ -10,8 +10,7 @@ use predicament_formats::bits::power_of_two;
 pub struct Random(ChaCha8Rng);
 
 impl Random {
-    /// The stream of one family, task and seed: streams of different families
-    /// have nothing to do with each other, even under the same seed.
+    /// The stream of one family, task and seed: streams of different families are independent, even with the same seed.
     #[must_use]
     pub fn new(family: &str, task: &str, seed: u64) -> Random {
         let mut digest = Sha256::new();
@@ -23,29 +22,29 @@ impl Random {
         Random(ChaCha8Rng::from_seed(digest.finalize().into()))
     }
 
-    /// A multiple of 2^-53 in [0, 1).
+    /// A random multiple of 2^-53 in [0, 1).
     pub fn unit(&mut self) -> f64 {
         #[allow(clippy::cast_precision_loss)] // 53 bits
         let integer = (self.0.next_u64() >> 11) as f64;
         integer * power_of_two(-53)
     }
 
-    /// Uniform in [low, high), up to the rounding of the sum.
+    /// A uniform random number in [low, high), up to the rounding of the sum.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + self.unit() * (high - low)
     }
 
-    /// A double with the given exponent, 52 random bits and a random sign.
+    /// A random double with the given exponent, 52 random bits and a random sign.
     pub fn mantissa(&mut self) -> f64 {
         let bits = self.0.next_u64();
         let magnitude = f64::from_bits((bits >> 12) | 1.0_f64.to_bits());
         if bits & 1 == 0 { magnitude } else { -magnitude }
     }
 
-    /// An integer from `low` to `high`, both included.
+    /// A random integer from `low` to `high`, both included.
     pub fn integer(&mut self, low: i64, high: i64) -> i64 {
         let span = high.abs_diff(low) + 1;
-        // Rejecting the incomplete last span keeps the rest uniform.
+        // Rejecting the incomplete last span keeps the distribution uniform.
         let limit = u64::MAX - u64::MAX % span;
         loop {
             let bits = self.0.next_u64();
@@ -55,27 +54,27 @@ impl Random {
         }
     }
 
-    /// An integer from 1 to `high` with a random sign.
+    /// A random integer from 1 to `high` with a random sign.
     pub fn nonzero(&mut self, high: i64) -> i64 {
         let magnitude = self.integer(1, high);
         if self.one_in(2) { magnitude } else { -magnitude }
     }
 
-    /// Puts the items in a random order: each order is as likely as any, up to a share of 2^-32 for each item.
+    /// Shuffles the items: all orders are equally likely, up to a bias of 2^-32 for each item.
     ///
     /// # Panics
     /// If there are 2^32 items or more.
     pub fn shuffle<T>(&mut self, items: &mut [T]) {
         assert!(u32::try_from(items.len()).is_ok(), "{} items are too many to shuffle", items.len());
         for last in (1..items.len()).rev() {
-            // A multiply in place of a division.
-            #[allow(clippy::cast_possible_truncation)] // no more than `last`
+            // A multiplication replaces a division.
+            #[allow(clippy::cast_possible_truncation)] // at most `last`
             let other = ((u64::from(self.0.next_u32()) * (last as u64 + 1)) >> 32) as usize;
             items.swap(last, other);
         }
     }
 
-    /// True once in `n` times.
+    /// True with probability 1/`n`.
     pub fn one_in(&mut self, n: i64) -> bool {
         self.integer(1, n) == 1
     }
@@ -107,7 +106,7 @@ mod tests {
             *counts.entry(items).or_insert(0) += 1;
         }
         assert_eq!(counts.len(), 6);
-        // 1000 each; a standard deviation is 29.
+        // The mean is 1000; the standard deviation is 29.
         assert!(counts.values().all(|count| (850..1150).contains(count)), "{counts:?}");
     }
 

@@ -1,9 +1,9 @@
-//! Scenes written out: points, and lists of vertices under the keys of a suite.
+//! Scenes in written form: points, and lists of vertices under the keys of a suite.
 //!
-//! A loaded scene may be from a generator, a download or a mesh file. What is searched for smaller or nearby scenes
-//! needs a form that can be edited without knowing the task: which items can be left out, which vertices they name,
-//! and which numbers can be changed. [`Spelled`] is that form. It becomes a scene again by way of the suite's text, so
-//! that what is found is always something that a suite can hold.
+//! A loaded scene may come from a generator, a download or a mesh file. A search for smaller or nearby scenes needs a
+//! form that it can edit without knowing the task: which items can be left out, which vertices they refer to, and which
+//! numbers can be changed. [`Spelled`] is that form. It becomes a scene again through the suite's text, so that a suite
+//! can hold every scene that a search finds.
 
 use std::fmt::Write as _;
 
@@ -12,29 +12,29 @@ use predicament_predicates::{Construction, Vertex};
 
 use crate::{Level, LoadedScene, Suite, Vocabulary};
 
-/// A scene written out, to be edited and read again.
+/// A scene in written form, to be edited and read again.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Spelled {
     /// The name of the task.
     pub task: &'static str,
-    /// `points`: two or three coordinates each; the key is left out where there are none.
+    /// The `points`, with two or three coordinates each; the key is omitted if the list is empty.
     pub points: Vec<Vec<f64>>,
-    /// `constructed`, by vertices of `points`.
+    /// The `constructed` vertices, defined by vertices of `points`.
     pub constructions: Vec<Construction>,
-    /// Keys whose values stay as they are, with their values in TOML.
+    /// Keys with fixed values, as TOML.
     pub words: Vec<(&'static str, String)>,
-    /// Everything that consists of items.
+    /// All lists of items.
     pub lists: Vec<List>,
 }
 
 /// The items under one key.
 #[derive(Clone, PartialEq, Debug)]
 pub struct List {
-    /// The key, with a dot where it is in a table: `a.edges`.
+    /// The key, with a dot if it is in a table: `a.edges`.
     pub key: &'static str,
     /// Its items.
     pub items: Items,
-    /// The smallest number of items that the key may have; with 0 a list without items is left out.
+    /// The minimum number of items under the key; with 0 the key of an empty list is omitted.
     pub least: usize,
 }
 
@@ -43,27 +43,27 @@ pub struct List {
 pub enum Items {
     /// Single vertices.
     Vertices(Vec<Vertex>),
-    /// Vertices in a fixed number each: queries, segments, triangles.
+    /// Tuples with a fixed number of vertices: queries, segments, triangles.
     Tuples(Vec<Vec<Vertex>>),
-    /// Vertices in any number from three on: loops, faces.
+    /// Lists of three or more vertices: loops, faces.
     Loops(Vec<Vec<Vertex>>),
-    /// Tuples of vertices, each with a row of numbers under a key of its own: triangles with their regions.
+    /// Tuples of vertices, each with a row of numbers under a separate key: triangles with their regions.
     Labelled {
         /// The tuples.
         tuples: Vec<Vec<Vertex>>,
         /// The key of the rows.
         key: &'static str,
-        /// A row for each tuple.
+        /// One row for each tuple.
         rows: Vec<Vec<u32>>,
     },
-    /// Rows of coordinates that are no vertices of `points`: probes, cubes.
+    /// Rows of coordinates that are not vertices of `points`: probes, cubes.
     Rows(Vec<Vec<f64>>),
-    /// Polygons of rings of points that are no vertices of `points`: the regions of a map.
+    /// Polygons of rings of points that are not vertices of `points`: the regions of a map.
     Polygons(Vec<Vec<Vec<Vec<f64>>>>),
 }
 
 impl Items {
-    /// Tuples of one length.
+    /// Items that are tuples of equal length.
     #[must_use]
     pub fn tuples<const N: usize>(tuples: &[[Vertex; N]]) -> Items {
         Items::Tuples(tuples.iter().map(|tuple| tuple.to_vec()).collect())
@@ -80,13 +80,13 @@ impl Items {
         }
     }
 
-    /// Whether there is none.
+    /// True if there are no items.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Keeps the items at which this is true, in their order.
+    /// Keeps the items for which `at` returns true, in their order.
     pub fn keep(&mut self, mut at: impl FnMut(usize) -> bool) {
         fn kept<T>(all: &mut Vec<T>, at: &mut impl FnMut(usize) -> bool) {
             let mut place = 0;
@@ -105,7 +105,7 @@ impl Items {
         }
     }
 
-    /// The vertices of an item; none for coordinates.
+    /// The vertices of an item; empty for coordinates.
     #[must_use]
     pub fn vertices(&self, item: usize) -> &[Vertex] {
         match self {
@@ -115,7 +115,7 @@ impl Items {
         }
     }
 
-    /// Every vertex of every item, to be changed.
+    /// Mutable references to every vertex of every item.
     pub fn vertices_mut(&mut self) -> Box<dyn Iterator<Item = &mut Vertex> + '_> {
         match self {
             Items::Vertices(all) => Box::new(all.iter_mut()),
@@ -126,7 +126,8 @@ impl Items {
         }
     }
 
-    /// Every coordinate that is not one of `points`, by rows: a row is a point, or what else stands together.
+    /// Mutable references to every coordinate that is not one of `points`, by rows: a row is a point or another tuple
+    /// of coordinates.
     pub fn rows_mut(&mut self) -> Box<dyn Iterator<Item = &mut Vec<f64>> + '_> {
         match self {
             Items::Rows(all) => Box::new(all.iter_mut()),
@@ -137,39 +138,39 @@ impl Items {
 }
 
 impl List {
-    /// A list whose key can be left out.
+    /// A list whose key is omitted if it is empty.
     #[must_use]
     pub fn new(key: &'static str, items: Items) -> List {
         List { key, items, least: 0 }
     }
 
-    /// A list whose key is there even without items.
+    /// A list whose key is written even if it is empty.
     #[must_use]
     pub fn required(key: &'static str, items: Items) -> List {
         List { key, items, least: 1 }
     }
 
-    /// Whether the key is written: without items it can be left out unless it needs some.
+    /// True if the key is written: it is omitted only if the list is empty and may be.
     fn is_written(&self) -> bool {
         self.least > 0 || !self.items.is_empty()
     }
 }
 
-/// What a scene is called, and what its suite says about it.
+/// The name of a scene and its descriptions in the suite.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Heading<'a> {
     /// The name of the scene.
     pub name: &'a str,
-    /// Free words.
+    /// Free words for selecting scenes.
     pub tags: &'a [String],
-    /// Where it is from.
+    /// The origin of the scene.
     pub source: &'a str,
-    /// One sentence about it.
+    /// One sentence about the scene.
     pub analysis: &'a str,
 }
 
 impl Spelled {
-    /// All coordinates, by rows: those of points, then those of lists.
+    /// Mutable references to all coordinates, by rows: first points, then lists.
     pub fn rows_mut(&mut self) -> impl Iterator<Item = &mut Vec<f64>> {
         self.points.iter_mut().chain(self.lists.iter_mut().flat_map(|list| list.items.rows_mut()))
     }
@@ -187,7 +188,7 @@ impl Spelled {
         self.points.iter().chain(of_lists).collect()
     }
 
-    /// The vertices that lists and constructions name.
+    /// A flag for each vertex: true if lists or constructions use it.
     #[must_use]
     pub fn named(&self) -> Vec<bool> {
         let mut named = vec![false; self.points.len()];
@@ -201,7 +202,8 @@ impl Spelled {
         named
     }
 
-    /// The scene as a `[[scene]]` table. Coordinates are lossless: decimals where these are short and exact, else hex floats.
+    /// The scene as a `[[scene]]` table. Coordinates are lossless: decimals if these are short and exact, else hex
+    /// floats.
     #[must_use]
     pub fn table(&self, heading: Heading<'_>) -> String {
         let mut text = format!("[[scene]]\nname = {}\ntask = {}\n", quoted(heading.name), quoted(self.task));
@@ -243,7 +245,7 @@ impl Spelled {
         text
     }
 
-    /// The tables whose lists are all left out: a complex may have no simplices, but it has to be there.
+    /// The tables whose lists are all omitted: a complex may be empty, but its table must be present.
     fn emptied(&self) -> Vec<&'static str> {
         let tables = |is_written: bool| {
             let lists = self.lists.iter().filter(move |list| list.is_written() == is_written);
@@ -255,16 +257,16 @@ impl Spelled {
         emptied
     }
 
-    /// A suite with this scene alone.
+    /// The text of a suite with this scene only.
     #[must_use]
     pub fn suite(&self, title: &str, heading: Heading<'_>) -> String {
         format!("title = {}\n\n{}", quoted(title), self.table(heading))
     }
 
-    /// The scene as it is read from its text.
+    /// The scene, read from its text.
     ///
     /// # Errors
-    /// [`CorpusError`] where the text is no scene of the task.
+    /// [`CorpusError`] if the text is not a scene of the task.
     pub fn loaded(&self, vocabulary: &Vocabulary, name: &str) -> Result<LoadedScene, CorpusError> {
         let text = self.suite("spelled", Heading { name, ..Heading::default() });
         let suite = Suite::parse(vocabulary, "spelled.toml", &text, None, &Manifest::default())?;
@@ -273,21 +275,21 @@ impl Spelled {
 }
 
 impl LoadedScene {
-    /// The scene written out; none where its task cannot.
+    /// The scene in written form; `None` if its task does not support it.
     #[must_use]
     pub fn spelled(&self) -> Option<Spelled> {
         Some(Spelled { task: self.task, ..self.content.spelled(&self.scene)? })
     }
 }
 
-/// The points and constructions of a scene, with nothing asked about them.
+/// The points and constructions of a scene, without questions.
 #[must_use]
 pub fn spelled_points(scene: &predicament_predicates::Scene) -> Spelled {
     let points = scene.vertices().map(|v| scene.point(v).to_vec()).collect();
     Spelled { points, constructions: scene.constructions().to_vec(), ..Spelled::default() }
 }
 
-/// A text as TOML's basic string.
+/// A text as a TOML basic string.
 fn quoted(text: &str) -> String {
     let mut quoted = String::from("\"");
     for letter in text.chars() {
@@ -303,7 +305,7 @@ fn quoted(text: &str) -> String {
     quoted
 }
 
-/// A coordinate as TOML: a decimal where it is short and exact, else a hex float in quotes.
+/// A coordinate as TOML: a decimal if it is short and exact, else a hex float in quotes.
 #[must_use]
 pub fn coordinate(x: f64) -> String {
     let is_integer = x == x.trunc() && x.abs() <= 9_007_199_254_740_992.0;
@@ -320,7 +322,7 @@ fn row(coordinates: &[f64]) -> String {
     format!("[{}]", all.join(", "))
 }
 
-/// A row of one number is the number.
+/// The TOML of a row; a row of one number is written as the number.
 fn label(row: &[u32]) -> String {
     if let [one] = row { one.to_string() } else { format!("{row:?}") }
 }
@@ -349,7 +351,7 @@ fn constructed(construction: &Construction) -> String {
     format!("{{ {kind} = [{}] }}", flats.join(", "))
 }
 
-/// One item a line, or all in one where they are short.
+/// Writes one item per line, or all on one line if they are short.
 fn write_items(text: &mut String, key: &str, items: impl Iterator<Item = String>) {
     let items: Vec<String> = items.collect();
     let width: usize = items.iter().map(|item| item.len() + 2).sum();

@@ -1,4 +1,4 @@
-//! The backend: an engine as any other way to answer predicates.
+//! The backend: an engine as a provider of predicates.
 
 use std::sync::Arc;
 
@@ -8,12 +8,12 @@ use crate::session::Session;
 use crate::started::Shared;
 use crate::{Config, EngineError, find};
 
-/// What engines' names begin with.
+/// The prefix of engines' names.
 pub const PREFIX: &str = "engine:";
 /// A program that answers predicates over stdin and stdout.
 pub struct Engine {
     shared: Arc<Shared>,
-    /// Whether it is asked for predicates that return at once.
+    /// True if the engine is asked for predicates that return at once.
     empty: bool,
 }
 
@@ -21,26 +21,26 @@ impl Engine {
     /// The engine with this name in the folder of engines, or with this file.
     ///
     /// # Errors
-    /// [`EngineError`]: there is no such engine, it does not start, or it does not speak the protocol.
+    /// [`EngineError`] if the engine does not exist, does not start, or does not speak the protocol.
     pub fn find(name: &str) -> Result<Engine, EngineError> {
         Engine::start(find(name)?)
     }
 
-    /// Starts an engine and greets it.
+    /// Starts an engine and exchanges greetings.
     ///
     /// # Errors
-    /// [`EngineError`] names the engine and its file: it does not start, or it does not speak the protocol.
+    /// [`EngineError`] with the engine and its file, if it does not start or does not speak the protocol.
     pub fn start(config: Config) -> Result<Engine, EngineError> {
         Ok(Engine { shared: Arc::new(Shared::greeted(config)?), empty: false })
     }
 
-    /// The name in its configuration.
+    /// The engine's name in its configuration.
     #[must_use]
     pub fn short_name(&self) -> &str {
         &self.shared.config.name
     }
 
-    /// The predicates that it offers.
+    /// The predicates that the engine offers.
     #[must_use]
     pub fn predicates(&self) -> &[PredicateKind] {
         &self.shared.hello.predicates
@@ -48,7 +48,7 @@ impl Engine {
 }
 
 impl Backend for Engine {
-    // One type of session for all tallies: algorithms are compiled once for engines.
+    // One session type for all tallies: algorithms are compiled once for engines.
     type Session<'s, T: Tally + 's> = Session<'s>;
 
     fn name(&self) -> String {
@@ -64,7 +64,7 @@ impl Backend for Engine {
         &["engine"]
     }
 
-    /// A batch is one message and one answer.
+    /// The kind of batches: each batch is one message and one answer.
     fn batches(&self, _: PredicateKind) -> Batches {
         Batches::Own
     }
@@ -73,7 +73,7 @@ impl Backend for Engine {
         Some(self.shared.hello.version.clone())
     }
 
-    /// The same engine, asked for predicates that return at once.
+    /// The engine, asked for predicates that return at once.
     fn binding(&self) -> Option<Engine> {
         (!self.empty).then(|| Engine { shared: Arc::clone(&self.shared), empty: true })
     }

@@ -1,4 +1,4 @@
-//! Chores of an engine: to install, to build and to clean it, and to ask for its version.
+//! Maintenance commands of an engine: install, build, clean, and print the version.
 
 use std::io::{BufRead, BufReader, Read};
 use std::path::{Path, PathBuf};
@@ -8,24 +8,25 @@ use std::sync::mpsc::channel;
 use crate::group::Group;
 use crate::{Config, EngineError, EngineFailure};
 
-/// The bytes of a version command's output that are read.
+/// The maximum number of bytes read of a version command's output.
 const MOST_BYTES: u64 = 4096;
 
-/// A chore of an engine.
+/// A maintenance step of an engine.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Step {
-    /// Install the library behind it.
+    /// Installs the library behind the engine.
     Install,
-    /// Build it.
+    /// Builds the engine.
     Build,
-    /// Remove what was built.
+    /// Removes the build outputs.
     Clean,
 }
 
-/// Runs the commands of a chore in turn, in the engine's folder; `tell` hears each before it starts.
+/// Runs the commands of a step in turn, in the engine's folder; `tell` is called with each before it starts.
 ///
 /// # Errors
-/// [`EngineError`] names the engine, its file and the first command that fails, with the last lines that it printed.
+/// [`EngineError`] with the engine, its file, the first command that fails, and the last lines that the command
+/// printed.
 pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<(), EngineError> {
     let commands = match step {
         Step::Install => &config.install,
@@ -50,8 +51,8 @@ pub fn chore(config: &Config, step: Step, mut tell: impl FnMut(&str)) -> Result<
     Ok(())
 }
 
-/// The first line that the engine's version command prints; none where it has no such command. It has as long as the
-/// engine may be silent, and no more of its output is read than a line may have.
+/// The first line that the engine's version command prints; `None` if it has no such command. The command may take as
+/// long as the engine's silence limit, and only as much of its output is read as a line may have.
 pub(crate) fn version(config: &Config) -> Result<Option<String>, EngineFailure> {
     if config.version.is_empty() {
         return Ok(None);
@@ -78,7 +79,7 @@ pub(crate) fn version(config: &Config) -> Result<Option<String>, EngineFailure> 
     }
 }
 
-/// A text that is safe to print on one line: control characters escaped, the rest of a long text left out.
+/// A text that is safe to print on one line: control characters escaped, long texts truncated.
 pub(crate) fn printable(text: &str) -> String {
     const MOST: usize = 300;
     let text = text.trim();
@@ -92,7 +93,7 @@ pub(crate) fn printable(text: &str) -> String {
     printed
 }
 
-/// A command in the engine's folder with its environment. A program that is a path is one of that folder.
+/// A command in the engine's folder with its environment. A program given as a path is relative to that folder.
 pub(crate) fn command(config: &Config, words: &[String]) -> Result<Command, EngineFailure> {
     let [program, args @ ..] = words else {
         return Err(EngineFailure::NoProgram);

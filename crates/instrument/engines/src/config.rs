@@ -1,4 +1,4 @@
-//! `engine.toml`: how an engine is installed, built and run.
+//! The configuration `engine.toml`: how to install, build and run an engine.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -7,23 +7,23 @@ use std::time::Duration;
 use crate::{EngineError, EngineFailure};
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
-/// The file that makes a folder an engine.
+/// The name of the file that makes a folder an engine.
 pub const FILE: &str = "engine.toml";
-/// The variable that names the folder of engines.
+/// The environment variable with the folder of engines.
 pub const FOLDER: &str = "PREDICAMENT_ENGINES";
-/// A configuration is a few lines.
+/// The maximum size of a configuration file.
 pub(crate) const MOST_BYTES: u64 = 1 << 20;
-/// Seconds of silence after which a process is ended, where the file does not say.
+/// The default silence limit in seconds, after which a process is ended.
 const SILENCE: u64 = 60;
-/// The most seconds of silence that a file may ask for: eleven days.
+/// The maximum silence limit in seconds: eleven days.
 const MOST_SILENCE: u64 = 1_000_000;
-/// MiB of memory that each process of an engine may have, where the file does not say.
+/// The default memory limit of each engine process, in MiB.
 const MEMORY: u64 = 4096;
-/// The most MiB that a file may ask for: an exbibyte.
+/// The maximum memory limit in MiB: an exbibyte.
 const MOST_MEMORY: u64 = 1 << 40;
-/// The longest name, in characters: it stands in tables, legends and file names.
+/// The maximum length of a name, in characters: names appear in tables, legends and file names.
 const LONGEST_NAME: usize = 64;
-/// The longest of the other texts, in characters: each is a line.
+/// The maximum length of the other texts, in characters: each is a line.
 pub(crate) const LONGEST_TEXT: usize = 200;
 
 static ENGINE: TableKind = TableKind::new(
@@ -47,13 +47,13 @@ static ENGINE: TableKind = TableKind::new(
 /// The configuration of one engine.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Config {
-    /// The name; reports call the engine `engine:NAME`.
+    /// The engine's name; reports call it `engine:NAME`.
     pub name: String,
-    /// What it is, in one line.
+    /// A one-line description.
     pub about: String,
     /// The licence of the library behind it.
     pub licence: String,
-    /// What has to be installed, as a person would type it.
+    /// The software that must be installed, as a command a person would type.
     pub needs: String,
     /// The command whose first line of output is the library's version.
     pub version: Vec<String>,
@@ -61,27 +61,27 @@ pub struct Config {
     pub install: Vec<Vec<String>>,
     /// Commands that build the engine.
     pub build: Vec<Vec<String>>,
-    /// The command that starts it.
+    /// The command that starts the engine.
     pub run: Vec<String>,
-    /// Commands that remove what was built.
+    /// Commands that remove the build outputs.
     pub clean: Vec<Vec<String>>,
-    /// Variables that all commands get.
+    /// Environment variables of all commands.
     pub environment: BTreeMap<String, String>,
-    /// Seconds of silence after which the process is ended.
+    /// The silence limit in seconds, after which the process is ended.
     timeout: u64,
-    /// MiB of memory that each process of the engine may have; 0 for as much as there is.
+    /// The memory limit of each engine process, in MiB; 0 for no limit.
     memory: u64,
-    /// The file, by its absolute path: [`find`] finds the engine by it from any folder.
+    /// The absolute path of the file: [`find`] finds the engine by it from any folder.
     pub file: PathBuf,
-    /// The folder of the file: all commands run there.
+    /// The folder of the file, in which all commands run.
     pub folder: PathBuf,
 }
 
 impl Config {
-    /// The configuration in a file such as `engine.toml`.
+    /// Reads the configuration in a file such as `engine.toml`.
     ///
     /// # Errors
-    /// [`EngineError`] names the file, the line and the cure.
+    /// [`EngineError`] with the file, the line and the fix.
     pub fn read(file: &Path) -> Result<Config, EngineError> {
         let shown = file.display().to_string();
         let unread = |error| EngineError::Unread { file: file.to_owned(), error };
@@ -96,19 +96,19 @@ impl Config {
         Ok(config)
     }
 
-    /// An error about this engine, which names it and its file.
+    /// An error about this engine, with its name and its file.
     #[must_use]
     pub(crate) fn error(&self, why: EngineFailure) -> EngineError {
         EngineError::Failed { name: self.name.clone(), file: self.file.clone(), why }
     }
 
-    /// The silence after which the process is ended.
+    /// The silence limit after which the process is ended.
     #[must_use]
     pub fn silence(&self) -> Duration {
         Duration::from_secs(self.timeout)
     }
 
-    /// MiB of memory that each process of the engine may write to; none where it has no limit.
+    /// The memory limit of each engine process, in MiB; `None` for no limit.
     #[must_use]
     pub fn memory(&self) -> Option<u64> {
         (self.memory > 0).then_some(self.memory)
@@ -140,7 +140,7 @@ fn parse(file: &str, text: &str) -> Result<Config, CorpusError> {
     Ok(config)
 }
 
-/// A name that can stand in tables, on command lines and in file names.
+/// Reads a name that is safe in tables, on command lines and in file names.
 fn name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     let name = field.str()?;
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
@@ -152,7 +152,7 @@ fn name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     Err(field.error(format!("`{}` is no name of an engine", shown(name)), cure))
 }
 
-/// A line of text, empty where the key is missing.
+/// Reads a line of text; empty if the key is missing.
 fn line(fields: &Fields<'_, '_>, key: &'static str) -> Result<String, CorpusError> {
     let Some(field) = fields.get(key) else { return Ok(String::new()) };
     let text = field.string()?;
@@ -163,7 +163,7 @@ fn line(fields: &Fields<'_, '_>, key: &'static str) -> Result<String, CorpusErro
     Ok(text)
 }
 
-/// A program and its arguments.
+/// Reads a program and its arguments.
 fn command(field: &Field<'_, '_>) -> Result<Vec<String>, CorpusError> {
     const WANTED: &str = "a command as an array of words: the program, then its arguments";
     let words = field.items(WANTED)?.map(|word| {
@@ -179,13 +179,13 @@ fn command(field: &Field<'_, '_>) -> Result<Vec<String>, CorpusError> {
     Ok(words)
 }
 
-/// Commands, run in turn.
+/// Reads a list of commands, which run in turn.
 fn commands(fields: &Fields<'_, '_>, key: &'static str) -> Result<Vec<Vec<String>>, CorpusError> {
     let Some(field) = fields.get(key) else { return Ok(Vec::new()) };
     field.items("an array of commands, each an array of words")?.map(|words| command(&words)).collect()
 }
 
-/// Variables of the environment.
+/// Reads environment variables.
 fn environment(fields: &Fields<'_, '_>) -> Result<BTreeMap<String, String>, CorpusError> {
     let Some(field) = fields.get("environment") else { return Ok(BTreeMap::new()) };
     let variable = |value: Field<'_, '_>| {
@@ -208,10 +208,10 @@ pub fn folder() -> PathBuf {
     std::env::var_os(FOLDER).map_or_else(|| PathBuf::from("engines"), PathBuf::from)
 }
 
-/// The engine with this name in the folder of engines, or with this file.
+/// The configuration of the engine with this name in the folder of engines, or with this file.
 ///
 /// # Errors
-/// [`EngineError`] with the engines that there are, or with what is wrong with the file.
+/// [`EngineError`] with the known engines, or with the error in the file.
 pub fn find(name: &str) -> Result<Config, EngineError> {
     let path = Path::new(name);
     if name.ends_with(".toml") {
@@ -225,7 +225,7 @@ pub fn find(name: &str) -> Result<Config, EngineError> {
     if file.is_file() {
         let config = Config::read(&file)?;
         if config.name != name {
-            // Reports would call it by a name that finds nothing, or another engine.
+            // Reports would use a name that finds no engine, or another engine.
             return Err(EngineError::OtherName { file, called: config.name });
         }
         return Ok(config);
@@ -234,7 +234,7 @@ pub fn find(name: &str) -> Result<Config, EngineError> {
     Err(EngineError::Unknown { name: name.to_owned(), folder, known })
 }
 
-/// The engines of the folder of engines, by the names of their folders; for each an error where its file is wrong.
+/// The engines of the folder of engines, by the names of their folders; an invalid file gives an error in its place.
 #[must_use]
 pub fn all() -> Vec<Result<Config, EngineError>> {
     let Ok(entries) = std::fs::read_dir(folder()) else { return Vec::new() };

@@ -1,13 +1,12 @@
 //! Processes that an engine has started and that have left its group, on Linux.
 //!
-//! A process in a session of its own is not ended with the group of the engine. If
-//! its parent ends, the system gives it to the first process of the machine, where
-//! nobody knows whose it is. So this process adopts what its engines leave behind,
-//! and ends it with them: what descends from the engine when it is ended, and what
-//! has the engine's mark in its environment. Both have to be descendants of this process.
+//! Ending the group of the engine does not end a process in its own session. If the parent of such a process ends, the
+//! system reparents it to the first process of the machine, where its origin is lost. So this process becomes the
+//! parent of its engines' orphans and ends them with the engine. It ends processes that descend from the engine when
+//! the engine is ended, and processes with the engine's mark in their environment. Both must be descendants of this
+//! process.
 //!
-//! Out of reach is what has a new environment and whose parents ended before the
-//! engine did.
+//! A process escapes if it has a new environment and its parents ended before the engine did.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Once;
@@ -19,15 +18,15 @@ use rustix::process::{
 
 use crate::mark::MARK;
 
-/// How many times what is still there is ended: a process may start another one in the moment in which it is ended.
+/// The maximum number of rounds of ending: a process may start another one while it is being ended.
 const ROUNDS: usize = 50;
-/// How long a process that was ended may take to be gone.
+/// The pause after each round of ending.
 const MOMENT: Duration = Duration::from_millis(2);
 
-/// A process: its number, which others may have later, and when it was started.
+/// A process id with its start time, since ids are reused.
 type Identity = (u32, u64);
 
-/// A process as the system shows it.
+/// The state of a process, as the system reports it.
 struct Seen {
     parent: u32,
     group: u32,
@@ -35,7 +34,7 @@ struct Seen {
     has_ended: bool,
 }
 
-/// Makes this process the parent of what its descendants leave behind.
+/// Makes this process the parent of its descendants' orphans.
 pub fn adopt() {
     static ONCE: Once = Once::new();
     ONCE.call_once(|| {
@@ -43,13 +42,13 @@ pub fn adopt() {
     });
 }
 
-/// The descendants of a process at this moment.
+/// The current descendants of a process.
 pub fn of(process: u32) -> BTreeSet<Identity> {
     let all = processes();
     below(&all, [process].into()).into_iter().filter_map(|at| Some((at, all.get(&at)?.start))).collect()
 }
 
-/// Ends what an engine has started: processes that are known to be its own, those of its group and those with its mark.
+/// Ends the processes of an engine: known processes, those of its group and those with its mark.
 pub fn end(engine: u32, mark: &str, mut known: BTreeSet<Identity>) {
     let mark = format!("{MARK}={mark}").into_bytes();
     for _ in 0..ROUNDS {
@@ -69,7 +68,7 @@ pub fn end(engine: u32, mark: &str, mut known: BTreeSet<Identity>) {
             if !seen.has_ended {
                 kill(at, seen.start);
             } else if let Some(pid) = pid(at).filter(|_| seen.parent == std::process::id()) {
-                // It is the child of nobody else who would ask how it ended.
+                // It is a child of this process, and no other code waits for its status.
                 let _ = waitpid(Some(pid), WaitOptions::NOHANG);
             }
         }
@@ -77,7 +76,7 @@ pub fn end(engine: u32, mark: &str, mut known: BTreeSet<Identity>) {
     }
 }
 
-/// Ends the process with this number that was started then, and no other one.
+/// Ends the process with this id and start time, and no other process.
 fn kill(process: u32, start: u64) {
     let Some(pid) = pid(process) else { return };
     if let Ok(handle) = pidfd_open(pid, PidfdFlags::empty())
@@ -91,7 +90,7 @@ fn pid(process: u32) -> Option<Pid> {
     i32::try_from(process).ok().and_then(Pid::from_raw)
 }
 
-/// All processes that the system shows, by their numbers.
+/// All processes that the system reports, by id.
 fn processes() -> BTreeMap<u32, Seen> {
     let entries = std::fs::read_dir("/proc").into_iter().flatten().flatten();
     let numbers = entries.filter_map(|entry| entry.file_name().to_str()?.parse().ok());
@@ -103,7 +102,7 @@ fn seen(process: u32) -> Option<Seen> {
     parse(&String::from_utf8_lossy(&stat))
 }
 
-/// What a line of `/proc/N/stat` says. The second field is a name in parentheses, which may have any bytes.
+/// Parses a line of `/proc/N/stat`. The second field is a name in parentheses, which may contain any bytes.
 fn parse(stat: &str) -> Option<Seen> {
     let fields: Vec<&str> = stat[stat.rfind(')')? + 1..].split_ascii_whitespace().collect();
     let has_ended = matches!(*fields.first()?, "Z" | "X" | "x");
@@ -111,13 +110,13 @@ fn parse(stat: &str) -> Option<Seen> {
     Some(Seen { parent, group, start: fields.get(19)?.parse().ok()?, has_ended })
 }
 
-/// Whether the environment that a process was started with has the mark.
+/// True if the initial environment of a process has the mark.
 fn has_mark(process: u32, mark: &[u8]) -> bool {
     let environment = std::fs::read(format!("/proc/{process}/environ")).unwrap_or_default();
     environment.split(|&byte| byte == 0).any(|variable| variable == mark)
 }
 
-/// The descendants of these processes, without them.
+/// The descendants of these processes, without the processes themselves.
 fn below(all: &BTreeMap<u32, Seen>, roots: BTreeSet<u32>) -> BTreeSet<u32> {
     let mut children: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
     all.iter().for_each(|(&at, seen)| children.entry(seen.parent).or_default().push(at));

@@ -1,4 +1,4 @@
-//! What is wrong with an engine: its configuration, its commands, its messages.
+//! Errors of an engine: in its configuration, its commands, its messages.
 
 use std::path::PathBuf;
 use std::process::ExitStatus;
@@ -11,29 +11,29 @@ use crate::command::printable;
 use crate::config::{FILE, FOLDER, LONGEST_TEXT, MOST_BYTES as MOST_OF_FILE};
 use crate::{MOST_ENTRIES, PREFIX};
 
-/// Why there is no such engine, or it cannot be used.
+/// The reason why an engine does not exist or cannot be used.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EngineError {
     /// The file of the engine cannot be read.
     Unread {
-        /// The file, as it was named.
+        /// The path of the file, as given.
         file: PathBuf,
-        /// What the operating system says.
+        /// The error of the operating system.
         error: std::io::Error,
     },
-    /// The file is no regular file, or longer than a configuration.
+    /// The file is not a regular file, or is longer than a configuration may be.
     NotAFile {
-        /// The file, as it was named.
+        /// The path of the file, as given.
         file: PathBuf,
     },
     /// The configuration is wrong.
     Config(CorpusError),
-    /// The engine is called otherwise than its folder.
+    /// The name of the engine differs from its folder's.
     OtherName {
         /// The file.
         file: PathBuf,
-        /// The name that the file has.
+        /// The name in the file.
         called: String,
     },
     /// The folder of engines has no engine of this name.
@@ -42,16 +42,16 @@ pub enum EngineError {
         name: String,
         /// The folder.
         folder: PathBuf,
-        /// The names that it has.
+        /// The names of its engines.
         known: Vec<String>,
     },
-    /// A command of the engine, or a process of it, did not do its work.
+    /// A command or a process of the engine failed.
     Failed {
         /// The engine's name.
         name: String,
-        /// Its file.
+        /// The engine's file.
         file: PathBuf,
-        /// The failure: whether the engine crashed, was silent too long or broke the protocol.
+        /// The failure, for example a crash, a silence that was too long, or a break of the protocol.
         why: EngineFailure,
     },
 }
@@ -86,26 +86,26 @@ impl std::fmt::Display for EngineError {
 
 impl std::error::Error for EngineError {}
 
-/// What a command or a process of an engine did not do.
+/// The failure of an engine's command or process.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EngineFailure {
-    /// The command has no words.
+    /// The command is empty.
     NoProgram,
     /// A command did not start.
     NotStarted {
         /// The command.
         command: String,
-        /// What the operating system says.
+        /// The error of the operating system.
         error: std::io::Error,
     },
     /// A command ended with a failure.
     Command {
         /// The command.
         command: String,
-        /// How it ended.
+        /// The exit status of the command.
         status: ExitStatus,
-        /// The last lines that it printed.
+        /// The last lines that the command printed.
         said: String,
     },
     /// The version command printed nothing.
@@ -113,11 +113,11 @@ pub enum EngineFailure {
         /// The command.
         command: String,
     },
-    /// The version command printed nothing in this time.
+    /// The version command printed nothing within this time.
     SilentVersion {
         /// The command.
         command: String,
-        /// The time.
+        /// The silence limit.
         silence: Duration,
     },
     /// The process did not start, or does not speak the protocol.
@@ -141,46 +141,46 @@ impl std::fmt::Display for EngineFailure {
 
 impl std::error::Error for EngineFailure {}
 
-/// How a message, or the order of messages, is not of the protocol.
+/// The way in which a message, or the order of messages, breaks the protocol.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ProtocolError {
-    /// The stream cannot be read: what the operating system says.
+    /// The stream cannot be read, with the error of the operating system.
     Unread(String),
-    /// The stream ends after so many bytes of a length.
+    /// The stream ends within a length, after this number of bytes.
     EndsInLength(usize),
     /// The stream ends within a message.
     EndsInBody {
-        /// The bytes that came.
+        /// The number of bytes received.
         have: usize,
-        /// The bytes that the message has.
+        /// The number of bytes of the message.
         size: u32,
     },
-    /// The bytes are not the length of a message: most often they are text that was printed to stdout.
+    /// The bytes are not the length of a message; usually they are text that was printed to stdout.
     NotALength([u8; 4]),
-    /// An answer is longer than any right one.
+    /// An answer is longer than any correct answer.
     TooLong {
-        /// The bytes that it has.
+        /// The number of bytes of the answer.
         size: u32,
-        /// The bytes that a right one has at most.
+        /// The maximum number of bytes of a correct answer.
         most: u32,
     },
-    /// The last entry of a message is cut off.
+    /// The last entry of a message is incomplete.
     CutOff,
     /// A message has more than [`MOST_ENTRIES`] entries.
     TooManyEntries,
-    /// A key is no ASCII word.
+    /// A key is not an ASCII word.
     BadKey,
     /// A message does not begin with its `type`.
     NoType,
-    /// A message that is to be sent has more bytes than the protocol has.
+    /// A message to be sent has more bytes than the protocol allows.
     TooLongToSend {
-        /// The bytes that it has.
+        /// The number of bytes of the message.
         size: usize,
-        /// The bytes that a message has at most.
+        /// The maximum number of bytes of a message.
         most: u32,
     },
-    /// A key that is to be sent has more than 255 bytes.
+    /// A key to be sent has more than 255 bytes.
     LongKey(String),
     /// A message lacks a key.
     Missing {
@@ -198,18 +198,18 @@ pub enum ProtocolError {
         /// The value.
         text: String,
     },
-    /// The greeting was declined, for this reason.
+    /// The engine declined the greeting, with this reason.
     GreetingDeclined(String),
-    /// The greeting was answered by a message of this type.
+    /// The engine answered the greeting by a message of this type.
     GreetedBy(String),
-    /// The engine speaks another version of the protocol than the tool.
+    /// The engine and the tool have different versions of the protocol.
     Version {
         /// The version of the engine.
         engine: String,
         /// The version of the tool.
         tool: &'static str,
     },
-    /// The engine offers what is no predicate of the protocol.
+    /// The engine offers something that is not a predicate of the protocol.
     UnknownPredicate(String),
     /// The engine offers no predicate.
     NoPredicate,
@@ -219,39 +219,39 @@ pub enum ProtocolError {
     UnknownPrecision(String),
     /// The value of this key is not one short line.
     NotALine(String),
-    /// A batch was answered by a message of this type.
+    /// The engine answered a batch by a message of this type.
     BatchAnsweredBy(String),
-    /// Another number of signs came back than were asked for.
+    /// The number of signs differs from the number of queries.
     Signs {
-        /// How many came.
+        /// The number of signs received.
         came: usize,
-        /// How many queries there were.
+        /// The number of queries.
         queries: usize,
     },
-    /// A query was answered by a byte that is no sign.
+    /// The answer to a query is a byte that is not a sign.
     NotASign {
         /// The query, in words.
         query: String,
         /// The byte.
         byte: u8,
     },
-    /// The engine says that it took longer than it was waited for.
+    /// The engine reports more time than the tool waited.
     Time {
-        /// The nanoseconds that it says.
+        /// The nanoseconds that the engine reports.
         said: u64,
         /// The time that the answer took.
         took: Duration,
     },
-    /// An answer is to another question.
+    /// An answer has the number of another question.
     OtherQuestion {
-        /// The number that the answer has.
+        /// The number in the answer.
         of: String,
         /// The number of the question.
         id: u64,
     },
     /// An answer of this type lacks the number of its question.
     NoId(String),
-    /// A message of this type came unasked.
+    /// A message of this type arrived without a question.
     Unasked(String),
 }
 

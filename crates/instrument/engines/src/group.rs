@@ -1,8 +1,7 @@
-//! A process that was started, with all that it starts in turn: they end together.
+//! Process groups: a started process and all its descendants, which are ended together.
 //!
-//! The process is the first of a group of its own, and what is left of the group is
-//! ended with it. On Linux, processes that have left the group are ended, too: see
-//! [`descendants`]. Elsewhere they stay.
+//! The process leads its own group, and the remaining processes of the group are ended with it. On Linux, processes
+//! that have left the group are ended too: see [`descendants`]. On other systems they stay.
 
 use std::collections::BTreeMap;
 use std::io::Error;
@@ -13,23 +12,23 @@ use std::sync::{Mutex, PoisonError};
 use crate::descendants;
 use crate::mark::{MARK, mark};
 
-/// The groups that are running: their marks by the number of their first process.
+/// The running groups: their marks by the id of their first process.
 static RUNNING: Mutex<BTreeMap<u32, String>> = Mutex::new(BTreeMap::new());
 
-/// Ends all engines of this process and what they have started, for a process that is about to exit without
-/// dropping them. An engine that waits for input would end by itself; one that loops would not.
+/// Ends all engines of this process and their descendants, for a process that is about to exit without dropping them.
+/// An engine that waits for input would end on its own, but an engine in a loop would not.
 pub fn end_all() {
     let running = std::mem::take(&mut *RUNNING.lock().unwrap_or_else(PoisonError::into_inner));
     running.iter().for_each(|(&first, mark)| end(first, mark));
 }
 
-/// A process and what it starts; ended when it is dropped.
+/// A process and its descendants, ended on drop.
 pub(crate) struct Group {
     pub child: Child,
 }
 
 impl Group {
-    /// Starts the command as the first process of a group, each process of which may have so many MiB of memory.
+    /// Starts the command as the first process of a group, with `memory` MiB for each process of the group.
     pub fn start(command: &mut Command, memory: Option<u64>) -> Result<Group, Error> {
         let mark = mark();
         command.env(MARK, &mark);
@@ -47,7 +46,7 @@ impl Group {
         Ok(group)
     }
 
-    /// Ends what still runs. The first process is waited for last: until then nobody else has its number.
+    /// Ends the processes that still run. The first process is waited for last: until then its id is not reused.
     pub fn end(&mut self) {
         let Some(mark) = RUNNING.lock().unwrap_or_else(PoisonError::into_inner).remove(&self.child.id()) else {
             return;
@@ -64,9 +63,9 @@ impl Drop for Group {
     }
 }
 
-/// Ends a group of processes, by the number of its first, and what has left the group.
+/// Ends a group of processes, given by its first process' id, and the processes that have left the group.
 fn end(first: u32, mark: &str) {
-    // Before anything is ended: an orphan descends from the engine no more.
+    // This must come first: after its parent has ended, an orphan no longer descends from the engine.
     #[cfg(target_os = "linux")]
     let known = descendants::of(first);
     #[cfg(unix)]
@@ -79,17 +78,17 @@ fn end(first: u32, mark: &str) {
     let _ = (first, mark);
 }
 
-/// Limits the memory that a process may write to, and each process that it starts.
+/// Limits the memory that a process, and each process that it starts, may write to.
 #[cfg(target_os = "linux")]
 fn limit(process: u32, mebibytes: u64) -> Result<(), Error> {
     use rustix::process::{Pid, Resource, Rlimit, getrlimit, prlimit};
     let wanted = mebibytes.saturating_mul(1 << 20);
-    // A limit that holds already may be lower.
+    // An existing limit may be lower.
     let has = getrlimit(Resource::Data);
     let least = |limit: Option<u64>| Some(limit.map_or(wanted, |limit| limit.min(wanted)));
     let limit = Rlimit { current: least(has.current), maximum: least(has.maximum) };
     match prlimit(i32::try_from(process).ok().and_then(Pid::from_raw), Resource::Data, limit) {
-        // It has ended already, which shows elsewhere.
+        // The process has already ended, which is detected elsewhere.
         Ok(_) | Err(rustix::io::Errno::SRCH) => Ok(()),
         Err(error) => Err(Error::other(format!("its memory can't be limited: {error}; write `memory = 0`"))),
     }

@@ -1,16 +1,14 @@
 //! Engines: predicates that another program answers, over its stdin and stdout.
 //!
-//! This crate reads an engine's configuration, starts its process, speaks the
-//! protocol with it, and makes it a [`Backend`](predicament_predicates::Backend).
-//! It never judges an answer and never ends the run: what an engine does wrong
-//! is handed on as [`Broken`](predicament_predicates::Broken), and becomes a row of
-//! the engine. `docs/ENGINES.md` describes the configuration and the protocol;
-//! `engines/` has engines.
+//! This crate reads an engine's configuration, starts its process, speaks the protocol with it, and makes it a
+//! [`Backend`](predicament_predicates::Backend). It never judges an answer and never ends the run: an engine's failure
+//! becomes a [`Broken`](predicament_predicates::Broken) value and a row of the engine. `docs/ENGINES.md` describes the
+//! configuration and the protocol; `engines/` has engines.
 //!
-//! * [`Config`]: `engine.toml`; [`find`]: from what follows `engine:` to one.
-//! * [`Message`]: one message of the protocol, as bytes and back.
-//! * [`EngineError`]: why there is no such engine; [`ProtocolError`]: how a message is not of the protocol.
-//! * [`Engine`]: the backend; [`end_all`]: before an exit that drops nothing.
+//! * [`Config`]: `engine.toml`; [`find`]: the configuration for the text after `engine:`.
+//! * [`Message`]: one message of the protocol, and its encoding.
+//! * [`EngineError`]: why an engine cannot be used; [`ProtocolError`]: how a message breaks the protocol.
+//! * [`Engine`]: the backend; [`end_all`]: for an exit without drops.
 
 mod backend;
 mod command;

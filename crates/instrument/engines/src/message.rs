@@ -1,32 +1,32 @@
-//! Messages of the protocol: keys and values behind a length.
+//! Messages of the protocol: a length, then keys and values.
 
 use std::io::{Error, ErrorKind, Read};
 
 use crate::ProtocolError;
 
-/// The longest body of a message, in bytes.
+/// The maximum size of a message's body, in bytes.
 pub const MOST_BYTES: u32 = 1 << 30;
-/// The most entries of a message; the protocol has messages of up to eight.
+/// The maximum number of entries of a message; messages of the protocol have up to eight.
 pub const MOST_ENTRIES: usize = 64;
-/// The most bytes of an answer without its signs.
+/// The maximum size of an answer without its signs, in bytes.
 pub const MOST_TEXT: u32 = 1 << 16;
 
-/// The most bytes that the body of the next message may have. No message has more than [`MOST_ENTRIES`] entries.
+/// The maximum size of the next message's body. Messages have at most [`MOST_ENTRIES`] entries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Bound(u32);
 
 impl Bound {
-    /// The bound of messages that the tool sends.
+    /// The bound for messages that the tool sends.
     pub const QUESTION: Bound = Bound(MOST_BYTES);
 
-    /// The bound of an answer with so many signs: a byte each, and [`MOST_TEXT`] for everything else.
+    /// The bound for an answer with this number of signs: a byte each, and [`MOST_TEXT`] for everything else.
     #[must_use]
     pub fn answer(signs: usize) -> Bound {
         Bound(u32::try_from(signs).unwrap_or(MOST_BYTES).saturating_add(MOST_TEXT).min(MOST_BYTES))
     }
 }
 
-/// One message: keys and values, the first of which is its type.
+/// A message: keys and values; the first value is the message's type.
 #[derive(Clone, PartialEq, Eq, Hash, Debug)]
 pub struct Message {
     entries: Vec<(String, Vec<u8>)>,
@@ -39,20 +39,20 @@ impl Message {
         Message { entries: vec![("type".to_owned(), kind.as_bytes().to_vec())] }
     }
 
-    /// The same message with one entry more.
+    /// Adds an entry to the message.
     #[must_use]
     pub fn with(mut self, key: &str, value: impl Into<Vec<u8>>) -> Message {
         self.entries.push((key.to_owned(), value.into()));
         self
     }
 
-    /// The value of a key as bytes; none if the message lacks it.
+    /// The value of a key as bytes; `None` if the message lacks it.
     #[must_use]
     pub fn bytes(&self, key: &str) -> Option<&[u8]> {
         self.entries.iter().find(|(of, _)| of == key).map(|(_, value)| value.as_slice())
     }
 
-    /// The value of a key as text, with bytes that are none replaced; none if the message lacks it.
+    /// The value of a key as text, with invalid UTF-8 replaced; `None` if the message lacks it.
     #[must_use]
     pub fn text(&self, key: &str) -> Option<String> {
         self.bytes(key).map(|value| String::from_utf8_lossy(value).into_owned())
@@ -61,15 +61,15 @@ impl Message {
     /// The value of a key as text.
     ///
     /// # Errors
-    /// [`ProtocolError`] names the message and the key.
+    /// [`ProtocolError`] with the message and the key.
     pub fn required(&self, key: &str) -> Result<String, ProtocolError> {
         self.text(key).ok_or_else(|| ProtocolError::Missing { message: self.kind(), key: key.to_owned() })
     }
 
-    /// The value of a key that is a decimal integer.
+    /// The value of a key as a decimal integer.
     ///
     /// # Errors
-    /// [`ProtocolError`] names the message and the key.
+    /// [`ProtocolError`] with the message and the key.
     pub fn number(&self, key: &str) -> Result<u64, ProtocolError> {
         let text = self.required(key)?;
         let number = text.trim().parse();
@@ -85,12 +85,12 @@ impl Message {
     /// The bytes to send, length first.
     ///
     /// # Errors
-    /// Where a key has more than 255 bytes or the body more than [`MOST_BYTES`].
+    /// If a key has more than 255 bytes, or the body has more than [`MOST_BYTES`].
     pub fn encode(&self) -> Result<Vec<u8>, ProtocolError> {
         encode_within(MOST_BYTES, self.entries())
     }
 
-    /// The bytes to send, with the number of the question as the last entry. A copy of a scene is not made for it.
+    /// The bytes to send, with the number of the question as the last entry. This avoids a copy of the message.
     ///
     /// # Errors
     /// If a key has more than 255 bytes, or the body has more than [`MOST_BYTES`].
@@ -103,10 +103,10 @@ impl Message {
         self.entries.iter().map(|(key, value)| (key.as_str(), value.as_slice()))
     }
 
-    /// Reads one message; none at the end of the stream.
+    /// Reads one message; returns `None` at the end of the stream.
     ///
-    /// A message that is longer than its bound is refused before its body is read, and one with more entries than
-    /// [`MOST_ENTRIES`] before they are copied.
+    /// A message that is longer than its bound is refused before its body is read. A message with more entries than
+    /// [`MOST_ENTRIES`] is refused before they are copied.
     ///
     /// # Errors
     /// The reader's own error, or [`ErrorKind::InvalidData`] if the bytes are not a message or exceed the bound.
@@ -119,7 +119,7 @@ impl Message {
         if size > most {
             return Err(invalid(too_long(length, most)));
         }
-        // Not taken on trust: memory grows with the bytes that come.
+        // The claimed length is not trusted: memory grows with the bytes received.
         let mut body = Vec::new();
         from.take(u64::from(size)).read_to_end(&mut body)?;
         if body.len() < size as usize {
@@ -134,7 +134,7 @@ impl Message {
     }
 }
 
-/// The keys and values of a body, at most [`MOST_ENTRIES`], of which the first is the type.
+/// Splits a body into keys and values, at most [`MOST_ENTRIES`]; the first entry is the type.
 fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, ProtocolError> {
     let cut = || ProtocolError::CutOff;
     let mut entries: Vec<(&str, &[u8])> = Vec::new();
@@ -156,7 +156,7 @@ fn split(mut body: &[u8]) -> Result<Vec<(&str, &[u8])>, ProtocolError> {
     }
 }
 
-/// What is wrong with a length past its bound: most often it is text that was printed to stdout.
+/// The error for a length above its bound: usually it is text that was printed to stdout.
 fn too_long(length: [u8; 4], most: u32) -> ProtocolError {
     let size = u32::from_le_bytes(length);
     if size > MOST_BYTES || length.iter().all(|byte| byte.is_ascii_graphic() || byte.is_ascii_whitespace()) {
@@ -184,7 +184,7 @@ fn encode_within<'m>(
     Ok(bytes)
 }
 
-/// Fills the buffer; false where the stream ends before its first byte.
+/// Fills the buffer; returns false if the stream ends before its first byte.
 fn read_or_end(from: &mut impl Read, buffer: &mut [u8]) -> Result<bool, Error> {
     let mut have = 0;
     while have < buffer.len() {
@@ -244,7 +244,7 @@ mod tests {
         assert_eq!(message.encode_as(17), message.clone().with("id", "17").encode());
     }
 
-    /// A reader that counts the bytes that were taken from it.
+    /// A reader that counts the bytes read from it.
     struct Counted<'b>(&'b [u8], usize);
 
     impl Read for Counted<'_> {
@@ -270,7 +270,7 @@ mod tests {
             assert_eq!((read.is_ok(), from.1), (fits, if fits { bytes.len() } else { 4 }));
             assert!(fits || read == Err(said));
         }
-        // Digits are a length below 2^30.
+        // Read as a length, digits are below 2^30.
         let read = Message::read(&mut b"0.25\n".as_slice(), Bound::answer(7)).map_err(|error| error.to_string());
         assert_eq!(read, Err("no message: it begins with the bytes `0.25`".to_owned()));
     }

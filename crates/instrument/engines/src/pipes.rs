@@ -1,6 +1,6 @@
-//! The pipes of an engine: threads that write questions, read answers and listen to stderr.
+//! The pipes of an engine: threads that write questions, read answers and collect stderr.
 //!
-//! An engine that neither reads nor answers holds up these threads, and not the tool.
+//! An engine that neither reads nor answers blocks these threads, but not the tool.
 
 use std::collections::VecDeque;
 use std::io::{BufRead, BufReader, ErrorKind, Read, Write};
@@ -11,18 +11,18 @@ use std::sync::{Mutex, PoisonError};
 use crate::command::printable;
 use crate::{Bound, Message, ProtocolError};
 
-/// Lines of stderr that are kept.
+/// The number of stderr lines to keep.
 const LAST_LINES: usize = 6;
-/// Bytes that are kept of a line.
+/// The number of bytes to keep of a line.
 const LINE_BYTES: u64 = 400;
 
-/// Writes questions. Where the engine has gone, the reader sees it too, and says how.
+/// Writes questions. If the engine has ended, the reader detects it too, and reports how.
 pub fn write(mut stdin: ChildStdin, questions: &Receiver<Vec<u8>>) {
     while questions.recv().is_ok_and(|bytes| stdin.write_all(&bytes).and_then(|()| stdin.flush()).is_ok()) {}
 }
 
-/// Reads answers, each within the bound of its question, until one is wrong. Bytes that come before a question was
-/// asked are no answer.
+/// Reads answers, each within the bound of its question, until one is wrong. Bytes that arrive before a question are
+/// not an answer.
 pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<Result<Message, ProtocolError>>) {
     let mut stdout = BufReader::new(stdout);
     loop {
@@ -42,24 +42,24 @@ pub fn read(stdout: ChildStdout, bounds: &Receiver<Bound>, answers: &SyncSender<
     }
 }
 
-/// What is wrong with an engine that has written this message, for which nothing asked.
+/// The error for an engine that has written this message without a question.
 pub fn unasked(message: &Message) -> ProtocolError {
     ProtocolError::Unasked(message.kind())
 }
 
-/// What is wrong with a message that cannot be read.
+/// The error for a message that cannot be read.
 fn wrong(error: std::io::Error) -> ProtocolError {
     let said = error.to_string();
     error.downcast().unwrap_or(ProtocolError::Unread(said))
 }
 
-/// Keeps the last lines of stderr.
+/// Stores the last lines of stderr.
 pub fn listen(stderr: ChildStderr, said: &Mutex<VecDeque<String>>) {
     let mut stderr = BufReader::new(stderr);
     let mut line = Vec::new();
     loop {
         line.clear();
-        // A long line comes in pieces.
+        // A long line arrives in pieces.
         match (&mut stderr).take(LINE_BYTES).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return,
             Ok(_) => {

@@ -1,8 +1,7 @@
-//! The processes of an engine: one, as long as one scene is asked about at a time.
+//! The processes of an engine: one process while queries are about one scene at a time.
 //!
-//! Studies ask about many small scenes from many threads. To send its scene again
-//! before each query would cost each thread more than the query, so a scene that
-//! finds all processes busy with others gets one of its own.
+//! Studies query many small scenes from many threads. Sending the scene again before each query would cost a thread
+//! more than the query, so a scene that finds all processes busy with other scenes gets its own process.
 
 use std::sync::{Condvar, Mutex, PoisonError};
 
@@ -11,7 +10,7 @@ use predicament_predicates::{Broken, Class, Declined};
 use crate::Message;
 use crate::process::Process;
 
-/// Processes by the scene that they have.
+/// A pool of processes, with the scene that each has.
 pub struct Pool {
     state: Mutex<State>,
     changed: Condvar,
@@ -21,16 +20,16 @@ pub struct Pool {
 #[derive(Default)]
 struct State {
     idle: Vec<Live>,
-    /// The scenes that processes are being asked about.
+    /// The scenes with a question in progress.
     busy: Vec<u64>,
-    /// How many times a process has broken since a batch was answered, and how the last time.
+    /// The number of times that a process has broken since the last answered batch, and the last failure.
     broken: (usize, Option<Broken>),
 }
 
-/// An engine that has broken so many times in a row is not started again.
+/// The number of consecutive failures after which an engine is not started again.
 const PATIENCE: usize = 5;
 
-/// A process, its scene, and why it declined that scene, if it did.
+/// A process, its scene, and the reason why it declined that scene, if it did.
 struct Live {
     process: Process,
     scene: Option<u64>,
@@ -42,7 +41,7 @@ impl Live {
         Live { process, scene: None, declined: None }
     }
 
-    /// Sends the scene, where the process has another one.
+    /// Sends the scene, unless it is the process' current scene.
     fn turn_to(&mut self, message: &Message, scene: u64) -> Result<(), Broken> {
         if self.scene == Some(scene) {
             return Ok(());
@@ -69,8 +68,8 @@ impl Pool {
         Pool { state: Mutex::new(state), changed: Condvar::new(), most }
     }
 
-    /// Asks a process about a scene, by its number; two questions about one scene wait for each other. The inner
-    /// error is the reason for which the scene is declined. A process that breaks is dropped, and another one
+    /// Asks a process about a scene, given by its number; two questions about one scene run one after the other. The
+    /// inner error is the reason for declining the scene. A process that breaks is dropped, and another process is
     /// started for the next question.
     pub fn ask<R>(
         &self,
@@ -101,7 +100,7 @@ impl Pool {
                 state.idle.push(live);
                 Ok(answer)
             }
-            // What declines is not broken.
+            // A process that declines is not broken.
             Err(broken) if broken.class == Class::Declined => Err(broken),
             Err(broken) => {
                 state.broken = (state.broken.0 + 1, Some(broken.clone()));
@@ -113,13 +112,13 @@ impl Pool {
         answer
     }
 
-    /// Notes that a batch was answered: the engine works.
+    /// Records that a batch was answered: the engine works.
     pub fn works(&self) {
         self.state.lock().unwrap_or_else(PoisonError::into_inner).broken = (0, None);
     }
 
-    /// A process for the scene: the one that has it, else one that is idle; none where one has to be started. An
-    /// error where the engine was given up.
+    /// A process for the scene: the process that has the scene, else an idle one; `None` if a new process is needed. An
+    /// error if the engine was given up.
     fn take(&self, scene: u64) -> Result<Option<Live>, Broken> {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         loop {

@@ -1,13 +1,12 @@
-//! The process of an engine: one question, one answer, or what went wrong.
+//! The process of an engine: each question returns its answer or a failure.
 //!
-//! Threads write, read and listen to stderr, so that an engine that neither
-//! reads nor answers cannot hold up the tool for longer than its silence lasts.
+//! Threads write, read and collect stderr, so that an engine that neither reads nor answers cannot block the tool for
+//! longer than its silence limit.
 //!
-//! # No answer is taken for another one
-//! Every question has a number, its `id`. An engine whose answer to `hello` has that
-//! number repeats the number in each answer. An engine that does not is greeted again
-//! behind each batch: if its next message is anything but a greeting, then what came
-//! before was perhaps the answer to something else.
+//! # Matching answers to questions
+//! Every question has a number, its `id`. An engine whose answer to `hello` has that number repeats the number in each
+//! answer. An engine that does not is greeted again after each batch. If its next message is not a greeting, the
+//! message before it may have been the answer to another question.
 
 use std::collections::VecDeque;
 use std::process::{ExitStatus, Stdio};
@@ -22,9 +21,9 @@ use crate::command::{command, printable};
 use crate::group::Group;
 use crate::{Bound, Config, Message, ProtocolError, pipes};
 
-/// How often a silent process is looked at.
+/// The interval at which a silent process is checked.
 const LOOK: Duration = Duration::from_millis(200);
-/// How long a process that has closed its stdout may take to end.
+/// The time within which a process that has closed its stdout must end.
 const FAREWELL: Duration = Duration::from_secs(2);
 
 /// The process of an engine.
@@ -38,7 +37,7 @@ pub struct Process {
     silence: Duration,
     /// The number of the last question.
     asked: u64,
-    /// The greeting behind each batch; none where the engine repeats the numbers of questions.
+    /// The greeting sent after each batch; `None` if the engine repeats the numbers of questions.
     fence: Option<Message>,
 }
 
@@ -60,7 +59,7 @@ impl Process {
         };
         let (questions, outgoing) = channel();
         let (bounds, bounded) = channel();
-        // Bounded: an engine that writes without being asked waits, and its messages take no memory.
+        // Bounded: an engine that writes without a question blocks, and its messages take no memory.
         let (incoming, answers) = sync_channel(1);
         let said = Arc::new(Mutex::new(VecDeque::new()));
         let heard = Arc::clone(&said);
@@ -71,21 +70,21 @@ impl Process {
         Ok(Process { group, questions, bounds, answers, said, listener, silence, asked: 0, fence: None })
     }
 
-    /// Greets the engine and waits for its greeting. After an error the process is gone.
+    /// Greets the engine and waits for its greeting. After an error the process has ended.
     pub fn greet(&mut self, hello: Message) -> Result<Message, Broken> {
         let answer = self.ask(&hello)?;
         self.fence = answer.bytes("id").is_none().then_some(hello);
         Ok(answer)
     }
 
-    /// Sends a message and waits for the answer. After an error the process is gone.
+    /// Sends a message and waits for the answer. After an error the process has ended.
     pub fn ask(&mut self, question: &Message) -> Result<Message, Broken> {
         let id = self.send(question, Bound::answer(0))?;
         let answer = self.answer(question, id)?;
         self.unless_error(answer)
     }
 
-    /// Sends a batch of so many queries and waits for the answer. After an error the process is gone.
+    /// Sends a batch of `queries` queries and waits for the answer. After an error the process has ended.
     pub fn ask_batch(&mut self, batch: &Message, queries: usize) -> Result<Message, Broken> {
         let id = self.send(batch, Bound::answer(queries))?;
         let Some(fence) = self.fence.clone() else {
@@ -96,22 +95,22 @@ impl Process {
         let answer = self.answer(batch, id)?;
         let answer = self.unless_error(answer)?;
         let behind = self.answer(&fence, after)?;
-        // A second greeting may be refused. A refusal to which nothing was asked comes before the answer to the next
-        // greeting, which is no answer to a batch.
+        // A second greeting may be refused. A refusal without a question comes before the answer to the next greeting,
+        // which is not an answer to a batch.
         if ["hello", "declined", "error"].contains(&behind.kind().as_str()) {
             return Ok(answer);
         }
         Err(self.broken(Class::Panic, "protocol", pipes::unasked(&behind).to_string()))
     }
 
-    /// Sends a message, whose number it returns; the answer has to keep to the bound.
+    /// Sends a message and returns its number; the answer must not exceed the bound.
     fn send(&mut self, question: &Message, bound: Bound) -> Result<u64, Broken> {
         self.asked += 1;
         let bytes = question.encode_as(self.asked);
         let bytes =
             bytes.map_err(|error| Broken { class: Class::Panic, check: "protocol", message: error.to_string() })?;
-        // First the bound: the answer may be there before this thread goes on. A reader or writer that has stopped
-        // shows as an end of the answers.
+        // The bound goes first: the answer may arrive before this thread continues. A stopped reader or writer appears
+        // as an end of the answers.
         let _ = self.bounds.send(bound);
         let _ = self.questions.send(bytes);
         Ok(self.asked)
@@ -136,7 +135,7 @@ impl Process {
         Err(self.broken(error.0, error.1, error.2))
     }
 
-    /// The answer; an error where it says that the engine failed.
+    /// The answer, or an error if it reports that the engine failed.
     fn unless_error(&mut self, answer: Message) -> Result<Message, Broken> {
         if answer.kind() != "error" {
             return Ok(answer);
@@ -145,7 +144,7 @@ impl Process {
         Err(self.broken(Class::Panic, "engine error", message))
     }
 
-    /// Whether an answer is to the question with this number, as far as the answer says so.
+    /// Checks that an answer belongs to the question with this number, as far as the answer has a number.
     fn is_to(&self, answer: &Message, id: u64) -> Result<(), ProtocolError> {
         match answer.text("id") {
             Some(of) if of.trim() != id.to_string() => Err(ProtocolError::OtherQuestion { of, id }),
@@ -154,7 +153,8 @@ impl Process {
         }
     }
 
-    /// The next answer; an end where the process has ended, also if a process that it started keeps its stdout open.
+    /// The next answer. It reports an end if the process has ended, even if a process that it started keeps its stdout
+    /// open.
     fn hear(&mut self) -> Result<Result<Message, ProtocolError>, RecvTimeoutError> {
         let start = Instant::now();
         let mut ended = None;
@@ -169,7 +169,7 @@ impl Process {
                     if !gone {
                         ended = None;
                     } else if since.elapsed() >= LOOK {
-                        // What it had written has been read by now.
+                        // By now everything that it wrote has been read.
                         return Err(RecvTimeoutError::Disconnected);
                     }
                 }
@@ -178,7 +178,7 @@ impl Process {
         }
     }
 
-    /// Ends the process, and gives what went wrong with the last lines of its stderr.
+    /// Ends the process; returns the failure with the last lines of its stderr.
     pub fn broken(&mut self, class: Class, check: &'static str, message: String) -> Broken {
         self.end();
         let message = printable(&message);
@@ -202,7 +202,7 @@ impl Process {
     fn end(&mut self) {
         let Some(listener) = self.listener.take() else { return };
         self.group.end();
-        // All of stderr is heard once the process is gone, unless a child of its own holds on to it.
+        // All of stderr is read once the process has ended, unless one of its children keeps stderr open.
         let start = Instant::now();
         while !listener.is_finished() && start.elapsed() < FAREWELL {
             std::thread::sleep(Duration::from_millis(1));
@@ -216,7 +216,7 @@ impl Drop for Process {
     }
 }
 
-/// How a process has ended, in words.
+/// A description of how a process ended.
 fn fate(status: ExitStatus) -> String {
     #[cfg(unix)]
     if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {

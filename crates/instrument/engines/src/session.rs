@@ -1,4 +1,4 @@
-//! An engine prepared for a scene.
+//! The session of an engine that is prepared for a scene.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -15,20 +15,20 @@ use crate::process::Process;
 use crate::started::Shared;
 use crate::{Message, ProtocolError};
 
-/// The byte of −1.
+/// The byte for the sign −1.
 const NEGATIVE: u8 = 255;
-/// The byte of 0.
+/// The byte for the sign 0.
 const ZERO: u8 = 0;
-/// The byte of +1.
+/// The byte for the sign +1.
 const POSITIVE: u8 = 1;
-/// The byte of a query that is declined.
+/// The byte for a declined query.
 const DECLINED: u8 = 2;
-/// The byte of an answer that is a NaN.
+/// The byte for an answer that is NaN.
 const NAN: u8 = 3;
-/// An engine's clock may be so much ahead of the tool's.
+/// The tolerance for an engine's clock that is ahead of the tool's.
 const CLOCKS: Duration = Duration::from_millis(10);
 
-/// Counts queries, whatever the tally's type: algorithms are compiled for one type of session.
+/// A counter of queries for any tally type: algorithms are compiled for one session type.
 trait Counted: Send + Sync {
     fn settled(&self, kind: PredicateKind, count: u64);
 }
@@ -39,7 +39,7 @@ impl<T: Tally> Counted for T {
     }
 }
 
-/// An engine prepared for one scene. The scene is sent again where another session has sent its own since.
+/// An engine prepared for one scene. The scene is sent again if another session has sent its scene since.
 pub struct Session<'s> {
     shared: Arc<Shared>,
     scene: &'s Scene,
@@ -48,7 +48,7 @@ pub struct Session<'s> {
     number: u64,
     empty: bool,
     tally: Box<dyn Counted + 's>,
-    /// Queries that were answered by a NaN.
+    /// The queries whose answer was NaN.
     nans: Mutex<HashSet<(Question, Vec<Vertex>)>>,
 }
 
@@ -62,7 +62,7 @@ impl<'s> Session<'s> {
         if !scene.constructions().is_empty() {
             return Err(Declined::scene("the protocol has no constructed vertices"));
         }
-        // Whether a coordinate survives is what is asked.
+        // The check is whether each coordinate survives the conversion.
         #[allow(clippy::cast_possible_truncation)]
         let single = |x: &f64| f64::from(*x as f32) == *x;
         if shared.hello.single && !scene.coordinates().iter().all(single) {
@@ -85,12 +85,12 @@ impl<'s> Session<'s> {
         }
     }
 
-    /// Asks a process that has the scene.
+    /// Runs a question on a process that has the scene.
     fn ask<R>(&self, ask: impl FnOnce(&mut Process) -> Result<R, Broken>) -> Result<Result<R, Declined>, Broken> {
         self.shared.processes.ask((&self.message, self.number), || self.shared.start(), ask)
     }
 
-    /// The answers to queries, given by the ids of all their vertices; `shown` is a query in words.
+    /// The answers to queries, given by the ids of all their vertices; `shown` describes a query in words.
     fn signs(&self, question: Question, ids: &[u8], queries: usize, shown: &dyn Fn(usize) -> String) -> Vec<u8> {
         let kind = question.kind();
         let mut batch = Message::new("batch").with("predicate", kind.name());
@@ -163,8 +163,9 @@ impl<'s> Session<'s> {
     }
 }
 
-/// The signs and the nanoseconds of an answer to so many queries, or the reason for which it declines them; an error
-/// where it breaks the protocol. No engine can have spent more time on an answer than it was waited for.
+/// The signs and the nanoseconds of an answer to `queries` queries, or the reason why the engine declines them.
+///
+/// A break of the protocol is an error. An engine cannot spend more time on an answer than the tool waited.
 fn read_signs(
     answer: &Message,
     queries: usize,
@@ -208,7 +209,7 @@ impl Predicates for Session<'_> {
 
     answer_by!(one);
 
-    /// NaN where the engine has answered this query by one.
+    /// Returns NaN if the engine's answer to this query was NaN.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         let nans = self.nans.lock().unwrap_or_else(PoisonError::into_inner);
         (!nans.is_empty() && nans.contains(&(question, args.to_vec()))).then_some(f64::NAN)

@@ -1,4 +1,4 @@
-//! An engine that has been started and greeted: what all its sessions share.
+//! A started and greeted engine: the state that all its sessions share.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -12,7 +12,7 @@ use crate::{Config, EngineError, EngineFailure, Message, ProtocolError, command}
 /// The version of the protocol.
 const PROTOCOL: &str = "1";
 
-/// The greeting of an engine: its predicates, and what its zero means.
+/// The greeting of an engine: its predicates, and the meaning of its zero.
 pub struct Hello {
     pub predicates: Vec<PredicateKind>,
     pub zero: ZeroMeaning,
@@ -28,7 +28,7 @@ pub struct Shared {
     nanoseconds: AtomicU64,
 }
 
-/// Says hello, and reads what the engine says of itself.
+/// Sends a greeting and reads the engine's description of itself.
 fn greet(process: &mut Process, version: Option<String>) -> Result<Hello, Broken> {
     let tool = concat!("predicament ", env!("CARGO_PKG_VERSION"));
     let hello = process.greet(Message::new("hello").with("protocol", PROTOCOL).with("tool", tool))?;
@@ -71,7 +71,7 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, Protoco
     Ok(Hello { predicates, zero, single, version })
 }
 
-/// A value that stands in tables: one short line.
+/// Reads a value for tables: one short line.
 fn line(hello: &Message, key: &str) -> Result<String, ProtocolError> {
     let text = hello.required(key)?;
     if text.trim().is_empty() || text.chars().any(char::is_control) || text.chars().nth(LONGEST_TEXT).is_some() {
@@ -98,7 +98,7 @@ impl Shared {
         self.nanoseconds.load(Relaxed)
     }
 
-    /// A new process, after one has broken or where all are busy with other scenes.
+    /// Starts a new process, after a process has broken or while all are busy with other scenes.
     pub fn start(&self) -> Result<Process, Broken> {
         let mut process = Process::start(&self.config)?;
         greet(&mut process, Some(self.hello.version.clone()))?;

@@ -1,4 +1,4 @@
-//! Before an exit: a test by itself, as it ends all engines of its process.
+//! The end of all engines before an exit: a separate test, as it ends all engines of its process.
 #![cfg(target_os = "linux")]
 
 use std::path::PathBuf;

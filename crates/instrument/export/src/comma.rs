@@ -1,4 +1,4 @@
-//! CSV: cells as they were, with the columns in front.
+//! The CSV format: cells as they were, with the columns in front.
 
 use crate::error::WriteError;
 use std::fs::File;

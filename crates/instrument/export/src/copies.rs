@@ -1,7 +1,7 @@
-//! Judgements that are in two of the exported folders, so that a sum over a table counts each error once.
+//! Judgements that occur in two of the exported folders, so that a sum over a table counts each error once.
 //!
-//! A bench keeps the judgement of the answers that it times, which as a rule is that of a run beside it. Of folders that were
-//! made by the same build of the tool, a row of a bench about a scene and a backend that a run has judged is a copy.
+//! A bench stores the judgement of the answers that it times, usually the judgement of a run beside it. Among folders
+//! of the same build of the tool, a bench's row about a scene and a backend that a run has judged is a copy.
 
 use std::collections::HashSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -10,7 +10,7 @@ use predicament_records::{Error, RunFolder};
 
 use crate::Found;
 
-/// What a scene on a backend is known by; a table with all four columns has rows about them.
+/// The columns that identify a scene on a backend; only tables with all four columns have such rows.
 const KEY: [&str; 4] = ["suite", "scene", "scene_id", "backend"];
 /// Tables of times, which a run does not have.
 const OWN: [&str; 2] = ["phases.csv", "costs.csv"];
@@ -20,7 +20,7 @@ const OWN: [&str; 2] = ["phases.csv", "costs.csv"];
 pub(crate) struct Copies(HashSet<u64>);
 
 impl Copies {
-    /// Reads what the runs among these folders have judged; nothing where there is no bench that may have copies of it.
+    /// Reads the judgements of the runs among these folders; empty if there is no bench that may have copies.
     pub fn of(runs: &[Found]) -> Result<Copies, Error> {
         let folders = runs.iter().map(|found| RunFolder::open(&found.path)).collect::<Result<Vec<_>, _>>()?;
         let mut judged = HashSet::new();
@@ -40,12 +40,12 @@ impl Copies {
         Ok(Copies(judged))
     }
 
-    /// Where a table of this folder has what rows are known by, if it can have copies.
+    /// The positions of the key columns in a table of this folder, if it can have copies.
     pub fn places(&self, folder: &RunFolder, file: &str, columns: &[&str]) -> Option<[usize; 4]> {
         if self.0.is_empty() || !folder.plan.timed || OWN.contains(&file) { None } else { places_of(columns) }
     }
 
-    /// Whether a row, with what it is known by in these places, is a copy.
+    /// True if a row, with its key cells at these positions, is a copy.
     pub fn has<'c>(&self, folder: &RunFolder, places: [usize; 4], cell: impl Fn(usize) -> Option<&'c str>) -> bool {
         self.0.contains(&digest(folder, places, cell))
     }

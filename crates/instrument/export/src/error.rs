@@ -1,17 +1,17 @@
-//! Why a row of a run folder is not in its table.
+//! The reasons why a row of a run folder is not in its table.
 
 use std::path::PathBuf;
 
 use parquet::errors::ParquetError;
 use predicament_records::with_cure;
 
-/// Why a table is not written.
+/// The reason why a table is not written.
 #[derive(Debug)]
 pub(crate) enum WriteError {
     Csv(csv::Error),
     Io(std::io::Error),
     Parquet(ParquetError),
-    /// This value is in a column of another type.
+    /// A value does not have its column's type.
     Type(String),
 }
 
@@ -33,7 +33,7 @@ impl From<ParquetError> for WriteError {
     }
 }
 
-/// The message ends with a cure where the operating system names the cause.
+/// The message ends with a fix if the operating system reports the cause.
 impl std::fmt::Display for WriteError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let of_system = match self {
@@ -55,12 +55,12 @@ impl std::fmt::Display for WriteError {
     }
 }
 
-/// A cell that its column cannot have.
+/// A cell whose value its column cannot have.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(crate) struct WrongCell {
     pub cell: String,
     pub column: String,
-    /// What the column has.
+    /// The kind of values that the column has.
     pub wanted: &'static str,
 }
 
@@ -71,12 +71,12 @@ impl std::fmt::Display for WrongCell {
     }
 }
 
-/// Why a line of a run folder is not in its table.
+/// The reason why a line of a run folder is not in its table.
 #[derive(Debug)]
 pub(crate) enum LineError {
-    /// The head of the file has other columns than the table, which are these.
+    /// The header of the file differs from the table's columns, which are given.
     Head(Vec<String>),
-    /// The line has another number of cells than the table has columns.
+    /// The number of cells in the line differs from the table's number of columns.
     Cells {
         found: usize,
         columns: usize,

@@ -1,4 +1,4 @@
-//! One file of each table of many runs.
+//! The export of many runs: one file per table.
 
 use crate::error::{LineError, WrongCell};
 use std::collections::BTreeMap;
@@ -14,45 +14,47 @@ use crate::place::Places;
 use crate::sink::Sink;
 use crate::value::{Typed, Value};
 
-/// Who waits for an export.
+/// An observer of an export, which can stop it.
 pub trait Watch {
-    /// Whether to stop; asked every few thousand rows.
+    /// Returns true to stop; called every few thousand rows.
     fn is_stopped(&self) -> bool;
 
-    /// Another run is done.
+    /// Called when another run is done.
     fn done(&mut self);
 }
 
 /// A file that was written.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Written {
-    /// The file.
+    /// The path of the file.
     pub path: PathBuf,
-    /// Its rows.
+    /// The number of rows.
     pub rows: u64,
-    /// Its length.
+    /// The size in bytes.
     pub bytes: u64,
 }
 
-/// What became of an export.
+/// The result of an export.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Exported {
-    /// The files: runs and scenes first, then the tables in the order of the schema, then those that it does not have.
+    /// The files: runs and scenes first, then the tables in the order of the schema, then tables without a schema.
     pub files: Vec<Written>,
     /// The names of the runs that are not complete, with how they ended.
     pub incomplete: Vec<(String, String)>,
-    /// What the files do not say.
+    /// Notes about facts that the files do not contain.
     pub notes: Vec<String>,
 }
 
-/// How many rows go by between two looks at the clock.
+/// The number of rows between two checks for a stop.
 const PATIENCE: u64 = 1 << 12;
 
-/// Writes the tables of these runs into a folder, a file for each table that one of them has. `known` are the tables with a schema; the columns of
-/// others are text. None if it was stopped: then, as after an error, the folder has the files that it had before.
+/// Writes the tables of these runs into a folder, a file for each table that one of them has.
+///
+/// `known` are the tables with a schema; columns of other tables are text. Returns `None` if it was stopped. Then, and
+/// after an error, the folder has the files that it had before.
 ///
 /// # Errors
-/// The file and line of the first thing that can't be read or written, or is not what the schema says.
+/// The file and line of the first item that can't be read or written, or does not match the schema.
 pub fn export(
     runs: &[Found],
     known: &[TableSpec],
@@ -73,7 +75,7 @@ pub fn export(
             incomplete.push((found.run.clone(), row.outcome));
         }
         let ended = tables.add(found, &run, &copies, watch);
-        // A stop is known by the watch: whatever it has broken off is no error.
+        // The watch tells whether the export was stopped; errors caused by the stop are ignored.
         if watch.is_stopped() {
             return Ok(None);
         }
@@ -84,21 +86,21 @@ pub fn export(
     Ok(Some(Exported { files, incomplete, notes }))
 }
 
-/// The tables of an export while it is made.
+/// The tables of an unfinished export.
 struct Tables<'k> {
     format: Format,
     places: Places,
     known: &'k [TableSpec],
-    /// By the file's name in a run folder.
+    /// The tables by their file name in a run folder.
     open: BTreeMap<String, Table>,
     notes: Vec<String>,
 }
 
-/// A table while it is made.
+/// An unfinished table.
 struct Table {
-    /// Its columns, those in front included.
+    /// The table's columns, including those in front.
     columns: Vec<Typed>,
-    /// The file that is made.
+    /// The file that is being written.
     place: PathBuf,
     sink: Box<dyn Sink>,
     rows: u64,
@@ -117,7 +119,7 @@ impl Tables<'_> {
             let record = record?;
             let table = self.table(record.file, &[])?;
             let cells = record.fields.iter().map(String::as_str);
-            // What the columns in front hold comes from env.json; the rows are those of env.json and plan.json.
+            // The cells in front come from env.json; the rows themselves from env.json and plan.json.
             let file = if record.file == OWN_TABLES[0].file { "env.json" } else { "plan.json" };
             table.push(front.into_iter().chain(cells)).map_err(|message| {
                 Error::new(
@@ -163,7 +165,7 @@ impl Tables<'_> {
         Ok(())
     }
 
-    /// The table of a file of a run folder, which has these columns if it has no schema.
+    /// The table for a file of a run folder; `columns` are its columns if it has no schema.
     fn table(&mut self, file: &str, columns: &[&str]) -> Result<&mut Table, Error> {
         if !self.open.contains_key(file) {
             let known = OWN_TABLES.iter().chain(self.known).find(|known| known.file == file);
@@ -182,7 +184,7 @@ impl Tables<'_> {
         self.open.get_mut(file).ok_or_else(|| Error::new(file.as_ref(), "the table was not started"))
     }
 
-    /// Moves the files into their places, in the order of the schema; and what is to be said.
+    /// Moves the files into their places, in the order of the schema; returns them and the notes.
     fn finish(mut self) -> Result<(Vec<Written>, Vec<String>), Error> {
         let mut rows = BTreeMap::new();
         for (file, table) in self.open {
@@ -215,7 +217,7 @@ impl Tables<'_> {
 }
 
 impl Table {
-    /// Refuses a file with other columns than the table has.
+    /// Refuses a file whose columns differ from the table's.
     fn check_header(&self, names: &[&str]) -> Result<(), LineError> {
         let columns = self.columns.iter().skip(FRONT.len()).map(|column| &*column.name);
         if columns.clone().eq(names.iter().copied()) {

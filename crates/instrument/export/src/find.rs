@@ -1,4 +1,4 @@
-//! The run folders that are meant: those that are named, and those in folders that are named.
+//! The search for run folders: the given folders, and run folders inside them.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -6,30 +6,31 @@ use std::path::{Path, PathBuf};
 
 use predicament_records::{Error, RunFolder};
 
-/// A run folder with the name that its rows have.
+/// A run folder with its name in the exported rows.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Found {
     /// The folder's name, or its path from the folder in which it was found, with `/`.
     pub run: String,
-    /// The folder.
+    /// The path of the folder.
     pub path: PathBuf,
-    /// When the run began, where that was written down.
+    /// The start time of the run, if recorded.
     pub started: Option<String>,
 }
 
-/// What was found.
+/// The result of the search.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Runs {
-    /// The runs, by the moment when they began, then by name; those without a moment first.
+    /// The runs, by start time, then by name; runs without a start time come first.
     pub runs: Vec<Found>,
-    /// Folders in which there is no run, and links, which are not followed.
+    /// Folders without a run, and links, which are not followed.
     pub others: Vec<PathBuf>,
 }
 
-/// The runs in these folders, each of which is that of a run or has some in it, however deep.
+/// Finds the runs in these folders. Each folder must be a run folder or contain some, at any depth.
 ///
 /// # Errors
-/// If a folder has no run, if a run has lost its plan, if two runs have the same name, and those of the file system.
+/// If a folder contains no run, if a run has lost its plan, if two runs have the same name, or if the file system
+/// fails.
 pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
     let mut found = Runs::default();
     for folder in folders {
@@ -61,7 +62,7 @@ pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
     Ok(found)
 }
 
-/// Refuses a folder of a run that has lost its plan: its rows would be missing, and nobody would know.
+/// Refuses a run folder that has lost its plan: its rows would be missing silently.
 fn whole(folder: &Path) -> Result<(), Error> {
     if !RunFolder::has_lost_plan(folder)? {
         return Ok(());
@@ -78,7 +79,7 @@ impl Runs {
         Ok(())
     }
 
-    /// Adds the runs in a folder, of which the names begin so; true if there is one.
+    /// Adds the runs in a folder, with names that begin with `prefix`; returns true if there are any.
     fn below(&mut self, folder: &Path, prefix: &str) -> Result<bool, Error> {
         let mut has_run = false;
         for entry in fs::read_dir(folder).map_err(Error::io(folder))? {

@@ -1,4 +1,4 @@
-//! The formats, and the table that each starts.
+//! The file formats, and the writer for each.
 
 use std::fs::File;
 
@@ -8,17 +8,17 @@ use crate::row_groups::RowGroups;
 use crate::sink::Sink;
 use crate::value::Typed;
 
-/// A format of files.
+/// A file format of exported tables.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Format {
     /// Apache Parquet: typed columns, compressed.
     Parquet,
-    /// Comma-separated values, as run folders have them, with the columns in front.
+    /// Comma-separated values, as in run folders, with the columns in front.
     Csv,
 }
 
 impl Format {
-    /// The ending of its files.
+    /// The ending of the format's file names.
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
@@ -27,7 +27,7 @@ impl Format {
         }
     }
 
-    /// An empty table in a file.
+    /// Starts an empty table in a file.
     pub(crate) fn start(self, file: File, columns: &[Typed]) -> Result<Box<dyn Sink>, WriteError> {
         Ok(match self {
             Format::Parquet => Box::new(RowGroups::new(file, columns)?),

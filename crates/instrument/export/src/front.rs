@@ -1,4 +1,4 @@
-//! What tells runs apart: the columns in front of every table, and a table of the runs themselves.
+//! The columns in front of every table, which identify the run, and a table of the runs themselves.
 
 use predicament_records::{Column, Kind, PlannedScene, Record, RunFolder, TableSpec, serde};
 
@@ -36,13 +36,14 @@ pub const FRONT: [Column; 4] = [
     ),
 ];
 
-/// The tables that are not files of a run folder but made of its JSON files.
+/// The tables that are not files of a run folder but are built from its JSON files.
 pub const OWN_TABLES: [TableSpec; 2] = [TableSpec::of::<RunRow>(), TableSpec::of::<PlannedScene>()];
 
 predicament_records::table! {
     /// `runs`: a run or a bench, from its `plan.json`, `env.json` and `state.json`.
     pub struct RunRow [Clone, PartialEq, Eq, Debug] in "runs" {
-        /// How it ended: `complete`; `unfinished` if it was killed, `interrupted`, `timeout`; `running` if a process was writing it during the export.
+        /// How it ended: `complete`; `unfinished` if it was killed, `interrupted`, `timeout`; `running` if a process
+        /// was writing it during the export.
         pub outcome: String,
         /// What was done: `run` or `bench`.
         pub command: String,
@@ -107,14 +108,14 @@ impl RunRow {
     }
 }
 
-/// The cells of a run in the columns in front.
+/// The cells of a run for the columns in front.
 pub(crate) fn cells(found: &Found, run: &RunFolder) -> [String; 4] {
     let env = &run.env;
     let or_empty = |text: &Option<String>| text.clone().unwrap_or_default();
     [found.run.clone(), or_empty(&env.started), or_empty(&env.commit), env.fingerprint()]
 }
 
-/// The rows that a run has in the tables that are made of its JSON files.
+/// The rows of a run in the tables that are built from its JSON files.
 pub(crate) fn own_rows(run: &RunFolder) -> impl Iterator<Item = Result<Record, predicament_records::Error>> {
     std::iter::once(Record::of(&RunRow::of(run))).chain(run.plan.scenes.iter().map(Record::of))
 }

@@ -1,11 +1,12 @@
-//! Run folders as typed tables for other programs: what does a database ask, and how does it get it?
+//! Export of run folders as typed tables for databases and other programs.
 //!
-//! A run folder is CSV, which is appended to and survives a kill. To ask many runs together, such as a year of nightly ones, [`export`] makes one
-//! file of each table of all of them, with columns in front that tell the runs apart. The types of the columns are those of the published
-//! schema (`records::schema`). There is a file for each format: [`Format`].
+//! A run folder is CSV, which can be appended to and survives a kill. For queries over many runs, such as a year of
+//! nightly runs, [`export`] writes one file per table for all of them, with columns in front that identify the run. The
+//! types of the columns are those of the published schema (`records::schema`). There is a writer for each [`Format`].
 //!
-//! This crate judges nothing: a row of a run folder is a row of the export. It leaves out one kind of row, and says how many: a judgement in a
-//! bench that is a copy of one in a run (`copies`). It holds as much of a table as one row group of Parquet, whatever the size of the runs.
+//! This crate judges nothing: a row of a run folder is a row of the export. It omits one kind of row, and reports their
+//! number: a judgement in a bench that is a copy of one in a run (`copies`). Its memory is one row group of Parquet per
+//! table, whatever the size of the runs.
 
 mod comma;
 mod copies;

@@ -1,7 +1,7 @@
-//! Files that come into their places together, when all are whole.
+//! Files that are moved into place together, when all are complete.
 //!
-//! Each is written beside its place. Only when every one is finished do they move; an error or an interrupt leaves the files of an earlier
-//! export, and none of this one.
+//! Each file is written beside its place. They move only when all are finished. After an error or an interrupt the
+//! folder still has the files of the earlier export, and none of this one.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -11,9 +11,9 @@ use predicament_records::{Beside, Error, Hold, make_folder};
 /// The files of an export, which are removed unless they are kept.
 pub(crate) struct Places {
     folder: PathBuf,
-    /// The names that the files will have.
+    /// The final names of the files.
     files: Vec<(String, Beside)>,
-    /// The files of two exports into one folder are not mixed.
+    /// A lock, so that two exports into one folder do not mix their files.
     _hold: Hold,
 }
 
@@ -24,12 +24,12 @@ impl Places {
         Ok(Places { folder: folder.to_owned(), files: Vec::new(), _hold: hold })
     }
 
-    /// Where the file of this name will be.
+    /// The final path of the file with this name.
     pub fn place(&self, name: &str) -> PathBuf {
         self.folder.join(name)
     }
 
-    /// An empty file that will have this name.
+    /// Creates an empty file that will get this name.
     pub fn start(&mut self, name: &str) -> Result<File, Error> {
         let place = self.place(name);
         let beside = Beside::new(&place)?;
@@ -38,7 +38,7 @@ impl Places {
         Ok(file)
     }
 
-    /// Refuses a folder in which there are files with this ending of another export: they would look like files of this one.
+    /// Refuses a folder that has files with this ending from another export: they would look like files of this one.
     pub fn check_others(&self, ending: &str) -> Result<(), Error> {
         for entry in fs::read_dir(&self.folder).map_err(Error::io(&self.folder))? {
             let path = entry.map_err(Error::io(&self.folder))?.path();
@@ -51,7 +51,7 @@ impl Places {
         Ok(())
     }
 
-    /// Moves all files into their places; their names and lengths.
+    /// Moves all files into place; returns their paths and sizes.
     pub fn keep(self) -> Result<Vec<(PathBuf, u64)>, Error> {
         let length = |(name, beside): &(String, Beside)| Ok((self.folder.join(name), beside.length()?));
         let kept = self.files.iter().map(length).collect::<Result<_, Error>>()?;

@@ -1,8 +1,9 @@
-//! Parquet: columns of their types, in groups of rows, each compressed on its own.
+//! The Parquet format: typed columns, in groups of rows, each compressed separately.
 //!
-//! Rows come one at a time and are kept by column until a group is full, so memory is that of one group. Text has a dictionary in each group; what
-//! repeats, as names of suites and backends do, costs a few bits a row. The codec is gzip, which every reader of Parquet has and which is
-//! built for other files anyway; Snappy makes files half as large again.
+//! Rows arrive one at a time and are stored by column until a group is full, so memory is that of one group. Text has a
+//! dictionary in each group; repeated values, such as names of suites and backends, cost a few bits a row. The codec is
+//! gzip, which every reader of Parquet supports and which is already a dependency for other files; Snappy files are
+//! half as large again.
 
 use crate::error::WriteError;
 use std::fs::File;
@@ -21,9 +22,9 @@ use predicament_records::Kind;
 use crate::sink::Sink;
 use crate::value::{Typed, Value};
 
-/// The most rows of a group.
+/// The maximum number of rows in a group.
 const ROWS: usize = 1 << 16;
-/// A group with so many bytes of text is full whatever its rows.
+/// The number of bytes of text at which a group is full, whatever its number of rows.
 const TEXT: usize = 1 << 25;
 
 pub(crate) struct RowGroups {
@@ -33,17 +34,17 @@ pub(crate) struct RowGroups {
     text: usize,
 }
 
-/// The values of a column in the group that is being filled.
+/// The values of a column in the current group.
 struct Kept {
     values: Values,
-    /// 1 for a value, 0 for none; only where there may be none.
+    /// The value 1 for a present cell, 0 for a null; only for optional columns.
     levels: Option<Vec<i16>>,
 }
 
 enum Values {
-    /// All texts behind each other, and where each ends.
+    /// The concatenated texts, and the end of each.
     Text(Vec<u8>, Vec<usize>),
-    /// Whole numbers and moments.
+    /// Integers and timestamps.
     Int64(Vec<i64>),
     Float64(Vec<f64>),
     Bool(Vec<bool>),
@@ -53,7 +54,7 @@ impl RowGroups {
     pub fn new(file: File, columns: &[Typed]) -> Result<RowGroups, WriteError> {
         let fields = columns.iter().map(field).collect::<Result<Vec<_>, _>>()?;
         let schema = Type::group_type_builder("schema").with_fields(fields).build()?;
-        // Least and greatest values of each group, none of its pages: most tables have one page.
+        // Minimum and maximum of each group, but not of its pages: most tables have one page.
         let properties = WriterProperties::builder()
             .set_compression(Compression::GZIP(GzipLevel::default()))
             .set_statistics_enabled(EnabledStatistics::Chunk)
@@ -150,7 +151,8 @@ impl Values {
     }
 }
 
-/// A column as Parquet names it. Moments are said to be in no time zone, and are in UTC: readers then neither shift nor need a list of zones.
+/// The Parquet type of a column. Timestamps are in UTC but declared without a time zone, so that readers neither shift
+/// them nor need a time zone database.
 fn field(column: &Typed) -> Result<Arc<Type>, ParquetError> {
     let (physical, logical) = match column.kind {
         Kind::Text => (Physical::BYTE_ARRAY, Some(LogicalType::String)),

@@ -1,13 +1,13 @@
-//! A table that rows are added to, whatever its format.
+//! The writer of a table in any format.
 
 use crate::error::WriteError;
 use crate::value::Value;
 
-/// A table that rows are added to. The same rows give the same bytes.
+/// A table to which rows are added. The same rows give the same bytes.
 pub(crate) trait Sink {
-    /// Adds a row: its cells as text, and what they say.
+    /// Adds a row: its cells as text, and their values.
     fn push(&mut self, cells: &[&str], values: &[Value<'_>]) -> Result<(), WriteError>;
 
-    /// Writes what is left.
+    /// Writes the remaining rows.
     fn finish(self: Box<Self>) -> Result<(), WriteError>;
 }

@@ -1,4 +1,4 @@
-//! Cells by their types.
+//! Typed values of cells.
 
 use crate::error::WrongCell;
 use predicament_records::{Kind, moment};
@@ -11,7 +11,7 @@ pub(crate) struct Typed {
     pub is_optional: bool,
 }
 
-/// A cell.
+/// The value of a cell.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(crate) enum Value<'t> {
     Null,
@@ -19,15 +19,15 @@ pub(crate) enum Value<'t> {
     Int64(i64),
     Float64(f64),
     Bool(bool),
-    /// Microseconds since 1970 began.
+    /// Microseconds since the start of 1970.
     Timestamp(i64),
 }
 
 impl Typed {
-    /// What a cell of this column says.
+    /// The value of a cell in this column.
     ///
     /// # Errors
-    /// [`WrongCell`] where the column cannot have it.
+    /// [`WrongCell`] if the column cannot have it.
     pub fn value<'t>(&self, cell: &'t str) -> Result<Value<'t>, WrongCell> {
         if cell.is_empty() && self.is_optional {
             return Ok(Value::Null);

@@ -7,12 +7,12 @@ pub const LOWEST: i64 = -1074;
 /// The exponent of the highest bit of the largest double.
 pub const HIGHEST: i64 = 1023;
 
-/// The exponent of the highest bit; none for zero.
+/// The exponent of the highest bit; `None` for zero.
 pub fn top_exponent(x: f64) -> Option<i64> {
     finite(x).highest().map(|highest| i64::from(highest) - 1)
 }
 
-/// The exponent of the lowest bit that is set; none for zero.
+/// The exponent of the lowest bit that is set; `None` for zero.
 pub fn lowest_bit(x: f64) -> Option<i64> {
     finite(x).lowest().map(i64::from)
 }
@@ -21,8 +21,7 @@ fn finite(x: f64) -> Parts {
     Parts::of(x).expect("coordinates are finite")
 }
 
-/// The double that lies `k` places further up (down for negative `k`),
-/// counted through all doubles in their order; ±0 are one place.
+/// The double `k` steps above `x` (below for negative `k`) in the order of all doubles; ±0 count as one double.
 pub fn step(x: f64, k: i64) -> f64 {
     let magnitude = i64::try_from(x.abs().to_bits()).expect("the sign bit is off");
     let place = if x.is_sign_negative() { -magnitude } else { magnitude } + k;
@@ -30,15 +29,14 @@ pub fn step(x: f64, k: i64) -> f64 {
     if place < 0 { -moved } else { moved }
 }
 
-/// The nearest double with at most so many significant bits (1 to 53), ties
-/// away from zero. Subnormals keep fewer.
+/// The nearest double with at most `bits` significant bits (1 to 53), ties away from zero. Subnormals have fewer bits.
 pub fn rounded(x: f64, bits: u32) -> f64 {
     let dropped = 53 - bits;
     let half = (1_u64 << dropped) >> 1;
     f64::from_bits((x.to_bits() + half) >> dropped << dropped)
 }
 
-/// 2^k for an exponent of a normal double.
+/// The double 2^k, for an exponent of a normal double.
 ///
 /// # Panics
 /// If 2^k is not a normal double.
@@ -47,10 +45,10 @@ pub fn power_of_two(k: i64) -> f64 {
     predicament_arithmetic::power_of_two(i32::try_from(k).expect("eleven bits"))
 }
 
-/// x·2^k for |k| ≤ 2044, rounded once where it becomes subnormal.
+/// The double x·2^k for |k| ≤ 2044, rounded once if it becomes subnormal.
 pub fn scale(x: f64, k: i64) -> f64 {
     if k < -1022 {
-        // What the first step could round is lost in the second anyway.
+        // The second step loses any bits that the first step could round.
         x * power_of_two(k + 1022) * power_of_two(-1022)
     } else if k > HIGHEST {
         x * power_of_two(HIGHEST) * power_of_two(k - HIGHEST)
@@ -59,10 +57,10 @@ pub fn scale(x: f64, k: i64) -> f64 {
     }
 }
 
-/// An integer of at most 2^53 in magnitude as a double, exactly.
+/// The double equal to an integer of at most 2^53 in magnitude.
 ///
 /// # Panics
-/// If it is larger.
+/// If the magnitude is larger.
 pub fn integer(n: i64) -> f64 {
     assert!(n.unsigned_abs() <= 1 << 53, "{n} has more bits than a double");
     #[allow(clippy::cast_precision_loss)] // at most 53 bits

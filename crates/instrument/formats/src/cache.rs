@@ -1,4 +1,4 @@
-//! Where fetched files are kept, each under its key.
+//! The cache of fetched files, each under its key.
 
 use std::path::{Path, PathBuf};
 
@@ -7,8 +7,7 @@ use sha2::{Digest, Sha256};
 use crate::file::read_cached;
 use crate::{CorpusError, Entry, hex};
 
-/// A folder of fetched files. What is read from it is what the manifest's
-/// hash says, every time.
+/// A folder of fetched files. Every read checks the file against the manifest's hash.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Cache {
     folder: PathBuf,
@@ -21,10 +20,10 @@ impl Cache {
         Cache { folder: folder.into() }
     }
 
-    /// `$PREDICAMENT_CACHE`, else `predicament` in `$XDG_CACHE_HOME` or `~/.cache`.
+    /// The cache in `$PREDICAMENT_CACHE`, else in `predicament` in `$XDG_CACHE_HOME` or `~/.cache`.
     ///
     /// # Errors
-    /// [`CorpusError`] where none of the variables says where that is.
+    /// [`CorpusError`] if the variables are not set.
     pub fn default_dir() -> Result<Cache, CorpusError> {
         Cache::from_variables(|name| std::env::var_os(name).filter(|value| !value.is_empty()).map(PathBuf::from))
     }
@@ -45,23 +44,23 @@ impl Cache {
         &self.folder
     }
 
-    /// Where an entry's file is, or would be.
+    /// The path of an entry's file, whether or not the file exists.
     #[must_use]
     pub fn path(&self, entry: &Entry) -> PathBuf {
         let name = entry.file.rsplit('/').next().unwrap_or(&entry.file);
         self.folder.join(&entry.key).join(name)
     }
 
-    /// Whether the file is there and is the right one.
+    /// True if the file exists and has the right hash.
     #[must_use]
     pub fn has(&self, entry: &Entry) -> bool {
         read_cached(&self.path(entry)).is_ok_and(|bytes| bytes.is_some_and(|bytes| sha256(&bytes) == entry.sha256))
     }
 
-    /// What is in a fetched file.
+    /// The bytes of a fetched file.
     ///
     /// # Errors
-    /// [`CorpusError`] where the file was not fetched, or is another one.
+    /// [`CorpusError`] if the file was not fetched, or has another hash.
     pub fn bytes(&self, entry: &Entry) -> Result<Vec<u8>, CorpusError> {
         const CURE: &str = "run `predicament corpus fetch`";
         let path = self.path(entry);

@@ -1,58 +1,57 @@
-//! Coordinates as text: read without loss, or an error.
+//! Coordinates as text: read without loss, or refused.
 //!
-//! A decimal means the double nearest to it, if that double is printed as the
-//! decimal: with all its digits, with as many as the decimal has (17 at most), or
-//! with as few as tell it from all other doubles. So `0.1` means a double, and so
-//! does whatever `repr`, `%.17g` and their like have written. Nothing is lost: to print the double again gives the
-//! decimal back. A decimal of at most 15 digits always comes back, if its double is not subnormal.
+//! A decimal denotes the double nearest to it, if that double can be printed as this decimal: with all its digits, with
+//! as many digits as the decimal has (17 at most), or with as few as identify it among all doubles. So `0.1` denotes a
+//! double, and so does any output of `repr`, `%.17g` and similar. The reading is lossless: printing the double again
+//! gives the same decimal. A decimal of at most 15 digits is always reproduced, if its double is not subnormal.
 //!
-//! Other decimals say more than a double can hold. Rounding them in silence would make a
-//! scene something else than what its file says, so they are refused; `corpus fmt` turns them into hex floats, and
-//! [`Decimals`](crate::Decimals) rounds them where a suite asks for it.
+//! Other decimals have more digits than a double can hold. Rounding them silently would change the scene, so they are
+//! refused; `corpus fmt` turns them into hex floats, and [`Decimals`](crate::Decimals) rounds them if a suite requests
+//! it.
 
 use std::fmt::LowerExp;
 
 use crate::bits::lowest_bit;
 use crate::hexfloat::{self, HexError};
 
-/// Why a text is not a coordinate.
+/// The reason why a text is not a coordinate.
 #[derive(Clone, PartialEq, Debug)]
 pub enum CoordinateError {
-    /// Neither a decimal nor a hex float.
+    /// The text is neither a decimal nor a hex float.
     Malformed,
-    /// NaN or an infinity.
+    /// The text is NaN or an infinity.
     NotFinite,
-    /// Larger than every double.
+    /// The number is larger than every double.
     Overflow,
-    /// Not zero, but nearest to zero.
+    /// The number is not zero, but its nearest double is zero.
     Underflow,
-    /// Between two doubles, and neither is printed so.
+    /// The decimal is between two doubles, and neither is printed as it.
     Inexact {
         /// The nearest double, ties to even.
         nearest: f64,
     },
-    /// A hex float with more bits than a double has.
+    /// The hex float has more bits than a double.
     TooManyBits,
-    /// A text longer than 10,000 bytes.
+    /// The text is longer than 10,000 bytes.
     TooLong {
-        /// Its length.
+        /// The length of the text.
         bytes: usize,
     },
-    /// One coordinate more than a scene may have.
+    /// The scene has more coordinates than allowed.
     TooMany,
 }
 
-/// The longest text of a coordinate. The smallest double has 1,077 bytes when it is written out.
+/// The maximum length of a coordinate's text. The smallest double, written out in full, has 1,077 bytes.
 pub const MOST_BYTES: usize = 10_000;
 
 fn not_too_long(text: &str) -> Result<(), CoordinateError> {
     if text.len() > MOST_BYTES { Err(CoordinateError::TooLong { bytes: text.len() }) } else { Ok(()) }
 }
 
-/// The double that a decimal or hex float means.
+/// The double that a decimal or hex float denotes.
 ///
 /// # Errors
-/// [`CoordinateError`] where the text is no number, or is not how a double is printed.
+/// [`CoordinateError`] if the text is not a number, or no double is printed as it.
 pub fn read(text: &str) -> Result<f64, CoordinateError> {
     not_too_long(text)?;
     if hexfloat::looks_like(text) {
@@ -69,17 +68,17 @@ pub fn read(text: &str) -> Result<f64, CoordinateError> {
     if decimal.is_print_of(nearest) { Ok(nearest) } else { Err(CoordinateError::Inexact { nearest }) }
 }
 
-/// Whether a text is exactly a double: a hex float, or a decimal that is equal to its double to the last digit.
+/// True if a text is exactly a double: a hex float, or a decimal that equals its double to the last digit.
 #[must_use]
 pub fn is_exact(text: &str) -> bool {
     let is_equal = |x: f64| hexfloat::looks_like(text) || Decimal::read(text) == Some(Decimal::of(x));
     read(text).is_ok_and(is_equal)
 }
 
-/// The single that a decimal means, as [`read`] has it for doubles, but with 9 digits in place of 17.
+/// The single that a decimal denotes, by the rules of [`read`] with 9 digits instead of 17.
 ///
 /// # Errors
-/// As [`read`]; and where a decimal is beyond the largest single, or nearest to zero.
+/// As [`read`]; and if a decimal is beyond the largest single, or its nearest single is zero.
 pub fn read_single(text: &str) -> Result<f32, CoordinateError> {
     not_too_long(text)?;
     if hexfloat::looks_like(text) {
@@ -111,10 +110,10 @@ fn single(x: f64) -> f32 {
     x as f32
 }
 
-/// Whether a text is a decimal of at most 15 digits, without an exponent. Nearly all texts are so short.
+/// True if a text is a decimal of at most 15 digits, without an exponent. Nearly all texts are that short.
 ///
-/// Such a decimal is zero or between 10^-15 and 10^15, where doubles are normal, and less than half a unit of its 15th digit
-/// lies between it and its double: the double, printed with 15 digits, is the decimal again.
+/// Such a decimal is zero or between 10^-15 and 10^15, where doubles are normal, and its distance from its double is
+/// less than half a unit of its 15th digit: the double, printed with 15 digits, is the decimal again.
 fn is_short(text: &str) -> bool {
     let text = text.strip_prefix(['-', '+']).unwrap_or(text);
     let (whole, fraction) = text.split_once('.').unwrap_or((text, ""));
@@ -122,7 +121,7 @@ fn is_short(text: &str) -> bool {
     (1..=15).contains(&(whole.len() + fraction.len())) && is_digits(whole) && is_digits(fraction)
 }
 
-/// A decimal, and the double nearest to it.
+/// Parses a decimal; returns it with the double nearest to it.
 fn nearest(text: &str) -> Result<(Decimal, f64), CoordinateError> {
     let bare = text.strip_prefix(['-', '+']).unwrap_or(text).to_ascii_lowercase();
     if matches!(bare.as_str(), "nan" | "inf" | "infinity") {
@@ -139,8 +138,7 @@ fn nearest(text: &str) -> Result<(Decimal, f64), CoordinateError> {
     Ok((decimal, nearest))
 }
 
-/// The absolute value of a decimal: digits · 10^exponent, without leading or
-/// trailing zeros; zero has no digits.
+/// The absolute value of a decimal: digits · 10^exponent, without leading or trailing zeros; zero has no digits.
 #[derive(PartialEq, Eq, Debug)]
 struct Decimal {
     digits: String,
@@ -164,23 +162,23 @@ impl Decimal {
         Some(Decimal::normalised(&digits, exponent.checked_sub(fraction)?))
     }
 
-    /// Whether a double is printed as this decimal: with all its digits, with as many as there are here, up to 17, or with as few as
-    /// tell it from all others.
+    /// True if a double can be printed as this decimal: with all its digits, with this decimal's number of digits up to
+    /// 17, or with as few as identify it.
     fn is_print_of(&self, x: f64) -> bool {
         self.is_print(x.abs(), 17) || *self == Decimal::of(x)
     }
 
-    /// Whether a positive number is printed as this decimal with as many digits, up to these, or with as few as tell it from all
-    /// others of its type. The two differ next to a power of two, where the number of fewest digits that is nearest may be another's.
+    /// True if a positive number can be printed as this decimal: with the same number of digits, up to `most`, or with
+    /// as few as identify the number among all of its type. The two prints differ next to a power of two: there the
+    /// nearest decimal with the fewest digits may denote another number.
     fn is_print(&self, x: impl LowerExp, most: usize) -> bool {
         let is = |text: String| Decimal::read(&text).is_some_and(|printed| printed == *self);
         let digits = self.digits.len();
         digits > 0 && digits <= most && (is(format!("{x:.*e}", digits - 1)) || is(format!("{x:e}")))
     }
 
-    /// The exact value of a finite double: Rust writes as many digits as it is
-    /// asked for, and a double whose lowest bit is 2^-k has k of them behind
-    /// the point.
+    /// The exact value of a finite double: Rust writes as many digits as requested, and a double whose lowest bit is
+    /// 2^-k has k digits behind the point.
     fn of(x: f64) -> Decimal {
         let places = usize::try_from(-lowest_bit(x).unwrap_or(0)).unwrap_or(0);
         let written = format!("{:.places$}", x.abs());
@@ -204,7 +202,7 @@ fn read_exponent(text: &str) -> Option<i64> {
     if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
         return None;
     }
-    // Beyond any double's range the exponent only needs to stay there.
+    // Exponents beyond any double's range are clamped, which keeps them out of range.
     let magnitude = digits.parse::<i64>().unwrap_or(i64::MAX / 4).min(i64::MAX / 4);
     Some(if text.starts_with('-') { -magnitude } else { magnitude })
 }
@@ -253,7 +251,8 @@ mod tests {
             ("4.9e-324", 5e-324),                // Java
             ("4.9406564584124654e-324", 5e-324), // %.17g
             ("2.2250738585072014e-308", f64::MIN_POSITIVE),
-            // The shortest decimal of 2^-44, and its nearest one of 17 digits. Its nearest one of 16 is another double's.
+            // The shortest decimal of 2^-44, and its nearest decimal of 17 digits. Its nearest decimal of 16 denotes
+            // another double.
             ("5.684341886080802e-14", 2.0_f64.powi(-44)),
             ("5.6843418860808015e-14", 2.0_f64.powi(-44)),
         ] {
@@ -329,7 +328,7 @@ mod tests {
             prop_assert_eq!(is_exact(&text), is_double, "{}", text);
         }
 
-        /// Written without an exponent, on both sides of the length from which there is no shorter way.
+        /// Written without an exponent, with lengths on both sides of the limit of the short test.
         #[test]
         fn exactness_of_short_decimals_agrees_with_rationals(
             digits in prop_oneof!["[0-9]{1,17}", "[0-9]{0,12}(5|25|125|625|0000)", "[0-9]{0,3}(0|5|25|75){1,6}"],
@@ -343,12 +342,13 @@ mod tests {
             let x: f64 = text.parse().unwrap();
             let is_double = Rational::from_f64(x.abs()) == Some(truth);
             prop_assert_eq!(is_exact(&text), is_double, "{}", text);
-            // Printed with 15 digits, the double of a decimal of 15 is that decimal: always read.
+            // The double of a decimal of 15 digits, printed with 15 digits, is that decimal: always read.
             let digits = digits.trim_matches('0').len();
             prop_assert!(digits > 15 || read(&text) == Ok(x), "{}", text);
         }
 
-        /// By C's `%.{n-1}e` and by the shortest form: a double is read as it was, and what is read is printed as the text.
+        /// C's `%.{n-1}e` and the shortest form: a printed double is read unchanged, and the double that was read can
+        /// be printed as the text.
         #[test]
         fn what_programs_print_is_read_as_it_was(bits: u64, digits in 1usize..=17) {
             let x = f64::from_bits(bits);
@@ -361,11 +361,11 @@ mod tests {
                 let again = format!("{read:.*e}", digits - 1);
                 prop_assert!(again == text || Decimal::read(&format!("{read:e}")) == Decimal::read(&text), "{}", text);
             } else {
-                // Few digits may round the largest doubles up to what none is.
+                // With few digits, the largest doubles may round up beyond all doubles.
                 let overflows = text.parse::<f64>().is_ok_and(f64::is_infinite);
                 prop_assert!(digits == 16 || !x.is_normal() || overflows, "{} is refused", text);
             }
-            // Where it is read as a single, the single is printed so.
+            // If the text is read as a single, the single is printed as it.
             if let Ok(single) = read_single(&text) {
                 let decimal = Decimal::read(&text).unwrap();
                 let places = decimal.digits.len().saturating_sub(1);
@@ -380,7 +380,7 @@ mod tests {
             prop_assume!(x.is_finite());
             let written = format!("{x:.1074}");
             prop_assert_eq!(read(&written).map(f64::to_bits), Ok(bits));
-            // One unit in the last of so many places is never a double's.
+            // One unit in the last of so many decimal places never belongs to a double.
             let off = format!("{x:.1074}1");
             prop_assert!(read(&off).is_err());
         }

@@ -1,11 +1,10 @@
-//! CSV files of numbers: read row by row, and made lossless.
+//! CSV files of numbers: a row-by-row reader, and a lossless rewriter.
 //!
-//! Cells are separated by commas, semicolons, tabs or blanks: the first row shows which. Blank lines and lines
-//! that start with `#` are passed over. The first row is a header if each of its cells starts with a letter
-//! and none is a number.
+//! Commas, semicolons, tabs or blanks separate cells: the first row determines which. Blank lines and lines that start
+//! with `#` are skipped. The first row is a header if each of its cells starts with a letter and none is a number.
 //!
-//! The crate `csv` gives the text of cells and not where in the file it is; to rewrite a number and leave all
-//! other bytes as they are takes the place, and so does the line in an error behind comments and blank lines.
+//! The crate `csv` gives the text of cells but not their positions in the file. Positions are needed to rewrite a
+//! number and leave all other bytes unchanged, and to report the line of an error after comments and blank lines.
 
 use std::ops::Range;
 
@@ -16,7 +15,7 @@ use crate::lines::{Line, lines};
 use crate::rows::{RowKind, Rows};
 use crate::{CorpusError, Decimals, hexfloat};
 
-/// What separates the cells of a file.
+/// The separator of a file's cells.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Separator {
     Character(char),
@@ -24,13 +23,13 @@ enum Separator {
 }
 
 impl Separator {
-    /// That of a row: the first of these that is in it, outside of quotes.
+    /// The separator of a row: the first of `;`, `,` and tab that occurs outside of quotes, else blanks.
     fn of(row: &str) -> Separator {
         let has = |c: &char| split(row, *c).nth(1).is_some();
         [';', ',', '\t'].iter().find(|c| has(c)).map_or(Separator::Blanks, |&c| Separator::Character(c))
     }
 
-    /// Where the cells of a row are, without blanks and quotes around them.
+    /// The byte ranges of a row's cells, without blanks and quotes around them.
     fn cells(self, row: &str) -> Vec<Range<usize>> {
         match self {
             Separator::Character(c) => split(row, c).map(|cell| bare(row, cell)).collect(),
@@ -58,7 +57,7 @@ fn split(row: &str, separator: char) -> impl Iterator<Item = Range<usize>> {
     })
 }
 
-/// A cell without the blanks around it, and without its quotes.
+/// The range of a cell without surrounding blanks and quotes.
 fn bare(row: &str, cell: Range<usize>) -> Range<usize> {
     let trimmed = |cell: Range<usize>| {
         let text = &row[cell.clone()];
@@ -74,27 +73,27 @@ fn bare(row: &str, cell: Range<usize>) -> Range<usize> {
     }
 }
 
-/// Whether a line of a data file is blank or a comment.
+/// True if a line of a data file is blank or a comment.
 #[must_use]
 pub fn skipped(line: &str) -> bool {
     line.trim().is_empty() || line.trim_start().starts_with('#')
 }
 
-/// What a line is, and the cells of one that has any.
+/// The kind of a line, with its cells if it has any.
 enum Kind {
     Skipped,
     Header(Vec<Range<usize>>),
     Row(Vec<Range<usize>>),
 }
 
-/// Goes through the lines of a file in their order.
+/// A scanner that classifies the lines of a file in order.
 #[derive(Default)]
 struct Scanner {
     separator: Option<Separator>,
 }
 
 impl Scanner {
-    /// What a line is; what is wrong with it, and the cure.
+    /// The kind of a line; the error is a message and its fix.
     fn kind(&mut self, line: &str) -> Result<Kind, (String, String)> {
         if skipped(line) {
             return Ok(Kind::Skipped);
@@ -112,14 +111,14 @@ impl Scanner {
     }
 }
 
-/// Whether a cell of the first row can be the name of a column.
+/// True if a cell of the first row can be the name of a column.
 fn is_name(cell: &str) -> bool {
     let starts = cell.starts_with(|c: char| c.is_alphabetic() || c == '_');
     starts && coordinate::read(cell) == Err(CoordinateError::Malformed)
 }
 
-/// A column of another name among x, y and z, or these in another order, or a column that numbers the rows: what is
-/// read would not be what is meant.
+/// The error for a header with another name among x, y and z, with these in another order, or with a column that
+/// numbers the rows. Reading such a file would misinterpret it.
 fn misplaced(names: &[&str]) -> Option<String> {
     const AXES: [&str; 3] = ["x", "y", "z"];
     const NUMBERS: [&str; 3] = ["id", "fid", "index"];
@@ -129,15 +128,15 @@ fn misplaced(names: &[&str]) -> Option<String> {
     let wrong =
         lower.iter().zip(AXES).any(|(name, axis)| name != axis) || lower.iter().skip(3).any(|name| is(name, AXES));
     let numbered = lower.iter().any(|name| is(name, NUMBERS));
-    // Three columns of other names may be a number, a longitude and a latitude.
+    // Three columns with other names may be a row number, a longitude and a latitude.
     let unnamed = !named && names.len() >= 3;
-    // Latitude before longitude would be a map on its side.
+    // Latitude before longitude would turn the map on its side.
     const NORTH: [&str; 3] = ["lat", "latitude", "northing"];
     let turned = lower.first().is_some_and(|name| is(name, NORTH));
     (numbered || unnamed || turned || named && wrong).then(|| format!("the columns are {}", shown(&names.join(", "))))
 }
 
-/// Reads a CSV file of rows of numbers, one a line.
+/// Reads a CSV file with one row of numbers per line.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
@@ -180,18 +179,18 @@ pub(crate) fn read(file: &str, text: &str, kind: &RowKind, decimals: &Decimals) 
     Ok(rows)
 }
 
-/// Rewrites the decimals of a CSV file that are not exactly doubles: each becomes the hex float of its nearest
-/// double, and a line that starts with `#`, before its row, keeps what was written. All other bytes stay, so
-/// that a file without such decimals, and a file that was rewritten, come back unchanged.
+/// Rewrites the decimals of a CSV file that are not exactly doubles: each becomes the hex float of its nearest double,
+/// and a `#` line before its row keeps the original text. All other bytes stay. Files without such decimals, and files
+/// that were already rewritten, are returned unchanged.
 ///
 /// # Errors
-/// [`CorpusError`] where a cell is no number that a double could be near to.
+/// [`CorpusError`] if a cell is not a number within the range of doubles.
 pub fn fmt_csv(file: &str, text: &str) -> Result<String, CorpusError> {
     let (mark, rest) = text.strip_prefix(BOM).map_or(("", text), |rest| (&text[..BOM.len_utf8()], rest));
     let mut scanner = Scanner::default();
     let mut out = String::with_capacity(text.len());
     out.push_str(mark);
-    // A last line without an end takes that of the line before it.
+    // A last line without an end uses the end of the line before it.
     let mut usual_end = "\n";
     for Line { number, body, end } in lines(rest) {
         let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);

@@ -1,4 +1,4 @@
-//! Data files beside suites: their formats, by extension, and what is in them.
+//! Data files beside suites: their formats by extension, and their contents.
 
 use crate::file::{text_of, unpacked};
 use crate::rows::{RowKind, Rows};
@@ -16,7 +16,7 @@ pub(crate) enum Format {
     Stl,
 }
 
-/// The formats by extension.
+/// The file extensions with their formats.
 const EXTENSIONS: [(&str, Format); 9] = [
     (".csv", Format::Csv),
     (".txt", Format::Csv),
@@ -29,16 +29,17 @@ const EXTENSIONS: [(&str, Format); 9] = [
     (".stl", Format::Stl),
 ];
 
-/// What is in a data file, unpacked.
+/// The contents of a data file, unpacked.
 pub(crate) struct DataFile {
-    /// The name in errors.
+    /// The name of the file in errors.
     pub(crate) file: String,
     pub(crate) format: Format,
     pub(crate) bytes: Vec<u8>,
 }
 
 impl DataFile {
-    /// A file by its name, whose end tells the format, and its bytes, packed by gzip if the name ends in `.gz`.
+    /// Opens a data file from its name and bytes. The extension determines the format; gzip is unpacked if the name
+    /// ends in `.gz`.
     pub(crate) fn open(file: &str, bytes: Vec<u8>) -> Result<DataFile, CorpusError> {
         let (name, bytes) = unpacked(file, bytes)?;
         let format = EXTENSIONS.iter().find(|(extension, _)| name.ends_with(extension)).map(|&(_, format)| format);
@@ -50,13 +51,13 @@ impl DataFile {
         Ok(DataFile { file: file.to_owned(), format, bytes })
     }
 
-    /// Its text.
+    /// The contents as text.
     pub(crate) fn text(self) -> Result<String, CorpusError> {
         text_of(&self.file, self.bytes)
     }
 }
 
-/// Reads a CSV file of rows of numbers; `.csv` or `.txt`, perhaps with `.gz` behind it.
+/// Reads a CSV file of rows of numbers: `.csv` or `.txt`, optionally followed by `.gz`.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.

@@ -1,14 +1,14 @@
-//! How the decimals of a scene are read: without loss or not at all, or rounded where the suite says so.
+//! The reading of a scene's decimals: lossless or refused, or rounded if the suite requests it.
 
 use std::cell::Cell;
 
 use crate::coordinate::{self, CoordinateError};
 
-/// The most coordinates that a scene may have: 2 GiB of doubles.
+/// The maximum number of coordinates in a scene: 2 GiB of doubles.
 pub const MOST_COORDINATES: usize = 1 << 28;
 
-/// The reader of the decimals of one scene: refused where no double is printed so, or, with `round = true`, as
-/// their nearest doubles, which are counted.
+/// The reader of one scene's decimals. It refuses decimals that no double is printed as; with `round = true` it takes
+/// their nearest doubles and counts them.
 #[derive(Debug, Default)]
 pub struct Decimals {
     round: bool,
@@ -17,35 +17,35 @@ pub struct Decimals {
 }
 
 impl Decimals {
-    /// Rounds decimals that no double is printed as, or refuses them.
+    /// A reader that rounds decimals that no double is printed as, or refuses them.
     #[must_use]
     pub fn new(round: bool) -> Decimals {
         Decimals { round, ..Decimals::default() }
     }
 
-    /// Whether decimals are rounded.
+    /// True if decimals are rounded.
     #[must_use]
     pub fn round(&self) -> bool {
         self.round
     }
 
-    /// How many were rounded so far.
+    /// The number of decimals rounded so far.
     #[must_use]
     pub fn rounded(&self) -> usize {
         self.rounded.get()
     }
 
-    /// The double of a text.
+    /// The double that a text denotes.
     ///
     /// # Errors
-    /// [`CoordinateError`] where the text is no number, where no double is printed so and none is to be rounded, and
-    /// from the [`MOST_COORDINATES`]th on.
+    /// [`CoordinateError`] if the text is not a number, if no double is printed as it and rounding is off, or if it
+    /// would be more than the [`MOST_COORDINATES`]th.
     pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
         self.count()?;
         self.or_nearest(coordinate::read(text))
     }
 
-    /// The single, as a double, of a text that is declared as one.
+    /// The single that a text denotes, as a double; for values declared as singles.
     ///
     /// # Errors
     /// As [`read`](Decimals::read).
@@ -54,7 +54,7 @@ impl Decimals {
         self.or_nearest(coordinate::read_single(text).map(f64::from))
     }
 
-    /// The number that was read; of a text that means none, the nearest number if decimals are rounded, which is counted.
+    /// The number that was read; for inexact text, the nearest number if rounding is on, and its count grows.
     fn or_nearest(&self, read: Result<f64, CoordinateError>) -> Result<f64, CoordinateError> {
         match read {
             Err(CoordinateError::Inexact { nearest }) if self.round => {
@@ -71,16 +71,16 @@ impl Decimals {
     }
 }
 
-/// Where a coordinate is written, for the cure of one that is no double.
+/// The kind of place where a coordinate is written, which determines the fix in errors.
 #[derive(Clone, Copy, Debug)]
 pub enum Place<'f> {
-    /// In a file that `corpus fmt` can rewrite.
+    /// A file that `corpus fmt` can rewrite.
     Tidied(&'f str),
-    /// In another data file.
+    /// Another data file.
     Data,
 }
 
-/// What is wrong with a coordinate, and the cure.
+/// The message about a coordinate error, and its fix.
 #[must_use]
 pub fn explain(place: Place<'_>, text: &str, error: &CoordinateError) -> (String, String) {
     let text = shown(text);
@@ -119,7 +119,7 @@ pub fn explain(place: Place<'_>, text: &str, error: &CoordinateError) -> (String
     }
 }
 
-/// A text for a message: a part of it where it is long, control characters escaped.
+/// The text for use in a message: shortened if long, with control characters escaped.
 #[must_use]
 pub fn shown(text: &str) -> String {
     const MOST: usize = 60;
@@ -134,7 +134,7 @@ pub fn shown(text: &str) -> String {
     shown
 }
 
-/// A text of at most so many characters: the begin and the end of a longer one.
+/// A text shortened to at most `most` characters: the beginning and the end of a longer one.
 #[must_use]
 pub(crate) fn ends(text: &str, most: usize) -> String {
     let length = text.chars().count();
@@ -177,7 +177,7 @@ mod tests {
         assert_eq!(exact.read_single("0x1p-3"), Ok(0.125));
         let tenth = f64::from(0.1_f32);
         assert_eq!(exact.read_single("0.1"), Ok(tenth));
-        // A double, and no single.
+        // A double that is not a single.
         let double = format!("{:.60}", 0.1_f64);
         assert_eq!(exact.read_single(&double), Err(CoordinateError::Inexact { nearest: tenth }));
         let nearest = Decimals::new(true);

@@ -1,9 +1,7 @@
 //! TOML files whose values know their lines, for error messages.
 //!
-//! Suites are read through these two types instead of derived structures: an
-//! error names the line of the very value that is wrong, a key that nobody
-//! asked for is an error, and numbers are seen as they were written, before
-//! anything rounds them.
+//! Suites are read through these two types instead of derived structures: an error has the line of the wrong value, an
+//! unused key is an error, and numbers keep their text, before anything rounds them.
 
 use std::cell::RefCell;
 use std::collections::BTreeSet;
@@ -19,20 +17,20 @@ use crate::decimals::{Place, explain};
 use crate::tables::TableKind;
 use crate::{CorpusError, Decimals, Lines};
 
-/// The last index that a vertex can have.
+/// The largest index of a vertex.
 const MOST_INDEX: u64 = (1 << 31) - 1;
 
-/// The text of a file, its name, and where its lines start.
+/// The text of a file, its name, and the starts of its lines.
 pub struct Document<'t> {
     file: &'t str,
     text: &'t str,
     lines: Lines,
-    /// How coordinates are read unless a table says otherwise.
+    /// The reader of coordinates, unless a table has its own.
     exact: Decimals,
 }
 
 impl<'t> Document<'t> {
-    /// A file by its name in errors and its text.
+    /// A document from its name in errors and its text.
     #[must_use]
     pub fn new(file: &'t str, text: &'t str) -> Document<'t> {
         Document { file, text, lines: Lines::new(text), exact: Decimals::new(false) }
@@ -51,13 +49,13 @@ impl<'t> Document<'t> {
         self.lines.of(at)
     }
 
-    /// An error at a byte offset.
+    /// The error at a byte offset.
     pub fn error(&self, at: usize, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
         CorpusError::file(self.file, message, cure).at_line(self.line(at))
     }
 }
 
-/// One value of the file.
+/// A value of the file.
 #[derive(Clone, Copy)]
 pub struct Field<'d, 't> {
     document: &'d Document<'t>,
@@ -93,7 +91,7 @@ impl<'d, 't> Field<'d, 't> {
         self.span.0..self.span.1
     }
 
-    /// An error at this value.
+    /// The error at this value.
     pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
         self.document.error(self.span.0, message, cure)
     }
@@ -103,13 +101,13 @@ impl<'d, 't> Field<'d, 't> {
         self.error(format!("`{}` is of type {found}", self.key), format!("write {wanted}"))
     }
 
-    /// Whether the value is a table.
+    /// True if the value is a table.
     #[must_use]
     pub fn is_table(&self) -> bool {
         self.value.is_table()
     }
 
-    /// Whether the value is an array.
+    /// True if the value is an array.
     #[must_use]
     pub fn is_array(&self) -> bool {
         self.value.is_array()
@@ -120,7 +118,7 @@ impl<'d, 't> Field<'d, 't> {
         self.value.as_str().ok_or_else(|| self.wrong_type("a string"))
     }
 
-    /// The value as a string of its own.
+    /// The value as an owned string.
     pub fn string(&self) -> Result<String, CorpusError> {
         self.str().map(str::to_owned)
     }
@@ -130,7 +128,7 @@ impl<'d, 't> Field<'d, 't> {
         self.items("an array of strings")?.map(|item| item.string()).collect()
     }
 
-    /// The members of an array; `wanted` says what it should hold.
+    /// The members of an array; `wanted` describes the expected contents.
     pub fn items(
         &self,
         wanted: &str,
@@ -146,7 +144,7 @@ impl<'d, 't> Field<'d, 't> {
         self.key
     }
 
-    /// The values of a table whose keys may be any, in the order of the file.
+    /// The values of a table with arbitrary keys, in the order of the file.
     pub fn entries(&self) -> Result<Vec<Field<'d, 't>>, CorpusError> {
         let table = self.value.as_table().ok_or_else(|| self.wrong_type("a table"))?;
         let Field { document, decimals, .. } = *self;
@@ -156,7 +154,7 @@ impl<'d, 't> Field<'d, 't> {
         Ok(entries)
     }
 
-    /// The value as one string or an array of them, with the place of each.
+    /// The value as one string or an array of strings, each with its position.
     pub fn one_or_more(&self) -> Result<Vec<Field<'d, 't>>, CorpusError> {
         const WANTED: &str = "a string, or an array of strings";
         let each = if self.is_array() { self.items(WANTED)?.collect() } else { vec![*self] };
@@ -172,12 +170,12 @@ impl<'d, 't> Field<'d, 't> {
         Ok(Fields { decimals: self.decimals, ..Fields::new(self.document, kind, table, self.span.0) })
     }
 
-    /// The value as yes or no.
+    /// The value as a boolean.
     pub fn bool(&self) -> Result<bool, CorpusError> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
-    /// An integer from `range`.
+    /// The value as an integer in `range`.
     pub fn integer(&self, range: std::ops::RangeInclusive<u64>) -> Result<u64, CorpusError> {
         let integer = self.value.as_integer().ok_or_else(|| self.wrong_type("an integer"))?;
         let value = u64::from_str_radix(integer.as_str(), integer.radix()).ok().filter(|value| range.contains(value));
@@ -187,12 +185,12 @@ impl<'d, 't> Field<'d, 't> {
         })
     }
 
-    /// An [`integer`](Field::integer) that counts things.
+    /// The value as an [`integer`](Field::integer) that counts things.
     pub fn count(&self, range: std::ops::RangeInclusive<u64>) -> Result<usize, CorpusError> {
         self.integer(range).map(|value| usize::try_from(value).unwrap_or(usize::MAX))
     }
 
-    /// A positive number, read as its nearest double.
+    /// The value as a positive number, read as its nearest double.
     pub fn positive(&self) -> Result<f64, CorpusError> {
         let number: Option<f64> = self.coordinate_text()?.parse().ok();
         number.filter(|x| x.is_finite() && *x > 0.0).ok_or_else(|| {
@@ -200,7 +198,7 @@ impl<'d, 't> Field<'d, 't> {
         })
     }
 
-    /// What was written where a coordinate should be.
+    /// The text of a value that should be a coordinate.
     pub fn coordinate_text(&self) -> Result<&str, CorpusError> {
         match self.value {
             DeValue::String(text) => Ok(text),
@@ -216,18 +214,18 @@ impl<'d, 't> Field<'d, 't> {
         self.decimals.read(text).map_err(|error| self.coordinate_error(text, &error))
     }
 
-    /// The error about a coordinate, with its cure.
+    /// The error for a coordinate, with its fix.
     pub fn coordinate_error(&self, text: &str, error: &CoordinateError) -> CorpusError {
         let (message, cure) = explain(Place::Tidied(self.document.file), text, error);
         self.error(message, cure)
     }
 
-    /// The index of a point.
+    /// The value as the index of a point.
     pub fn point(&self) -> Result<Vertex, CorpusError> {
         self.count(0..=MOST_INDEX).map(Vertex::input)
     }
 
-    /// A vertex: the index of a point, or `"c0"`, `"c1"`… for the vertices that are constructed.
+    /// The value as a vertex: the index of a point, or `"c0"`, `"c1"`… for constructed vertices.
     pub fn vertex(&self) -> Result<Vertex, CorpusError> {
         if !self.value.is_str() {
             return self.point();
@@ -238,18 +236,18 @@ impl<'d, 't> Field<'d, 't> {
         })
     }
 
-    /// The literal in the file, quotes included.
+    /// The literal in the file, including quotes.
     pub fn written(&self) -> &'t str {
         &self.document.text[self.span()]
     }
 
-    /// A string or number as it was written, for names.
+    /// A string or number as written in the file, for names.
     pub fn plain(&self) -> Result<&str, CorpusError> {
         self.coordinate_text()
     }
 }
 
-/// The keys of a table, taken one by one; what is left over is an error.
+/// The keys of a table, taken one by one; remaining keys are an error.
 pub struct Fields<'d, 't> {
     document: &'d Document<'t>,
     decimals: &'d Decimals,
@@ -260,24 +258,24 @@ pub struct Fields<'d, 't> {
 }
 
 impl<'d, 't> Fields<'d, 't> {
-    /// The keys of a table that starts at this byte.
+    /// The keys of a table that starts at this byte offset.
     pub fn new(document: &'d Document<'t>, kind: &'d TableKind, table: &'d DeTable<'t>, at: usize) -> Fields<'d, 't> {
         Fields { document, decimals: &document.exact, kind, table, at, asked: RefCell::default() }
     }
 
-    /// The same table, whose coordinates are read so.
+    /// Changes the reader of the table's coordinates.
     #[must_use]
     pub fn reading(self, decimals: &'d Decimals) -> Fields<'d, 't> {
         Fields { decimals, ..self }
     }
 
-    /// How its coordinates are read.
+    /// The reader of the table's coordinates.
     #[must_use]
     pub fn decimals(&self) -> &'d Decimals {
         self.decimals
     }
 
-    /// Yes or no, or a default where the key is missing.
+    /// The boolean value of a key, or a default if the key is missing.
     pub fn bool_or(&self, key: &'static str, default: bool) -> Result<bool, CorpusError> {
         self.get(key).map_or(Ok(default), |field| field.bool())
     }
@@ -292,12 +290,12 @@ impl<'d, 't> Fields<'d, 't> {
         self.document.file
     }
 
-    /// An error about the table as a whole.
+    /// The error about the table as a whole.
     pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
         self.document.error(self.at, message, cure)
     }
 
-    /// The value of a key, if it is there.
+    /// The value of a key, if present.
     pub fn get(&self, key: &'static str) -> Option<Field<'d, 't>> {
         assert!(self.kind.keys.contains(&key), "{:?} leaves out {key}", self.kind);
         self.asked.borrow_mut().insert(key);
@@ -305,12 +303,12 @@ impl<'d, 't> Fields<'d, 't> {
         Some(Field::new(self.document, self.decimals, key.get_ref(), value))
     }
 
-    /// A key that was asked for before; asking here does not make it a known one.
+    /// The value of a key that was read before; reading it here does not make the key known.
     pub fn again(&self, key: &'static str) -> Option<Field<'d, 't>> {
         if self.asked.borrow().contains(key) { self.get(key) } else { None }
     }
 
-    /// The value of a key that has to be there.
+    /// The value of a required key.
     pub fn required(&self, key: &'static str) -> Result<Field<'d, 't>, CorpusError> {
         self.get(key).ok_or_else(|| {
             let missing = self.error(format!("{} has no `{key}`", self.kind.name), format!("add `{key} = …`"));
@@ -318,8 +316,8 @@ impl<'d, 't> Fields<'d, 't> {
         })
     }
 
-    /// The error about something missing. A key that no table of the kind
-    /// knows comes first: it may well be what is missing, misspelled.
+    /// The error about something missing. A key that no table of the kind knows takes precedence: it may be the missing
+    /// key, misspelled.
     pub fn lacking(&self, what: &str, missing: CorpusError) -> CorpusError {
         self.first_key_outside(|key| self.kind.keys.contains(&key)).map_or(missing, |(at, key)| {
             let message = format!("a {} has no key `{key}`, and {what} is missing", self.kind.name);
@@ -327,24 +325,24 @@ impl<'d, 't> Fields<'d, 't> {
         })
     }
 
-    /// The first key in the file that is not known, and where it is.
+    /// The first unknown key in the file, and its position.
     fn first_key_outside(&self, known: impl Fn(&str) -> bool) -> Option<(usize, &str)> {
         let keys = self.table.keys().map(|key| (key.span().start, key.get_ref().as_ref()));
         keys.filter(|&(_, key)| !known(key)).min()
     }
 
-    /// Looks at all keys, in the order of the file; `wrong` gives the message and the cure for one that does not belong.
+    /// Checks all keys, in the order of the file; `wrong` gives the message and the fix for a key that is not allowed.
     pub fn check_keys(&self, wrong: impl Fn(&str) -> Option<(String, String)>) -> Result<(), CorpusError> {
         let Some((at, key)) = self.first_key_outside(|key| wrong(key).is_none()) else { return Ok(()) };
         wrong(key).map_or(Ok(()), |(message, cure)| Err(self.document.error(at, message, cure)))
     }
 
-    /// A string, empty where the key is missing.
+    /// The string value of a key, or an empty string if the key is missing.
     pub fn string_or_empty(&self, key: &'static str) -> Result<String, CorpusError> {
         self.get(key).map_or(Ok(String::new()), |field| field.string())
     }
 
-    /// An integer, or a default where the key is missing.
+    /// The integer value of a key, or a default if the key is missing.
     pub fn integer_or(
         &self,
         key: &'static str,
@@ -354,7 +352,7 @@ impl<'d, 't> Fields<'d, 't> {
         self.get(key).map_or(Ok(default), |field| field.integer(range))
     }
 
-    /// Refuses the keys that were not asked for.
+    /// Refuses keys that were not read.
     pub fn finish(self) -> Result<(), CorpusError> {
         let asked = self.asked.borrow();
         self.first_key_outside(|key| asked.contains(key)).map_or(Ok(()), |(at, key)| {

@@ -1,15 +1,15 @@
-//! Errors about files, on one line: the place, what is wrong, and the cure.
+//! Errors about files, on one line: the place, the problem, and the fix.
 
 use std::fmt;
 
 use crate::decimals::ends;
 
-/// Who has to act on an error; the tool's exit code depends on it.
+/// The party that has to act on an error; the tool's exit code depends on it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ErrorKind {
-    /// The command names something that doesn't exist (exit code 2).
+    /// The command names something that does not exist (exit code 2).
     Usage,
-    /// A suite, a data file or the cache is not what it should be (exit code 104).
+    /// A suite, a data file or the cache is invalid (exit code 104).
     Corpus,
 }
 
@@ -18,7 +18,7 @@ pub enum ErrorKind {
 pub enum Position {
     /// A line of a text, counted from 1.
     Line(usize),
-    /// A byte of a binary file, counted from 0; where the file is packed, of what is unpacked.
+    /// A byte of a binary file, counted from 0; in a packed file, counted after unpacking.
     Byte(usize),
 }
 
@@ -31,23 +31,23 @@ impl fmt::Display for Position {
     }
 }
 
-/// An error with its place and its cure.
+/// An error with its place and its fix.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct CorpusError {
-    /// Who has to act.
+    /// The party that has to act.
     pub kind: ErrorKind,
-    /// The file as the user knows it, or what was asked for where there is no file.
+    /// The file as the user knows it, or the requested thing if there is no file.
     pub file: String,
-    /// Where in the file, if it is about one place.
+    /// The position in the file, if the error is about one place.
     pub position: Option<Position>,
-    /// What is wrong.
+    /// The problem.
     pub message: String,
-    /// What to do about it.
+    /// The fix.
     pub cure: String,
 }
 
 impl CorpusError {
-    /// Something is wrong with a file as a whole.
+    /// An error about a file as a whole.
     #[must_use]
     pub fn file(file: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
         CorpusError {
@@ -59,31 +59,31 @@ impl CorpusError {
         }
     }
 
-    /// The user asked for something that isn't there.
+    /// An error about something that the user requested and that does not exist.
     #[must_use]
     pub fn usage(what: impl Into<String>, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
         CorpusError { kind: ErrorKind::Usage, ..CorpusError::file(what, message, cure) }
     }
 
-    /// The same error, at a line.
+    /// Sets the error's position to a line.
     #[must_use]
     pub fn at_line(self, line: usize) -> CorpusError {
         self.at(Some(Position::Line(line)))
     }
 
-    /// The same error, at a byte of a binary file, counted from 0.
+    /// Sets the error's position to a byte of a binary file, counted from 0.
     #[must_use]
     pub fn at_byte(self, byte: usize) -> CorpusError {
         self.at(Some(Position::Byte(byte)))
     }
 
-    /// The same error, at a position, or about the file as a whole.
+    /// Sets the error's position; `None` is for errors about the file as a whole.
     #[must_use]
     pub fn at(self, position: Option<Position>) -> CorpusError {
         CorpusError { position, ..self }
     }
 
-    /// The line in the file, counted from 1, where the error is at one.
+    /// The line in the file, counted from 1, if the error is at a line.
     #[must_use]
     pub fn line(&self) -> Option<usize> {
         match self.position {
@@ -92,14 +92,14 @@ impl CorpusError {
         }
     }
 
-    /// The same error at the line of another file that names this one.
+    /// Moves the error to the line of another file that refers to this file; the message then names this file.
     #[must_use]
     pub fn named_by(self, file: &str, line: usize) -> CorpusError {
         let message = format!("{}: {}", self.place(), self.message);
         CorpusError { message, ..CorpusError { file: file.to_owned(), ..self }.at_line(line) }
     }
 
-    /// The file, and the line or the byte where it is known.
+    /// The file, and the line or the byte if known.
     fn place(&self) -> String {
         match self.position {
             Some(Position::Line(line)) => format!("{}:{line}", self.file),
@@ -109,10 +109,10 @@ impl CorpusError {
     }
 }
 
-/// The longest message, in characters: those of other libraries quote what they have found.
+/// The maximum length of a message, in characters: messages of other libraries quote the input.
 const MOST: usize = 500;
 
-/// Messages of other libraries may span lines; ours never do.
+/// The text on one line: messages of other libraries may span lines, but ours must not.
 fn one_line(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }

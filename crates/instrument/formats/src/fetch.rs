@@ -1,5 +1,5 @@
-//! Downloads by the ordinary clients, `npm`, `cargo`, `pip` and `apt-get`, which know proxies, mirrors
-//! and credentials.
+//! Downloads with the ordinary clients `npm`, `cargo`, `pip` and `apt-get`, which handle proxies, mirrors and
+//! credentials.
 
 use std::ffi::OsStr;
 use std::fs::File;
@@ -13,15 +13,14 @@ use serde::Deserialize;
 use crate::cache::sha256;
 use crate::{Cache, CorpusError, Entry, Manager};
 
-/// Fetches one file into the cache, unless it is there already.
+/// Fetches one file into the cache, unless it is already there.
 ///
-/// The file is checked against the manifest's SHA-256 before it gets its name,
-/// so that the cache never holds half a file or the wrong one. `log` is told
-/// what is done, one line each.
+/// The file gets its name only after its SHA-256 matches the manifest, so the cache never holds a partial or wrong
+/// file. `log` receives one line per action.
 ///
 /// # Errors
-/// [`CorpusError`] where the client is missing or fails, the package lacks
-/// the file, the hash is another, or the cache can't be written.
+/// [`CorpusError`] if the client is missing or fails, the package lacks the file, the hash differs, or the cache can't
+/// be written.
 pub fn fetch(entry: &Entry, cache: &Cache, log: &mut dyn FnMut(&str)) -> Result<PathBuf, CorpusError> {
     let path = cache.path(entry);
     if cache.has(entry) {
@@ -55,12 +54,12 @@ fn error(entry: &Entry, message: impl Into<String>, cure: impl Into<String>) -> 
     CorpusError::file(format!("fetch {}", entry.key), message, cure)
 }
 
-/// The name of a folder of downloads begins so.
+/// The prefix of the names of download folders.
 const WORKSHOP: &str = ".fetching-";
-/// The file in it that its process has locked. The lock goes with the process.
+/// The lock file in a download folder; the lock ends with its process.
 const LOCK: &str = "lock";
 
-/// A folder in the cache that goes away with its value.
+/// A folder in the cache that is removed when the value is dropped.
 struct Workshop {
     folder: PathBuf,
     _lock: File,
@@ -83,7 +82,7 @@ impl Workshop {
         Ok(Workshop { folder, _lock: lock })
     }
 
-    /// Takes away what downloads that were killed have left: folders that nobody has locked.
+    /// Removes the folders of killed downloads: folders without a lock.
     fn clear(cache: &Cache) {
         for entry in std::fs::read_dir(cache.folder()).into_iter().flatten().flatten() {
             let is_workshop = entry.file_name().to_string_lossy().starts_with(WORKSHOP);
@@ -100,12 +99,12 @@ impl Workshop {
 
 impl Drop for Workshop {
     fn drop(&mut self) {
-        // What can't be removed is only litter.
+        // A folder that can't be removed does no harm.
         let _ = std::fs::remove_dir_all(&self.folder);
     }
 }
 
-/// Runs a client and returns what it says on stdout.
+/// Runs a client and returns its stdout.
 fn run<S: AsRef<OsStr>>(entry: &Entry, program: &str, args: &[S], folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let output = Command::new(program).args(args).current_dir(folder).output().map_err(|why| {
         error(entry, format!("`{program}` can't be run: {why}"), format!("install {program} or fetch the file by hand"))
@@ -118,14 +117,13 @@ fn run<S: AsRef<OsStr>>(entry: &Entry, program: &str, args: &[S], folder: &Path)
     Err(error(entry, message, "check the network, the package and its version"))
 }
 
-/// What a client complains about: its first few lines that say so, without
-/// the progress before and the advice behind them.
+/// The error lines of a client's stderr: the first few, without the progress before and the advice behind them.
 fn complaint(stderr: &str) -> String {
     let complaints: Vec<_> = stderr.lines().filter(|line| line.contains("error")).take(3).collect();
     if complaints.is_empty() { stderr.lines().last().unwrap_or("no message").to_owned() } else { complaints.join(" ") }
 }
 
-/// `npm pack` leaves one .tgz, in which everything is under `package/`.
+/// Fetches with `npm pack`, which writes one .tgz with everything under `package/`.
 fn from_npm(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let package = format!("{}@{}", entry.package, entry.version);
     run(entry, "npm", &["pack", &package, "--ignore-scripts", "--loglevel=error"], folder)?;
@@ -136,7 +134,7 @@ fn from_npm(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     packed(entry, &bytes, |path| path.components().skip(1).eq(Path::new(&entry.file).components()))
 }
 
-/// The file of a tarball whose path fits.
+/// The file of a tarball whose path satisfies `fits`.
 fn packed(entry: &Entry, tarball: &[u8], fits: impl Fn(&Path) -> bool) -> Result<Vec<u8>, CorpusError> {
     unpack(tarball, fits)
         .map_err(|why| error(entry, format!("the tarball is broken: {why}"), "fetch again"))?
@@ -148,7 +146,7 @@ fn missing(entry: &Entry) -> CorpusError {
     error(entry, message, "correct `file` in fetch.toml")
 }
 
-/// One file of a tarball, read without unpacking the others.
+/// Reads one file of a tarball without unpacking the others.
 fn unpack(tarball: &[u8], fits: impl Fn(&Path) -> bool) -> std::io::Result<Option<Vec<u8>>> {
     let mut archive = tar::Archive::new(GzDecoder::new(tarball));
     for member in archive.entries()? {
@@ -162,7 +160,7 @@ fn unpack(tarball: &[u8], fits: impl Fn(&Path) -> bool) -> std::io::Result<Optio
     Ok(None)
 }
 
-/// `pip install` unpacks the wheel, and nothing that it depends on, into a folder.
+/// Fetches with `pip install`, which unpacks the wheel, without dependencies, into a folder.
 fn from_pip(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let package = format!("{}=={}", entry.package, entry.version);
     let quietly = ["--no-deps", "--no-compile", "--only-binary=:all:", "--disable-pip-version-check", "--quiet"];
@@ -171,7 +169,7 @@ fn from_pip(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     unpacked(entry, &folder.join("package"))
 }
 
-/// `apt-get download` leaves one .deb, for which no right but that to write here is needed.
+/// Fetches with `apt-get download`, which writes one .deb and needs only write access to the folder.
 fn from_apt(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     run(entry, "apt-get", &["download", &format!("{}={}", entry.package, entry.version)], folder)?;
     let package = left(folder, "deb").ok_or_else(|| {
@@ -181,13 +179,13 @@ fn from_apt(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     unpacked(entry, &folder.join("package"))
 }
 
-/// The file with this extension that a client left in a folder.
+/// The file with this extension that a client wrote to a folder.
 fn left(folder: &Path, extension: &str) -> Option<PathBuf> {
     let files = std::fs::read_dir(folder).ok()?;
     files.flatten().map(|file| file.path()).find(|path| path.extension() == Some(OsStr::new(extension)))
 }
 
-/// A file of an unpacked package. Its path may go on in a `.tar.gz`.
+/// A file of an unpacked package. Its path may continue inside a `.tar.gz`.
 fn unpacked(entry: &Entry, package: &Path) -> Result<Vec<u8>, CorpusError> {
     let read = |path: PathBuf| std::fs::read(path).map_err(|_| missing(entry));
     match entry.file.split_once(".tar.gz/") {
@@ -210,7 +208,7 @@ struct Package {
     manifest_path: PathBuf,
 }
 
-/// A project with one dependency makes cargo download and unpack it.
+/// Fetches with cargo, through a project with one dependency that cargo downloads and unpacks.
 fn from_cargo(entry: &Entry, folder: &Path) -> Result<Vec<u8>, CorpusError> {
     let manifest = format!(
         "[package]\nname = \"fetched\"\nversion = \"0.0.0\"\nedition = \"2021\"\n\n\

@@ -1,7 +1,7 @@
-//! Opening files: regular ones, of a bounded size, unpacked within bounds.
+//! Opening files: regular files, of bounded size, unpacked within bounds.
 //!
-//! A suite may come from anybody, and so may the paths in it. A pipe would be waited for, a device
-//! never ends, and a packed file of a megabyte may hold a terabyte: each is refused in one line.
+//! Suites, and the paths in them, may come from untrusted sources. Reading a pipe would block, a device never ends, and
+//! a packed file of a megabyte may hold a terabyte: each is refused with a one-line error.
 
 use std::fmt;
 use std::fs::File;
@@ -12,15 +12,15 @@ use flate2::read::MultiGzDecoder;
 
 use crate::CorpusError;
 
-/// The largest data file, packed or not.
+/// The maximum size of a data file, packed or not.
 const MOST_DATA: u64 = 2 << 30;
-/// The most that is unpacked. What is read of it takes up to seventeen times as much memory (short numbers in ASCII PLY: 4.5
-/// GB, measured), and a packed file asks for a thousand times its own size.
+/// The maximum size after unpacking. Its parsed contents take up to seventeen times as much memory (short numbers in
+/// ASCII PLY: 4.5 GB, measured), and a packed file can expand to a thousand times its size.
 const MOST_UNPACKED: u64 = 256 << 20;
-/// The largest suite: in memory it takes about thirty times as much.
+/// The maximum size of a suite: in memory it takes about thirty times as much.
 const MOST_SUITE: u64 = 256 << 20;
 
-/// Why a file is not read.
+/// The reason why a file is not read.
 #[derive(Debug)]
 enum Refusal {
     Io(io::Error),
@@ -41,7 +41,7 @@ impl fmt::Display for Refusal {
     }
 }
 
-/// What is in a regular file of at most so many bytes. Nothing else is opened: to open a pipe is to wait for it.
+/// The bytes of a regular file of at most `most` bytes. Other files are not opened: opening a pipe would block.
 fn regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     let check = |about: &std::fs::Metadata| {
         if about.is_dir() {
@@ -60,17 +60,17 @@ fn regular(path: &Path, most: u64) -> Result<Vec<u8>, Refusal> {
     bounded(file, most).map_err(Refusal::Io)?.ok_or(Refusal::TooLarge { most })
 }
 
-/// All of a stream; none if it has more bytes than that.
+/// All bytes of a stream; `None` if there are more than `most`.
 fn bounded(from: impl Read, most: u64) -> io::Result<Option<Vec<u8>>> {
     let mut bytes = Vec::new();
     from.take(most + 1).read_to_end(&mut bytes)?;
     Ok((u64::try_from(bytes.len()).is_ok_and(|length| length <= most)).then_some(bytes))
 }
 
-/// What is in a data file, whatever it is.
+/// The bytes of a data file of any format.
 ///
 /// # Errors
-/// [`CorpusError`] where it can't be read, is no regular file, or is too large.
+/// [`CorpusError`] if it can't be read, is not a regular file, or is too large.
 pub fn read_bytes(path: &Path) -> Result<Vec<u8>, CorpusError> {
     regular(path, MOST_DATA).map_err(|why| {
         let cure = match why {
@@ -84,7 +84,7 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, CorpusError> {
 /// The text of a suite, or of another file that a user names.
 ///
 /// # Errors
-/// [`CorpusError`] where it can't be read, is no regular file, is too large, or is not UTF-8.
+/// [`CorpusError`] if it can't be read, is not a regular file, is too large, or is not UTF-8.
 pub fn read_suite(path: &Path) -> Result<String, CorpusError> {
     let file = path.display().to_string();
     let bytes = regular(path, MOST_SUITE).map_err(|why| {
@@ -97,10 +97,10 @@ pub fn read_suite(path: &Path) -> Result<String, CorpusError> {
     text_of(&file, bytes)
 }
 
-/// The text of a suite or a CSV file with every byte of it, a byte-order mark included, to be written back.
+/// The text of a suite or a CSV file with every byte, including a byte-order mark, to be written back.
 ///
 /// # Errors
-/// [`CorpusError`] where it can't be read, is no regular file, is too large, or is not UTF-8.
+/// [`CorpusError`] if it can't be read, is not a regular file, is too large, or is not UTF-8.
 pub fn read_as_it_is(path: &Path) -> Result<String, CorpusError> {
     let file = path.display().to_string();
     let bytes = regular(path, MOST_DATA)
@@ -108,7 +108,7 @@ pub fn read_as_it_is(path: &Path) -> Result<String, CorpusError> {
     marked_text(&file, bytes)
 }
 
-/// What is in a file of the cache; none where there is no such file.
+/// The bytes of a file in the cache; `None` if the file does not exist.
 pub(crate) fn read_cached(path: &Path) -> Result<Option<Vec<u8>>, CorpusError> {
     match regular(path, MOST_DATA) {
         Ok(bytes) => Ok(Some(bytes)),
@@ -140,10 +140,10 @@ fn marked_text(file: &str, bytes: Vec<u8>) -> Result<String, CorpusError> {
     })
 }
 
-/// The byte-order mark that some programs begin texts with.
+/// The byte-order mark, which some programs write at the start of texts.
 pub(crate) const BOM: char = '\u{feff}';
 
-/// The name without `.gz`, and the bytes unpacked; as they are where the name doesn't end so.
+/// The name without `.gz`, and the unpacked bytes; unchanged if the name does not end in `.gz`.
 pub(crate) fn unpacked(file: &str, bytes: Vec<u8>) -> Result<(String, Vec<u8>), CorpusError> {
     unpacked_within(file, bytes, MOST_UNPACKED)
 }
@@ -174,7 +174,7 @@ mod tests {
         assert!(matches!(regular(&path, 3), Err(Refusal::TooLarge { most: 3 })));
         assert!(matches!(regular(folder.path(), 9), Err(Refusal::Folder)));
         assert!(matches!(regular(&folder.path().join("b"), 9), Err(Refusal::Io(_))));
-        // A file that takes no room on disk.
+        // A sparse file, which takes no space on disk.
         let large = std::fs::File::create(folder.path().join("large.csv")).unwrap();
         large.set_len(MOST_DATA + 1).unwrap();
         let error = read_bytes(&folder.path().join("large.csv")).unwrap_err().to_string();

@@ -1,10 +1,9 @@
 //! Doubles as text without loss: C99 hexadecimal floating point.
 //!
-//! A hex float shows the bits, so that reading and writing need no rounding
-//! and two files that differ in a coordinate differ in the text. The canonical
-//! form is that of C's `%a`: one digit before the point (1, or 0 for zero and
-//! subnormals, whose exponent is always -1022), no trailing zeros behind it,
-//! a signed decimal exponent: `0x1.8p+1`, `-0x0p+0`, `0x0.0000000000001p-1022`.
+//! A hex float shows the bits, so that reading and writing need no rounding, and files that differ in a coordinate
+//! differ in the text. The canonical form is that of C's `%a`: one digit before the point (1, or 0 for zero and
+//! subnormals, whose exponent is always -1022), no trailing zeros behind it, a signed decimal exponent: `0x1.8p+1`,
+//! `-0x0p+0`, `0x0.0000000000001p-1022`.
 
 use std::fmt::Write;
 
@@ -15,27 +14,26 @@ use crate::bits::HIGHEST;
 const FRACTION_BITS: u32 = 52;
 const FRACTION: u64 = (1 << FRACTION_BITS) - 1;
 
-/// Why a text is not a double in hexadecimal.
+/// The reason why a text is not a double in hexadecimal.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum HexError {
-    /// Not of the form `[-]0xH[.H]p[+-]D`.
+    /// The text is not of the form `[-]0xH[.H]p[+-]D`.
     Malformed,
-    /// More significant bits than a double has, or bits below 2^-1074.
+    /// The number has more significant bits than a double has, or bits below 2^-1074.
     Inexact,
-    /// 2^1024 or more.
+    /// The magnitude is 2^1024 or more.
     Overflow,
 }
 
 /// The canonical text of a finite double.
 ///
-/// Infinities and NaN have no hexadecimal form: they come out as `inf`, `-inf`
-/// and `NaN`, which [`parse`] refuses.
+/// Infinities and NaN have no hexadecimal form: the result is `inf`, `-inf` and `NaN`, which [`parse`] refuses.
 #[must_use]
 pub fn format(x: f64) -> String {
     let Some(Parts { negative, significand, exponent }) = Parts::of(x) else {
         return x.to_string();
     };
-    // The significand as it lies in the double has 52 bits behind the point.
+    // The stored significand has 52 bits behind the point.
     let (lead, fraction) = (significand >> FRACTION_BITS, significand & FRACTION);
     let exponent = if significand == 0 { 0 } else { exponent + FRACTION_BITS.cast_signed() };
     let mut text = String::from(if negative { "-0x" } else { "0x" });
@@ -48,7 +46,7 @@ pub fn format(x: f64) -> String {
     text
 }
 
-/// Whether a text claims to be a hex float.
+/// True if a text starts like a hex float, with `0x` or `0X` after an optional sign.
 pub(crate) fn looks_like(text: &str) -> bool {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     digits.starts_with("0x") || digits.starts_with("0X")
@@ -57,7 +55,7 @@ pub(crate) fn looks_like(text: &str) -> bool {
 /// The double that a hex float denotes, in canonical form or not.
 ///
 /// # Errors
-/// [`HexError`] where the text denotes no number or none that is a double.
+/// [`HexError`] if the text is not a number, or the number is not a double.
 pub fn parse(text: &str) -> Result<f64, HexError> {
     let (negative, rest) = match text.as_bytes().first() {
         Some(b'-') => (true, &text[1..]),
@@ -74,7 +72,7 @@ pub fn parse(text: &str) -> Result<f64, HexError> {
     Ok(if negative { -magnitude } else { magnitude })
 }
 
-/// A decimal exponent; beyond any double's range it only needs to stay there.
+/// A decimal exponent; an exponent beyond any double's range is clamped, which keeps it out of range.
 fn signed_decimal(text: &str) -> Result<i64, HexError> {
     let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
     if digits.is_empty() || !digits.bytes().all(|b| b.is_ascii_digit()) {
@@ -84,7 +82,7 @@ fn signed_decimal(text: &str) -> Result<i64, HexError> {
     Ok(if text.starts_with('-') { -magnitude } else { magnitude })
 }
 
-/// whole.fraction · 2^exponent, digits in base 16.
+/// The number whole.fraction · 2^exponent, digits in base 16.
 fn compose(whole: &str, fraction: &str, exponent: i64) -> Result<f64, HexError> {
     let digits = format!("{whole}{fraction}");
     let significant = digits.trim_start_matches('0');

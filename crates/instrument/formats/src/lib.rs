@@ -1,11 +1,10 @@
-//! Reading: TOML with lines, lossless coordinates, data files, meshes, maps, downloads; and writing meshes.
+//! Readers: TOML with line numbers, lossless coordinates, data files, meshes, maps, downloads; and writers of meshes.
 //!
-//! Every reader is lossless or fails with the file, the line and the cure. This
-//! crate knows how files look, never what is asked about them: suites and their
-//! scenes are the crate `corpus`, what a task's keys mean is its folder in the
-//! crate `tasks`.
+//! Every reader is lossless or fails with the file, the line and the fix. This crate knows only the syntax of files,
+//! not their use: the crate `corpus` handles suites and their scenes, and a task's folder in the crate `tasks` defines
+//! the task's keys.
 //!
-//! * [`Document`], [`Field`] and [`Fields`]: a TOML file that knows its lines.
+//! * [`Document`], [`Field`] and [`Fields`]: a TOML file with line numbers.
 //! * [`read_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
 //! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
 //! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.

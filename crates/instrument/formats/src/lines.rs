@@ -1,6 +1,6 @@
-//! Lines of a text: their numbers, found fast, and their ends, kept.
+//! Lines of a text: a fast search for their numbers, and their unchanged line ends.
 
-/// Where the lines of a text start, so that the line of any byte is found by bisection.
+/// The starts of a text's lines; bisection finds the line of any byte.
 #[derive(Debug)]
 pub struct Lines {
     /// The offset of each newline.
@@ -8,7 +8,7 @@ pub struct Lines {
 }
 
 impl Lines {
-    /// Looks at the whole text once.
+    /// Scans the whole text once.
     #[must_use]
     pub fn new(text: &str) -> Lines {
         Lines { newlines: text.bytes().enumerate().filter_map(|(at, byte)| (byte == b'\n').then_some(at)).collect() }
@@ -23,13 +23,13 @@ impl Lines {
 
 /// A line of a text without its end, and the end: `\n`, `\r\n`, `\r`, or nothing in the last line.
 pub(crate) struct Line<'t> {
-    /// Counted from 1.
+    /// The line number, counted from 1.
     pub(crate) number: usize,
     pub(crate) body: &'t str,
     pub(crate) end: &'t str,
 }
 
-/// The lines of a data file. A lone carriage return ends a line, too.
+/// The lines of a data file. A lone carriage return also ends a line.
 pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
     let mut rest = text;
     (1..).map_while(move |number| {

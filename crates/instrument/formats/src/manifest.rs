@@ -1,4 +1,4 @@
-//! `fetch.toml`: real data by package manager, package, version, file and hash.
+//! The manifest `fetch.toml`: real data by package manager, package, version, file and hash.
 
 use std::collections::BTreeMap;
 
@@ -19,7 +19,7 @@ pub enum Manager {
 }
 
 impl Manager {
-    /// The name in the manifest, which is the client's.
+    /// The manager's name in the manifest, which is the client's name.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -37,24 +37,24 @@ impl std::fmt::Display for Manager {
     }
 }
 
-/// One file of one published package.
+/// A file of a published package.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
-    /// What suites call it.
+    /// The key by which suites refer to the file.
     pub key: String,
-    /// Who has the package.
+    /// The package manager.
     pub manager: Manager,
-    /// The package.
+    /// The name of the package.
     pub package: String,
-    /// Its exact version.
+    /// The exact version of the package.
     pub version: String,
-    /// The file's path in the package; it may go on in a `.tar.gz` there.
+    /// The file's path in the package; it may continue inside a `.tar.gz`.
     pub file: String,
     /// The file's SHA-256 in lower-case hex.
     pub sha256: String,
 }
 
-/// All entries by key.
+/// The entries of a manifest, by key.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Manifest {
     entries: BTreeMap<String, Entry>,
@@ -124,7 +124,7 @@ fn is_plain(name: &str) -> bool {
         && !name.starts_with(['.', '-'])
 }
 
-/// A word that can stand in a file name and on a command line.
+/// Reads a word that is safe in a file name and on a command line.
 fn plain_name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     let name = field.string()?;
     if is_plain(&name) {
@@ -134,7 +134,7 @@ fn plain_name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     }
 }
 
-/// A package's name: plain, or npm's `@scope/name`.
+/// Reads a package's name: plain, or npm's `@scope/name`.
 fn package(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     let name = field.string()?;
     let bare = name.strip_prefix('@').unwrap_or(&name);
@@ -147,7 +147,7 @@ fn package(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     }
 }
 
-/// A path that stays in the package.
+/// Reads a path that stays inside the package.
 fn path(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     let path = field.string()?;
     if path.split('/').all(is_plain) {

@@ -1,23 +1,23 @@
-//! Rows of numbers, written out in a suite.
+//! Rows of numbers, written in a suite.
 
 use predicament_predicates::Dimension;
 
 use crate::CorpusError;
 use crate::document::Field;
 
-/// What the rows of a list of numbers are.
+/// The kind of a list's rows: names and limits for reading and errors.
 pub struct RowKind {
-    /// What one is called.
+    /// The name of a row.
     pub name: &'static str,
-    /// How many numbers it has.
+    /// The allowed numbers of values in a row.
     pub widths: std::ops::RangeInclusive<usize>,
-    /// What its numbers are called.
+    /// The name of a row's numbers.
     pub numbers: &'static str,
-    /// How to mend one that has another number of them.
+    /// The fix for a row with another number of values.
     pub cure: &'static str,
 }
 
-/// A point of two or three coordinates.
+/// The row kind of a point with two or three coordinates.
 pub const POINT: RowKind = RowKind {
     name: "point",
     widths: 2..=3,
@@ -25,10 +25,10 @@ pub const POINT: RowKind = RowKind {
     cure: "give all points two or all three coordinates",
 };
 
-/// Rows of as many numbers each, one after the other, and the line of each row.
+/// Rows of equal length, one after the other, and the line of each row.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Rows {
-    /// Numbers in a row.
+    /// The number of values in a row.
     pub width: usize,
     /// All numbers, row after row.
     pub numbers: Vec<f64>,
@@ -37,7 +37,7 @@ pub struct Rows {
 }
 
 impl RowKind {
-    /// Holds the numbers found in a row against those of the first row, or of the header.
+    /// Compares the length of a row with the first row's, or the header's.
     pub(crate) fn check(&self, expected: &mut Option<usize>, index: usize, found: usize) -> Result<(), String> {
         let RowKind { name, numbers, widths, .. } = self;
         let before = *expected.get_or_insert(found);
@@ -54,19 +54,19 @@ impl RowKind {
 }
 
 impl Rows {
-    /// As points.
+    /// The rows as points.
     #[must_use]
     pub fn points(self) -> (Dimension, Vec<f64>) {
         (if self.width == 2 { Dimension::Two } else { Dimension::Three }, self.numbers)
     }
 }
 
-/// Points in a suite, one array each.
+/// Reads points in a suite, one array each.
 pub fn read_points(field: &Field<'_, '_>) -> Result<(Dimension, Vec<f64>), CorpusError> {
     read_rows(field, &POINT).map(Rows::points)
 }
 
-/// Rows of numbers in a suite, one array each.
+/// Reads rows of numbers in a suite, one array each.
 pub fn read_rows(field: &Field<'_, '_>, kind: &RowKind) -> Result<Rows, CorpusError> {
     let RowKind { name, numbers: of, .. } = kind;
     let rows = field.items(&format!("an array of {name}s, or {{ path = \"{name}s.csv\" }}"))?;

@@ -1,42 +1,42 @@
-//! Which of many boxes are near a box: the plain way to leave out pairs that have nothing in common.
+//! Finds which of many boxes are near a given box, to skip pairs that cannot meet.
 //!
 //! # Definition
-//! Two closed boxes are **near** if along every axis the gap between them, rounded to a double, is at most the reach. A
-//! difference is rounded monotonically, so a gap that is truly at most the reach is computed as at most the reach. With reach
+//! Two closed boxes are **near** if along every axis the gap between them, rounded to a double, is at most the reach.
+//! Rounding is monotonic, so a gap that is truly at most the reach is also computed as at most the reach. With reach
 //! zero the rule is exact: boxes that touch are near.
 //!
 //! # How
-//! The boxes are halved across the axis along which their middles extend furthest, and the halves again. A half whose own box
-//! is not near holds none that is. (The algorithms use grids.)
+//! The boxes form a binary tree. Each node splits its boxes in half across the axis along which their centers extend
+//! furthest. A node whose bounding box is not near the query is skipped. (The algorithms under test use grids.)
 
 use std::ops::Range;
 
-/// A closed box with sides along the axes: its lowest and its highest coordinates.
+/// A closed axis-aligned box: its lowest and its highest coordinates.
 pub type Extent<const D: usize> = [[f64; D]; 2];
 
-/// Halves with no more boxes than this are looked at one by one.
+/// The largest number of boxes in a leaf of the tree; a leaf's boxes are compared one by one.
 const FEW: usize = 8;
 
-/// Boxes, known by their places 0, 1, 2 …
+/// A search tree over boxes, which are identified by their indices 0, 1, 2 …
 #[derive(Clone, Debug)]
 pub struct Boxes<const D: usize> {
     boxes: Vec<Extent<D>>,
-    /// The places, those of each half together.
+    /// The indices of the boxes, grouped by tree node.
     order: Vec<u32>,
     halves: Vec<Half<D>>,
 }
 
-/// Some of the boxes.
+/// A node of the tree: a subset of the boxes.
 #[derive(Clone, Debug)]
 struct Half<const D: usize> {
-    /// What holds them all.
+    /// The bounding box of the node's boxes.
     all: Extent<D>,
     places: Range<usize>,
-    /// Where the second of its own halves is; the first comes next. None where the boxes are few.
+    /// The index of the second child, or `None` for a leaf. The first child follows its parent directly.
     second: Option<usize>,
 }
 
-/// The smallest box that holds these points; of no points one that is near nothing.
+/// The bounding box of the points; for zero points a box that is near nothing.
 #[must_use]
 pub fn extent<const D: usize>(points: impl IntoIterator<Item = [f64; D]>) -> Extent<D> {
     let nothing = [[f64::INFINITY; D], [f64::NEG_INFINITY; D]];
@@ -51,14 +51,14 @@ fn union<const D: usize>([low, high]: Extent<D>, other: Extent<D>) -> Extent<D> 
     ]
 }
 
-/// Whether two boxes are near, as [the module](self) defines it.
+/// True if two boxes are near, as [the module](self) defines it.
 #[must_use]
 pub fn are_near<const D: usize>([a_low, a_high]: &Extent<D>, [b_low, b_high]: &Extent<D>, reach: f64) -> bool {
     (0..D).all(|axis| a_low[axis] - b_high[axis] <= reach && b_low[axis] - a_high[axis] <= reach)
 }
 
 impl<const D: usize> Boxes<D> {
-    /// These boxes.
+    /// Builds the search tree over the boxes.
     ///
     /// # Panics
     /// If there are 2^32 boxes.
@@ -72,13 +72,13 @@ impl<const D: usize> Boxes<D> {
         all
     }
 
-    /// All boxes, by their places.
+    /// All boxes, by index.
     #[must_use]
     pub fn all(&self) -> &[Extent<D>] {
         &self.boxes
     }
 
-    /// The places of the boxes that are near this one, ascending.
+    /// Writes to `found` the indices of the boxes that are near `one`, ascending.
     pub fn near(&self, one: &Extent<D>, reach: f64, found: &mut Vec<u32>) {
         found.clear();
         let mut next: Vec<usize> = if self.halves.is_empty() { Vec::new() } else { vec![0] };
@@ -98,12 +98,12 @@ impl<const D: usize> Boxes<D> {
         found.sort_unstable();
     }
 
-    /// Adds the half with these places in the order, and its own halves; returns where it is.
+    /// Adds the node with these positions in the order, and its children; returns the node's index.
     fn halve(&mut self, places: Range<usize>) -> usize {
         let at = self.halves.len();
         let boxes = || self.order[places.clone()].iter().map(|&place| self.boxes[place as usize]);
         let all = boxes().reduce(union).expect("a half holds boxes");
-        // Each term halved, so that nothing overflows.
+        // Each term is halved before the addition, so that the sum cannot overflow.
         let middle = |[low, high]: Extent<D>| -> [f64; D] { std::array::from_fn(|i| low[i] / 2.0 + high[i] / 2.0) };
         let [low, high] = extent(boxes().map(middle));
         let width = |axis: usize| high[axis] / 2.0 - low[axis] / 2.0;

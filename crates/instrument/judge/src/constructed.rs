@@ -1,13 +1,11 @@
-//! The rational point of a constructed vertex: linear equations by Cramer's rule.
+//! The exact rational point of a constructed vertex: linear equations, solved by Cramer's rule.
 //!
-//! A line of the plane is one equation, a plane of space is one, and a line of
-//! space is where two planes meet: through the line and along an axis that is
-//! not the line's own. As many equations as unknowns; each determinant is
-//! expanded term by term. The points of a definition may be constructed
-//! themselves: theirs are found first.
+//! A line of the plane is one equation, and so is a plane of space. A line of space is two equations: two planes
+//! through the line, each along an axis that is not parallel to the line. There are as many equations as unknowns; each
+//! determinant is expanded term by term. The points of a definition may be constructed themselves; they are solved
+//! first.
 //!
-//! The points of a definition are taken over one denominator, so that all this is
-//! about integers and no fraction is reduced on the way.
+//! The points of a definition share one denominator, so that all steps work on integers and no fraction is reduced.
 
 use std::collections::BTreeMap;
 
@@ -17,8 +15,10 @@ use rug::{Integer, Rational};
 use crate::integers::over_one_denominator;
 use crate::row::Row;
 
-/// The exact coordinates of any vertex of the scene; none for a constructed
-/// vertex whose lines and planes don't meet in one point, or go through such a vertex.
+/// The exact coordinates of any vertex of the scene.
+///
+/// Returns `None` for a constructed vertex whose lines and planes don't meet in a single point, or whose definition
+/// uses such a vertex.
 ///
 /// # Panics
 /// If the scene has no such vertex.
@@ -27,20 +27,20 @@ pub fn point(scene: &Scene, v: Vertex) -> Option<Vec<Rational>> {
     row(scene, v).map(|row| row.point())
 }
 
-/// The same over one denominator.
+/// The exact coordinates of any vertex as in [`point`], over one denominator.
 pub(crate) fn row(scene: &Scene, v: Vertex) -> Option<Row> {
     Points { scene, known: BTreeMap::new() }.row(v)
 }
 
-/// The row of any vertex, solved for anew if it is constructed.
+/// The row of any vertex; a constructed vertex is solved again on each call.
 ///
 /// # Panics
-/// If a constructed vertex is no point.
+/// If the definition of a constructed vertex gives no point.
 pub(crate) fn certain_row(scene: &Scene, v: Vertex) -> Row {
     row(scene, v).unwrap_or_else(|| panic!("{v} is no point"))
 }
 
-/// Points of a scene, each constructed one computed once: many may define one vertex.
+/// The points of a scene. Each constructed point is computed once, since many definitions may use it.
 struct Points<'s> {
     scene: &'s Scene,
     known: BTreeMap<Vertex, Option<Row>>,
@@ -60,7 +60,7 @@ impl Points<'_> {
         row
     }
 
-    /// Where lines and planes meet.
+    /// The intersection point of the lines and planes of a construction.
     fn meet(&mut self, construction: &Construction) -> Option<Row> {
         let vertices: Vec<Vertex> = construction.flats().flatten().copied().collect();
         let rows: Vec<Row> = vertices.iter().map(|&v| self.row(v)).collect::<Option<_>>()?;
@@ -76,7 +76,9 @@ impl Points<'_> {
     }
 }
 
-/// The equations of what meets, in units of one denominator; none for a line whose ends coincide.
+/// The equations of the lines and planes of a construction, in units of one denominator.
+///
+/// Returns `None` for a line whose ends coincide.
 fn equations(construction: &Construction, points: &[Vec<Integer>]) -> Option<Vec<Equation>> {
     Some(match construction {
         Construction::Ssi(_) => points.chunks(2).map(line).collect(),
@@ -95,26 +97,26 @@ fn equations(construction: &Construction, points: &[Vec<Integer>]) -> Option<Vec
     })
 }
 
-/// a·x = b.
+/// The linear equation a·x = b.
 struct Equation {
     a: Vec<Integer>,
     b: Integer,
 }
 
-/// The line of the plane through two points.
+/// The equation of the line of the plane through two points.
 fn line(ends: &[Vec<Integer>]) -> Equation {
-    // The direction turned by a right angle.
+    // The direction, rotated by a right angle.
     let [x, y]: [Integer; 2] = [0, 1].map(|i| Integer::from(&ends[1][i] - &ends[0][i]));
     through(vec![-y, x], &ends[0])
 }
 
-/// The line or plane with this normal through p.
+/// The equation of the line or plane with normal `a` through `p`.
 fn through(a: Vec<Integer>, p: &[Integer]) -> Equation {
     let b = a.iter().zip(p).map(|(a, p)| Integer::from(a * p)).sum();
     Equation { a, b }
 }
 
-/// The plane of three points.
+/// The equation of the plane through three points.
 fn spanned(points: &[Vec<Integer>]) -> Equation {
     through(normal(&minus(&points[1], &points[0]), &minus(&points[2], &points[0])), &points[0])
 }
@@ -128,7 +130,7 @@ fn normal(u: &[Integer], v: &[Integer]) -> Vec<Integer> {
     vec![minor(1, 2), minor(2, 0), minor(0, 1)]
 }
 
-/// Cramer's rule; none where the equations depend on each other.
+/// The solution of the equations by Cramer's rule, or `None` if they are linearly dependent.
 fn solve(equations: &[Equation]) -> Option<Row> {
     let with_column = |replaced: Option<usize>| {
         let row = |Equation { a, b }: &Equation| {
@@ -152,7 +154,7 @@ fn solve(equations: &[Equation]) -> Option<Row> {
     }
 }
 
-/// Along the first row.
+/// The determinant of a square matrix, by expansion along the first row.
 fn determinant(rows: &[Vec<Integer>]) -> Integer {
     let [first, others @ ..] = rows else { return Integer::from(1) };
     let mut sum = Integer::new();

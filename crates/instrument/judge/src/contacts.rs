@@ -1,47 +1,36 @@
-//! The truth about contacts: which simplices of two complexes meet, by linear
-//! equations in rationals.
+//! The exact contacts of two complexes: which simplices meet, by linear equations in rationals.
 //!
 //! # Definition
-//! A simplex is a list of vertices. Its *open* simplex is the set of all
-//! Σ wᵢ pᵢ with weights wᵢ > 0 that add up to one, whether or not the points are in
-//! special position; the closed one allows zeros. A *sub-pair* of (s, t) is a
-//! pair of non-empty faces of s and of t, other than (s, t) itself. The pair
-//! (s, t) is **registered** iff the open simplices of s and t have a common
-//! point and those of no sub-pair have one. It has **ended** iff a sub-pair is
-//! registered, which is so iff the open simplices of a sub-pair meet.
+//! A simplex is a list of vertices. Its *open* simplex is the set of all Σ wᵢ pᵢ with weights wᵢ > 0 that add up to
+//! one, whether or not the points are in general position; the closed simplex allows zero weights. A *sub-pair* of
+//! (s, t) is a pair of non-empty faces of s and of t, other than (s, t) itself. The pair (s, t) is **registered** iff
+//! the open simplices of s and t have a common point and those of no sub-pair have one. It has **ended** iff a sub-pair
+//! is registered, which is so iff the open simplices of a sub-pair meet.
 //!
-//! So the common points of two closed simplices are told by their carriers of
-//! the lowest dimensions: two edges that share a vertex are registered as that
-//! vertex with itself and as nothing else.
+//! So the registered pairs describe the common points of two closed simplices by their carriers of the lowest
+//! dimensions. For example, two edges that share a vertex register one pair: that vertex with itself.
 //!
 //! # Why there is no hierarchy here
-//! The algorithm that this is held against goes through pairs level by level,
-//! ranks adding up to 0, 1 and so on to the dimension D, and remembers what it has
-//! registered. The definition needs neither. Write a common point as weights
-//! w ≥ 0 on the vertices of both simplices: D + 2 linear equations (one point,
-//! two sums of one). Their solutions are a polytope, and every pair of faces
-//! whose open simplices meet is the support of one of its points. The minimal
-//! supports are those of the vertices of the polytope: if the columns of a
-//! support are dependent, moving along the dependency, within the support,
-//! ends at a smaller one; if they are independent, no other solution is left.
-//! Hence
+//! The algorithm under test visits pairs level by level: first the pairs whose ranks add up to 0, then 1, and so on to
+//! the dimension D. It remembers which pairs it has registered. The definition needs neither levels nor memory. Write a
+//! common point as weights w ≥ 0 on the vertices of both simplices: D + 2 linear equations (one point, two sums of
+//! one). Their solutions are a polytope, and every pair of faces whose open simplices meet is the support of one of its
+//! points. The minimal supports are those of the vertices of the polytope: if the columns of a support are dependent,
+//! moving along the dependency, within the support, ends at a smaller support; if they are independent, the support has
+//! no other solution. Hence
 //!
-//! > (s, t) is registered iff its equations have exactly one solution, and all
-//! > weights of it are positive.
+//! > (s, t) is registered iff its equations have exactly one solution, and all weights of it are positive.
 //!
-//! Independent columns are no more than the equations, so the ranks of a
-//! registered pair add up to D at most: no pair beyond the last level needs to
-//! be asked. What is registered depends on nothing but the pair, so one pair can
-//! be judged alone, and pairs in any order.
+//! There are at most as many independent columns as equations, so the ranks of a registered pair add up to D at most:
+//! pairs beyond the last level need not be tested. Registration depends on the pair alone, so pairs can be judged one
+//! at a time and in any order.
 //!
 //! # Cost
-//! All pairs of simplices are asked whose boxes have a common point. A closed
-//! simplex lies in the box of its vertices, and comparing doubles is exact, so nothing is
-//! lost where boxes are apart. The boxes of the second complex are sorted by their lower ends,
-//! along the axis where most others end too early or start too late; there is no other index.
-//! [`sample`] says which simplices of the first complex are looked at where
-//! all would take too long. A pair that a backend registers can always be judged, by
-//! [`contact`]: the sample limits the search for pairs that it has missed.
+//! All pairs of simplices whose boxes have a common point are tested. A closed simplex lies in the box of its vertices,
+//! and comparing doubles is exact, so no contact is lost where boxes are apart. The boxes of the second complex are
+//! sorted by their lower ends, along the axis where most other boxes end too early or start too late; there is no other
+//! index. [`sample`] says which simplices of the first complex are judged when all would take too long. [`contact`] can
+//! judge any pair that a backend registers, so the sample limits only the search for pairs that the backend has missed.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -52,19 +41,19 @@ use rug::{Integer, Rational};
 use crate::Sample;
 use crate::determinant::rational;
 
-/// The weights of a point in a simplex, for its vertices in their order.
+/// The weights of a point in a simplex, one per vertex, in the order of the vertices.
 pub type Weights = Vec<Rational>;
 
 /// A registered pair.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Contact {
-    /// The places of the simplices in the two lists.
+    /// The indices of the two simplices in the two lists.
     pub pair: [usize; 2],
-    /// The only common point, by its weights on each simplex.
+    /// The only common point, as its weights on each simplex.
     pub weights: [Weights; 2],
 }
 
-/// Points in units of one power of two, in which all of their coordinates are integers.
+/// Input points as integers, in units of one power of two.
 type Points = BTreeMap<Vertex, Vec<Integer>>;
 
 fn points(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>) -> Points {
@@ -76,19 +65,18 @@ fn points(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>) -> Points {
     points.iter().map(|(&v, point)| (v, point.iter().map(whole).collect())).collect()
 }
 
-/// The only common point of two simplices, if the pair is registered.
+/// The only common point of two simplices if the pair is registered, else `None`.
 ///
 /// # Panics
-/// If a simplex has no vertex, or one that is no input vertex of the scene.
+/// If a simplex has no vertices, or has a vertex that is not an input vertex of the scene.
 #[must_use]
 pub fn contact(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Option<[Weights; 2]> {
     meeting(&points(scene, s.iter().chain(t).copied()), s, t)
 }
 
 fn meeting(points: &Points, s: &[Vertex], t: &[Vertex]) -> Option<[Weights; 2]> {
-    // The first weight on each simplex is one minus the others, so that an equation is left
-    // for each axis: with p and q the first vertices of s and t,
-    // Σ wᵢ (pᵢ − p) − Σ vⱼ (qⱼ − q) = q − p. Its right side comes last.
+    // The first weight on each simplex is one minus the others, which leaves one equation for each axis: with p and q
+    // the first vertices of s and t, Σ wᵢ (pᵢ − p) − Σ vⱼ (qⱼ − q) = q − p. The right side is the last column.
     let ([p, others @ ..], [q, others_of_t @ ..]) = (s, t) else { panic!("a simplex has vertices") };
     let [p, q] = [p, q].map(|v| &points[v]);
     let row = |axis: usize| -> Vec<Integer> {
@@ -109,11 +97,11 @@ fn meeting(points: &Points, s: &[Vertex], t: &[Vertex]) -> Option<[Weights; 2]> 
     Some([weights(on_s), weights(on_t)])
 }
 
-/// The solution of linear equations, each with its right side last, if there is
-/// exactly one: numerators over one denominator.
+/// The solution of linear equations, each with its right side last, if there is exactly one: numerators over one
+/// denominator.
 ///
-/// Gauss-Jordan elimination without fractions: after each step all entries are
-/// minors of the matrix, so that the division by the last pivot leaves no rest.
+/// Gauss-Jordan elimination without fractions: after each step all entries are minors of the matrix, so that the
+/// division by the last pivot has remainder zero.
 fn only_solution(mut rows: Vec<Vec<Integer>>) -> Option<(Vec<Integer>, Integer)> {
     let unknowns = rows[0].len() - 1;
     let mut last = Integer::from(1);
@@ -123,7 +111,7 @@ fn only_solution(mut rows: Vec<Vec<Integer>>) -> Option<(Vec<Integer>, Integer)>
         let by = rows[at].clone();
         for row in rows.iter_mut().enumerate().filter(|(row, _)| *row != at).map(|(_, row)| row) {
             let factor = row[at].clone();
-            // The columns before are done with.
+            // The columns before `at` need no update.
             for (entry, of_pivot) in row.iter_mut().zip(&by).skip(at + 1) {
                 *entry *= &by[at];
                 *entry -= &factor * of_pivot;
@@ -133,12 +121,11 @@ fn only_solution(mut rows: Vec<Vec<Integer>>) -> Option<(Vec<Integer>, Integer)>
         last.clone_from(&by[at]);
     }
     let is_consistent = rows[unknowns..].iter().all(|row| row[unknowns].cmp0().is_eq());
-    // Every pivot is the last one by now.
+    // By now every pivot equals the last one.
     is_consistent.then(|| (rows.iter_mut().take(unknowns).filter_map(Vec::pop).collect(), last))
 }
 
-/// A registered sub-pair of two simplices, if they have ended: one of the
-/// lowest ranks.
+/// A registered sub-pair of two simplices, if the pair has ended: one of the lowest ranks.
 ///
 /// # Panics
 /// As [`contact`], and if a simplex has 32 vertices.
@@ -153,8 +140,8 @@ pub fn ended_by(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Option<[Vec<Vertex
     pairs.into_iter().find(|[s, t]| meeting(&points, s, t).is_some()).map(|pair| pair.map(Clone::clone))
 }
 
-/// The registered pairs that have ended: a sub-pair is registered as well. No
-/// session may register those, whatever it takes for a contact.
+/// The registered pairs that have ended, that is, with a registered sub-pair. A correct session never registers such a
+/// pair, whatever its notion of contact.
 ///
 /// Every simplex has its vertices in ascending order.
 ///
@@ -171,16 +158,16 @@ pub fn registered_twice(registered: &[[Vec<Vertex>; 2]]) -> Vec<[Vec<Vertex>; 2]
     all.iter().copied().filter(has_ended).cloned().collect()
 }
 
-/// All non-empty subsets of a simplex' vertices, in their order.
+/// All non-empty subsets of a simplex' vertices, in the simplex' order.
 fn faces(simplex: &[Vertex]) -> Vec<Vec<Vertex>> {
     let subset = |bits: u32| (0..simplex.len()).filter(|i| bits >> i & 1 == 1).map(|i| simplex[i]).collect();
     (1_u32..1 << simplex.len()).map(subset).collect()
 }
 
-/// All registered pairs of two lists of simplices, by their places, in ascending order.
+/// All registered pairs of two lists of simplices, as indices, in ascending order.
 ///
-/// The lists are meant to be closed under faces, as those of complexes are;
-/// what is registered of a pair is the same whatever else is listed.
+/// The lists should be closed under faces, as the simplices of a complex are. Whether a pair is registered does not
+/// depend on the other simplices in the lists.
 ///
 /// # Panics
 /// As [`contact`].
@@ -189,10 +176,10 @@ pub fn contacts<S: AsRef<[Vertex]>, T: AsRef<[Vertex]>>(scene: &Scene, a: &[S], 
     contacts_of(scene, a, b, Sample::all(a.len()))
 }
 
-/// The registered pairs of a sample of the first list with the second one.
+/// The registered pairs of a sample of the first list with the second list.
 ///
 /// # Panics
-/// As [`contact`], and if the sample is of another number of simplices.
+/// As [`contact`], and if the sample was made for another number of simplices.
 #[must_use]
 pub fn contacts_of<S: AsRef<[Vertex]>, T: AsRef<[Vertex]>>(
     scene: &Scene,
@@ -225,14 +212,14 @@ pub fn contacts_of<S: AsRef<[Vertex]>, T: AsRef<[Vertex]>>(
     found
 }
 
-/// What a scene's contacts may cost, in comparisons of boxes.
+/// The budget for the contacts of one scene, in comparisons of boxes.
 const BUDGET: u64 = 1_000_000_000;
-/// What the pairs of a simplex whose boxes meet cost besides, in comparisons of
-/// boxes: they are more, and their equations larger, in space.
+/// The further cost per simplex of the pairs whose boxes meet, in comparisons of boxes, for the plane and for space.
+/// Space has more such pairs, with larger equations.
 const NEAR: [u64; 2] = [20_000, 200_000];
 
-/// Which simplices of the first of two lists are looked at, by the numbers of
-/// simplices in both: all as long as that takes about a second at most, else every n-th.
+/// The sample of the first list to judge, given the numbers of simplices in both lists: all if that takes about a
+/// second at most, else every n-th.
 #[must_use]
 pub fn sample(dimension: Dimension, [a, b]: [usize; 2]) -> Sample {
     let near = NEAR[usize::from(dimension == Dimension::Three)];
@@ -243,7 +230,7 @@ pub fn sample(dimension: Dimension, [a, b]: [usize; 2]) -> Sample {
 struct Boxes {
     axis: usize,
     sorted: Vec<(Bounds, usize)>,
-    /// The highest upper end of each box and those before it.
+    /// The highest upper end among each box and the boxes before it.
     highest: Vec<f64>,
 }
 
@@ -258,14 +245,14 @@ impl Boxes {
         Boxes { axis, highest: highest.collect(), sorted }
     }
 
-    /// The boxes before the window all end too early, those behind it start too late.
+    /// The range of boxes that can overlap `around`: boxes before it end too early, boxes behind it start too late.
     fn window(&self, around: &Bounds) -> Range<usize> {
         let first = self.highest.partition_point(|&highest| highest < around.low[self.axis]);
         let last = self.sorted.partition_point(|(bounds, _)| bounds.low[self.axis] <= around.high[self.axis]);
         first.min(last)..last
     }
 
-    /// Calls `take` with the place of every box that this one is not apart from.
+    /// Calls `take` with the index of every box that is not apart from `around`.
     fn near(&self, around: &Bounds, mut take: impl FnMut(usize)) {
         for (bounds, place) in &self.sorted[self.window(around)] {
             if !around.is_apart(bounds) {
@@ -275,7 +262,7 @@ impl Boxes {
     }
 }
 
-/// The box of some points; a third axis in the plane has zeros.
+/// The bounding box of some points; in the plane its third axis has zeros.
 struct Bounds {
     low: [f64; 3],
     high: [f64; 3],

@@ -1,35 +1,28 @@
-//! The truth about unions of congruent cubes: which cells of a grid are filled.
+//! The exact union of congruent cubes: which cells of a grid are filled.
 //!
 //! # Definition
-//! Vertices 2i and 2i + 1 of a scene are the lower and the upper corner of cube
-//! i. Cube i is moved by an infinitesimal, along all axes, that is larger than
-//! those of all cubes after it: of two equal coordinates that of the cube with the
-//! smaller number is larger. So no two faces are in one plane, and the boundary
-//! of the union is a surface. Volume, area and edge length are the limits for
-//! infinitesimals that go to zero: where the upper face of one cube is on the
-//! lower face of another, their common part is no boundary if the first has the
-//! smaller number, else it is boundary on both sides; a seam between two faces in
-//! one plane is a step, which has two edges.
+//! Vertices 2i and 2i + 1 of a scene are the lower and the upper corner of cube i. Cube i is moved along all axes by an
+//! infinitesimal that is larger than those of all later cubes: of two equal coordinates, the coordinate of the cube
+//! with the smaller number is larger. So no two faces are coplanar, and the boundary of the union is a surface. Volume,
+//! area and edge length are the limits for infinitesimals that go to zero. Where the upper face of one cube is on the
+//! lower face of another, their common part is no boundary if the first cube has the smaller number; otherwise it is
+//! boundary on both sides. A seam between two coplanar faces is a step, which has two edges.
 //!
-//! The vertices are those of the *perturbed* union, also where several fall into
-//! one place. Their kinds are told by how many of the eight octants around them are
-//! filled: 1 at a **corner** of a cube, 5 where an **edge meets a face**, 7 where
-//! **three faces** meet. (They all have an odd number, and are the only points
-//! that do; 3 is impossible, as each plane has the face of one cube.)
+//! The vertices are those of the *perturbed* union, even where several coincide after the limit. A vertex' kind is the
+//! number of filled octants among the eight around it: 1 at a **corner** of a cube, 5 where an **edge meets a face**, 7
+//! where **three faces** meet. (These are the only points with an odd number of filled octants; 3 is impossible, as
+//! each plane has the face of one cube.)
 //!
 //! # How
-//! The planes of all faces cut space into cells, each filled or empty: a grid of
-//! (2n)³ for n cubes, in which order is all that counts. It is swept along one axis,
-//! one section at a time, as rows of bits. A row's ends are the boundary across
-//! it; where the ends of two neighbouring rows differ the section has a corner,
-//! which is an edge along the sweep; where the corners of two neighbouring
-//! sections differ there is a vertex. Each axis is swept along once, and volume
-//! and vertices have to be the same each time. Widths are integers over one
+//! The planes of all faces cut space into cells, each filled or empty: a grid of (2n)³ for n cubes, in which only the
+//! order of the planes matters. A sweep along one axis visits one section at a time, stored as rows of bits. A row's
+//! ends are the boundary across the row. Where the ends of two neighbouring rows differ, the section has a corner,
+//! which is an edge along the sweep. Where the corners of two neighbouring sections differ, there is a vertex. Each of
+//! the three axes is swept once, and all sweeps must find the same volume and vertices. Widths are integers over one
 //! common denominator.
 //!
-//! The algorithm that this is held against knows no cells: it sums up what the
-//! vertices contribute. For thousands of cubes this is too slow;
-//! [`Cubes::sample`] says which are measured then.
+//! The algorithm under test has no cells: it sums up the contributions of vertices. For thousands of cubes the sweep is
+//! too slow; [`Cubes::sample`] says which cubes are then measured.
 
 use std::cmp::Reverse;
 use std::ops::RangeInclusive;
@@ -39,16 +32,16 @@ use rug::{Integer, Rational};
 
 use crate::determinant::rational;
 
-/// Why a scene is not one of congruent cubes.
+/// The reason why a scene is not a set of congruent cubes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum NotCubes {
     /// The scene is 2D or has an odd number of vertices.
     NoPairs,
-    /// A cube's extent along an axis (0 to 2) is not that of the first cube along x, or is not positive.
+    /// A cube's extent along an axis (0 to 2) differs from the first cube's extent along x, or is not positive.
     Extent {
-        /// The cube.
+        /// The number of the cube.
         cube: usize,
-        /// The axis.
+        /// The number of the axis.
         axis: usize,
     },
 }
@@ -66,7 +59,7 @@ impl std::fmt::Display for NotCubes {
 
 impl std::error::Error for NotCubes {}
 
-/// What a union measures, in the scene's units.
+/// The measures of a union, in the scene's units.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Measures {
     /// The volume.
@@ -75,22 +68,22 @@ pub struct Measures {
     pub area: Rational,
     /// The length of the boundary's edges.
     pub edge_length: Rational,
-    /// The vertices of the perturbed union.
+    /// The numbers of vertices of the perturbed union.
     pub vertices: Vertices,
 }
 
-/// How many vertices a perturbed union has, by kind.
+/// The number of vertices of a perturbed union, by kind.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Vertices {
     /// Corners of one cube: one octant is filled.
     pub corners: u64,
-    /// An edge of one cube and a face of another: five are.
+    /// Points where an edge of one cube meets a face of another: five octants are filled.
     pub edge_faces: u64,
-    /// Faces of three cubes: seven are.
+    /// Points where faces of three cubes meet: seven octants are filled.
     pub three_faces: u64,
 }
 
-/// Congruent cubes.
+/// Congruent cubes with integer corners over one denominator.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Cubes {
     /// The lower corners, times the denominator.
@@ -100,14 +93,14 @@ pub struct Cubes {
     denominator: Integer,
 }
 
-/// Above so many cubes a sample is measured.
+/// The largest number of cubes that are all measured; above it a sample is measured.
 const MOST: usize = 400;
 
 impl Cubes {
     /// The cubes of a scene.
     ///
     /// # Errors
-    /// [`NotCubes`] if they are none, or not all exactly of the same size.
+    /// [`NotCubes`] if the scene does not hold cubes, or the cubes differ in size.
     pub fn of_scene(scene: &Scene) -> Result<Cubes, NotCubes> {
         if scene.dimension() != Dimension::Three || !scene.len().is_multiple_of(2) {
             return Err(NotCubes::NoPairs);
@@ -146,24 +139,23 @@ impl Cubes {
         self.lowers.len()
     }
 
-    /// Whether there is no cube.
+    /// True if there are no cubes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.lowers.is_empty()
     }
 
-    /// Which cubes are measured, ascending: all up to 400, else those of a part
-    /// of the box around them that holds 200 to 400. The box is
-    /// halved, with as many cubes on either side, across the axis along which their lower
-    /// corners extend furthest, and the lower half is kept, until they are few enough.
+    /// The indices of the cubes to measure, ascending: all up to 400 cubes, else the 200 to 400 cubes in a part of the
+    /// bounding box. The box is split into halves with equal numbers of cubes, across the axis along which the lower
+    /// corners extend furthest. The lower half is kept, and split again, until it has few enough cubes.
     ///
-    /// A sample is a union of its own, as dense as the whole, to be measured by both sides.
+    /// A sample is a union in its own right, as dense as the whole. Judge and backend both measure the sample.
     #[must_use]
     pub fn sample(&self) -> Vec<usize> {
         self.sample_of(MOST)
     }
 
-    /// [`Cubes::sample`] for another limit than 400.
+    /// [`Cubes::sample`] with a limit other than 400.
     ///
     /// # Panics
     /// If the limit is zero.
@@ -175,7 +167,7 @@ impl Cubes {
             let along = |axis: usize| kept.iter().map(move |&cube| &self.lowers[cube][axis]);
             let extent =
                 |axis: usize| along(axis).max().zip(along(axis).min()).map(|(most, least)| Integer::from(most - least));
-            // Of equal extents the first axis.
+            // Ties between extents go to the first axis.
             let axis = [0, 1, 2].into_iter().max_by_key(|&axis| (extent(axis), Reverse(axis))).unwrap_or(0);
             kept.sort_by_key(|&cube| (&self.lowers[cube][axis], cube));
             kept.truncate(kept.len().div_ceil(2));
@@ -184,16 +176,16 @@ impl Cubes {
         kept
     }
 
-    /// These cubes only, in this order.
+    /// The given cubes only, in the given order.
     ///
     /// # Panics
-    /// If there is no such cube.
+    /// If a cube does not exist.
     #[must_use]
     pub fn only(&self, cubes: &[usize]) -> Cubes {
         Cubes { lowers: cubes.iter().map(|&cube| self.lowers[cube].clone()).collect(), ..self.clone() }
     }
 
-    /// What the union measures.
+    /// The measures of the union.
     ///
     /// # Panics
     /// If the sweeps along the three axes contradict each other.
@@ -217,9 +209,9 @@ impl Cubes {
 
 /// The faces along one axis, in their perturbed order.
 struct Faces {
-    /// The coordinate at each rank.
+    /// The coordinate of the face at each rank.
     at: Vec<Integer>,
-    /// Whose face is at each rank, and whether it is the upper one.
+    /// The cube that owns the face at each rank, and true if it is the cube's upper face.
     owners: Vec<(usize, bool)>,
     /// The ranks of each cube's lower and upper face.
     ranks: Vec<[usize; 2]>,
@@ -243,7 +235,7 @@ impl Faces {
         Faces { at: all.into_iter().map(|(at, ..)| at).collect(), owners, ranks }
     }
 
-    /// From this rank to the next; zero after the last.
+    /// The distance from the face of this rank to the next; zero after the last.
     fn width(&self, rank: usize) -> Integer {
         match self.at.get(rank + 1) {
             Some(next) => Integer::from(next - &self.at[rank]),
@@ -252,9 +244,8 @@ impl Faces {
     }
 }
 
-/// A section of the union, across u: a row of bits for each strip between two faces
-/// along v. Bit k + 1 of a row is the cell from face k along w to the next.
-/// Strip 0 and bit 0 are outside of everything, and so are the last ones.
+/// A section of the union, across u: a row of bits for each strip between two faces along v. Bit k + 1 of a row is the
+/// cell from face k along w to the next face. Strip 0, bit 0, the last strip and the last bit are outside of all cubes.
 struct Section<'f> {
     v: &'f Faces,
     w: &'f Faces,
@@ -262,7 +253,7 @@ struct Section<'f> {
     rows: Vec<u64>,
     /// The filled area.
     area: Integer,
-    /// Widths of strips times their ends.
+    /// The sum over strips of the strip's width times its number of ends.
     ends: Integer,
     corners: u64,
 }
@@ -278,27 +269,26 @@ impl<'f> Section<'f> {
         &self.rows[strip * self.words..][..self.words]
     }
 
-    /// One word of the ends of a strip: bit k is set if face k along w has a
-    /// filled cell on one side only.
+    /// A word of the ends of a strip: bit k is set if exactly one side of face k along w is a filled cell.
     fn ends(&self, strip: usize, word: usize) -> u64 {
         let row = self.row(strip);
         let next = row.get(word + 1).map_or(0, |next| next << 63);
         row[word] ^ (row[word] >> 1 | next)
     }
 
-    /// One word of the corners at a face along v: bit k is set if an odd
-    /// number of the four cells around face k along w is filled.
+    /// A word of the corners at a face along v: bit k is set if an odd number of the four cells around face k along w
+    /// is filled.
     fn corners(&self, face: usize, word: usize) -> u64 {
         self.ends(face, word) ^ self.ends(face + 1, word)
     }
 
-    /// The filled length of a strip, and its ends.
+    /// The filled length of a strip, and the number of its ends.
     fn measure(&self, strip: usize) -> (Integer, u64) {
         let (mut length, mut ends) = (Integer::new(), 0);
         for word in 0..self.words {
             for bit in ones(self.ends(strip, word)) {
                 let at = &self.w.at[64 * word + bit];
-                // A start, an end, a start, ...
+                // Ends alternate: start, end, start, …
                 if ends % 2 == 0 {
                     length -= at
                 } else {
@@ -317,7 +307,7 @@ impl<'f> Section<'f> {
         faces.map(of_face).sum()
     }
 
-    /// Brings the sums up to date, where the strips of one cube have been filled anew.
+    /// Updates the sums after the strips of one cube were refilled.
     fn update(&mut self, before: &Section, [lower, upper]: [usize; 2]) {
         for strip in lower + 1..=upper {
             let width = self.v.width(strip - 1);
@@ -332,7 +322,7 @@ impl<'f> Section<'f> {
         self.corners -= before.corners_at(lower..=upper);
     }
 
-    /// Fills the strips of a cube anew with what the present cubes cover.
+    /// Refills the strips of a cube from the cubes that are present.
     fn fill(&mut self, [lower, upper]: [usize; 2], present: &[usize]) {
         self.rows[(lower + 1) * self.words..(upper + 1) * self.words].fill(0);
         for &cube in present {
@@ -345,7 +335,7 @@ impl<'f> Section<'f> {
         }
     }
 
-    /// Filled cells among the two on either side of a face along w, in two strips that meet at a face along v.
+    /// The number of filled cells on both sides of face `k` along w, in the two strips that meet at `face` along v.
     fn filled(&self, face: usize, k: usize) -> u32 {
         let is_filled = |strip: usize, bit: usize| u32::from(self.row(strip)[bit / 64] >> (bit % 64) & 1 == 1);
         [face, face + 1].into_iter().flat_map(|strip| [k, k + 1].map(|bit| is_filled(strip, bit))).sum()
@@ -370,13 +360,13 @@ fn set(row: &mut [u64], start: usize, end: usize) {
     }
 }
 
-/// What one sweep finds.
+/// The results of one sweep.
 #[derive(Default)]
 struct Sweep {
     volume: Integer,
-    /// Of the faces across the third axis.
+    /// The area of the faces across the third axis.
     area: Integer,
-    /// Of the edges along the sweep.
+    /// The length of the edges along the sweep.
     edge_length: Integer,
     vertices: Vertices,
 }
@@ -393,7 +383,7 @@ impl Sweep {
             } else {
                 present.push(cube);
             }
-            // Behind the face only the strips of its owner can look different.
+            // Behind the face only the strips of its owner can differ.
             let strips = v.ranks[cube];
             let before = Section { rows: section.rows.clone(), area: Integer::new(), ends: Integer::new(), ..section };
             section.fill(strips, &present);

@@ -1,16 +1,13 @@
-//! The judge: the textbook determinants, straight from the definition.
+//! The judge: exact signs by the textbook determinants.
 //!
-//! It shares no code with any backend: no filter, no expansion, no translated
-//! copy of anybody's formula, only `rug` and the definition. It is slow and
-//! that is its virtue. Constructed vertices become rational points first, by
+//! It shares no code with any backend: no filter, no expansion, no translated copy of a published formula, only `rug`
+//! and the definition. It is slow, which is acceptable here. Constructed vertices first become rational points, by
 //! linear equations.
 //!
-//! [`verdict`] computes in rationals, term by term. [`sign`] and [`is_within`] are for millions of
-//! queries: rationals over common denominators, which are integers. Runs hold
-//! samples of the second against
-//! the first; both are held against a third computation by another method, in
-//! the tests: the homogeneous matrix by fraction-free elimination.
-//! [`Points`](crate::Points) does the same for a whole scene.
+//! [`verdict`] computes in rationals, term by term. [`sign`] and [`is_within`] are for millions of queries: they use
+//! rationals over common denominators, that is, integers. Runs check samples of the second computation against the
+//! first. The tests check both against a third computation by another method: fraction-free elimination of the
+//! homogeneous matrix. [`Points`](crate::Points) does the same for a whole scene.
 
 use std::borrow::Cow;
 
@@ -24,10 +21,10 @@ use crate::row::Row;
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
 pub struct Verdict {
-    /// The exact value of the determinant that the predicate is the sign of.
+    /// The exact value of the predicate's determinant; the predicate is its sign.
     pub determinant: Rational,
-    /// The same expression with every product and difference term taken
-    /// absolutely: the scale that rounding errors are relative to.
+    /// The permanent: the determinant's expression with the absolute value of every product and difference term.
+    /// Rounding errors are relative to this scale.
     pub permanent: Rational,
 }
 
@@ -55,14 +52,14 @@ pub fn rational(x: f64) -> Rational {
 /// The exact sign of a query.
 ///
 /// # Panics
-/// If the query does not fit the scene: wrong number of vertices, no such vertex, no such axis;
-/// or if it is about a construction that is no point, which scenes of suites don't have.
+/// If the query does not fit the scene (wrong number of vertices, no such vertex, no such axis), or if it uses a
+/// construction that gives no point, which scenes of suites don't have.
 #[must_use]
 pub fn sign(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     sign_of_rows(scene, question, args, |v| Cow::Owned(certain_row(scene, v)))
 }
 
-/// The same, with the rows from `row` if a vertex is constructed.
+/// The exact sign of a query, with the points from `row` if a vertex is constructed.
 pub(crate) fn sign_of_rows<'r>(
     scene: &Scene,
     question: Question,
@@ -77,8 +74,8 @@ pub(crate) fn sign_of_rows<'r>(
     scaled(scene, question, args).0.cmp0().into()
 }
 
-/// The exact determinant of a query about input vertices: an integer, and the exponent of the power of two that it is
-/// to be multiplied by.
+/// The exact determinant of a query about input vertices: an integer and the exponent of the power of two that scales
+/// it.
 fn scaled(scene: &Scene, question: Question, args: &[Vertex]) -> (Integer, i32) {
     let flat = |plane: Plane| move |v| scene.point2(plane, v);
     let solid = |v| scene.point3(v);
@@ -92,7 +89,7 @@ fn scaled(scene: &Scene, question: Question, args: &[Vertex]) -> (Integer, i32) 
     }
 }
 
-/// Whether the magnitude of the exact determinant of a query is at most `limit`.
+/// True if the magnitude of the exact determinant of a query is at most `limit`.
 ///
 /// # Panics
 /// As [`sign`], or if `limit` is not finite.
@@ -114,7 +111,7 @@ pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
     verdict_of(question, args, |v| Cow::Owned(point(scene, v).unwrap_or_else(|| panic!("{v} is no point"))))
 }
 
-/// The same, of the coordinates from `point`.
+/// The exact determinant of a query with its permanent, with the coordinates from `point`.
 pub(crate) fn verdict_of<'p>(
     question: Question,
     args: &[Vertex],
@@ -146,7 +143,7 @@ fn axes(question: &Question) -> &[Axis] {
     }
 }
 
-/// The matrix of differences to the last vertex, with the lifted column where there is one.
+/// The matrix of differences to the last vertex, with the lifted column for circles and spheres.
 fn rows<'p>(question: Question, args: &[Vertex], point: impl Fn(Vertex) -> Cow<'p, [Rational]>) -> Vec<Vec<Rational>> {
     let (last, others) = args.split_last().expect("no predicate takes no vertex");
     let axes = axes(&question);
@@ -166,13 +163,13 @@ fn rows<'p>(question: Question, args: &[Vertex], point: impl Fn(Vertex) -> Cow<'
     others.iter().map(row).collect()
 }
 
-/// Laplace expansion along the first column: the definition, term by term.
+/// The determinant by Laplace expansion along the first column: the definition, term by term.
 #[must_use]
 pub fn determinant(rows: &[Vec<Rational>]) -> Rational {
     expand(rows, 0, &mut (0..rows.len()).collect::<Vec<_>>(), &|term, odd| if odd { -term } else { term })
 }
 
-/// The same expansion with everything positive.
+/// The permanent of a matrix: Laplace expansion with the absolute value of each term.
 fn permanent(rows: &[Vec<Rational>]) -> Rational {
     let positive: Vec<Vec<Rational>> =
         rows.iter().map(|row| row.iter().map(|x| Rational::from(x.abs_ref())).collect()).collect();
@@ -200,23 +197,23 @@ fn expand(
     sum
 }
 
-/// log2(|determinant| / permanent): how degenerate a query is, 0 for not at
-/// all. `None` for an exact zero.
+/// log2(|determinant| / permanent), which measures how degenerate a query is: 0 is not degenerate. `None` for an exact
+/// zero.
 ///
-/// Good to about 1e-9: it is a coordinate in plots, nothing is decided by it.
+/// Accurate to about 1e-9. Plots use it as a coordinate; no decision depends on it.
 #[must_use]
 pub fn log2_relative(verdict: &Verdict) -> Option<f64> {
-    // The permanent is zero only where the determinant is.
+    // The permanent is zero only if the determinant is zero.
     let value = Rational::from(verdict.determinant.abs_ref());
     if value.cmp0().is_eq() { None } else { Some(log2(&(value / &verdict.permanent))) }
 }
 
-/// log2 of a positive rational, also far outside the range of doubles.
+/// log2 of a positive rational, also if it is far outside the range of doubles.
 pub(crate) fn log2(x: &Rational) -> f64 {
     let part = |n: &rug::Integer| {
         let bits = n.significant_bits();
         let shift = bits.saturating_sub(60);
-        // Rounds (60 bits into 53): fine for a logarithm that is shown with two decimals.
+        // Rounds 60 bits to 53, which is precise enough: the logarithm is shown with two decimals.
         rug::Integer::from(n >> shift).to_f64().log2() + f64::from(shift)
     };
     part(x.numer()) - part(x.denom())

@@ -1,13 +1,14 @@
 //! The vertices of convex hulls by definition: every pair, every triple.
 //!
-//! A vertex is extreme where a line or a plane through it has all others on one side, and it is an end of what is on the
-//! line. Nothing is sorted or wrapped; time grows with the third or the fourth power of the number of vertices.
+//! A vertex is extreme if some line or plane through it has all other vertices on one side, and the vertex is extreme
+//! among the vertices on that line or plane. Nothing is sorted or wrapped. Time grows with the third power (plane) or
+//! the fourth power (space) of the number of vertices.
 
 use predicament_predicates::{Axis, Dimension, Plane, Predicates, Sign, Vertex};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 
-/// The most vertices of a scene that is judged so.
+/// The largest number of vertices of a scene that is judged in this way.
 #[must_use]
 pub fn most(dimension: Dimension) -> usize {
     match dimension {
@@ -16,7 +17,7 @@ pub fn most(dimension: Dimension) -> usize {
     }
 }
 
-/// The extreme vertices by a session's signs, ascending; of several in one place the smallest.
+/// The extreme vertices by a session's signs, ascending; of coincident vertices only the smallest.
 #[must_use]
 pub fn extreme(session: &dyn Predicates) -> Vec<Vertex> {
     let scene = session.scene();
@@ -35,7 +36,7 @@ pub fn extreme(session: &dyn Predicates) -> Vec<Vertex> {
         Dimension::Three => in_space(session, &all),
     };
     if found.is_empty() {
-        // A point or a segment.
+        // All vertices are in one place or on one line.
         found = ends(session, axes, &all);
     }
     found.sort_unstable();
@@ -48,14 +49,14 @@ fn order(session: &dyn Predicates, axes: &[Axis], v: Vertex, w: Vertex) -> Sign 
     signs.into_iter().find(|sign| *sign != Sign::Zero).unwrap_or(Sign::Zero)
 }
 
-/// The first and the last one in the order of their coordinates.
+/// The first and the last vertex in the order of their coordinates.
 fn ends(session: &dyn Predicates, axes: &[Axis], all: &[Vertex]) -> Vec<Vertex> {
     let is_end = |wanted: Sign, v: Vertex| all.iter().all(|&w| v == w || order(session, axes, v, w) == wanted);
     let is_one = |v: &Vertex| is_end(Sign::Negative, *v) || is_end(Sign::Positive, *v);
     all.iter().copied().filter(is_one).collect()
 }
 
-/// Those seen in a coordinate plane in which they are not all in one line; none where they are.
+/// The extreme vertices as projected onto a coordinate plane; empty if the projections are collinear.
 fn in_plane(session: &dyn Predicates, plane: Plane, all: &[Vertex]) -> Vec<Vertex> {
     let mut found = Vec::new();
     let (Some(&a), Some(&b)) = (all.first(), all.get(1)) else { return found };
@@ -74,14 +75,14 @@ fn in_plane(session: &dyn Predicates, plane: Plane, all: &[Vertex]) -> Vec<Verte
     found
 }
 
-/// Those of points of space; none where they are all in one line.
+/// The extreme vertices of points of space; empty if the points are coplanar.
 fn in_space(session: &dyn Predicates, all: &[Vertex]) -> Vec<Vertex> {
     let mut found = Vec::new();
     for (i, &a) in all.iter().enumerate() {
         for (j, &b) in all.iter().enumerate().skip(i + 1) {
             for &c in &all[j + 1..] {
                 let side = |d: Vertex| session.orient3d(a, b, c, d);
-                // Three in one line are in no plane of their own.
+                // Three collinear vertices span no plane.
                 let seen = PLANES.into_iter().find(|&plane| session.orient2d(plane, a, b, c) != Sign::Zero);
                 let Some(plane) = seen else { continue };
                 let others = || all.iter().copied().filter(|d| ![a, b, c].contains(d));
@@ -90,7 +91,7 @@ fn in_space(session: &dyn Predicates, all: &[Vertex]) -> Vec<Vertex> {
                     continue;
                 }
                 let mut flat: Vec<Vertex> = others().filter(|&d| side(d) == Sign::Zero).collect();
-                // Each plane once: by its first three vertices that are in no line.
+                // Each plane is visited once: from its first three vertices that are not collinear.
                 let is_earlier = |d: Vertex| d < b || d < c && session.orient2d(plane, a, b, d) != Sign::Zero;
                 if flat.iter().any(|&d| is_earlier(d)) {
                     continue;

@@ -1,8 +1,8 @@
-//! Signs of determinants by the million: rationals over one common denominator.
+//! Fast signs of determinants, for millions of queries: rationals over one common denominator.
 //!
-//! The coordinates of a query are multiples of one power of two. In units of
-//! it they are integers, the determinant is an integer, and no fraction ever has
-//! to be reduced: that is where rationals spend nine tenths of their time.
+//! The coordinates of a query are multiples of one power of two. In units of that power they are integers, the
+//! determinant is an integer, and fractions never need reducing. Rationals spend nine tenths of their time on that
+//! reduction.
 
 use std::borrow::Cow;
 
@@ -11,11 +11,11 @@ use rug::Integer;
 
 use crate::row::Row;
 
-/// Rows of a determinant at most: insphere has four, of three differences and a lift.
+/// The maximum number of rows of a determinant: insphere has four, of three differences and a lift.
 const MOST: usize = 4;
 
-/// The determinant of the differences to the last point, with their squared lengths for a last column if `lifted`: an
-/// integer, and the exponent of the power of two that it is to be multiplied by.
+/// The determinant of the differences to the last point: an integer and the exponent of the power of two that scales
+/// it. If `lifted`, the squared lengths of the differences are the last column.
 pub(super) fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], lifted: bool) -> (Integer, i32) {
     let columns = D + usize::from(lifted);
     assert!(columns == N - 1 && columns <= MOST, "as many rows as columns, and no more than there is room for");
@@ -31,12 +31,12 @@ pub(super) fn scaled<const D: usize, const N: usize>(points: [[f64; D]; N], lift
             row[axis] = difference;
         }
     }
-    // One unit in each column, and one more in that of the squares.
+    // One factor of the unit per column, and one more for the column of squares.
     let degree = i32::try_from(columns + usize::from(lifted)).expect("five at most");
     (determinant(&rows, columns), lowest * degree)
 }
 
-/// Whether |integer|·2^exponent is at most `limit`.
+/// True if |integer|·2^exponent is at most `limit`.
 ///
 /// # Panics
 /// If `limit` is not finite.
@@ -45,13 +45,13 @@ pub(super) fn is_at_most(integer: Integer, exponent: i32, limit: f64) -> bool {
     if limit < 0.0 {
         return false;
     }
-    // Both over the lower power of two.
+    // Both sides in units of the smaller power of two.
     let [left, right] = [exponent, of_limit].map(|own| (own - exponent.min(of_limit)).unsigned_abs());
     integer.abs() << left <= Integer::from(significand) << right
 }
 
-/// The sign of the same determinant of points over one denominator each, along these axes. Rows are multiplied by the
-/// positive weights that stand below them.
+/// The sign of the same determinant, along these axes, of points that each have one denominator. Each row is multiplied
+/// by a positive weight, its denominator.
 pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool) -> Sign {
     let (last, others) = points.split_last().expect("no predicate takes no vertex");
     let columns = axes.len() + usize::from(lifted);
@@ -75,14 +75,14 @@ pub(super) fn sign_of_rows(points: &[Cow<'_, Row>], axes: &[Axis], lifted: bool)
     determinant(&rows, columns).cmp0().into()
 }
 
-/// The coordinates of a point as integers, and the power of two that they are to be divided by.
+/// The coordinates of a point as integers, and the power of two that divides them.
 pub(super) fn over_one_denominator(point: &[f64]) -> (Vec<Integer>, Integer) {
     let lowest = point.iter().filter(|&&x| x != 0.0).map(|&x| split(x).1).min().unwrap_or(0).min(0);
     (point.iter().map(|&x| integer(x, lowest)).collect(), Integer::from(1) << lowest.unsigned_abs())
 }
 
-/// Laplace's expansion, column by column: of each set of k rows the minor in the
-/// first k columns, from those of the sets with one row less.
+/// The determinant by Laplace's expansion, column by column: the minor of each set of k rows in the first k columns is
+/// computed from the minors of the sets with one row less.
 fn determinant(rows: &[[Integer; MOST]; MOST], size: usize) -> Integer {
     let mut minors: [Integer; 1 << MOST] = Default::default();
     minors[0] = Integer::from(1);
@@ -102,11 +102,10 @@ fn determinant(rows: &[[Integer; MOST]; MOST], size: usize) -> Integer {
     std::mem::take(&mut minors[(1 << size) - 1])
 }
 
-/// s and e with |x| = s·2^e, for a finite x: e is the exponent of the last place, −1074 at least.
+/// Returns s and e with |x| = s·2^e, for a finite x: e is the exponent of the last place, −1074 at least.
 ///
-/// The arithmetic under test reads doubles by `Parts` of `predicament-arithmetic`.
-/// The judge reads them by itself, on purpose: a fault in one of the two must not
-/// hide in both.
+/// The arithmetic under test reads doubles with `Parts` of `predicament-arithmetic`. The judge has its own reader on
+/// purpose: with a shared reader, one fault would hide in both.
 fn split(x: f64) -> (u64, i32) {
     let bits = x.to_bits();
     let fraction = bits & ((1 << 52) - 1);
@@ -117,7 +116,7 @@ fn split(x: f64) -> (u64, i32) {
     }
 }
 
-/// x / 2^`lowest`, which has to be an integer.
+/// x / 2^`lowest`, which must be an integer.
 fn integer(x: f64, lowest: i32) -> Integer {
     if x == 0.0 {
         return Integer::new();
@@ -135,7 +134,7 @@ mod tests {
 
     use super::*;
 
-    /// That what is split is the number again.
+    /// Asserts that `split` gives back the double with these bits.
     fn splits(bits: u64) {
         let x = f64::from_bits(bits);
         if let Some(truth) = Rational::from_f64(x) {

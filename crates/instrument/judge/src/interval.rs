@@ -1,24 +1,23 @@
-//! The truth about cells of a line: where a point is, by comparing doubles.
+//! The exact position of a point relative to cells of a line, by comparing doubles.
 //!
-//! Coordinates are doubles and comparing those is exact. Perturbed, of two equal
-//! coordinates that of the vertex with the smaller number is larger, as
-//! x_i + ε^(2^i) says: for a point that is numbered before both ends the cell
-//! is l ≤ p < r, behind both it is l < p ≤ r. So no infinitesimal is left.
+//! Coordinates are doubles, and comparing them is exact. In the perturbed scene, of two equal coordinates the
+//! coordinate of the vertex with the smaller number is larger, as x_i + ε^(2^i) says. A point that is numbered before
+//! both ends is in the cell if l ≤ p < r; a point behind both, if l < p ≤ r. So the rule needs no infinitesimals.
 
 use predicament_predicates::{Axis, Scene, Vertex};
 
-/// Where a point is, seen from a cell.
+/// The position of a point relative to a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Place {
-    /// Left or right of it.
+    /// Left or right of the cell.
     Outside,
-    /// At one of the ends, and not outside.
+    /// At one of the ends of a cell, and not outside.
     AtEnd,
-    /// Between the ends.
+    /// Strictly between the ends.
     Inside,
 }
 
-/// Where the point is, seen from the cell between a left and a right end.
+/// The position of the point relative to the cell between a left and a right end.
 ///
 /// # Panics
 /// If the scene lacks a vertex or the axis.
@@ -34,7 +33,7 @@ pub fn place(scene: &Scene, axis: Axis, [left, right]: [Vertex; 2], point: Verte
     }
 }
 
-/// Whether the perturbed point is in the cell; it is at an end only if it is that end.
+/// The position of the perturbed point relative to the cell; it is at an end only if it is that end's vertex.
 ///
 /// # Panics
 /// As [`place`].
@@ -52,7 +51,7 @@ pub fn perturbed_place(scene: &Scene, axis: Axis, [left, right]: [Vertex; 2], po
     }
 }
 
-/// The cells that a point is not outside of, by their places in the list.
+/// The indices of the cells that a point is not outside of, each with the point's position.
 ///
 /// # Panics
 /// As [`place`].

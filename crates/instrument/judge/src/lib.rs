@@ -1,24 +1,22 @@
-//! Truth: exact answers computed from definitions, with rationals only.
+//! The judge: exact answers computed from definitions, with rationals only.
 //!
-//! Every backend is held against this crate, so it shares no code with any of
-//! them: it depends on the vocabulary ([`predicament_predicates`]) and on
-//! `rug`, and on nothing else of this workspace. It is slow and plain on
-//! purpose. What a disagreement *means* is decided in the crate `tasks`; how
-//! scenes are run is the crate `oracle`.
+//! Every backend is checked against this crate, so it shares no code with any of them: it depends on the vocabulary
+//! ([`predicament_predicates`]) and on `rug`, and on nothing else of this workspace. It is slow and simple on purpose.
+//! The crate `tasks` decides what a disagreement *means*; the crate `oracle` runs the scenes.
 //!
 //! * [`sign`], [`is_within`], [`verdict`], [`point`]: determinants and constructed points.
-//! * [`Points`]: the same for one scene, whose constructed points it keeps.
+//! * [`Points`]: the same for one scene, with its constructed points cached.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
-//! * [`boxes`]: which boxes of many are near a box.
+//! * [`boxes`]: which of many boxes are near a box.
 //! * [`contacts`]: which simplices of two complexes meet.
-//! * [`cubes`]: what a union of cubes measures.
+//! * [`cubes`]: the measures of a union of cubes.
 //! * [`hull`]: the extreme vertices of small scenes.
 //! * [`interval`]: the cells of a line that a point is in.
 //! * [`locate`]: the regions of a map that a point is in.
-//! * [`nearest`]: a rational as a double, for display and files.
+//! * [`nearest`]: the double nearest to a rational, for display and files.
 //! * [`solids`]: the region of a mesh that a point is in.
 //! * [`sum`]: sums of many rationals.
-//! * [`Sample`]: which part of a large input is judged.
+//! * [`Sample`]: the part of a large input that is judged.
 
 pub mod boxes;
 mod constructed;

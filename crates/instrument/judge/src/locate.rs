@@ -1,28 +1,23 @@
-//! The truth about points in maps: crossing numbers, edge by edge.
+//! The exact location of points in maps: crossing numbers, edge by edge.
 //!
 //! # Definition
-//! A region is a list of rings, a ring a closed list of vertices: outer boundaries,
-//! holes and islands alike. An edge is known by its two vertices, whichever
-//! way it runs; the edges of a region are those that its rings use an *odd* number of
-//! times. (Used twice by one region, an edge bounds nothing.)
-//! * A point is **on the boundary** of a region iff it is on one of its edges, ends
-//!   included; an edge whose ends are in one place is that place.
-//! * Else it is **inside** iff a ray from it crosses the region's edges an odd number
-//!   of times: the even-odd rule. Regions may overlap, and rings may touch and
-//!   cross themselves and each other; nothing is repaired.
+//! A region is a list of rings, and a ring is a closed list of vertices; outer boundaries, holes and islands are all
+//! rings. An edge is identified by its two vertices, in either direction. The edges of a region are those that its
+//! rings use an *odd* number of times. (An edge that one region uses twice bounds nothing.)
+//! * A point is **on the boundary** of a region iff it is on one of its edges, ends included; an edge whose ends
+//!   coincide is that single point.
+//! * Else it is **inside** iff a ray from it crosses the region's edges an odd number of times: the even-odd rule.
+//!   Regions may overlap, and rings may touch and cross themselves and each other; nothing is repaired.
 //!
-//! A point on the boundary is not inside, whatever the parity. Vertices with
-//! equal coordinates are one place here, and a probe that is a vertex of the map is
-//! on the boundary of that vertex' regions.
+//! A point on the boundary is not inside, whatever the parity. Vertices with equal coordinates are one point here, and
+//! a probe that is a vertex of the map is on the boundary of that vertex' regions.
 //!
 //! # How
-//! The ray goes to the right. An edge is crossed iff its lower end is at the probe's y
-//! or below, its upper end above (half-open, so that a vertex at the ray's
-//! height counts once or twice as it should), and the probe is left of it. Sides are
-//! signs of [integers](crate::sign); where the box of an edge doesn't hold the
-//! probe, comparing doubles is enough, and exact. Every edge is looked at for
-//! every probe. (The algorithm that this is held against sends a vertical ray,
-//! through an index.)
+//! The ray goes to the right. An edge is crossed iff its lower end is at the probe's y or below, its upper end is
+//! above, and the probe is left of the edge. This half-open rule counts a vertex at the ray's height once or twice, as
+//! it should. Sides are signs of [integers](crate::sign). If the box of an edge does not hold the probe, comparing
+//! doubles is enough, and exact. Every probe is tested against every edge. (The algorithm under test sends a vertical
+//! ray, through an index.)
 
 use std::collections::BTreeMap;
 
@@ -30,32 +25,32 @@ use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
 
 use crate::{Sample, sign};
 
-/// Where a point is; no region is in both lists.
+/// The location of a point; no region is in both lists.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Location {
-    /// The regions that it is inside of, ascending.
+    /// The regions that the point is inside of, ascending.
     pub inside: Vec<u32>,
-    /// The regions whose boundary it is on, ascending.
+    /// The regions whose boundary the point is on, ascending.
     pub boundary: Vec<u32>,
 }
 
-/// A map by the edges of its regions.
+/// A map, as the edges of its regions.
 pub struct Borders<'s> {
     scene: &'s Scene,
-    /// By region.
+    /// The edges, by region.
     edges: Vec<Edge>,
 }
 
 /// An edge of a region.
 struct Edge {
     region: u32,
-    /// The lower end first.
+    /// The ends, the lower end first.
     ends: [Vertex; 2],
     /// The coordinates of the ends.
     at: [[f64; 2]; 2],
 }
 
-/// How an edge meets the ray to the right from a point.
+/// The relation of an edge to the ray that goes right from a point.
 enum Meeting {
     Missed,
     Crossed,
@@ -64,7 +59,7 @@ enum Meeting {
 }
 
 impl<'s> Borders<'s> {
-    /// The edges of regions that are lists of rings of vertices.
+    /// Collects the edges of regions, each given as a list of rings of vertices.
     ///
     /// # Panics
     /// If the scene lacks one of the vertices, or there are 2^32 regions.
@@ -90,27 +85,27 @@ impl<'s> Borders<'s> {
         Borders { scene, edges }
     }
 
-    /// The number of edges, those between two regions counted for each.
+    /// The number of edges; an edge between two regions counts for each.
     #[must_use]
     pub fn len(&self) -> usize {
         self.edges.len()
     }
 
-    /// Whether the map bounds nothing.
+    /// True if the map has no edges.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.edges.is_empty()
     }
 
-    /// Where an input vertex of the scene is.
+    /// The location of an input vertex of the scene.
     ///
     /// # Panics
-    /// If the scene lacks it.
+    /// If the scene lacks the vertex.
     #[must_use]
     pub fn locate(&self, probe: Vertex) -> Location {
         let p = self.scene.point2(Plane::Xy, probe);
         let mut found = Location::default();
-        // The last region with an edge at the probe's height: how often it is crossed, and whether touched.
+        // The last region with an edge at the probe's height: its number of crossings, and whether an edge is touched.
         let mut last: Option<(u32, usize, bool)> = None;
         for edge in &self.edges {
             if p[1] < edge.at[0][1] || edge.at[1][1] < p[1] {
@@ -129,7 +124,7 @@ impl<'s> Borders<'s> {
         found
     }
 
-    /// For an edge at the probe's height, ends included.
+    /// The meeting of the ray from `p` with an edge at the probe's height, ends included.
     fn meeting(&self, edge: &Edge, probe: Vertex, p: [f64; 2]) -> Meeting {
         let [low, high] = edge.at;
         let is_between = low[1] <= p[1] && p[1] < high[1];
@@ -140,7 +135,7 @@ impl<'s> Borders<'s> {
             return if is_between { Meeting::Crossed } else { Meeting::Missed };
         }
         match sign(self.scene, Question::Orient2d(Plane::Xy), &[edge.ends[0], edge.ends[1], probe]) {
-            // In the box of the edge and on its line.
+            // The probe is in the box of the edge and on its line.
             Sign::Zero => Meeting::Touched,
             Sign::Positive if is_between => Meeting::Crossed,
             Sign::Positive | Sign::Negative => Meeting::Missed,
@@ -158,7 +153,7 @@ impl Location {
     }
 }
 
-/// Where each probe is: [`Borders::locate`].
+/// The location of each probe: [`Borders::locate`].
 ///
 /// # Panics
 /// If the scene lacks a vertex of the map or a probe.
@@ -168,13 +163,13 @@ pub fn locate(scene: &Scene, regions: &[Vec<Vec<Vertex>>], probes: &[Vertex]) ->
     probes.iter().map(|&probe| borders.locate(probe)).collect()
 }
 
-/// What a scene's probes may cost, in looks at an edge.
+/// The budget for the probes of one scene, in edges tested.
 const BUDGET: u64 = 150_000_000;
-/// What a probe's signs cost besides, in looks at an edge.
+/// The further cost of a probe's signs, in edges tested.
 const SIGNS: u64 = 10_000;
 
-/// Which of so many probes are judged in a map of so many edges: all as long as
-/// that takes a few tenths of a second, else every n-th.
+/// The sample of `probes` probes to judge in a map of `edges` edges: all if that takes a few tenths of a second at
+/// most, else every n-th.
 #[must_use]
 pub fn sample(probes: usize, edges: usize) -> Sample {
     Sample::within(BUDGET, probes, edges as u64 + SIGNS)

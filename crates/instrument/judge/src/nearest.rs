@@ -1,13 +1,13 @@
-//! The double that is nearest to a rational.
+//! Conversion of a rational to the nearest double.
 
 use rug::Rational;
 
 use crate::rational;
 
-/// The nearest double, of two equally near ones the even one; beyond the largest double, that one.
+/// The nearest double, ties to even; beyond the largest double, the largest double.
 #[must_use]
 pub fn nearest(x: &Rational) -> f64 {
-    // Rounded towards zero: the other candidate is the next double away from zero.
+    // `to_f64` rounds towards zero: the other candidate is the next double away from zero.
     let inner = x.to_f64();
     let outer = if *x < 0 { inner.next_down() } else { inner.next_up() };
     if !inner.is_finite() || !outer.is_finite() {

@@ -1,8 +1,7 @@
-//! The judge prepared for one scene: each constructed point is solved for once.
+//! The judge for one scene, with each constructed point solved once.
 //!
-//! A point of three planes takes four determinants of rationals, and a scene
-//! asks about the same points again and again. [`Points`] keeps them, as
-//! rationals and over one denominator.
+//! A point of three planes takes four determinants of rationals, and the queries of a scene use the same points many
+//! times. [`Points`] caches them, both as rationals and over one denominator.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
@@ -14,21 +13,21 @@ use crate::constructed;
 use crate::determinant::{Verdict, sign_of_rows, verdict_of};
 use crate::row::Row;
 
-/// A constructed vertex over one denominator, and as rationals if anybody asks for them.
+/// A constructed vertex over one denominator; its rationals are computed on first use.
 struct Solved {
     row: Row,
     point: OnceLock<Vec<Rational>>,
 }
 
-/// Truth about one scene. Constructed points are computed when they are first
-/// asked for, by whichever thread that is, and kept.
+/// The exact answers about one scene. The first thread that uses a constructed point computes it, and the point is
+/// cached.
 pub struct Points {
     scene: Scene,
     constructed: Vec<OnceLock<Option<Solved>>>,
 }
 
 impl Points {
-    /// Nothing is computed yet.
+    /// The judge of a scene, with no constructed point computed yet.
     #[must_use]
     pub fn of(scene: &Scene) -> Points {
         Points { scene: scene.clone(), constructed: scene.constructions().iter().map(|_| OnceLock::new()).collect() }
@@ -40,10 +39,10 @@ impl Points {
         &self.scene
     }
 
-    /// Adds the vertices that these definitions define.
+    /// Adds the vertices that these constructions define.
     ///
     /// # Errors
-    /// [`Refused`] with the first definition whose lines and planes meet in no single point.
+    /// [`Refused`] with the first construction whose lines and planes don't meet in a single point.
     pub fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         let vertices =
             self.scene.construct_all(definitions, |scene, vertex| match constructed::row(scene, vertex) {
@@ -54,7 +53,7 @@ impl Points {
         Ok(vertices)
     }
 
-    /// The exact coordinates of a vertex, as by the function [`point`](crate::point).
+    /// The exact coordinates of a vertex, as from the function [`point`](crate::point).
     ///
     /// # Panics
     /// If the scene has no such vertex.
@@ -69,10 +68,10 @@ impl Points {
         }
     }
 
-    /// The exact sign of a query, as by the function [`sign`](crate::sign).
+    /// The exact sign of a query, as from the function [`sign`](crate::sign).
     ///
     /// # Panics
-    /// If the query does not fit the scene, or is about a construction that is no point.
+    /// If the query does not fit the scene, or uses a construction that gives no point.
     #[must_use]
     pub fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
         sign_of_rows(&self.scene, question, args, |v| match v.construction() {
@@ -81,7 +80,7 @@ impl Points {
         })
     }
 
-    /// The exact determinant of a query with its permanent, as by the function [`verdict`](crate::verdict).
+    /// The exact determinant of a query with its permanent, as from the function [`verdict`](crate::verdict).
     ///
     /// # Panics
     /// As [`sign`](Points::sign).

@@ -1,4 +1,4 @@
-//! A point over one denominator, as constructed points and integer determinants take it.
+//! Points over one denominator, the form that constructed points and integer determinants use.
 
 use rug::{Integer, Rational};
 
@@ -6,7 +6,7 @@ use rug::{Integer, Rational};
 #[derive(Clone, Debug)]
 pub(crate) struct Row {
     pub(crate) coordinates: Vec<Integer>,
-    /// Positive.
+    /// The common denominator, positive.
     pub(crate) weight: Integer,
 }
 
@@ -16,7 +16,7 @@ impl Row {
         self.coordinates.iter().map(|x| Rational::from((x, &self.weight))).collect()
     }
 
-    /// The same over the least denominator.
+    /// The point over the least denominator.
     pub(crate) fn reduced(mut self) -> Row {
         let common = self.coordinates.iter().fold(self.weight.clone(), |common, x| common.gcd(x));
         self.coordinates.iter_mut().for_each(|x| x.div_exact_mut(&common));

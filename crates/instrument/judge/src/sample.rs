@@ -1,11 +1,10 @@
-//! Which part of a task is judged where all of it would take too long.
+//! Samples: the part of a task that is judged when all of it would take too long.
 //!
-//! The truths of this crate look at everything there is. For large inputs that
-//! is too slow, so every n-th item is judged. The rule depends on sizes only:
-//! the same scene is sampled in the same way on every machine, and a report can
-//! say how much was judged.
+//! The judge's algorithms visit everything. For large inputs that is too slow, so every n-th item is judged. The rule
+//! depends on sizes only: the same scene has the same sample on every machine, and a report can say how much was
+//! judged.
 
-/// Every n-th of so many items, from the first.
+/// Every n-th of a number of items, starting at the first.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Sample {
     of: usize,
@@ -13,21 +12,20 @@ pub struct Sample {
 }
 
 impl Sample {
-    /// All of them.
+    /// The sample of all items.
     #[must_use]
     pub const fn all(of: usize) -> Sample {
         Sample { of, step: 1 }
     }
 
-    /// As many as a budget allows, at a cost for each, spread evenly: at least
-    /// one of them, if there is one.
+    /// The sample of as many items as the budget allows at `cost` each, evenly spaced: at least one if there are any.
     #[must_use]
     pub fn within(budget: u64, of: usize, cost: u64) -> Sample {
         let afforded = usize::try_from(budget / cost.max(1)).unwrap_or(usize::MAX).max(1);
         Sample { of, step: of.div_ceil(afforded).max(1) }
     }
 
-    /// The places of the sampled items, ascending.
+    /// The indices of the sampled items, ascending.
     pub fn places(self) -> impl ExactSizeIterator<Item = usize> + Clone {
         (0..self.of).step_by(self.step)
     }
@@ -38,7 +36,7 @@ impl Sample {
         self.of.div_ceil(self.step)
     }
 
-    /// Whether no item is sampled, as there is none.
+    /// True if the sample is empty, because there are no items.
     #[must_use]
     pub fn is_empty(self) -> bool {
         self.of == 0
@@ -50,19 +48,19 @@ impl Sample {
         self.of
     }
 
-    /// The distance between sampled items: 1 where all are judged.
+    /// The distance between sampled items: 1 if all are judged.
     #[must_use]
     pub fn step(self) -> usize {
         self.step
     }
 
-    /// Whether every item is judged.
+    /// True if every item is judged.
     #[must_use]
     pub fn is_all(self) -> bool {
         self.step == 1
     }
 
-    /// Whether this item is judged.
+    /// True if the item at this index is judged.
     #[must_use]
     pub fn has(self, place: usize) -> bool {
         place < self.of && place.is_multiple_of(self.step)

@@ -1,17 +1,17 @@
-//! The judge's signs as a session, for algorithms that need predicates.
+//! Sessions that answer with the judge's signs, for algorithms that need predicates.
 
 use predicament_predicates::{Construction, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by};
 
 use crate::Points;
 
-/// The sign of a perturbed scene, for backends that break ties: computed in
-/// another way than the backend computes it.
+/// The sign of a query in a perturbed scene, for backends that break ties. It is computed in another way than the
+/// backend computes it.
 pub type TieJudge = dyn Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync;
 
-/// A session that answers with the judge's signs. It shares nothing with any
-/// backend; contacts go by the trait's own bodies.
+/// A session that answers with the judge's signs. It shares no code with any backend; contacts use the trait's default
+/// methods.
 pub struct Judged<'s> {
-    /// With the vertices that were constructed since.
+    /// The judge of the scene, including vertices that were constructed during the session.
     points: Points,
     way: Way<'s>,
 }
@@ -23,20 +23,20 @@ enum Way<'s> {
 }
 
 impl<'s> Judged<'s> {
-    /// Exact signs: [`judge::sign`](crate::sign).
+    /// A session with exact signs: [`judge::sign`](crate::sign).
     #[must_use]
     pub fn exact(scene: &Scene) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Exact }
     }
 
-    /// Exact signs by the judge's other computation, which is slow: [`judge::verdict`](crate::verdict).
+    /// A session with exact signs from the judge's other, slow computation: [`judge::verdict`](crate::verdict).
     #[must_use]
     pub fn again(scene: &Scene) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Again }
     }
 
-    /// The signs of a perturbed scene. A perturbation by infinitesimals
-    /// changes no sign that is not zero, so only zeros are asked about.
+    /// A session with the signs of a perturbed scene. A perturbation by infinitesimals changes only zero signs, so only
+    /// zeros are passed to `ties`.
     #[must_use]
     pub fn perturbed(scene: &Scene, ties: &'s TieJudge) -> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Perturbed(ties) }

@@ -1,19 +1,24 @@
-//! The truth about points in multi-material meshes: crossing sums, triangle by triangle.
+//! The exact location of points in multi-material meshes: crossing sums, triangle by triangle.
 //!
 //! # Definition
-//! A mesh is a list of triangles, each with a region in front of it, where its corners are seen counterclockwise, and one
-//! behind. The boundary of a region is the triangles that have it on one side; the mesh is such that each boundary is closed.
-//! * A point is **on** a triangle iff it is one of its points, borders included.
-//! * Else the **winding number** of a region around it is that of the region's boundary: the triangles that a ray from the
-//!   point passes into the region, less those by which it leaves it, counted from outside in. Region 0 is outside of everything and
-//!   has one more. The point is **in** a region iff its winding number is 1 and all others are 0.
+//! A mesh is a list of triangles. Each has one region in front of it, on the side where its corners appear
+//! counterclockwise, and one region behind. The boundary of a region consists of the triangles that have the region on
+//! one side; each boundary of a mesh is closed.
+//! * A point is **on** a triangle iff the closed triangle contains it.
+//! * Else the **winding number** of a region around the point is that of the region's boundary, counted along a ray
+//!   from outside to the point: the triangles at which the ray enters the region, less those at which it leaves it.
+//!   Region 0 is outside of everything and has one more. The point is **in** a region iff its winding number is 1 and
+//!   all others are 0.
 //!
 //! # How
-//! [`Materials::locate`] sends the ray along x, at (ε, ε²) beside the point in y and z, so that it passes beside all
-//! vertices and edges. A box that does not hold the point, as seen along the ray, decides by comparing doubles, which is
-//! exact; all other signs are those of [integers](crate::sign). [`Materials::winding`] is a second computation, in rationals:
-//! along a ray of a direction of its own, in general position or not at all, it decides by barycentric coordinates. Both look at
-//! every triangle for every point. [`InIntegers`] is that second computation for points that are no doubles, without a division. [`Boundary`] is for doubles in solids whose corners are rational. (The algorithm that these are held against sends a vertical ray, through a grid.)
+//! [`Materials::locate`] sends the ray along x, at (ε, ε²) beside the point in y and z, so that it avoids all vertices
+//! and edges. If the box of a triangle, as seen along the ray, does not hold the point, comparing doubles decides,
+//! which is exact; all other signs are those of [integers](crate::sign).
+//!
+//! [`Materials::winding`] is a second computation, in rationals: along a ray of a given direction, in general position
+//! or refused, it decides by barycentric coordinates. Both test every point against every triangle. [`InIntegers`] is
+//! that second computation for points that are not doubles, without a division. [`Boundary`] is for doubles in solids
+//! whose corners are rational. (The algorithm under test sends a vertical ray, through a grid.)
 
 mod boundary;
 mod integers;
@@ -28,44 +33,44 @@ pub use integers::InIntegers;
 
 use crate::{rational, sign};
 
-/// Where a point is.
+/// The location of a point in a mesh.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Place {
     /// On these triangles, ascending.
     On(Vec<u32>),
-    /// In one region.
+    /// Inside exactly one region.
     In(u32),
-    /// Around the point these regions have other winding numbers than zero, and not one of them 1 alone.
+    /// The regions with non-zero winding numbers around the point, if they are not a single region with 1.
     Windings(Vec<(u32, i64)>),
 }
 
-/// A mesh by its triangles.
+/// A multi-material mesh, as its triangles.
 pub struct Materials<'s> {
     scene: &'s Scene,
     triangles: &'s [[Vertex; 3]],
     sides: &'s [[u32; 2]],
 }
 
-/// How a ray meets a triangle.
+/// The relation of a ray to a triangle.
 enum Meeting {
     Missed,
     On,
-    /// Whether the point is behind it.
+    /// The ray crosses the triangle; true if the point is behind it.
     Passed(bool),
 }
 
 impl<'s> Materials<'s> {
-    /// A mesh of a scene, a pair of regions for each triangle: the one in front, the one behind.
+    /// A mesh of a scene, with a pair of regions for each triangle: in front and behind.
     ///
     /// # Panics
-    /// If there are not as many sides as triangles.
+    /// If the numbers of sides and of triangles differ.
     #[must_use]
     pub fn new(scene: &'s Scene, triangles: &'s [[Vertex; 3]], sides: &'s [[u32; 2]]) -> Materials<'s> {
         assert_eq!(triangles.len(), sides.len(), "a pair of sides for each triangle");
         Materials { scene, triangles, sides }
     }
 
-    /// Where a vertex of the scene is.
+    /// The location of a vertex of the scene.
     ///
     /// # Panics
     /// If the scene lacks the vertex.
@@ -74,8 +79,9 @@ impl<'s> Materials<'s> {
         self.place(|_, triangle| Some(self.along_x(triangle, q))).expect("a ray beside all edges")
     }
 
-    /// Where a vertex of the scene is, by a ray in this direction; none where the ray touches the border of a triangle, or
-    /// runs in its plane.
+    /// The location of a vertex of the scene, by a ray in this direction.
+    ///
+    /// Returns `None` if the ray touches the border of a triangle or runs in its plane.
     ///
     /// # Panics
     /// If the scene lacks the vertex, or the direction is zero.
@@ -86,7 +92,7 @@ impl<'s> Materials<'s> {
         self.place(|_, triangle| self.along(triangle, &q, &direction))
     }
 
-    /// The triangles in integers, to locate rational points.
+    /// The triangles with integer coordinates, to locate rational points.
     #[must_use]
     pub fn in_integers(&self) -> InIntegers<'_> {
         InIntegers::new(self)
@@ -114,7 +120,7 @@ impl<'s> Materials<'s> {
         })
     }
 
-    /// The meeting with the ray to larger x.
+    /// The meeting of a triangle with the ray to larger x.
     fn along_x(&self, triangle: [Vertex; 3], q: Vertex) -> Meeting {
         let [a, b, c] = triangle;
         let p = self.scene.point3(q);
@@ -131,7 +137,7 @@ impl<'s> Materials<'s> {
             let turns = [turn(plane, a, b), turn(plane, b, c), turn(plane, c, a)];
             !(turns.contains(&Sign::Positive) && turns.contains(&Sign::Negative))
         };
-        // In the box, in the plane and in each projection: a point of the triangle, also of one without area.
+        // In the box, in the plane and in each projection: a point of the triangle, even of a triangle without area.
         if side == Sign::Zero && !is_beside(0) && [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(is_within) {
             return Meeting::On;
         }
@@ -151,7 +157,7 @@ impl<'s> Materials<'s> {
         Meeting::Passed(side == Sign::Positive)
     }
 
-    /// The meeting with a ray in a direction: q + t d = a + v (b − a) + w (c − a), by Cramer's rule.
+    /// The meeting of a triangle with a ray in a direction: q + t d = a + v (b − a) + w (c − a), by Cramer's rule.
     fn along(&self, triangle: [Vertex; 3], q: &[Rational; 3], direction: &[Rational; 3]) -> Option<Meeting> {
         let point = |v: Vertex| self.scene.point3(v).map(rational);
         let less = |p: &[Rational; 3], q: &[Rational; 3]| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
@@ -159,7 +165,8 @@ impl<'s> Materials<'s> {
         let (ab, ac, aq) = (less(&b, &a), less(&c, &a), less(q, &a));
         let normal = cross(&ab, &ac);
         if normal.iter().all(|x| x.cmp0().is_eq()) {
-            // Its corners are on a line, from the first over the second to the third: only its points count, no ray passes it.
+            // The corners are collinear: the triangle is the path from the first over the second to the third corner. A
+            // point can be on it, but no ray crosses it.
             let from_q = [a, b, c].map(|corner| less(&corner, q));
             let is_between = |u: usize, v: usize| {
                 let is_on_line = cross(&from_q[u], &from_q[v]).iter().all(|x| x.cmp0().is_eq());
@@ -171,7 +178,7 @@ impl<'s> Materials<'s> {
         let determinant = dot(direction, &normal);
         let height = dot(&aq, &normal);
         if determinant.cmp0().is_eq() {
-            // Parallel to the ray: it is missed, unless the point is in its plane.
+            // The plane is parallel to the ray, which misses it unless the point is in the plane.
             return height.cmp0().is_ne().then_some(Meeting::Missed);
         }
         let t = Rational::from(-&height) / &determinant;
@@ -186,7 +193,7 @@ impl<'s> Materials<'s> {
         if t.cmp0().is_eq() {
             return Some(Meeting::On);
         }
-        // The normal looks to the front: behind the triangle the height is negative.
+        // The normal points to the front: behind the triangle the height is negative.
         coordinates.iter().all(|coordinate| coordinate.is_gt()).then(|| Meeting::Passed(height.cmp0().is_lt()))
     }
 }

@@ -2,7 +2,7 @@
 
 use rug::Rational;
 
-/// The sum, in pairs: partial sums are of few terms each.
+/// The sum of the terms, added in pairs so that partial sums have few terms each.
 pub fn sum(mut terms: Vec<Rational>) -> Rational {
     while terms.len() > 1 {
         terms = terms
@@ -23,7 +23,7 @@ mod tests {
     #[test]
     fn a_sum_has_all_its_terms() {
         for count in 0..12_u32 {
-            // The powers of two, of which no two choices have one sum, over three.
+            // Powers of two over three: different subsets have different sums.
             let terms = (0..count).map(|i| Rational::from((1_u32 << i, 3_u32))).collect();
             assert_eq!(sum(terms), Rational::from(((1_u32 << count) - 1, 3_u32)));
         }

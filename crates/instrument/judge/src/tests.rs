@@ -1,11 +1,11 @@
-//! The judge against what is known. (The tests of the oracle have it against another computation.)
+//! Tests of the judge against known results. (The tests of the oracle check it against another computation.)
 
 use crate::determinant::log2;
 use crate::*;
 use predicament_predicates::{Construction, Plane, Predicates, Question, Scene, Sign, Vertex};
 
-/// Lines and planes that are laid through a known point, in all directions of a small grid:
-/// they meet there, and nowhere else, where the directions are independent.
+/// Lines and planes through a known point, in all directions of a small grid: they meet there, and nowhere else, if the
+/// directions are independent.
 #[test]
 fn constructed_vertices_are_where_they_are_known_to_be() {
     const KNOWN: [f64; 3] = [5.0, -3.0, 0.5];
@@ -52,8 +52,8 @@ fn constructed_vertices_are_where_they_are_known_to_be() {
     assert!((1000..27 * 27 * 6).contains(&found), "{found} points");
 }
 
-/// Level upon level: a vertex is on the lines through constructed vertices that define it, and
-/// one whose definition goes through no point is none.
+/// Constructions on several levels: a vertex lies on the lines through constructed vertices that define it, and a
+/// definition that gives no point is refused.
 #[test]
 fn cascades_lie_on_what_defines_them() {
     let mut scene =

@@ -1,21 +1,18 @@
 //! Figures 1 and 5 of the paper, entered for the audit alone.
 //!
-//! A backend that is held to the bands that it claims is held to nothing: with
-//! a constant doubled, claim and answer move together. So what a backend of
-//! tolerances promises is taken from here, and from the backend only in which
-//! precision it computes: the ε, of two that are far apart, whose σ₊ is nearer
-//! to the claimed one.
+//! Checking a backend against the bands that it claims itself proves nothing: if a constant is doubled, claim and
+//! answer change together. So the bands of a backend of tolerances are taken from here. The backend only contributes
+//! its precision: of two values of ε that are far apart, the one whose σ₊ is nearer to the claimed σ₊.
 //!
-//! All are kept as squares, which the exact quantities are compared by. A root
-//! that is irrational is rounded outward from T, so that no promise is stricter
-//! than the paper's.
+//! All tolerances are stored as squares, since the exact quantities are compared as squares. An irrational root is
+//! rounded outward from T, so that no promise is stricter than the paper's.
 
 use predicament_arithmetic::difference_up;
 use predicament_error_calculus::Enclosure;
 use predicament_predicates::{Axis, Band, Dimension, Plane, Predicates, Question, Scene};
 use rug::{Integer, Rational};
 
-/// A tolerance of the paper, by the symbol that it has there.
+/// A tolerance of the paper, by its symbol in the paper.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Symbol {
     /// σ, vertex-vertex.
@@ -26,7 +23,7 @@ pub enum Symbol {
     Delta,
     /// γ, edge-edge in space.
     Gamma,
-    /// σ̂, the least length of an edge that is divided by.
+    /// σ̂, the smallest length of an edge that is used as a divisor.
     SigmaHat,
     /// κ, areas in the plane.
     Kappa,
@@ -46,16 +43,16 @@ pub enum Symbol {
     Rho,
 }
 
-/// c², as a multiple of 1 or 3, over some denominator: T₋, T and T₊.
+/// The squares of T₋, T and T₊: c², as a multiple of 1 or 3, over some denominator.
 struct Row {
     symbol: Symbol,
-    /// Four times the numbers of the figure, which are all quarters; the last over √3 where it is irrational.
+    /// Four times the numbers of the figure, which are all quarters; the last is divided by √3 if it is irrational.
     quarters: [u32; 3],
-    /// Whether T₊ has the factor √3.
+    /// True if T₊ has the factor √3.
     root3: bool,
-    /// 4e, for ε^e.
+    /// The exponent of ε in quarters: 4e, for ε^e.
     epsilon_quarters: u32,
-    /// p, for L^p.
+    /// The exponent of L: p, for L^p.
     power: u32,
 }
 
@@ -63,12 +60,12 @@ const fn row(symbol: Symbol, quarters: [u32; 3], epsilon_quarters: u32, power: u
     Row { symbol, quarters, root3: false, epsilon_quarters, power }
 }
 
-/// With T₊ a multiple of √3, where the figure has a rounded number: the constraint that defines it.
+/// A row with T₊ a multiple of √3, where the figure has a rounded number: the constraint that defines it.
 const fn root3(symbol: Symbol, quarters: [u32; 3], epsilon_quarters: u32, power: u32) -> Row {
     Row { symbol, quarters, root3: true, epsilon_quarters, power }
 }
 
-/// Figure 1.
+/// The rows of Figure 1.
 const FIGURE_1: [Row; 4] = [
     row(Symbol::Sigma, [24, 26, 28], 2, 1),
     row(Symbol::Tau, [16, 18, 20], 2, 1),
@@ -76,7 +73,7 @@ const FIGURE_1: [Row; 4] = [
     row(Symbol::Kappa, [40, 84, 128], 4, 2),
 ];
 
-/// Figure 5. ζ₊ = 12√3 (16 − 6.25)², ξ₊ = ρ₊ = 48√3.
+/// The rows of Figure 5. ζ₊ = 12√3 (16 − 6.25)², ξ₊ = ρ₊ = 48√3.
 const FIGURE_5: [Row; 12] = [
     row(Symbol::Sigma, [24, 26, 28], 1, 1),
     row(Symbol::Tau, [16, 18, 20], 1, 1),
@@ -92,15 +89,15 @@ const FIGURE_5: [Row; 12] = [
     root3(Symbol::Rho, [112, 224, 192], 3, 3),
 ];
 
-/// Over ε L⁴ and ε L⁵: ours, made of the error bounds 129 and 1129 in steps of one more.
+/// Our bands of the circle predicates, in units of ε L⁴ and ε L⁵: the error bounds 129 and 1129 in steps of one more.
 const INCIRCLE: [u32; 3] = [130, 260, 390];
 const INSPHERE: [u32; 3] = [1130, 2260, 3390];
 
-/// k of the machine epsilons 2⁻ᵏ that backends compute with, double and single precision.
+/// The exponents k of the machine epsilons 2⁻ᵏ that backends compute with, double and single precision.
 const HALVINGS: [u32; 2] = [52, 23];
 
 impl Symbol {
-    /// All of them, lengths first.
+    /// All symbols, lengths first.
     pub const ALL: [Symbol; 13] = [
         Symbol::Sigma,
         Symbol::Tau,
@@ -117,7 +114,7 @@ impl Symbol {
         Symbol::Rho,
     ];
 
-    /// As the paper writes it.
+    /// The symbol as the paper writes it.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -142,14 +139,14 @@ impl Symbol {
 #[derive(Clone, Debug)]
 pub struct Published {
     dimension: Dimension,
-    /// T₋², T² and T₊² by symbol.
+    /// The squares T₋², T² and T₊² by symbol.
     squares: Vec<(Symbol, [Rational; 3])>,
-    /// (εL)².
+    /// The squared unit (εL)².
     pub unit_squared: Rational,
 }
 
 impl Published {
-    /// For ε = 2^−`halvings` and L.
+    /// The tolerances for ε = 2^−`halvings` and L.
     #[must_use]
     pub fn new(dimension: Dimension, halvings: u32, length: &Enclosure) -> Published {
         let epsilon = Enclosure::exact(Rational::from(1) >> halvings);
@@ -159,7 +156,7 @@ impl Published {
             Dimension::Three => &FIGURE_5,
         };
         let squares = |row: &Row| {
-            // (ε^e)², e in quarters: as many times √ε
+            // (ε^e)²; e is in quarters, so this is √ε to the same power.
             let unit = half.power(row.epsilon_quarters) * length.power(2 * row.power);
             let [lower, width, upper] = row.quarters.map(|c| Rational::from((Integer::from(c).square(), 16)));
             let factor = if row.root3 { 3 } else { 1 };
@@ -170,17 +167,15 @@ impl Published {
         Published { dimension, squares, unit_squared }
     }
 
-    /// For ε = 2^−`halvings` and the largest bounding-box edges of a primitive of
-    /// each complex.
+    /// The tolerances for ε = 2^−`halvings` and the largest bounding-box edges of a primitive of each complex.
     #[must_use]
     pub fn for_lengths(dimension: Dimension, lengths: [f64; 2], halvings: u32) -> Published {
         Published::new(dimension, halvings, &contact_length(dimension, lengths, halvings))
     }
 
-    /// Those that contacts of a session are held to; none where it claims no band for them.
+    /// The tolerances that a session's contacts must satisfy; `None` if it claims no band for contacts.
     ///
-    /// L is that of the lengths in the scene, (1 + 5ε)/(1 − 7√ε)(La + Lb) in the plane
-    /// and with ε^¼ in space.
+    /// L is that of the lengths in the scene, (1 + 5ε)/(1 − 7√ε)(La + Lb) in the plane and with ε^¼ in space.
     #[must_use]
     pub fn of<S: Predicates + ?Sized>(session: &S) -> Option<Published> {
         let claimed = session.contact_band([0, 0])?;
@@ -189,13 +184,13 @@ impl Published {
         Some(nearest(claimed.upper, all, |published| root(&published.limits(Symbol::Sigma)[2])))
     }
 
-    /// The dimension.
+    /// The dimension of the tolerances.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// T₋², T² and T₊².
+    /// The squares T₋², T² and T₊² of a tolerance.
     ///
     /// # Panics
     /// If the dimension has no such tolerance.
@@ -205,7 +200,7 @@ impl Published {
         &found.unwrap_or_else(|| panic!("{} is no tolerance of {:?}", symbol.name(), self.dimension)).1
     }
 
-    /// T₋, T and T₊, rounded: for generators, which need no more.
+    /// T₋, T and T₊, rounded; precise enough for generators.
     ///
     /// # Panics
     /// If the dimension has no such tolerance.
@@ -214,7 +209,7 @@ impl Published {
         self.limits(symbol).each_ref().map(root)
     }
 
-    /// The tolerance that is a distance, by the ranks of a pair, the higher first.
+    /// The symbol of the distance tolerance for a pair of these ranks, the higher rank first.
     #[must_use]
     pub fn distance(&self, ranks: [u8; 2]) -> Option<Symbol> {
         match (self.dimension, ranks) {
@@ -227,8 +222,8 @@ impl Published {
     }
 }
 
-/// The band that a sign is held to: κ, ξ and our own of the circles, with L the
-/// largest extent of all points; none where the session claims none.
+/// The band that a sign must satisfy: κ, ξ and our own of the circles, with L the largest extent of all points. `None`
+/// if the session claims no band.
 #[must_use]
 pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<Band> {
     let claimed = session.band(question)?;
@@ -256,7 +251,7 @@ pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<B
     Some(nearest(claimed.upper, HALVINGS.map(of), |band| band.upper))
 }
 
-/// L of Algorithm 1 or 6.
+/// The length L of Algorithm 1 or 6.
 fn contact_length(dimension: Dimension, lengths: [f64; 2], halvings: u32) -> Enclosure {
     let epsilon = Enclosure::exact(Rational::from(1) >> halvings);
     let root = match dimension {
@@ -279,14 +274,14 @@ fn extent(scene: &Scene, axes: &[Axis]) -> f64 {
     axes.iter().map(along).fold(0.0, f64::max)
 }
 
-/// Of two whose values are far apart the one whose value is nearer to the claimed
-/// one, by their quotient.
+/// The one of two items whose value is nearer to the claimed value, by their quotient. The two values must be far
+/// apart.
 fn nearest<T>(claimed: f64, [first, second]: [T; 2], value: impl Fn(&T) -> f64) -> T {
     let off = |value: f64| (claimed / value).ln().abs();
     if off(value(&second)) < off(value(&first)) { second } else { first }
 }
 
-/// The root, rounded; of powers that doubles hold, as every tolerance of a scene is.
+/// The square root, rounded. The square must be within the powers that doubles hold, as all tolerances of a scene are.
 fn root(square: &Rational) -> f64 {
     Enclosure::exact(square.clone()).sqrt().lower.to_f64()
 }

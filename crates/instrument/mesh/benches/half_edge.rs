@@ -1,8 +1,9 @@
-//! Half-edge meshes from a million triangles and back, beside sorting their edges once, on one thread: triangles of a
-//! grid row by row, and the same with triangles and vertices shuffled. The aim is at most twice the sorting time.
+//! Builds half-edge meshes from a million triangles and converts them back, on one thread. Inputs are the triangles of
+//! a grid row by row, and the same with triangles and vertices shuffled. The aim is at most twice the time of sorting
+//! the edges once.
 //!
-//! Sorted are pairs of vertices with the place of the half-edge, from which opposites could be read off. All are
-//! measured in turns, and the medians and their ratios printed.
+//! The sort is of vertex pairs with the index of the half-edge, which would give the opposites. The measurements
+//! alternate; the program prints the medians and their ratios.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -12,7 +13,7 @@ use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::Vertex;
 
-/// Cells along a side of the grid: 999,698 triangles.
+/// The number of cells along a side of the grid: 999,698 triangles.
 const SIDE: u32 = 707;
 const ROUNDS: usize = 21;
 
@@ -32,7 +33,7 @@ fn shuffle<T>(list: &mut [T], random: &mut Random) {
     }
 }
 
-/// The same surface, its triangles and vertices in random order.
+/// The surface with triangles and vertices in random order.
 fn shuffled(triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut random = Random::new("half-edge", "bench", 1);
     let mut names: Vec<u32> = (0..(SIDE + 1) * (SIDE + 1)).collect();
@@ -57,7 +58,7 @@ fn timed<T>(times: &mut Vec<Duration>, work: impl FnOnce() -> T) -> T {
     made
 }
 
-/// The middle of some times, in seconds.
+/// The median of some times, in seconds.
 fn median(mut times: Vec<Duration>) -> f64 {
     times.sort_unstable();
     times[times.len() / 2].as_secs_f64()

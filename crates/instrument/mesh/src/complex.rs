@@ -1,37 +1,35 @@
-//! Simplicial complexes: vertices, edges, triangles and tetrahedra, closed
-//! under taking faces.
+//! Simplicial complexes: vertices, edges, triangles and tetrahedra, closed under taking faces.
 //!
-//! Curves, surfaces and solids alike are sets of simplices that meet in common
-//! faces. Every simplex is stored once, with its vertices in ascending order,
-//! so what is computed about it can't depend on how it was written down.
+//! Curves, surfaces and solids are all sets of simplices that meet in common faces. Every simplex is stored once, with
+//! its vertices in ascending order, so results cannot depend on how the simplex was written down.
 
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use crate::length::longest;
 
-/// Why a list of simplices is not a complex of a scene.
+/// The reason why a list of simplices is not a complex of a scene.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum ComplexError {
-    /// A simplex uses a vertex that the scene lacks, or one that is not input.
+    /// A simplex uses a vertex that the scene lacks, or a vertex that is not an input vertex.
     NoSuchVertex {
-        /// The simplex, as it was given.
+        /// The vertices of the simplex, as given.
         simplex: Vec<Vertex>,
         /// The vertex.
         vertex: Vertex,
     },
     /// A simplex names a vertex twice.
     Repeated {
-        /// The simplex, as it was given.
+        /// The vertices of the simplex, as given.
         simplex: Vec<Vertex>,
         /// The vertex.
         vertex: Vertex,
     },
-    /// A tetrahedron in a 2D scene.
+    /// A tetrahedron is in a 2D scene.
     Dimension {
-        /// The simplex, as it was given.
+        /// The vertices of the tetrahedron, as given.
         simplex: Vec<Vertex>,
     },
-    /// More simplices of one rank than 2^32.
+    /// There are 2^32 simplices or more of one rank.
     TooMany,
 }
 
@@ -56,12 +54,12 @@ impl std::fmt::Display for ComplexError {
 
 impl std::error::Error for ComplexError {}
 
-/// A simplex of a complex: how many dimensions it has and its place among those.
+/// A simplex of a complex, as its rank and its index among the simplices of that rank.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Simplex {
-    /// 0 for a vertex, 1 for an edge, 2 for a triangle, 3 for a tetrahedron.
+    /// The dimension: 0 for a vertex, 1 for an edge, 2 for a triangle, 3 for a tetrahedron.
     pub rank: u8,
-    /// Its place in [`Complex::vertices`], [`Complex::edges`] and so on.
+    /// The index in [`Complex::vertices`], [`Complex::edges`] and so on.
     pub index: u32,
 }
 
@@ -78,10 +76,10 @@ pub struct Complex {
     maximal: Vec<Simplex>,
 }
 
-/// Simplices as they were given: in any order, faces left out or repeated.
+/// Simplices as given: in any order, with faces omitted or repeated.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Simplices {
-    /// Vertices on their own.
+    /// Isolated vertices.
     pub vertices: Vec<Vertex>,
     /// Edges.
     pub edges: Vec<[Vertex; 2]>,
@@ -95,7 +93,7 @@ impl Complex {
     /// The complex of these simplices and all their faces.
     ///
     /// # Errors
-    /// [`ComplexError`] for the first simplex that is none.
+    /// [`ComplexError`] for the first invalid simplex.
     pub fn new(scene: &Scene, given: &Simplices) -> Result<Complex, ComplexError> {
         let mut complex = Complex::default();
         if let (Dimension::Two, Some(simplex)) = (scene.dimension(), given.tetrahedra.first()) {
@@ -141,19 +139,19 @@ impl Complex {
         &self.tetrahedra
     }
 
-    /// The simplices that are faces of no other, in ascending order.
+    /// The simplices that are not faces of others, in ascending order.
     #[must_use]
     pub fn maximal(&self) -> &[Simplex] {
         &self.maximal
     }
 
-    /// How many simplices there are, of all ranks.
+    /// The number of simplices of all ranks.
     #[must_use]
     pub fn len(&self) -> usize {
         self.vertices.len() + self.edges.len() + self.triangles.len() + self.tetrahedra.len()
     }
 
-    /// Whether there is no simplex at all.
+    /// True if there are no simplices.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.vertices.is_empty()
@@ -176,7 +174,7 @@ impl Complex {
         }
     }
 
-    /// The simplex with these vertices, which are in ascending order.
+    /// The simplex with these vertices, which must be in ascending order.
     #[must_use]
     pub fn find(&self, vertices: &[Vertex]) -> Option<Simplex> {
         let (rank, place) = match *vertices {
@@ -189,9 +187,8 @@ impl Complex {
         place.ok().and_then(|index| Some(Simplex { rank, index: u32::try_from(index).ok()? }))
     }
 
-    /// The largest edge of a simplex' bounding box, rounded up so that no
-    /// exact coordinate difference within a simplex is larger; zero where all
-    /// simplices are single points.
+    /// The largest edge of a simplex' bounding box, rounded up so that no exact coordinate difference within a simplex
+    /// is larger. Zero if all simplices are single points.
     #[must_use]
     pub fn primitive_length(&self, scene: &Scene) -> f64 {
         // The extent of a simplex along an axis is that of one of its edges.
@@ -199,14 +196,14 @@ impl Complex {
     }
 }
 
-/// Given simplices and faces of larger ones: checked, sorted, each once; and
-/// the places of those that are no faces.
+/// Given simplices and the faces of larger simplices: checked, sorted, without repetitions; and the indices of the
+/// simplices that are not faces.
 fn canonical<const N: usize>(
     scene: &Scene,
     given: &[[Vertex; N]],
     faces: impl IntoIterator<Item = [Vertex; N]>,
 ) -> Result<(Vec<[Vertex; N]>, Vec<u32>), ComplexError> {
-    // A face sorts before the same simplex as it was given, and is the one that stays.
+    // A face sorts before the same simplex as given, and deduplication keeps the face.
     let mut all: Vec<([Vertex; N], bool)> = Vec::with_capacity(given.len());
     for simplex in given {
         let mut sorted = *simplex;

@@ -1,20 +1,20 @@
-//! The faces of a complex' simplices by their places, looked up once.
+//! The faces of a complex' simplices by index, looked up once.
 //!
-//! The simplices of a list are sorted by their first vertex before anything
-//! else, so those that share it stand together: a face is found among a few.
+//! The simplices of a list are sorted, first by their first vertex. Simplices with the same first vertex are adjacent,
+//! so a face is found among a few.
 
 use predicament_predicates::Vertex;
 
 use crate::{Complex, Simplex};
 
-/// For each simplex of a complex the places of its faces.
+/// The indices of the faces of each simplex of a complex.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Faces {
-    /// Two vertices to an edge.
+    /// The two vertices of each edge.
     edges: Vec<[u32; 2]>,
-    /// Three vertices and three edges to a triangle.
+    /// The three vertices and three edges of each triangle.
     triangles: Vec<([u32; 3], [u32; 3])>,
-    /// Four vertices, six edges and four triangles to a tetrahedron.
+    /// The four vertices, six edges and four triangles of each tetrahedron.
     tetrahedra: Vec<([u32; 4], [u32; 6], [u32; 4])>,
 }
 
@@ -40,7 +40,7 @@ impl Faces {
         }
     }
 
-    /// The faces of the simplex in ascending order, and last itself.
+    /// The faces of the simplex in ascending order, then the simplex itself.
     ///
     /// # Panics
     /// If the complex has no such simplex.
@@ -59,9 +59,8 @@ impl Faces {
     }
 }
 
-/// Finds the faces of a complex' simplices by their places, each time that it
-/// is asked: for those who ask about few. To prepare takes one look at each
-/// simplex that can be a face.
+/// A finder for the faces of a complex' simplices by index, which looks them up on each call: suited to few calls.
+/// Preparation visits each simplex that can be a face once.
 #[derive(Debug)]
 pub struct FaceFinder<'a> {
     complex: &'a Complex,
@@ -71,10 +70,10 @@ pub struct FaceFinder<'a> {
 }
 
 impl<'a> FaceFinder<'a> {
-    /// Prepared for this complex.
+    /// Prepares a finder for this complex.
     #[must_use]
     pub fn new(complex: &'a Complex) -> FaceFinder<'a> {
-        // What is a face of nothing is not looked up.
+        // Simplices that cannot be faces are not indexed.
         let edges = if complex.triangles().is_empty() { &[] } else { complex.edges() };
         let triangles = if complex.tetrahedra().is_empty() { &[] } else { complex.triangles() };
         FaceFinder {
@@ -85,7 +84,7 @@ impl<'a> FaceFinder<'a> {
         }
     }
 
-    /// Visits the faces of the simplex in ascending order, and last itself.
+    /// Visits the faces of the simplex in ascending order, then the simplex itself.
     ///
     /// # Panics
     /// If the complex has no such simplex.
@@ -116,14 +115,14 @@ impl<'a> FaceFinder<'a> {
     }
 }
 
-/// A sorted list of simplices, and where those with a given first vertex are.
+/// A sorted list of simplices, and the start of each range with equal first vertices.
 #[derive(Debug)]
 struct Places<'a, S> {
     simplices: &'a [S],
     first: fn(&S) -> Vertex,
     /// The index of the first vertex of the first simplex.
     lowest: usize,
-    /// For it and each vertex after it where those that begin with it start.
+    /// The start of the range for that vertex and for each later vertex.
     starts: Vec<u32>,
 }
 
@@ -134,7 +133,7 @@ impl<'a, S: Ord> Places<'a, S> {
         let mut starts = Vec::with_capacity(count + 1);
         for (place, simplex) in (0..).zip(simplices) {
             let vertex = first(simplex).index() - lowest;
-            // those between have none
+            // vertices in between start no simplex
             while starts.len() <= vertex {
                 starts.push(place);
             }
@@ -143,7 +142,7 @@ impl<'a, S: Ord> Places<'a, S> {
         Places { simplices, first, lowest, starts }
     }
 
-    /// The place of the first one that begins with this vertex.
+    /// The index of the first simplex that begins with this vertex.
     #[inline]
     fn first(&self, vertex: Vertex) -> u32 {
         self.starts[vertex.index() - self.lowest]

@@ -1,10 +1,12 @@
-//! How long the primitives of a mesh are, which tolerances are made from.
+//! The lengths of a mesh's primitives, from which tolerances are computed.
 //!
-//! `predicament-arithmetic` has the like. Here it is on its own, so that truths about meshes depend on no arithmetic under test.
+//! `predicament-arithmetic` has a similar function. This copy keeps the exact checks of meshes independent of the
+//! arithmetic under test.
 
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
-/// The largest side of the bounding box of an edge, rounded up so that no exact coordinate difference is larger; zero without edges.
+/// The largest side of the bounding box of an edge, rounded up so that no exact coordinate difference is larger; zero
+/// without edges.
 pub(crate) fn longest(scene: &Scene, edges: impl Iterator<Item = [Vertex; 2]>) -> f64 {
     let axes: &[Axis] = match scene.dimension() {
         Dimension::Two => &[Axis::X, Axis::Y],
@@ -17,11 +19,11 @@ pub(crate) fn longest(scene: &Scene, edges: impl Iterator<Item = [Vertex; 2]>) -
     edges.map(extent).fold(0.0, f64::max)
 }
 
-/// |a − b|, rounded up; infinite where no double is large enough.
+/// |a − b|, rounded up; infinite if no double is large enough.
 fn distance_up(a: f64, b: f64) -> f64 {
     let (high, low) = (a.max(b), a.min(b));
     let distance = high - low;
-    // What was rounded off is a double (Knuth's two-sum), or no number after an overflow.
+    // The rounding error is a double (Knuth's two-sum), or NaN after an overflow.
     let seen = distance - high;
     let rounded_off = (high - (distance - seen)) - (low + seen);
     if rounded_off > 0.0 { distance.next_up() } else { distance }

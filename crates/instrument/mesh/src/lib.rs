@@ -1,6 +1,6 @@
-//! Connectivity: complexes, polygonal maps, half-edge meshes and subdivisions of the plane over a scene's
-//! vertices. Coordinates stay in
-//! the [`Scene`](predicament_predicates::Scene).
+//! Connectivity: complexes, polygonal maps, half-edge meshes and subdivisions of the plane over a scene's vertices.
+//!
+//! Coordinates stay in the [`Scene`](predicament_predicates::Scene).
 
 mod complex;
 mod faces;

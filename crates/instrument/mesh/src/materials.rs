@@ -1,14 +1,14 @@
 //! Multi-material meshes: triangles with a region on either side.
 //!
-//! A closed surface is the simple case, of an inside and an outside. Regions that touch share triangles, so that
-//! no point between them is in both or in none.
+//! A closed surface is the simple case, with an inside and an outside. Regions that touch share triangles, so that no
+//! point between them is in both or in neither.
 //!
 //! # What is refused
-//! The boundary of a region is the chain of all triangles that have it on one side, each turned so that it sees the
-//! region behind it. If each edge is used by it as often one way as the other, the chain is closed, and each point off it has a
-//! winding number: any ray from a point counts the same. [`MaterialMesh::new`] refuses what is not closed in this
-//! sense: open surfaces, triangles that are turned over, and regions that contradict each other across an edge. Surfaces may
-//! touch and cross themselves otherwise, and an edge may have any number of triangles.
+//! The boundary of a region is the chain of all triangles that have it on one side, each oriented with the region
+//! behind it. If the chain uses each edge equally often in both directions, it is closed, and each point off it has a
+//! winding number: all rays from a point give the same count. [`MaterialMesh::new`] refuses meshes that are not closed
+//! in this sense: open surfaces, flipped triangles, and regions that contradict each other across an edge. Otherwise
+//! surfaces may touch and cross themselves, and an edge may have any number of triangles.
 
 use rayon::prelude::*;
 
@@ -16,24 +16,24 @@ use predicament_predicates::{Scene, Vertex};
 
 use crate::length::longest;
 
-/// The region outside of everything.
+/// The number of the region outside of everything.
 pub const OUTSIDE: u32 = 0;
 
-/// Why triangles with regions make no mesh.
+/// The reason why triangles with regions make no mesh.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum MaterialError {
     /// There are no triangles.
     Empty,
     /// A triangle has a vertex that the scene lacks.
     NoSuchVertex {
-        /// The triangle.
+        /// The index of the triangle.
         triangle: usize,
         /// The vertex.
         vertex: Vertex,
     },
     /// A triangle has a vertex twice.
     Repeated {
-        /// The triangle.
+        /// The index of the triangle.
         triangle: usize,
         /// The vertex.
         vertex: Vertex,
@@ -46,12 +46,12 @@ pub enum MaterialError {
         region: u32,
         /// A triangle at that edge with that region on one side.
         triangle: usize,
-        /// How many triangles the edge has.
+        /// The number of triangles at the edge.
         triangles: usize,
     },
-    /// Two tetrahedra have a face in common and are on the same side of it, or more than two have one.
+    /// Two tetrahedra share a face and are on the same side of it, or more than two share a face.
     Overlap {
-        /// The first two.
+        /// The first two tetrahedra.
         tetrahedra: [usize; 2],
         /// The face.
         face: [Vertex; 3],
@@ -61,7 +61,7 @@ pub enum MaterialError {
 }
 
 impl MaterialError {
-    /// The first bad triangle; none where there is no one.
+    /// The first bad triangle; `None` if the error has none.
     #[must_use]
     pub const fn triangle(&self) -> Option<usize> {
         match self {
@@ -117,7 +117,7 @@ fn check_triangles(vertices: usize, triangles: &[[Vertex; 3]]) -> Result<(), Mat
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct MaterialMesh {
     triangles: Vec<[Vertex; 3]>,
-    /// For each triangle the region in front and the region behind.
+    /// The region in front of each triangle, and the region behind it.
     sides: Vec<[u32; 2]>,
     regions: u32,
 }
@@ -125,14 +125,14 @@ pub struct MaterialMesh {
 impl MaterialMesh {
     /// A mesh of triangles over the first `vertices` vertices of a scene.
     ///
-    /// In front of a triangle is where its corners are seen counterclockwise. The first of `sides` is the region there, the
-    /// second that behind it. Region [`OUTSIDE`] is what is outside of everything.
+    /// The front of a triangle is the side from which its corners appear counterclockwise. The first of `sides` is the
+    /// region in front, the second the region behind. Region [`OUTSIDE`] is outside of everything.
     ///
     /// # Errors
-    /// [`MaterialError`] for the first triangle, else the first edge by its vertices, that is wrong.
+    /// [`MaterialError`] for the first wrong triangle, else the first wrong edge by its vertices.
     ///
     /// # Panics
-    /// If there are not as many sides as triangles.
+    /// If the numbers of sides and of triangles differ.
     pub fn new(
         vertices: usize,
         triangles: Vec<[Vertex; 3]>,
@@ -147,13 +147,14 @@ impl MaterialMesh {
         Ok(MaterialMesh { triangles, sides, regions })
     }
 
-    /// The largest side of the bounding box of a triangle, rounded up so that no exact coordinate difference within a triangle is larger.
+    /// The largest side of the bounding box of a triangle, rounded up so that no exact coordinate difference within a
+    /// triangle is larger.
     #[must_use]
     pub fn primitive_length(&self, scene: &Scene) -> f64 {
         longest(scene, self.triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]))
     }
 
-    /// A closed surface, seen counterclockwise from outside: region 1 is inside of it.
+    /// The mesh of a closed surface, counterclockwise as seen from outside; region 1 is inside of it.
     ///
     /// # Errors
     /// As [`MaterialMesh::new`].
@@ -162,26 +163,27 @@ impl MaterialMesh {
         MaterialMesh::new(vertices, triangles, sides)
     }
 
-    /// Some triangles of a closed surface, seen counterclockwise from outside: region 1 is behind them. That they are of such a surface is
-    /// not checked.
+    /// The mesh of some triangles of a closed surface, counterclockwise as seen from outside; region 1 is behind them.
+    ///
+    /// It is not checked that the triangles are of such a surface.
     ///
     /// # Errors
-    /// [`MaterialError::Empty`], [`MaterialError::TooMany`], [`MaterialError::NoSuchVertex`] and [`MaterialError::Repeated`], as
-    /// [`MaterialMesh::new`].
+    /// [`MaterialError::Empty`], [`MaterialError::TooMany`], [`MaterialError::NoSuchVertex`] and
+    /// [`MaterialError::Repeated`], as [`MaterialMesh::new`].
     pub fn part_of_closed(vertices: usize, triangles: Vec<[Vertex; 3]>) -> Result<MaterialMesh, MaterialError> {
         check_triangles(vertices, &triangles)?;
         let sides = vec![[OUTSIDE, 1]; triangles.len()];
         Ok(MaterialMesh { triangles, sides, regions: 2 })
     }
 
-    /// The faces of tetrahedra, each of which is a region: the tetrahedron in place 0 is region 1.
+    /// The mesh of the faces of tetrahedra, each of which is a region: the tetrahedron with index 0 is region 1.
     ///
-    /// Each tetrahedron a, b, c, d has a positive `orient3d`: a, b, c are seen counterclockwise from where d is behind them.
+    /// Each tetrahedron a, b, c, d has a positive `orient3d`: a, b, c appear counterclockwise when d is behind them.
     ///
     /// # Errors
     /// As [`MaterialMesh::new`], and [`MaterialError::Overlap`].
     pub fn of_tetrahedra(vertices: usize, tetrahedra: &[[Vertex; 4]]) -> Result<MaterialMesh, MaterialError> {
-        // Each face by its vertices in order, as its tetrahedron has it: seen counterclockwise from outside.
+        // Each face by its sorted vertices, and as its tetrahedron has it: counterclockwise as seen from outside.
         let outward = |&[a, b, c, d]: &[Vertex; 4]| [[a, b, c], [b, a, d], [c, b, d], [a, c, d]];
         let mut faces: Vec<([Vertex; 3], usize, [Vertex; 3])> = Vec::with_capacity(4 * tetrahedra.len());
         for (at, tetrahedron) in tetrahedra.iter().enumerate() {
@@ -211,7 +213,7 @@ impl MaterialMesh {
         MaterialMesh::new(vertices, triangles, sides)
     }
 
-    /// The mesh over vertices that come so many places later.
+    /// The mesh with all vertex numbers increased by `by`.
     ///
     /// # Panics
     /// As [`Vertex::input`].
@@ -230,14 +232,14 @@ impl MaterialMesh {
         &self.triangles
     }
 
-    /// For each triangle the region in front of it and that behind it.
+    /// The region in front of each triangle, and the region behind it.
     #[inline]
     #[must_use]
     pub fn sides(&self) -> &[[u32; 2]] {
         &self.sides
     }
 
-    /// One more than the largest number of a region.
+    /// The largest region number plus one.
     #[must_use]
     pub fn regions(&self) -> u32 {
         self.regions
@@ -246,8 +248,7 @@ impl MaterialMesh {
 
 /// The first edge at which a region's boundary is not closed.
 ///
-/// Edges are gathered by their lower vertex, by counting, so that the cost is linear and each vertex is looked at on
-/// its own.
+/// A counting sort groups edges by their lower vertex, so the cost is linear, and each vertex is checked independently.
 fn open_edge(vertices: usize, triangles: &[[Vertex; 3]], sides: &[[u32; 2]]) -> Option<MaterialError> {
     let edge = |side: u32| {
         let triangle = &triangles[(side / 3) as usize];
@@ -256,7 +257,7 @@ fn open_edge(vertices: usize, triangles: &[[Vertex; 3]], sides: &[[u32; 2]]) -> 
     };
     let lower = |side: u32| edge(side).map(Vertex::index).into_iter().min().expect("two ends");
     let count = u32::try_from(3 * triangles.len()).expect("checked by the caller");
-    // The last side of each vertex, then, as sides are filled in from the end, the first.
+    // First the end of each vertex' sides; after the sides are filled in from the end, the start.
     let mut starts = vec![0_u32; vertices + 1];
     (0..count).for_each(|side| starts[lower(side)] += 1);
     let mut sum = 0;
@@ -272,7 +273,7 @@ fn open_edge(vertices: usize, triangles: &[[Vertex; 3]], sides: &[[u32; 2]]) -> 
     }
     let at_vertex = |v: usize| {
         let around = &of_vertex[starts[v] as usize..starts[v + 1] as usize];
-        // Each use of an edge by a region, ascending: the other end, the region, which way, the triangle.
+        // Each use of an edge by a region, ascending: the other end, the region, the direction, the triangle.
         let mut uses: Vec<(usize, u32, i32, u32)> = Vec::with_capacity(2 * around.len());
         for &side in around {
             let [from, to] = edge(side).map(Vertex::index);
@@ -342,7 +343,7 @@ mod tests {
     #[test]
     fn an_open_edge_is_the_first_one_and_its_region_the_lowest() {
         let error = |vertices, triangles, sides| MaterialMesh::new(vertices, triangles, sides).unwrap_err();
-        // Without its last face: around the edge of 0 and 2 more go one way than the other, or the other way.
+        // Without the last face, the directions around the edge of 0 and 2 do not balance, in either orientation.
         for mirrored in [false, true] {
             let mut open = tetrahedron();
             open.pop();
@@ -352,8 +353,8 @@ mod tests {
             let expected = MaterialError::Open { edge: [v(0), v(2)], region: 0, triangle: 0, triangles: 1 };
             assert_eq!(error(4, open, vec![[OUTSIDE, 1]; 3]), expected);
         }
-        // In a tetrahedron, from the same corner on, another one, one face of which is turned over: the edge before is closed, and
-        // its last region is the first of the open one.
+        // Two tetrahedra share a corner, and the second has a flipped face. The edge before the open edge is closed,
+        // and its last region is the first of the open edge.
         let around = |corners: [usize; 4]| tetrahedron().into_iter().map(move |of| of.map(|at| v(corners[at.index()])));
         let mut triangles: Vec<[Vertex; 3]> = around([0, 1, 3, 4]).chain(around([0, 2, 5, 6])).collect();
         let sides = [vec![[OUTSIDE, 1]; 4], vec![[1, 2]; 4]].concat();
@@ -364,7 +365,8 @@ mod tests {
 
     #[test]
     fn the_first_open_edge_is_found_on_any_number_of_threads() {
-        // The one is just before the middle of the vertices, the other right behind it, where a second thread begins.
+        // One open edge is just before the middle of the vertices, the other right behind it, where a second thread
+        // begins.
         let count = 4_000;
         let mut triangles = Vec::new();
         for first in (0..count).map(|at| 4 * at) {
@@ -383,7 +385,7 @@ mod tests {
 
     #[test]
     fn tetrahedra_share_their_faces() {
-        // Two on the face 0, 1, 2: one above, one below.
+        // Two tetrahedra on the face 0, 1, 2: one above, one below.
         let [below, above] = [[0, 1, 2, 3], [0, 2, 1, 4]].map(|corners| corners.map(v));
         let mesh = MaterialMesh::of_tetrahedra(5, &[below, above]).unwrap();
         assert_eq!((mesh.triangles().len(), mesh.regions()), (7, 3));

@@ -1,28 +1,22 @@
 //! Polygonal maps: regions bounded by rings that share vertices.
 //!
-//! Two regions with a common border use the *same* vertices along it. Under a
-//! symbolic perturbation, which moves vertices by identity, the border then
-//! moves as one and the map stays a tiling. Vertices with equal coordinates
-//! but different ids would drift apart and open slivers.
+//! Two regions with a common border use the *same* vertices along it. A symbolic perturbation moves vertices by
+//! identity, so the whole border moves together and the map stays a tiling. Vertices with equal coordinates but
+//! different ids would drift apart and open slivers.
 //!
-//! # What is a region
-//! The even-odd rule: a point is inside a region iff a ray from it crosses the
-//! region's edges an odd number of times. An edge is known by its two
-//! vertices, whichever way it runs; used twice by one region, it bounds
-//! nothing. That makes odd input well defined:
-//! * a ring that visits a vertex twice, or crosses itself or another ring:
-//!   each part is inside or outside by its crossing number;
-//! * a spike that runs forth and back over the same vertices: as if it were
-//!   not there;
-//! * a ring without area, its vertices on one line: nothing is inside, and its
-//!   edges are boundaries. A perturbation makes a sliver of it that may hold
-//!   points of the line;
-//! * two vertices at one place: an edge without length, or two borders that
-//!   look like one. Which point between them is on which side is decided by
-//!   the perturbation, consistently.
+//! # The inside of a region
+//! The even-odd rule: a point is inside a region iff a ray from it crosses the region's edges an odd number of times.
+//! An edge is identified by its two vertices, in either direction; an edge that one region uses twice bounds nothing.
+//! This also defines the inside for unusual input:
+//! * a ring that visits a vertex twice, or crosses itself or another ring: each part is inside or outside by its
+//!   crossing number;
+//! * a spike that runs forth and back over the same vertices: it has no effect;
+//! * a ring without area, its vertices on one line: nothing is inside, and its edges are boundaries. A perturbation
+//!   makes a sliver of it that may hold points of the line;
+//! * two vertices at one place: an edge without length, or two borders that look like one. The perturbation decides,
+//!   consistently, on which side points between them are.
 //!
-//! Refused is what has no edges to ask about: a ring of fewer than three
-//! vertices, and an edge from a vertex to itself.
+//! Rings without usable edges are refused: a ring of fewer than three vertices, and an edge from a vertex to itself.
 
 use predicament_predicates::Vertex;
 
@@ -39,46 +33,46 @@ impl Ring {
         &self.vertices
     }
 
-    /// The directed edges, the closing one last.
+    /// The directed edges, the closing edge last.
     pub fn edges(&self) -> impl Iterator<Item = [Vertex; 2]> + '_ {
         let next = self.vertices.iter().cycle().skip(1);
         self.vertices.iter().zip(next).map(|(&a, &b)| [a, b])
     }
 }
 
-/// A region of a map: everything with an odd crossing number with its rings
-/// (outer boundaries, islands and holes alike).
+/// A region of a map: all points with an odd crossing number with its rings (outer boundaries, islands and holes
+/// alike).
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Region {
-    /// Its name.
+    /// The region's name.
     pub name: String,
-    /// Its boundary.
+    /// The rings of the region's boundary.
     pub rings: Vec<Ring>,
 }
 
-/// Why vertices don't make a map.
+/// The reason why vertices don't make a map.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum MapError {
-    /// A ring with fewer than three vertices.
+    /// A ring has fewer than three vertices.
     ShortRing {
-        /// The region's place in the map.
+        /// The region's index in the map.
         region: usize,
-        /// Its name.
+        /// The region's name.
         name: String,
-        /// The ring's place in the region.
+        /// The ring's index in the region.
         ring: usize,
-        /// How many vertices it has.
+        /// The number of vertices in the ring.
         vertices: usize,
     },
-    /// An edge from a vertex to itself.
+    /// An edge goes from a vertex to itself.
     LoopEdge {
-        /// The region's place in the map.
+        /// The region's index in the map.
         region: usize,
-        /// Its name.
+        /// The region's name.
         name: String,
-        /// The ring's place in the region.
+        /// The ring's index in the region.
         ring: usize,
-        /// The place in the ring where the edge starts.
+        /// The index in the ring where the edge starts.
         at: usize,
     },
 }
@@ -119,7 +113,7 @@ impl PolygonMap {
     /// Adds a region; a last vertex that repeats the first is dropped.
     ///
     /// # Errors
-    /// [`MapError`] names the ring that is no ring.
+    /// [`MapError`] for the first invalid ring.
     pub fn push(&mut self, name: impl Into<String>, rings: Vec<Vec<Vertex>>) -> Result<(), MapError> {
         let (region, name) = (self.regions.len(), name.into());
         let mut checked = Vec::with_capacity(rings.len());
@@ -140,10 +134,10 @@ impl PolygonMap {
         Ok(())
     }
 
-    /// The same map in a scene where `by` other vertices are numbered first.
+    /// The map with all vertex numbers increased by `by`.
     ///
     /// # Panics
-    /// As [`Vertex::input`], where a number becomes too large.
+    /// As [`Vertex::input`], if a number becomes too large.
     #[must_use]
     pub fn shifted(mut self, by: usize) -> PolygonMap {
         for vertex in self.regions.iter_mut().flat_map(|region| &mut region.rings).flat_map(|ring| &mut ring.vertices) {
@@ -158,8 +152,7 @@ impl PolygonMap {
         &self.regions
     }
 
-    /// Every directed edge with the place of its region; shared borders come
-    /// once for each side.
+    /// All directed edges with the index of their region; shared borders occur once for each side.
     pub fn edges(&self) -> impl Iterator<Item = (usize, [Vertex; 2])> + '_ {
         self.regions
             .iter()

@@ -1,31 +1,33 @@
 //! Subdivisions of the plane: nodes, edges and faces, which may have holes.
 //!
-//! Each edge is two half-edges, 2e from its first node to its second and 2e + 1 back, with one face on the left of each.
-//! Around a node its half-edges are in counterclockwise order; that is all the geometry there is. Walking along the left of
-//! half-edges makes *cycles*. A face is inside of at most one of them, its outer one, and outside of any number: the outer
-//! cycles of *components* that lie in it. Where a component lies the order around nodes does not tell:
-//! [`Subdivision::with_faces`] is told.
+//! Each edge is two half-edges, 2e from its first node to its second and 2e + 1 back, with one face on the left of
+//! each. Around a node its half-edges are in counterclockwise order; there is no other geometry. Following half-edges
+//! along their left side makes *cycles*. A face is inside of at most one cycle, its outer cycle, and outside of any
+//! number: the outer cycles of *components* that lie in it. The order around nodes does not determine which face a
+//! component is in: [`Subdivision::with_faces`] takes this as input.
 //!
 //! A [half-edge mesh](crate::HalfEdgeMesh) is not enough here: its faces have one cycle each.
 
-/// The number that names nothing.
+/// The number that identifies nothing.
 const NONE: u32 = u32::MAX;
 
-/// A face by its cycles.
+/// A face, as its cycles.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct SubdivisionFace {
-    /// The cycle around it; none for the unbounded face.
+    /// The cycle around the face; `None` for the unbounded face.
     pub outer: Option<u32>,
-    /// The cycles around components in it.
+    /// The cycles around components in the face.
     pub inner: Vec<u32>,
 }
 
-/// Where a component is.
+/// The location of a component.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Nesting {
     /// A half-edge with the outside of the component on its left.
     pub outside: u32,
-    /// A half-edge of another component with the face on its left that this one is in; none in the unbounded face.
+    /// A half-edge of another component, with the face that contains this component on its left.
+    ///
+    /// `None` if the component is in the unbounded face.
     pub within: Option<u32>,
 }
 
@@ -33,27 +35,28 @@ pub struct Nesting {
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Subdivision {
     ends: Vec<[u32; 2]>,
-    /// The place of each node's first half-edge in `around`, and the number of those.
+    /// The index of each node's first half-edge in `around`, and their total number.
     first: Vec<u32>,
     around: Vec<u32>,
     next: Vec<u32>,
-    /// By half-edges.
+    /// The cycle of each half-edge.
     cycle: Vec<u32>,
     /// A half-edge of each cycle.
     cycles: Vec<u32>,
-    /// By nodes.
+    /// The component of each node.
     component: Vec<u32>,
     components: usize,
-    /// By cycles.
+    /// The face of each cycle.
     face: Vec<u32>,
     faces: Vec<SubdivisionFace>,
 }
 
 impl Subdivision {
-    /// Edges between nodes; `sort` puts the half-edges that leave a node in counterclockwise order. There are no faces yet.
+    /// A subdivision with these edges between nodes, not yet with faces. `sort` puts the half-edges that leave a node
+    /// in counterclockwise order.
     ///
     /// # Panics
-    /// If an edge names a node that there is not, or there are 2^31 edges or more.
+    /// If an edge has a node that does not exist, or there are 2^31 edges or more.
     #[must_use]
     pub fn new(nodes: usize, ends: Vec<[u32; 2]>, mut sort: impl FnMut(u32, &mut [u32])) -> Subdivision {
         let halves = u32::try_from(2 * ends.len()).expect("fewer than 2^31 edges");
@@ -73,11 +76,11 @@ impl Subdivision {
         let mut next = vec![NONE; around.len()];
         for (node, range) in (0..).zip(first.windows(2)) {
             let own = &mut around[range[0] as usize..range[1] as usize];
-            // Two are in order whichever comes first.
+            // Up to two half-edges are in cyclic order anyway.
             if own.len() > 2 {
                 sort(node, own);
             }
-            // What comes in along a half-edge goes on along the one before it: the next clockwise.
+            // A cycle that arrives along a half-edge continues along the one before it: the next clockwise.
             if let Some(&last) = own.last() {
                 own.iter().fold(last, |before, &half| {
                     next[(half ^ 1) as usize] = before;
@@ -108,7 +111,7 @@ impl Subdivision {
         }
     }
 
-    /// Numbers the components, those of lower nodes first.
+    /// Numbers the components, components of lower nodes first.
     fn connect(&mut self, nodes: usize) {
         self.component = vec![NONE; nodes];
         let mut open = Vec::new();
@@ -132,9 +135,11 @@ impl Subdivision {
         }
     }
 
-    /// The same with faces: each cycle has one inside of it, but for those that the components' places name, which are in the
-    /// face of another component. Face 0 is the unbounded one. Where a component is in a face that no component before it
-    /// in the list has, it is put into face 0; the answer says whether that was so.
+    /// Adds faces to the subdivision; each cycle gets one inside of it, except for the outer cycles of components in
+    /// `nestings`, which belong to the face that contains the component.
+    ///
+    /// Face 0 is the unbounded face. A component whose face no earlier component in the list has is put into face 0;
+    /// the returned flag is true if there was no such component.
     #[must_use]
     pub fn with_faces(mut self, nestings: &[Nesting]) -> (Subdivision, bool) {
         self.face = vec![0; self.cycles.len()];
@@ -162,7 +167,7 @@ impl Subdivision {
         (self, all_known)
     }
 
-    /// The number of nodes, those without edges included.
+    /// The number of nodes, including those without edges.
     #[must_use]
     pub fn nodes(&self) -> usize {
         self.component.len()
@@ -174,7 +179,7 @@ impl Subdivision {
         &self.ends
     }
 
-    /// The number of components, a node without edges being one.
+    /// The number of components; a node without edges is a component.
     #[must_use]
     pub fn components(&self) -> usize {
         self.components
@@ -219,28 +224,28 @@ impl Subdivision {
         self.next[half as usize]
     }
 
-    /// Where a half-edge begins.
+    /// The node where a half-edge begins.
     #[inline]
     #[must_use]
     pub fn origin(&self, half: u32) -> u32 {
         self.ends[half as usize / 2][half as usize % 2]
     }
 
-    /// Where a half-edge ends.
+    /// The node where a half-edge ends.
     #[inline]
     #[must_use]
     pub fn target(&self, half: u32) -> u32 {
         self.origin(half ^ 1)
     }
 
-    /// The half-edges that leave a node; counterclockwise where there are more than two.
+    /// The half-edges that leave a node; counterclockwise if there are more than two.
     #[inline]
     #[must_use]
     pub fn leaving(&self, node: u32) -> &[u32] {
         &self.around[self.first[node as usize] as usize..self.first[node as usize + 1] as usize]
     }
 
-    /// The half-edges of a cycle, from one of them on.
+    /// The half-edges of a cycle, starting with this half-edge.
     pub fn walk_from(&self, half: u32) -> impl Iterator<Item = u32> + '_ {
         let mut at = Some(half);
         std::iter::from_fn(move || {
@@ -283,7 +288,7 @@ mod tests {
         let nestings = [Nesting { outside: 1, within: None }, Nesting { outside: 12, within: Some(6) }];
         let (subdivision, all_known) = sample().with_faces(&nestings);
         assert!(all_known);
-        // Unbounded, and one for each triangle.
+        // The unbounded face, and one face for each triangle.
         assert_eq!(subdivision.faces().len(), 3);
         assert_eq!(subdivision.face(1), 0);
         assert_eq!(subdivision.face(12), subdivision.face(6));

@@ -1,7 +1,7 @@
-//! A backend of any type: tasks are compiled once for all of them.
+//! A type-erased backend: tasks are compiled once for all such backends.
 //!
-//! [`visit`](crate::roster::visit) hands over as it is what timings are published of. What is rarely timed, or says
-//! itself how long it took, goes behind a pointer, and a query costs a dynamic call.
+//! Backends with published timings are passed with their own type by [`visit`](crate::roster::visit). Backends that are
+//! rarely timed, or report their own time, go behind a pointer, and a query costs a dynamic call.
 
 use predicament_predicates::{
     Backend, Batches, Constructs, Contract, Counts, Declined, PredicateKind, Predicates, Scene, Tally,
@@ -14,7 +14,7 @@ type Session<'s> = Box<dyn Predicates + 's>;
 pub(crate) struct Boxed(Box<dyn Any>);
 
 impl Boxed {
-    /// This backend.
+    /// Wraps this backend.
     pub(crate) fn new<B: Backend + 'static>(backend: B) -> Boxed {
         Boxed(Box::new(backend))
     }
@@ -66,7 +66,7 @@ impl<B: Backend + 'static> Any for B {
     }
 }
 
-// A method that is left out would fall back to its default and pass over the backend's own.
+// An omitted method would use its default instead of the backend's own method.
 #[deny(clippy::missing_trait_methods)]
 impl Backend for Boxed {
     type Session<'s, T: Tally + 's> = Session<'s>;

@@ -1,7 +1,7 @@
-//! Expected disagreements: what is known to be wrong, written down with the reason.
+//! Expected disagreements: known errors, each recorded with its reason.
 //!
-//! Both ways are failures: a finding that nobody expected, and an expectation
-//! that no longer comes true. So the file stays a description of the world.
+//! Both directions are failures: an unexpected finding, and an expectation that no longer comes true. So the file stays
+//! accurate.
 
 use predicament_predicates::UnknownName;
 use std::path::Path;
@@ -13,7 +13,7 @@ use predicament_tasks::{Class, ClassCounts, Status};
 use crate::known::Scenes;
 use crate::pattern::Pattern;
 
-/// One `[[expect]]` table.
+/// An `[[expect]]` table.
 #[derive(Clone, Debug)]
 pub struct Expectation {
     scenes: Arc<[Pattern]>,
@@ -21,65 +21,65 @@ pub struct Expectation {
     pub backend: String,
     /// The class that is expected to occur.
     pub class: Class,
-    /// Why it is so; ends up in the report.
+    /// The reason for the error, for the report.
     pub reason: String,
     level: Option<String>,
-    /// `file:line` of the table.
+    /// The position of the table, as `file:line`.
     pub place: Arc<str>,
 }
 
 impl Expectation {
-    /// The first of its patterns that names a scene.
+    /// The expectation's first pattern that matches a scene.
     #[must_use]
     pub fn pattern(&self, suite: &str, scene: &str) -> Option<&str> {
         self.scenes.iter().find(|pattern| pattern.names(suite, scene)).map(Pattern::text)
     }
 }
 
-/// The parsed file.
+/// The parsed expectations of a file.
 #[derive(Clone, Default, Debug)]
 pub struct Expectations {
     entries: Vec<Expectation>,
     tables: Vec<Written>,
 }
 
-/// A table as it was written, to be held against what there is.
+/// A table as written, to be checked against existing scenes and backends.
 #[derive(Clone, Debug)]
 struct Written {
-    /// `file:line`.
+    /// The position of the table, as `file:line`.
     place: String,
     scenes: Arc<[Pattern]>,
     backends: Vec<String>,
     level: Option<String>,
 }
 
-/// What a tool and a run have that expectations can be about.
+/// The scenes and backends of a tool and a run that expectations can refer to.
 pub struct Known<'a> {
     /// Every scene that the tool knows.
     pub scenes: &'a Scenes,
-    /// The scenes that were planned.
+    /// The scenes of the run's plan.
     pub planned: &'a Scenes,
-    /// Whether there is a backend with this name, or may be.
+    /// True if a backend with this name exists, or may exist.
     pub backend: &'a dyn Fn(&str) -> bool,
-    /// The backends that were planned.
+    /// The backends of the run's plan.
     pub backends: &'a [String],
     /// The level of the run.
     pub level: &'a str,
 }
 
-/// Expectations that a run has not put to the test.
+/// Expectations that a run does not test.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Unused {
-    /// Those that no run of this tool can: they name a scene or backend that is not there. One line each.
+    /// Expectations that no run of this tool can test, since their scene or backend does not exist. One line each.
     pub never: Vec<String>,
-    /// Those that this run's selection leaves out, and those about suites that are not here, by place.
+    /// Expectations outside of this run's selection or about unavailable suites, by position.
     pub here: Vec<String>,
 }
 
 static FILE: TableKind = TableKind::new("file of expectations", &["expect"]);
 static EXPECT: TableKind = TableKind::new("table [[expect]]", &["scene", "backend", "class", "reason", "level"]);
 
-/// One name or a list of them, none of them empty.
+/// Reads a name or a list of names, none of them empty.
 fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     let field = fields.required(key)?;
     let names = field.one_or_more()?;
@@ -92,7 +92,7 @@ fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field
     }
 }
 
-/// The class of a name; a legal one is never expected.
+/// The class with this name; a legal class cannot be expected.
 fn class(name: &Field<'_, '_>) -> Result<Class, CorpusError> {
     let class: Class = name.str()?.parse().map_err(|why: UnknownName| name.error(why.to_string(), "correct it"))?;
     if class.is_legal() {
@@ -105,7 +105,7 @@ impl Expectations {
     /// Parses the text of `file`.
     ///
     /// # Errors
-    /// [`CorpusError`] with the file, the line and the cure.
+    /// [`CorpusError`] with the file, the line and the fix.
     pub fn parse(file: &Path, text: &str) -> Result<Expectations, CorpusError> {
         Expectations::read(&file.display().to_string(), text)
     }
@@ -159,7 +159,7 @@ impl Expectations {
         fields.finish()
     }
 
-    /// These expectations and others.
+    /// Adds other expectations to these.
     #[must_use]
     pub fn and(mut self, others: Expectations) -> Expectations {
         self.entries.extend(others.entries);
@@ -167,8 +167,8 @@ impl Expectations {
         self
     }
 
-    /// The expectations that a run has not put to the test: because what they name is not there, or
-    /// because of what was selected.
+    /// The expectations that a run does not test: because their scene or backend does not exist, or because of the
+    /// run's selection.
     #[must_use]
     pub fn unused(&self, known: &Known<'_>) -> Unused {
         let mut unused = Unused::default();
@@ -195,7 +195,7 @@ impl Expectations {
         unused
     }
 
-    /// The entries that speak about one row.
+    /// The expectations that match one row.
     pub fn matching<'a>(
         &'a self,
         suite: &'a str,
@@ -210,7 +210,7 @@ impl Expectations {
         })
     }
 
-    /// Holds a row against the expectations.
+    /// The status of a row, compared with the expectations.
     #[must_use]
     pub fn status(&self, suite: &str, scene: &str, backend: &str, level: &str, counts: &ClassCounts) -> Status {
         let mut expected = [false; Class::ALL.len()];

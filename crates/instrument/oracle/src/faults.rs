@@ -1,8 +1,7 @@
 //! Planted faults: backends with one known error each, to prove that checks can fail.
 //!
-//! A harness that has never caught anything proves nothing. Each of these is
-//! made of the real backends' own parts with one part wrong, claims the real
-//! contract, and has to be caught by `selftest` on the embedded corpora.
+//! A harness that has never found an error proves nothing. Each fault consists of the real backends' own parts with one
+//! part wrong, claims the real contract, and `selftest` must detect it on the embedded corpora.
 
 mod area;
 mod catches;
@@ -29,85 +28,84 @@ use crate::visit::{Visit, hand};
 pub use area::Area;
 pub use deadly::Deadly;
 
-/// One way to be wrong.
+/// A planted fault of a backend.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
-    /// SoS with the sign of one term of one list swapped: still antisymmetric,
-    /// still never zero.
+    /// SoS with the sign of one term of one list swapped: still antisymmetric, still never zero.
     SosSwappedTerm,
-    /// SoS whose batches of orientations give every tie the opposite sign; single calls are right.
+    /// SoS whose batches of orientations negate every tie; single calls are right.
     SosBatchFlipped,
-    /// SoS with the sign of the first term of one list swapped, for vertices of the scene's second
-    /// half only: the first ties of a scene are broken as they should be.
+    /// SoS with the sign of the first term of one list swapped, for vertices of the scene's second half only: the first
+    /// ties of a scene are broken correctly.
     SosLateSwappedTerm,
-    /// SoS that sorts the vertices and forgets the parity of doing so.
+    /// SoS that sorts the vertices and drops the parity of the sort.
     SosDroppedParity,
-    /// SoS that perturbs by the place in the argument list, not by identity.
+    /// SoS that perturbs by the position in the argument list, not by identity.
     SosPlaceAsIdentity,
-    /// SoS that forgets that parity where the last term decides, which is a constant.
+    /// SoS that drops the parity of the sort if the last term, a constant, decides.
     SosDroppedLastParity,
-    /// SoS that gives up after the first-order terms and calls the rest zero.
+    /// SoS that stops after the first-order terms and answers zero for the rest.
     SosFirstOrderOnly,
-    /// SoS that gives up after the first-order terms and goes by the order of the vertices.
+    /// SoS that stops after the first-order terms and then uses the order of the vertices.
     SosFirstOrderThenParity,
-    /// SoS that lifts points moved by ε^(2^i) again, where squares of infinitesimals collide
-    /// with others, and keeps one term of each power.
+    /// SoS that lifts points moved by ε^(2^i) again, where squares of infinitesimals collide with others, and keeps one
+    /// term of each power.
     SosCollidingLift,
-    /// SoS that moves coordinates in one order for circles and spheres and in another for the rest: each predicate by itself is
-    /// consistent.
+    /// SoS that moves coordinates in one order for circles and spheres and in another for the other predicates: each
+    /// predicate alone is consistent.
     SosMixedOrders,
-    /// SoS that breaks ties of comparisons in a circle: the first vertex before the second, that before the third, and
-    /// that before the first.
+    /// SoS that breaks ties of comparisons cyclically: the first vertex before the second, the second before the third,
+    /// and the third before the first.
     SosCircularTies,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
-    /// Exact, with that bound two percent smaller than it has to be.
+    /// Exact, with the bound of the floating-point filter two percent too small.
     ExactTightFilter,
-    /// Exact, with a filter whose bound is a multiple of the determinant, not of the sum of its terms' magnitudes: it lets
-    /// all pass.
+    /// Exact, with a filter whose bound is a multiple of the determinant, not of the sum of its terms' magnitudes:
+    /// every determinant passes.
     ExactRelativeFilter,
-    /// Exact, with the static bound of the scene's first half of vertices for all.
+    /// Exact, with the static bound of the scene's first half of vertices used for all.
     ExactStaleBound,
-    /// Exact, but for floating-point determinants that are no numbers: those are called zero.
+    /// Exact, but floating-point determinants that are NaN count as zero.
     ExactNan,
     /// Exact, with integers of one limb where differences need two.
     ExactOneLimb,
-    /// Adaptive floating point (the crate `robust`) where it can underflow or overflow.
+    /// Adaptive floating point (the crate `robust`) for input where it can underflow or overflow.
     ExactUnguarded,
-    /// Exact, with everything below the smallest normal double called zero.
+    /// Exact, with zero for all determinants below the smallest normal double.
     ExactFlushed,
-    /// Exact about constructed vertices once they are rounded to the nearest doubles.
+    /// Exact for constructed vertices that were rounded to the nearest doubles.
     ExactRoundedVertex,
     /// Tolerance, with the band narrower than its promise.
     ToleranceNarrow,
     /// Tolerance, with the band wider than its promise.
     ToleranceWide,
-    /// Exact on the comparison, but a tie says "greater": an endpoint counts twice.
+    /// Exact comparisons, but a tie answers "greater": an endpoint counts twice.
     CompareGreaterOnTies,
-    /// Exact, but an edge goes on beyond its ends.
+    /// Exact, but an edge extends beyond its ends.
     ContactsEndlessEdge,
-    /// Exact, but of two edges only the second is asked whether it crosses the other's line, and an edge
-    /// pierces every triangle near it whose plane it crosses.
+    /// Exact, but of two edges only the second is tested for crossing the other's line, and an edge pierces every
+    /// triangle near it whose plane it crosses.
     ContactsOneSided,
-    /// Tolerance, with vertices registered within half of what is promised.
+    /// Tolerance, with vertices registered within half the promised distance.
     ToleranceNarrowContacts,
-    /// Tolerance, with vertices registered within twice of what is promised.
+    /// Tolerance, with vertices registered within twice the promised distance.
     ToleranceWideContacts,
     /// Tolerance, with Algorithms 3 and 8 as the paper prints them.
     ToleranceAsPrinted,
-    /// Tolerance, right about what is registered, with the printed sign of an edge's weight.
+    /// Tolerance, right about the registered pairs, with the printed sign of an edge's weight.
     ToleranceMirroredWeight,
-    /// Tolerance, with one of its tolerances twice or half of the published, and claimed to be.
+    /// Tolerance, with one of its tolerances twice or half the published value, in its claims too.
     Misscaled(Misscaled),
 }
 
 impl Fault {
-    /// All that `selftest` plants: each has to be caught.
+    /// All faults that `selftest` plants and must detect.
     pub fn planted() -> impl Iterator<Item = Fault> {
         Fault::ALL.into_iter().chain(Misscaled::visible().map(Fault::Misscaled))
     }
 
-    /// All but tolerances that are scaled wrongly.
+    /// All faults except wrongly scaled tolerances.
     const ALL: [Fault; 29] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
@@ -140,7 +138,7 @@ impl Fault {
         Fault::ToleranceMirroredWeight,
     ];
 
-    /// The name after `fault:`.
+    /// The fault's name after `fault:`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -177,7 +175,7 @@ impl Fault {
         }
     }
 
-    /// What is wrong, in one line.
+    /// A one-line description of the fault.
     #[must_use]
     pub const fn what(self) -> &'static str {
         match self {
@@ -218,7 +216,7 @@ impl Fault {
         }
     }
 
-    /// What part of the tool is wrong.
+    /// The part of the tool that is wrong.
     #[must_use]
     pub const fn area(self) -> Area {
         match self {
@@ -287,13 +285,13 @@ impl Fault {
     }
 }
 
-/// Finds the faulty backend with this name and hands it over; gives the visitor back where there is none.
+/// Finds the faulty backend with this name and passes it to the visitor; returns the visitor if there is none.
 pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
     if let Some(deadly) = Deadly::ALL.into_iter().find(|deadly| deadly.name() == name) {
-        // Until it strikes, it is as right as exact.
+        // Until it strikes, it is as correct as exact.
         return Ok(visitor.visit(Boxed::new(Faulty { fault: Fault::ContactsOneSided, deadly: Some(deadly) }), None));
     }
-    // One that keeps its promise is no fault to be caught, but can be run all the same.
+    // A scaled tolerance that keeps its promise is not a fault to detect, but it can be run.
     let mut all = Fault::ALL.into_iter().chain(Misscaled::ALL.map(Fault::Misscaled));
     let Some(fault) = all.find(|fault| fault.name() == name) else { return Err(visitor) };
     Ok(match fault {
@@ -341,10 +339,10 @@ impl Backend for Faulty {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
-        // Nobody is better at declining than what it poses as.
+        // It declines at least as much as the backend that it imitates.
         let tolerance = match self.fault.poses_as() {
             ZeroMeaning::Band => Some(Tolerance.prepare(scene, Off)?),
-            // The terms that are tampered with are those of input vertices.
+            // The changed terms are those of input vertices.
             ZeroMeaning::Never => Sos { scheme: Scheme::EdelsbrunnerMucke }.prepare(scene, Off).map(|_| None)?,
             ZeroMeaning::Exact => None,
         };
@@ -403,7 +401,7 @@ impl Session<'_> {
                     exact
                 }
             }
-            // Their parts are for points with coordinates: about others they are as right as exact.
+            // These faults need points with coordinates: for other vertices they are as correct as exact.
             Fault::ExactHalvedFilter
             | Fault::ExactTightFilter
             | Fault::ExactRelativeFilter
@@ -433,7 +431,7 @@ impl Session<'_> {
             Fault::ExactRoundedVertex => self.rounded(question, &args).unwrap_or(exact),
             Fault::ToleranceNarrow => self.banded(question, &args, 1.0 / 3.0),
             Fault::ToleranceWide => self.banded(question, &args, 2.0),
-            // Not of this kind: see `backend`.
+            // These are other kinds of faults: see `backend`.
             Fault::ContactsEndlessEdge
             | Fault::ContactsOneSided
             | Fault::ToleranceNarrowContacts
@@ -444,14 +442,15 @@ impl Session<'_> {
         }
     }
 
-    /// The answer as one of a batch.
+    /// The answer to a query in a batch.
     fn in_batch<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
         let answer = self.answer(question, args);
         let flips = self.fault == Fault::SosBatchFlipped && question.ask(&self.exact, &args).is_zero();
         if flips { -answer } else { answer }
     }
 
-    /// None where nothing is constructed, or not rounded to something finite.
+    /// The sign with constructed vertices rounded; `None` without constructed vertices, or if a rounded one is not
+    /// finite.
     fn rounded(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
         let constructed = self.exact.constructed();
         let points: Vec<&[f64]> = args.iter().map(|&v| constructed.approximation(v)).collect();

@@ -1,25 +1,25 @@
-//! The scenes that expectations can be about, as far as they are known.
+//! The known scenes that expectations can refer to.
 //!
-//! A suite of the user's may be anywhere, or gone: what names its scenes is no mistake, and can't be held against a run. So a pattern that
-//! matches nothing is a mistake only where all scenes that it could match are known.
+//! A user's suite may be anywhere, or gone: an expectation about its scenes is not a mistake, and can't be checked
+//! against a run. So a pattern that matches nothing is a mistake only if all scenes that it could match are known.
 
 use std::collections::BTreeSet;
 use std::ops::Bound;
 
 use crate::pattern::Pattern;
 
-/// Scenes by suite and name, and all that they are called.
+/// The known scenes by suite and name, and their names.
 #[derive(Default)]
 pub struct Scenes {
     all: Vec<(String, String)>,
     names: BTreeSet<String>,
     suites: BTreeSet<String>,
-    /// Suites that have more scenes than these.
+    /// Suites that have further, unknown scenes.
     open: BTreeSet<String>,
 }
 
 impl Scenes {
-    /// These scenes, by suite and name. `open` names suites of which others may be there: those whose file can't be looked at.
+    /// The scenes, by suite and name. `open` lists suites that may have other scenes, because their file can't be read.
     #[must_use]
     pub fn new(all: Vec<(String, String)>, open: BTreeSet<String>) -> Scenes {
         let names = all.iter().flat_map(|(suite, scene)| [scene.clone(), format!("{suite}/{scene}")]).collect();
@@ -27,7 +27,7 @@ impl Scenes {
         Scenes { all, names, suites, open }
     }
 
-    /// Whether a scene has a name that matches.
+    /// True if the name of a scene matches.
     #[must_use]
     pub fn has_any(&self, pattern: &Pattern) -> bool {
         let prefix = pattern.prefix();
@@ -40,13 +40,13 @@ impl Scenes {
         self.all.iter().filter(|(suite, scene)| pattern.names(suite, scene))
     }
 
-    /// Whether a pattern may be about a scene that is not among these: one of an open suite, or of a suite that it
-    /// names and that is not known. A pattern without a suite is taken to be about the known ones.
+    /// True if a pattern may match a scene that is not known here: a scene of an open suite, or of an unknown suite in
+    /// the pattern. A pattern without a suite only refers to known suites.
     #[must_use]
     pub fn may_be_elsewhere(&self, pattern: &Pattern) -> bool {
         let is_known = |name: &str| self.names.contains(name);
         if !pattern.has_suite() {
-            // The scene of one suite says nothing of that of another with the same name.
+            // A scene of one suite is unrelated to a scene of another suite with the same name.
             return self
                 .open
                 .iter()

@@ -1,17 +1,16 @@
-//! The oracle: runs backends on tasks and holds every answer against the truth.
+//! The oracle: runs backends on tasks and compares every answer with the truth.
 //!
-//! It says which answers are wrong, under which promise, and whether that was
-//! expected. It decides nothing about geometry itself: truth is the crate
-//! `judge`, what an answer means is the crate `tasks`, pages are the crate
-//! `report`, and questions across many scenes are the crate `studies`.
+//! It reports which answers are wrong, under which promise, and whether that was expected. It makes no geometric
+//! decisions itself: the crate `judge` computes the truth, the crate `tasks` defines the meaning of answers, the crate
+//! `report` writes pages, and the crate `studies` handles questions across many scenes.
 //!
 //! * [`roster`]: all backends by name.
-//! * [`run`]: one backend on one scene, panics and refusals included (of the crate `tasks`).
-//! * [`expect`]: which findings are expected.
-//! * [`pattern`]: which scenes an expectation is about.
-//! * [`known`]: which scenes there are for it to be about.
-//! * [`faults`]: wrong backends that have to be caught, and by which check.
-//! * [`guards`]: faults in what judges and what reads, and the checks that hold both to known facts.
+//! * [`run`]: one backend on one scene, including panics and refusals (of the crate `tasks`).
+//! * [`expect`]: the expected findings.
+//! * [`pattern`]: the scenes that an expectation is about.
+//! * [`known`]: the scenes that expectations can refer to.
+//! * [`faults`]: faulty backends, and the checks that must detect them.
+//! * [`guards`]: faults in judging and in reading, and the checks that compare both with known facts.
 
 pub mod expect;
 pub mod faults;

@@ -1,21 +1,22 @@
-//! Which scenes a pattern of a file of expectations names.
+//! Patterns for scenes in a file of expectations.
 //!
-//! Nearly all patterns are the name of one scene. A glob becomes a regular expression, and thousands of those cost a third of a second at the
-//! start of every run. So a name is compared as a string, and a glob is compiled when it is first asked; it is parsed before only where
-//! it can be wrong.
+//! Nearly all patterns are the name of one scene. A glob becomes a regular expression, and compiling thousands of them
+//! takes a third of a second at the start of every run. So a name is compared as a string, and a glob is compiled on
+//! first use; it is parsed earlier only if it can be invalid.
 
 use std::sync::{Arc, OnceLock};
 
 use globset::{Glob, GlobMatcher};
 
-/// The glob that matches this text alone.
+/// The glob that matches this text only.
 #[must_use]
 pub fn escape(text: &str) -> String {
-    // In a class a backslash is itself; globset leaves it as it is, where it takes away the meaning of what follows.
+    // Globset leaves a backslash unescaped, where it would escape the next character. Inside a class a backslash is
+    // literal.
     globset::escape(text).replace('\\', "[\\]")
 }
 
-/// A glob over `scene` and `suite/scene`. A clone shares what is compiled.
+/// A glob over `scene` and `suite/scene`. Clones share the compiled glob.
 #[derive(Clone, Debug)]
 pub struct Pattern(Arc<Inner>);
 
@@ -25,12 +26,12 @@ enum Inner {
     Glob(String, OnceLock<GlobMatcher>),
 }
 
-/// The signs of globs that stand by themselves: nothing can be wrong with them.
+/// The glob characters that are always valid.
 const SINGLE: [char; 2] = ['*', '?'];
-/// The other signs of globs.
+/// The other glob characters.
 const OTHERS: [char; 7] = ['[', ']', '{', '}', '\\', '!', ','];
 
-/// A text that is not a pattern. It displays the text and what is wrong with it.
+/// The error for an invalid pattern. It displays the text and the error.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct PatternError(globset::Error);
 
@@ -46,7 +47,7 @@ impl Pattern {
     /// Reads a glob.
     ///
     /// # Errors
-    /// What is wrong with it, in one line that repeats it.
+    /// The error on one line, with the text of the glob.
     pub fn new(text: &str) -> Result<Pattern, PatternError> {
         let can_be_wrong = text.contains(OTHERS);
         if can_be_wrong {
@@ -60,7 +61,7 @@ impl Pattern {
         })))
     }
 
-    /// The pattern as it was written.
+    /// The text of the pattern.
     #[must_use]
     pub fn text(&self) -> &str {
         match &*self.0 {
@@ -68,33 +69,33 @@ impl Pattern {
         }
     }
 
-    /// The text with which every name begins that the pattern matches.
+    /// The common prefix of all names that the pattern matches.
     #[must_use]
     pub fn prefix(&self) -> &str {
         self.text().split(SINGLE).next().and_then(|text| text.split(OTHERS).next()).unwrap_or_default()
     }
 
-    /// The one name that it matches, if nothing in it means anything else.
+    /// The only name that the pattern matches, if it has no glob characters.
     #[must_use]
     pub fn name(&self) -> Option<&str> {
         matches!(*self.0, Inner::Name(_)).then(|| self.text())
     }
 
-    /// Whether it says of which suites the scenes are.
+    /// True if the pattern includes a suite.
     #[must_use]
     pub fn has_suite(&self) -> bool {
         self.text().contains('/')
     }
 
-    /// Whether a scene of this suite may match a pattern that says of which suites the scenes are.
+    /// True if a scene of this suite may match a pattern that includes a suite.
     #[must_use]
     pub fn may_be_of(&self, suite: &str) -> bool {
         let of = self.text().split_once('/').map_or("", |(of, _)| of);
-        // What is no glob by itself ends in the middle of a group or class: that may be anything.
+        // If the suite part is not a valid glob, it ends inside a group or class, and may match anything.
         Glob::new(of).map_or(true, |of| of.compile_matcher().is_match(suite))
     }
 
-    /// Whether it matches a scene by its name, or by that of its suite and its own.
+    /// True if the pattern matches a scene's name, or its suite and name.
     #[must_use]
     pub fn names(&self, suite: &str, scene: &str) -> bool {
         match &*self.0 {
@@ -105,7 +106,7 @@ impl Pattern {
         }
     }
 
-    /// Whether it matches this text.
+    /// True if the pattern matches this text.
     #[must_use]
     pub fn is_match(&self, text: &str) -> bool {
         match &*self.0 {

@@ -1,7 +1,7 @@
-//! All backends by name: the only place that knows every one of them.
+//! All backends by name: the only module that refers to all of them.
 //!
-//! A name becomes a backend of some type, and whoever asks for it gets the type
-//! ([`Visit`]): so tasks of other crates can meet every backend of the house.
+//! A name becomes a backend of some type, and the caller gets the type ([`Visit`]), so that tasks of other crates can
+//! use every backend of this workspace.
 
 use std::sync::Arc;
 
@@ -25,10 +25,10 @@ use crate::visit::hand;
 pub const DEFAULT: &[&str] =
     &["exact", "sos", "sos:edelsbrunner-mucke", "tolerance", "naive", "naive:first", "epsilon:1e-10", "shewchuk"];
 
-/// The backends of the house without a parameter that do not run by default, in the order of the help.
+/// The parameterless backends of this workspace that do not run by default, in the order of the help.
 pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
 
-/// What can be written after `-b`, for help texts.
+/// The values for `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
 exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
@@ -45,7 +45,7 @@ shewchuk                the crate `robust` as it is
 fault:NAME              a planted fault; `predicament selftest --list` names them
 engine:NAME             a program with somebody else's predicates: engines/NAME/engine.toml, or a path to such a file";
 
-/// Why a name picks no backend.
+/// The reason why a name selects no backend.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum BackendError {
@@ -54,7 +54,7 @@ pub enum BackendError {
         /// The name.
         name: String,
     },
-    /// The name has no number of stages that `exact` has.
+    /// The name does not have a number of stages that `exact` has.
     Stages {
         /// The name.
         name: String,
@@ -63,22 +63,22 @@ pub enum BackendError {
     NoNumber {
         /// The name.
         name: String,
-        /// The text in the place of the number.
+        /// The text given as the number.
         eps: String,
     },
-    /// The tolerance of `epsilon` is a number that it cannot have.
+    /// The tolerance of `epsilon` is a number outside of the allowed range.
     Epsilon {
         /// The name.
         name: String,
-        /// Why not.
+        /// The reason for the refusal.
         why: BadEpsilon,
     },
     /// No planted fault has the name.
     UnknownFault {
-        /// The name behind `fault:`.
+        /// The name after `fault:`.
         fault: String,
     },
-    /// The engine is not there, does not start, or does not speak the protocol.
+    /// The engine does not exist, does not start, or does not speak the protocol.
     Engine(EngineError),
 }
 
@@ -106,10 +106,10 @@ impl std::fmt::Display for BackendError {
 
 impl std::error::Error for BackendError {}
 
-/// Finds the backend with this name and hands it over.
+/// Finds the backend with this name and passes it to the visitor.
 ///
 /// # Errors
-/// One line with the names that there are.
+/// [`BackendError`] on one line, with the known names.
 pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
     let sos = |visitor: V, scheme: Scheme| {
         let judge: Box<TieJudge> =
@@ -154,7 +154,7 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
     })
 }
 
-/// Whether there is a backend with this name. An engine is there if its configuration is, and is not started.
+/// True if a backend with this name exists. An engine exists if its configuration does; it is not started.
 #[must_use]
 pub fn knows(name: &str) -> bool {
     struct Nothing;
@@ -169,10 +169,10 @@ pub fn knows(name: &str) -> bool {
     }
 }
 
-/// The backend with this name, on the tasks that ask for signs and on these.
+/// The backend with this name, on the tasks that query signs and on `tasks`.
 ///
 /// # Errors
-/// One line with the names that there are.
+/// [`BackendError`] on one line, with the known names.
 pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>, BackendError> {
     struct Enter<'a, L>(&'a L);
     impl<L: TaskList> Visit for Enter<'_, L> {

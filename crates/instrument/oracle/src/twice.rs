@@ -1,7 +1,7 @@
-//! The reference with every question asked twice: a yardstick for how much of an input's time is spent on predicates.
+//! The exact backend with every query made twice: a measure of how much of an input's time is spent on predicates.
 //!
-//! An input whose time hardly grows would take as long with any backend: a ratio of times on it says nothing about
-//! backends. The yardstick needs no third backend, so no choice of backends changes which inputs are left out.
+//! An input whose time hardly grows would take as long with any backend, so a ratio of times on it says nothing about
+//! backends. The measure needs no third backend, so the choice of backends does not change which inputs are excluded.
 
 use std::hint::black_box;
 
@@ -15,7 +15,7 @@ use predicament_predicates::{
 #[derive(Clone, Copy, Debug)]
 pub struct Twice;
 
-/// A session that asks another one twice.
+/// A session that makes each query of another session twice.
 #[derive(Debug)]
 pub struct Asked<P>(P);
 
@@ -43,7 +43,7 @@ impl Backend for Twice {
     }
 }
 
-/// Methods that are answered by the second of two calls.
+/// Implements methods by the second of two calls.
 macro_rules! twice {
     ($($method:ident($($name:ident: $type:ty),*);)+) => {
         $(fn $method(&self, $($name: $type),*) -> Sign {
@@ -53,7 +53,7 @@ macro_rules! twice {
     };
 }
 
-/// Batches that are answered by the second of two calls.
+/// Implements batches by the second of two calls.
 macro_rules! batches_twice {
     ($($method:ident($($name:ident: $type:ty),*);)+) => {
         $(fn $method(&self, $($name: $type,)* out: &mut [Sign]) {

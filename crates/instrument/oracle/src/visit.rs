@@ -1,4 +1,4 @@
-//! A backend is handed over as some type, to whoever does work for any type.
+//! Generic work on a backend: the backend is passed with its own type.
 
 use predicament_judge::TieJudge;
 use predicament_predicates::Backend;
@@ -6,16 +6,16 @@ use predicament_predicates::Backend;
 #[cfg(shared_tasks)]
 use crate::boxed::Boxed;
 
-/// Work for one backend, whatever its type.
+/// Work on one backend of any type.
 pub trait Visit {
     /// The result of the work.
     type Out;
 
-    /// Does the work; `ties` is the independent judge of how the backend breaks ties, if it does.
+    /// Does the work; `ties` is the independent judge of the backend's tie-breaking, if it breaks ties.
     fn visit<B: Backend + 'static>(self, backend: B, ties: Option<Box<TieJudge>>) -> Self::Out;
 }
 
-/// Hands a backend over as it is, or behind a pointer in builds that nobody times (`build.rs`).
+/// Passes a backend to the visitor with its own type, or behind a pointer in untimed builds (`build.rs`).
 pub(crate) fn hand<V: Visit, B: Backend + 'static>(visitor: V, backend: B, ties: Option<Box<TieJudge>>) -> V::Out {
     #[cfg(shared_tasks)]
     let backend = Boxed::new(backend);

@@ -1,4 +1,4 @@
-//! An engine whose library prints to stdout, for the test that this spoils nothing.
+//! An engine whose library prints to stdout; the test checks that this does no harm.
 
 use predicament_engine::{Answer, Engine, Predicate, Vertex, Zero, serve};
 

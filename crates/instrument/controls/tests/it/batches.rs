@@ -1,4 +1,4 @@
-//! Batches of controls answer as single queries do, bit for bit.
+//! Batches of controls equal single queries, bit for bit.
 
 use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
 use predicament_predicates::{
@@ -9,11 +9,11 @@ use proptest::prelude::*;
 
 const POINTS: usize = 50;
 
-/// Coordinates of which determinants are rounded, underflow, overflow and are NaN.
+/// Coordinates whose determinants are rounded, underflow, overflow or are NaN.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => -1.0..1.0_f64,
-        // With ties.
+        // Small integers, which give ties.
         4 => (-2..3_i32).prop_map(f64::from),
         // Near a line, so that signs depend on the order of the operations.
         4 => (0..1000_u32).prop_map(|ulps| f64::from(ulps) * f64::EPSILON + 0.5),
@@ -29,9 +29,9 @@ fn points<const D: usize>() -> impl Strategy<Value = Vec<[f64; D]>> {
     prop::collection::vec(prop::array::uniform(coordinate()), POINTS)
 }
 
-/// Vertices of many queries; those beyond the points are constructed, where the scene has such.
+/// The vertices of many queries; vertices beyond the points are constructed, if the scene has constructed vertices.
 fn vertices() -> impl Strategy<Value = Vec<usize>> {
-    // Blocks of 64 queries, whole and not.
+    // Full and partial blocks of 64 queries.
     prop::collection::vec(0..POINTS + 2, 0..900)
 }
 
@@ -55,7 +55,7 @@ fn questions(scene: &Scene) -> Vec<Question> {
     all.into_iter().filter(fits).collect()
 }
 
-/// Holds batches of a backend against its single queries.
+/// Compares batches of a backend with its single queries.
 fn check(backend: &impl Backend, scene: &Scene, vertices: &[usize]) {
     let (counts, session) = (Counts::new(), backend.prepare(scene, Off).unwrap());
     let counted = backend.prepare(scene, &counts).unwrap();

@@ -1,4 +1,4 @@
-//! What each control computes, and that it goes wrong where it should.
+//! The values of each control, and inputs for which it must be wrong.
 
 use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk, constructed};
 use predicament_predicates::{
@@ -31,8 +31,8 @@ fn ask3(backend: &impl Backend, question: Question, points: &[[f64; 3]]) -> (Sig
     ask(backend, question, &Scene::from_points3(points).unwrap())
 }
 
-/// Points whose differences, products and sums are small integers: every
-/// control gets them right, and they tell all sign conventions apart.
+/// Points whose differences, products and sums are small integers: every control is correct, and the points distinguish
+/// all sign conventions.
 #[test]
 fn all_agree_on_small_integers() {
     let turn = [[0.0, 0.0], [2.0, 1.0], [1.0, 3.0]];
@@ -52,7 +52,7 @@ fn all_agree_on_small_integers() {
     check!(LAST, FIRST, Epsilon::default(), Shewchuk);
 }
 
-/// A library of linear algebra divides on its way: signs are the same there, values up to rounding.
+/// A linear algebra library divides internally: the signs are equal, and the values are equal up to rounding.
 #[test]
 fn homogeneous_matrices_have_the_same_signs() {
     let homogeneous = Naive { pivot: Pivot::Homogeneous };
@@ -70,7 +70,7 @@ fn homogeneous_matrices_have_the_same_signs() {
         assert_eq!(sign, Sign::Positive);
         assert!((value - wanted).abs() < 1e-9, "{value}");
     }
-    // Far from the origin nothing is subtracted first: the turn of a small triangle drowns.
+    // Without a subtraction, rounding hides the turn of a small triangle far from the origin.
     let far = turn.map(|p: [f64; 2]| p.map(|x| x + 2.0_f64.powi(40)));
     assert_eq!(ask2(&LAST, TURN, &far), (Sign::Positive, 5.0));
     let (_, value) = ask2(&homogeneous, TURN, &far);
@@ -78,8 +78,8 @@ fn homogeneous_matrices_have_the_same_signs() {
 }
 
 proptest! {
-    /// Integers small enough for plain floating point to be exact, in every
-    /// predicate and projection: there both pivots are Shewchuk's signs.
+    /// Integers small enough for plain floating point to be exact, in every predicate and projection: the signs of both
+    /// pivots equal Shewchuk's.
     #[test]
     fn pivots_are_equal_where_nothing_rounds(
         flat in proptest::collection::vec(-40i8..=40, 8),
@@ -115,7 +115,7 @@ fn kettners_first_picture_depends_on_the_pivot() {
     for i in 0..256 {
         for j in 0..256 {
             let p = [0.5 + f64::from(i) * pixel, 0.5 + f64::from(j) * pixel];
-            // Left of the rising diagonal, y > x; the pixels below 1 are 2^-53 apart.
+            // Left of the rising diagonal, y > x; pixels below 1 are 2^-53 apart.
             let truth = Sign::from(j.cmp(&i));
             let points = [p, [12.0, 12.0], [24.0, 24.0]];
             let [first, last] = [FIRST, LAST].map(|backend| ask2(&backend, TURN, &points).0);
@@ -131,7 +131,7 @@ fn kettners_first_picture_depends_on_the_pivot() {
 
 #[test]
 fn overflow_leaves_a_nan_and_a_zero() {
-    // Whichever point is the pivot, some minor is ∞ − ∞.
+    // With every pivot, some minor is ∞ − ∞.
     let solid = [[0.0, 0.0, 1.0], [1.0, 2.0, 3.0], [3.0, 4.0, -2.0], [5.0, -7.0, 4.0], [-2.0, 6.0, 5.0]];
     let solid = solid.map(|p| p.map(|x| 1e200 * x));
     let flat = solid.map(|[x, y, _]| [x, y]);
@@ -151,7 +151,7 @@ fn overflow_leaves_a_nan_and_a_zero() {
     check!(LAST, FIRST, Epsilon::default(), Shewchuk);
 }
 
-/// Underflow makes Shewchuk's predicates wrong, as their author says.
+/// Underflow makes Shewchuk's predicates wrong, as their author states.
 #[test]
 fn underflow_hides_a_turn() {
     let points = [[1e-200, 0.0], [0.0, 1e-200], [0.0, 0.0]];
@@ -217,7 +217,7 @@ fn controls_introduce_themselves_and_promise_what_they_cannot_prove() {
     assert_eq!(Naive::default(), LAST);
 }
 
-/// Where nothing rounds, a constructed vertex is the point that it should be.
+/// Without rounding, a constructed vertex is the exact point.
 #[test]
 fn constructed_vertices_are_points_once_they_are_computed() {
     let mut plane = Scene::from_points2(&[[0.0, 0.0], [4.0, 2.0], [0.0, 4.0], [4.0, -2.0]]).unwrap();
@@ -247,7 +247,7 @@ fn constructed_vertices_are_points_once_they_are_computed() {
     check!(LAST, FIRST, Epsilon::default(), Shewchuk);
 }
 
-/// A vertex that has been rounded is another one, and exactness does not help any more.
+/// A rounded vertex is another point, which exact predicates cannot correct.
 #[test]
 fn a_rounded_vertex_is_beside_its_own_line() {
     let points = [[0.0, 0.0], [1.0, 1.0], [0.0, 1.0], [0.5, 0.0], [2.0, 0.0], [2.0, 5.0]];
@@ -265,7 +265,7 @@ fn a_rounded_vertex_is_beside_its_own_line() {
     assert_eq!(TURN.ask(&session, &parallel), Sign::Zero);
 }
 
-/// A circle through a constructed vertex is that through the doubles that stand for it.
+/// A circle through a constructed vertex passes through the doubles of its rounded point.
 #[test]
 fn circles_go_through_rounded_vertices() {
     // The diagonals meet in (2, 2), which is on the circle of the first three corners of a small square beside it.

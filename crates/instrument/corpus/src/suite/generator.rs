@@ -1,4 +1,4 @@
-//! `[[generate]]` tables.
+//! The reader of `[[generate]]` tables.
 
 use predicament_formats::{Cache, CorpusError, Field, Fields, MOST_COORDINATES, read_points};
 use predicament_predicates::Dimension;
@@ -8,20 +8,20 @@ use super::scene::{SceneDef, check_name, define};
 use crate::loaded::moved;
 use crate::{Elsewhere, Family, Level, Making, Parts, Recipe, SceneFormat, Source};
 
-/// More queries than this don't fit a scene's vertex ids.
+/// The maximum number of queries; more would exceed a scene's vertex ids.
 const MOST_QUERIES: u64 = 100_000_000;
 
-/// A generated scene before it is generated.
+/// A generated scene that is not yet generated.
 struct Generated {
     recipe: Recipe,
     making: Making,
-    /// How many queries at level quick, and at level full.
+    /// The numbers of queries at level quick and at level full.
     amount: [usize; 2],
-    /// Where its points are instead, if they are written.
+    /// The coordinates that replace the generated points, if they are written.
     places: Option<Places>,
 }
 
-/// The points of a generated scene, written out.
+/// The points of a generated scene, written in the suite.
 struct Places {
     dimension: Dimension,
     coordinates: Vec<f64>,
@@ -30,13 +30,13 @@ struct Places {
 }
 
 impl Places {
-    /// Reads `coordinates`.
+    /// Reads the value of `coordinates`.
     fn read(field: &Field<'_, '_>) -> Result<Places, CorpusError> {
         let (dimension, coordinates) = read_points(field)?;
         Ok(Places { dimension, coordinates, file: field.file().to_owned(), line: field.line() })
     }
 
-    /// The scene with its points there.
+    /// The generated scene with its points moved to these coordinates.
     fn of(&self, made: Parts) -> Result<Parts, CorpusError> {
         let error = |message: String| {
             let cure = "write as many points as the family makes, or remove `coordinates`";
@@ -90,7 +90,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     )
 }
 
-/// `n` and `n_full`; recipes of a fixed size have neither.
+/// Reads `n` and `n_full`; recipes of a fixed size have neither.
 fn amount(fields: &Fields<'_, '_>, recipe: &Recipe) -> Result<[usize; 2], CorpusError> {
     if let Some(n) = recipe.fixed_size {
         let size = u64::try_from(n).unwrap_or(u64::MAX);
@@ -120,7 +120,7 @@ fn amount(fields: &Fields<'_, '_>, recipe: &Recipe) -> Result<[usize; 2], Corpus
     Ok([quick, full])
 }
 
-/// Whether a scene of n is small enough to be made.
+/// True if a scene of n is small enough to generate.
 fn fits(recipe: &Recipe, n: u64) -> bool {
     usize::try_from(recipe.coordinates(n)).is_ok_and(|coordinates| coordinates <= MOST_COORDINATES)
 }
@@ -135,7 +135,7 @@ fn most(recipe: &Recipe) -> u64 {
     fit
 }
 
-/// Family, task, and every parameter that was written: `near-orient2d-ulps-4`.
+/// The default name: family, task, and every written parameter, as in `near-orient2d-ulps-4`.
 fn default_name(family: &Family, fields: &Fields<'_, '_>, task: &dyn SceneFormat) -> Result<String, CorpusError> {
     let mut name = format!("{}-{}", family.name, task.name());
     for key in task.naming_keys().iter().chain(family.parameters) {

@@ -17,16 +17,16 @@ pub use scene::SceneDef;
 /// The keys of a suite.
 pub(crate) static SUITE: TableKind = TableKind::new("suite", &["title", "description", "round", "scene", "generate"]);
 
-/// A suite: a TOML file's scenes in the order in which they are written.
+/// A suite: the scenes of a TOML file, in the order of the file.
 #[derive(Clone, Debug)]
 pub struct Suite {
     /// The file's name without `.toml`.
     pub name: String,
-    /// A heading.
+    /// A heading for readers.
     pub title: String,
     /// A paragraph for readers.
     pub description: String,
-    /// Whether any scene needs data from `predicament corpus fetch`.
+    /// True if any scene needs data from `predicament corpus fetch`.
     pub needs_fetch: bool,
     /// The scenes.
     pub scenes: Vec<SceneDef>,
@@ -36,13 +36,11 @@ pub struct Suite {
 impl Suite {
     /// Reads a suite.
     ///
-    /// Everything that needs no generator, no data file and no download is
-    /// checked here: keys, tasks, families, coordinates, queries, and that
-    /// scenes written out in the file have different names and contents.
+    /// Everything that needs no generator, no data file and no download is checked here: keys, tasks, families,
+    /// coordinates, queries, and that scenes written in the file have different names and contents.
     ///
-    /// `file` is the name in error messages; its stem names the suite. Data
-    /// paths are relative to `base`; without one (embedded suites) they are
-    /// errors. `manifest` resolves fetch keys.
+    /// `file` is the name in error messages; its stem is the suite's name. Data paths are relative to `base`; without a
+    /// base (embedded suites) they are errors. `manifest` resolves fetch keys.
     ///
     /// # Errors
     /// [`CorpusError`] at the line that is wrong.
@@ -96,14 +94,14 @@ impl Suite {
     /// Reads a suite from disk.
     ///
     /// # Errors
-    /// [`CorpusError`] where the file can't be read, or as [`Suite::parse`].
+    /// [`CorpusError`] if the file can't be read, or as [`Suite::parse`].
     pub fn from_file(vocabulary: &Vocabulary, path: &Path, manifest: &Manifest) -> Result<Suite, CorpusError> {
         let file = path.display().to_string();
         let text = read_suite(path)?;
         Suite::parse(vocabulary, &file, &text, path.parent(), manifest)
     }
 
-    /// The file as error messages name it.
+    /// The file's name in error messages.
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file
@@ -124,7 +122,7 @@ impl Suite {
         Ok(())
     }
 
-    /// Checks the contents of the scenes that are written out in the file.
+    /// Checks that scenes written in the file differ in content from each other and from those in `seen`.
     pub(crate) fn check_ids(&self, seen: &mut SeenIds) -> Result<(), CorpusError> {
         for scene in &self.scenes {
             if let Some(id) = scene.inline_id() {
@@ -138,28 +136,28 @@ impl Suite {
 /// Reads a table of a suite.
 type Read = fn(&Context<'_>, Fields<'_, '_>) -> Result<SceneDef, CorpusError>;
 
-/// What reading a scene needs besides the scene's own table.
+/// The context for reading a scene, besides the scene's own table.
 pub struct Context<'m> {
     suite: String,
     base: Option<PathBuf>,
     manifest: &'m Manifest,
     vocabulary: &'m Vocabulary,
     round: bool,
-    /// The data files that the scene has named so far.
+    /// The data files that the scene has referred to so far.
     data: RefCell<Vec<DataName>>,
 }
 
-/// A data file that a scene names.
+/// A data file that a scene refers to.
 #[derive(Clone, Debug)]
 pub(crate) enum DataName {
-    /// One beside the suite.
+    /// A file beside the suite.
     Path(PathBuf),
-    /// One of a package.
+    /// A file of a package.
     Fetched(Entry),
 }
 
 impl DataName {
-    /// The file as error messages name it.
+    /// The file's name in error messages.
     pub(crate) fn shown(&self, cache: &Cache) -> String {
         match self {
             DataName::Path(path) => path.display().to_string(),
@@ -169,17 +167,17 @@ impl DataName {
 }
 
 impl Context<'_> {
-    /// Whether decimals of the scene's data files that are no doubles are rounded to the nearest: its `round`,
-    /// else that of the suite.
+    /// True if decimals in the scene's data files that are not doubles are rounded to the nearest: the scene's `round`,
+    /// else the suite's.
     #[must_use]
     pub fn round(&self) -> bool {
         self.round
     }
 
-    /// The path of a data file that lies beside the suite.
+    /// The path of a data file beside the suite.
     ///
     /// # Errors
-    /// Where the suite is embedded: it has no files beside it.
+    /// If the suite is embedded: it has no files beside it.
     pub fn path(&self, field: &Field<'_, '_>) -> Result<PathBuf, CorpusError> {
         let name = field.str()?;
         match &self.base {
@@ -198,7 +196,7 @@ impl Context<'_> {
     /// The manifest's entry for a fetch key.
     ///
     /// # Errors
-    /// Where the manifest has no such key.
+    /// If the manifest has no such key.
     pub fn fetched(&self, key: &Field<'_, '_>) -> Result<Entry, CorpusError> {
         let name = key.str()?;
         let entry = self.manifest.entry(name).cloned().ok_or_else(|| {
@@ -209,7 +207,7 @@ impl Context<'_> {
     }
 }
 
-/// The tables of an array of tables; none where the key is missing.
+/// The tables of an array of tables; empty if the key is missing.
 fn array<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     match fields.get(key) {
         None => Ok(Vec::new()),

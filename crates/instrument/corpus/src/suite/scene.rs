@@ -8,37 +8,37 @@ use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, shown};
 use super::{Context, DataName};
 use crate::{Elsewhere, Level, LoadedScene, Parts, Source, content_id};
 
-/// A scene as its suite defines it; [`SceneDef::load`] makes it ready.
+/// A scene as its suite defines it; [`SceneDef::load`] loads it.
 #[derive(Clone)]
 pub struct SceneDef {
-    /// The suite it is from.
+    /// The name of the scene's suite.
     pub suite: String,
-    /// Its name, unique in the suite.
+    /// The scene's name, unique in the suite.
     pub name: String,
     /// The name of the task.
     pub task: &'static str,
-    /// The family as `throughput.csv` calls it; the scene's name where it has none.
+    /// The family's name in `throughput.csv`; the scene's name if it has no family.
     pub family: String,
-    /// Free words to select by.
+    /// Free words for selecting scenes.
     pub tags: Vec<String>,
-    /// Where the scene is from.
+    /// The origin of the scene.
     pub source: String,
-    /// One sentence that ends up in the report.
+    /// One sentence for the report.
     pub analysis: String,
-    /// The file that defines it, as error messages name it.
+    /// The file that defines the scene, as error messages name it.
     pub file: String,
-    /// The line where its table starts.
+    /// The line where the scene's table starts.
     pub line: usize,
     content: Where,
-    /// The data files that its table names, in their order.
+    /// The data files that the scene's table refers to, in order.
     data: Vec<DataName>,
-    /// How many decimals of its table were rounded.
+    /// The number of rounded decimals in the scene's table.
     rounded: usize,
 }
 
 #[derive(Clone)]
 enum Where {
-    /// A scene that is written out in the suite, and its content id.
+    /// A scene that is written in the suite, and its content id.
     Written(Arc<(Parts, String)>),
     Elsewhere(Arc<dyn Elsewhere>),
 }
@@ -50,19 +50,19 @@ impl fmt::Debug for SceneDef {
 }
 
 impl SceneDef {
-    /// Whether the scene needs data from `predicament corpus fetch`.
+    /// True if the scene needs data from `predicament corpus fetch`.
     #[must_use]
     pub fn needs_fetch(&self) -> bool {
         self.fetch_entry().is_some()
     }
 
-    /// Whether the suite has its points and content in its own text.
+    /// True if the scene's points and content are written in the suite.
     #[must_use]
     pub fn is_written(&self) -> bool {
         matches!(self.content, Where::Written(_))
     }
 
-    /// The fetched file that the scene needs (the first, where there are two), if any.
+    /// The fetched file that the scene needs (the first, if there are two), if any.
     #[must_use]
     pub fn fetch_entry(&self) -> Option<&Entry> {
         match &self.content {
@@ -74,9 +74,8 @@ impl SceneDef {
     /// Reads, generates or imports the scene.
     ///
     /// # Errors
-    /// [`CorpusError`] where a data file is missing or wrong; data that was
-    /// not fetched yet is an error that says how to fetch it. An error at a line
-    /// of the suite names the data files that the scene is made of.
+    /// [`CorpusError`] if a data file is missing or wrong; for data that is not yet fetched, the error says how to
+    /// fetch it. An error at a line of the suite includes the names of the scene's data files.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
         let (Parts { scene, content, mut notes }, id) = match &self.content {
             Where::Written(written) => written.as_ref().clone(),
@@ -102,8 +101,8 @@ impl SceneDef {
         })
     }
 
-    /// The error, with the names of the scene's data files if it is about the suite and names none of them: what a
-    /// table says of points may be wrong because of the file that has them.
+    /// Adds the names of the scene's data files to an error about the suite that names none of them: a table's
+    /// statement about points may be wrong because of the file that has them.
     fn with_data(&self, error: CorpusError, cache: &Cache) -> CorpusError {
         let mut names: Vec<String> = self.data.iter().map(|data| data.shown(cache)).collect();
         names.dedup();
@@ -113,7 +112,7 @@ impl SceneDef {
         CorpusError { message: format!("with {}: {}", names.join(" and "), error.message), ..error }
     }
 
-    /// The content id, where the scene is written out in the suite.
+    /// The content id, if the scene is written in the suite.
     pub(super) fn inline_id(&self) -> Option<&str> {
         match &self.content {
             Where::Written(written) => Some(&written.1),
@@ -122,7 +121,7 @@ impl SceneDef {
     }
 }
 
-/// A definition from the keys that scenes and generators share.
+/// Creates a definition from the keys that scenes and generators share.
 pub(super) fn define(
     context: &Context<'_>,
     fields: Fields<'_, '_>,
@@ -155,10 +154,11 @@ pub(super) fn define(
     Ok(define)
 }
 
-/// The longest name, in characters.
+/// The maximum length of a name, in characters.
 const LONGEST_NAME: usize = 200;
 
-/// A name stands in tables, on command lines and in terminals. A spreadsheet takes what begins with `=`, `+`, `-` or `@` for a formula.
+/// Checks a name, which appears in tables, on command lines and in terminals. Spreadsheets read text that begins with
+/// `=`, `+`, `-` or `@` as a formula.
 pub(super) fn check_name(field: &Field<'_, '_>, name: &str) -> Result<(), CorpusError> {
     let message = if name.trim().is_empty() || name.chars().any(char::is_control) {
         format!("the name `{}` is empty or has control characters", name.escape_debug())

@@ -1,4 +1,4 @@
-//! Errors about scenes whose data are in files: the files are named.
+//! Errors about scenes with data in files: the messages name the files.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Level, Parts, PointSource, SceneFormat, Source, Suite, Vocabulary,
@@ -21,7 +21,7 @@ impl Content for Nothing {
     }
 }
 
-/// The points of a scene, before they are read.
+/// The points of a scene, not yet read.
 struct Listed(Vec<PointSource>);
 
 impl Elsewhere for Listed {
@@ -63,7 +63,7 @@ impl SceneFormat for Pairs {
     }
 }
 
-/// The error of loading a scene of these lines. Files with two, three and unreadable points stand beside its suite.
+/// The error from loading a scene with these lines. Files with two, three and unreadable points are beside its suite.
 fn refusal(lines: &str) -> (String, String) {
     let folder = tempfile::tempdir().unwrap();
     for (name, text) in [("two.csv", "0,0\n1,1\n"), ("three.csv", "0,0\n1,1\n2,2\n"), ("bad.csv", "0,0\n1,x\n")] {
@@ -89,12 +89,12 @@ fn an_error_about_a_scene_names_its_data_files_once() {
     let wanted =
         format!("s.toml:10: with {folder}/two.csv and {folder}/three.csv: 3 points are no pairs; add or remove points");
     assert_eq!(error, wanted);
-    // The same file twice is one, and no file is none.
+    // A file that is used twice is named once, and without a file no name is added.
     let (error, folder) = refusal("points = { path = \"three.csv\" }\nprobes = { path = \"three.csv\" }\n");
     assert!(error.starts_with(&format!("s.toml:9: with {folder}/three.csv: 3 points")), "{error}");
     let (error, _) = refusal("points = [[0, 0]]\n");
     assert_eq!(error, "s.toml:9: 1 points are no pairs; add or remove points");
-    // What names its file already does so once.
+    // An error that already names its file is unchanged.
     let (error, folder) = refusal("points = { path = \"bad.csv\" }\n");
     assert!(error.starts_with(&format!("{folder}/bad.csv:2: ")) && !error.contains("with"), "{error}");
     let (error, folder) = refusal("points = { path = \"none.csv\" }\n");

@@ -1,11 +1,11 @@
-//! What suites can name: the tasks that somebody lists, and nothing else.
+//! Suites can use the tasks of their vocabulary, and no others.
 
 use predicament_corpus::{Canon, Content, Context, Family, Level, Library, Parts, Recipe, SceneFormat, Source, Suite};
 use predicament_corpus::{Vocabulary, fmt};
 use predicament_formats::{Cache, CorpusError, Fields, Manifest, read_points};
 use predicament_predicates::{Dimension, Scene};
 
-/// A task that asks nothing: its scenes are points at a level.
+/// A task without questions: its scenes are points at a level.
 #[derive(Debug)]
 struct Points {
     name: &'static str,
@@ -64,7 +64,7 @@ impl SceneFormat for Points {
     }
 }
 
-/// A row of points on the x axis, and one point whose place is a parameter.
+/// A row of points on the x axis, and a single point whose position is a parameter.
 static FAMILIES: [Family; 2] = [
     Family {
         name: "row",

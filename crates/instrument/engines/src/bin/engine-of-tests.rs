@@ -1,4 +1,4 @@
-//! An engine that answers by plain doubles, or goes wrong in the way that its argument names: for tests.
+//! An engine for tests that answers by plain doubles, or fails in the way that its argument names.
 //!
 //! It repeats the numbers of questions, unless its argument begins with `without id, `.
 
@@ -55,7 +55,7 @@ fn main() {
             continue;
         }
         if way == "hungry" && kind == "batch" {
-            // Up to a GiB.
+            // Uses up to a GiB.
             let food: Vec<Vec<u8>> = (0..64).map(|_| vec![1; 1 << 24]).collect();
             assert!(food.iter().all(|piece| piece[1 << 20] == 1));
         }
@@ -96,7 +96,7 @@ fn main() {
             bytes.extend_from_within(..);
         }
         if way == "again" && kind == "batch" {
-            // The answer to the batch before once more, as late as it can come.
+            // Repeats the previous batch's answer, as late as possible.
             let late = before.replace(bytes.clone()).unwrap_or_default();
             bytes.splice(..0, late);
         }
@@ -106,7 +106,7 @@ fn main() {
     }
 }
 
-/// Writes a message of nearly 2^30 bytes: entries without a value, or one long value, piece after piece.
+/// Writes a message of nearly 2^30 bytes in pieces: entries without a value, or one long value.
 fn pour(output: &mut impl Write, piece: &[u8]) -> Result<(), Error> {
     let many = piece.repeat((1 << 16) / piece.len());
     let times = (1 << 30) / many.len() - 1;
@@ -170,7 +170,7 @@ fn byte(x: f64) -> u8 {
     }
 }
 
-/// Processes that the engine leaves behind: each writes its number into the file that the environment names.
+/// Processes that the engine leaves behind: each writes its process id into the file named by the environment.
 #[cfg(target_os = "linux")]
 mod leave {
     use std::process::Command;
@@ -178,8 +178,8 @@ mod leave {
 
     const FILE: &str = "LEFT_BEHIND";
 
-    /// Starts a process with a session of its own, and waits until it has one: a child, a child that does not have the
-    /// engine's environment, or an orphan.
+    /// Starts a process in its own session, and waits until it has one: a child, a child without the engine's
+    /// environment, or an orphan.
     pub fn start(way: &str) {
         let file = std::env::var_os(FILE).expect("a file for its number");
         let _ = match way {
@@ -192,7 +192,7 @@ mod leave {
         }
     }
 
-    /// The parts of the processes that are left behind.
+    /// Runs one of the roles of the processes that are left behind.
     pub fn play(part: &str) {
         if part == "left to nobody" {
             let _ = again("left alone").spawn();

@@ -1,4 +1,4 @@
-//! The backend against an engine that behaves, and against one that misbehaves in every way.
+//! Tests of the backend against an engine that behaves, and against one that misbehaves in every way.
 
 #[cfg(target_os = "linux")]
 mod processes;
@@ -12,7 +12,7 @@ use predicament_predicates::{
     Vertex,
 };
 
-/// The engine of tests, going wrong in this way. It runs where the tests run: the folder is there when it starts again.
+/// The test engine with this kind of failure. It runs in the folder of the tests, which still exists when it restarts.
 fn engine(way: &str) -> Result<Engine, EngineError> {
     let folder = tempfile::tempdir().unwrap();
     let mut config = config(folder.path(), way)?;
@@ -158,14 +158,14 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
             let thrown = catch_unwind(AssertUnwindSafe(|| ask(&session))).unwrap_err();
             let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("{way}: another panic"));
             assert_eq!((broken.class, broken.check), (class, check), "{way}");
-            // How long an answer took is not always the same.
+            // The reported duration of an answer varies.
             let told = broken.message.get(..said.len()).filter(|_| said.ends_with(' ')).unwrap_or(&broken.message);
             assert_eq!(told, said, "{way}");
         }
     }
 }
 
-/// The message with which a session breaks when it is asked.
+/// The message with which a session breaks on a query.
 fn breaks(session: &dyn Predicates) -> String {
     let thrown = catch_unwind(AssertUnwindSafe(|| ask(session))).unwrap_err();
     thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic")).to_string()
@@ -174,7 +174,7 @@ fn breaks(session: &dyn Predicates) -> String {
 #[test]
 fn an_answer_to_another_question_is_no_answer() {
     let scene = scene();
-    // By its number.
+    // Detected by the question's number.
     for (way, said) in [
         ("twice", "protocol: it wrote more than the answer to the message before: a message `signs`"),
         ("again", "protocol: an answer to question `3`, where question 4 was asked"),
@@ -182,11 +182,11 @@ fn an_answer_to_another_question_is_no_answer() {
         let engine = engine(way).unwrap();
         let session = engine.prepare(&scene, Off).unwrap();
         assert_eq!(ask(&session), SIGNS, "{way}: the first batch");
-        // The second of two answers at once is on its way.
+        // The second of two simultaneous answers is under way.
         std::thread::sleep(std::time::Duration::from_millis(100));
         assert_eq!(breaks(&session), said, "{way}");
     }
-    // By the greeting behind it.
+    // Detected by the greeting after it.
     let said = "protocol: it wrote more than the answer to the message before: a message `signs`";
     let once = engine("without id, twice").unwrap();
     assert_eq!(breaks(&once.prepare(&scene, Off).unwrap()), said);
@@ -238,7 +238,7 @@ fn so_is_one_that_always_answers_nonsense() {
     assert!(broken().starts_with("given up, as it broke 5 times in a row"));
 }
 
-/// An error about an engine, without the engine and its file: it begins with them.
+/// An error about an engine without its prefix, the engine and its file.
 fn unnamed(error: &str) -> &str {
     let (named, error) = error.split_once("engine.toml): ").unwrap_or_else(|| panic!("no file: {error}"));
     assert!(named.starts_with("engine:tests ("), "{named}");
@@ -257,7 +257,7 @@ fn a_version_command_has_a_limit() {
     assert_eq!(unnamed(&error), "`sleep 1000` printed no version within 1s");
 }
 
-/// What an engine says ends up in tables and on terminals.
+/// An engine's texts appear in tables and on terminals.
 #[test]
 fn what_an_engine_says_is_bounded() {
     let folder = tempfile::tempdir().unwrap();

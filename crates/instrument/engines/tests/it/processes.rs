@@ -1,4 +1,4 @@
-//! What the processes of an engine may take, and that none is left behind.
+//! The limits of an engine's processes, and the removal of all processes left behind.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -9,7 +9,7 @@ use tempfile::TempDir;
 
 use crate::{ask, config, scene};
 
-/// The configuration of an engine that leaves a process behind in this way, and where that writes its number.
+/// The configuration of an engine that leaves a process behind in this way, with a file for the process id.
 fn leaving(folder: &TempDir, way: &str) -> Config {
     let mut config = config(folder.path(), way).unwrap();
     let file = folder.path().join("left").display().to_string();
@@ -17,12 +17,12 @@ fn leaving(folder: &TempDir, way: &str) -> Config {
     config
 }
 
-/// The process that was left behind.
+/// The id of the process that was left behind.
 fn left(folder: &TempDir) -> String {
     std::fs::read_to_string(folder.path().join("left")).unwrap().trim().to_owned()
 }
 
-/// Whether a process runs; one that has ended and whose parent has not asked how does not.
+/// True if a process runs; a zombie does not run.
 fn runs(process: &str) -> bool {
     let stat = std::fs::read_to_string(Path::new("/proc").join(process).join("stat"));
     stat.is_ok_and(|stat| !stat.contains(") Z "))
@@ -41,7 +41,7 @@ fn a_process_with_a_session_of_its_own_ends_with_its_engine_and_with_no_other() 
         ask(&other.prepare(&scene, Off).unwrap());
         drop(other);
         assert!(!runs(&of_other), "{way}");
-        // Nothing is left to be asked how it ended.
+        // No zombie is left.
         assert!(!Path::new("/proc").join(&of_other).exists(), "{way}");
     }
 }

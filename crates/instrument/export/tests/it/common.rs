@@ -1,4 +1,4 @@
-//! Run folders to export, and a reader of what was written.
+//! Run folders to export, and a reader of the exported files.
 
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -48,7 +48,7 @@ impl Watch for Patient {
     fn done(&mut self) {}
 }
 
-/// Exports folders, of which there are runs.
+/// Exports the runs in these folders.
 pub fn exported(folders: &[&Path], format: Format, out: &Path) -> Result<Exported, Error> {
     let folders: Vec<PathBuf> = folders.iter().map(|&folder| folder.to_owned()).collect();
     let found = find(&folders)?;
@@ -123,7 +123,7 @@ pub fn write_run(folder: &Path, started: &str, kinds: &[KindsRow]) {
     start_run(folder, started, kinds).finish(Outcome::Complete).unwrap();
 }
 
-/// A run that goes on.
+/// Starts a run and leaves it unfinished.
 pub fn start_run(folder: &Path, started: &str, kinds: &[KindsRow]) -> RunWriter {
     let mut writer = RunWriter::create(folder, &plan(), &env(started), &[TableSpec::of::<KindsRow>()]).unwrap();
     writer.write(kinds).unwrap();
@@ -159,7 +159,7 @@ pub fn start_run(folder: &Path, started: &str, kinds: &[KindsRow]) -> RunWriter 
     writer
 }
 
-/// A Parquet file: its columns, and each cell as CSV has it; none for a null.
+/// Reads a Parquet file: its columns, and each cell; `None` for a null.
 pub fn read(path: &Path) -> (Vec<String>, Vec<Vec<Option<Cell>>>) {
     let reader = SerializedFileReader::new(File::open(path).unwrap()).unwrap();
     let schema = reader.metadata().file_metadata().schema_descr();
@@ -171,7 +171,7 @@ pub fn read(path: &Path) -> (Vec<String>, Vec<Vec<Option<Cell>>>) {
     (names, rows.collect())
 }
 
-/// How many groups of rows a file has.
+/// The number of row groups of a file.
 pub fn groups(path: &Path) -> usize {
     SerializedFileReader::new(File::open(path).unwrap()).unwrap().num_row_groups()
 }
@@ -199,7 +199,7 @@ impl Cell {
         }
     }
 
-    /// Whether a cell of CSV says the same.
+    /// True if a CSV cell has the same value.
     pub fn is(cell: Option<&Cell>, text: &str) -> bool {
         match cell {
             None => text.is_empty(),

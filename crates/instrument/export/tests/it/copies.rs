@@ -1,4 +1,4 @@
-//! An error that a run has found and a bench has copied counts once.
+//! An error in a run and its copy in a bench count once.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use crate::common::{env, exported, plan, scene};
 
-/// A run or a bench that has judged these scenes on `naive`, each with seven wrong answers.
+/// Writes a run or a bench that has judged these scenes on `naive`, each with seven wrong answers.
 fn write(folder: &Path, timed: bool, scenes: &[&str], env: &Env) {
     let plan = Plan { timed, scenes: scenes.iter().map(|name| scene(name)).collect(), ..plan() };
     let mut writer = RunWriter::create(folder, &plan, env, &[]).unwrap();
@@ -35,7 +35,7 @@ fn a_bench_adds_no_error_that_its_run_has_found() {
     let both = exported(&[&run, &bench], Format::Csv, &out).unwrap();
     assert_eq!(rows(&both), 3, "a and b of the run, and what the bench alone has judged");
     assert!(both.notes.iter().any(|note| note.starts_with("bench: 2 rows")), "{:?}", both.notes);
-    // Alone a bench has all of its rows, and so has one by another build of the tool.
+    // A bench exported alone has all of its rows, and so has a bench by another build of the tool.
     assert_eq!(rows(&exported(&[&bench], Format::Csv, &out).unwrap()), 3);
     write(&other, true, &["a", "b"], &Env { commit: Some("another".to_owned()), ..env });
     assert_eq!(rows(&exported(&[&run, &other], Format::Csv, &out).unwrap()), 4);

@@ -1,4 +1,4 @@
-//! Run folders exported and read back, and what is refused.
+//! Tests that export run folders and read them back, and tests of refused input.
 
 mod common;
 mod copies;

@@ -1,4 +1,4 @@
-//! What is refused, and leaves everything as it was.
+//! Refused exports, which leave everything unchanged.
 
 use std::fs;
 use std::path::Path;
@@ -11,13 +11,13 @@ use crate::common::{exported, files, kinds, known, write_run};
 
 const DAY: &str = "2026-01-05T03:00:00Z";
 
-/// A JSON file of a run folder as it was before there were seals: it may be changed.
+/// A JSON file of a run folder without its seal, so that it may be changed.
 fn unsealed(file: &Path) -> String {
     let text = fs::read_to_string(file).unwrap();
     text.lines().filter(|line| !line.starts_with("  \"seal\"")).map(|line| format!("{line}\n")).collect()
 }
 
-/// Exports, and insists on an error with this in it and on nothing having changed.
+/// Asserts that an export fails with an error that contains `why`, and changes nothing.
 fn refuse(folders: &[&Path], out: &Path, why: &str) {
     let before = files(out);
     let error = exported(folders, Format::Parquet, out).expect_err(why).to_string();
@@ -101,7 +101,7 @@ fn folders_that_would_be_mistaken_are_refused() {
     fs::write(out.join("answers.parquet"), "old").unwrap();
     refuse(&[&a], &out, "answers.parquet: this export has no such table");
     fs::remove_file(out.join("answers.parquet")).unwrap();
-    // What a killed export has left is removed.
+    // Files left by a killed export are removed.
     fs::write(out.join(".answers.parquet.1.next"), "half").unwrap();
     exported(&[&a], Format::Parquet, &out).unwrap();
     assert!(files(&out).iter().all(|(name, _)| !name.ends_with(".next")));
@@ -122,7 +122,7 @@ fn a_run_that_lost_its_plan_is_not_passed_over() {
     for run in [&whole, &lost] {
         write_run(run, DAY, &kinds());
     }
-    // An export and a folder of something else have tables, too.
+    // An export and an unrelated folder have tables, too.
     exported(&[&whole], Format::Csv, &csv).unwrap();
     fs::create_dir(all.join("else")).unwrap();
     fs::write(all.join("else/summary.csv"), "a,b\n1,2\n").unwrap();
@@ -133,7 +133,7 @@ fn a_run_that_lost_its_plan_is_not_passed_over() {
     refuse(&[&lost], &out, why);
     fs::remove_file(lost.join("state.json")).unwrap();
     refuse(&[&all], &out, why);
-    // Without rows nothing is lost.
+    // A folder without rows loses nothing.
     for table in TABLES {
         fs::write(lost.join(table.file), table.columns.join(",") + "\n").unwrap();
     }

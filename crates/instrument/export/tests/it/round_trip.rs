@@ -1,4 +1,4 @@
-//! What was written is what was read.
+//! Exported cells equal the cells of the run folders.
 
 use std::path::Path;
 
@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use crate::common::{Cell, KindsRow, csv_rows, exported, files, groups, kinds, read, start_run, write_run};
 
-/// Whether an export has the cells of these runs, table by table, behind the columns in front.
+/// Asserts that an export has the cells of these runs, table by table, behind the columns in front.
 fn assert_same(runs: &[&Path], out: &Path) {
     let mut tables: Vec<String> = runs.iter().flat_map(|run| RunFolder::open(run).unwrap().tables().unwrap()).collect();
     tables.sort();
@@ -49,7 +49,7 @@ fn every_cell_of_csv_is_the_cell_of_parquet() {
     exported(&[&second, &first], Format::Parquet, &out).unwrap();
     assert_same(&[&first, &second], &out);
 
-    // Nulls are null where a column is optional, and empty texts are texts.
+    // Nulls are null in optional columns, and empty texts are texts.
     let (names, rows) = read(&out.join("kinds.parquet"));
     let cell = |row: usize, name: &str| rows[row][names.iter().position(|own| own == name).unwrap()].clone();
     for name in ["some_text", "some_number", "some_real", "some_flag"] {
@@ -57,7 +57,7 @@ fn every_cell_of_csv_is_the_cell_of_parquet() {
     }
     assert_eq!(cell(1, "text"), Some(Cell::Text(String::new())));
     assert_eq!(cell(2, "Real"), Some(Cell::Real((-0.0_f64).to_bits())));
-    // The columns in front tell the runs apart; the earlier one is first, however they were named.
+    // The columns in front identify the runs; the earlier run is first, whatever the names.
     assert_eq!(names[..4], ["run", "date", "commit", "machine"]);
     let runs: Vec<Option<Cell>> = (0..4).map(|row| cell(row, "run")).collect();
     assert_eq!(runs, ["first", "first", "first", "second"].map(|run| Some(Cell::Text(run.to_owned()))));
@@ -68,7 +68,7 @@ fn every_cell_of_csv_is_the_cell_of_parquet() {
     assert_eq!((names.len(), rows.len()), (10, 4));
 }
 
-/// Folders that were written by hand, one of an older version: without a date, commit or digests.
+/// Handwritten folders, one of an older version: without a date, commit or digests.
 #[test]
 fn older_folders_are_exported_with_nulls() {
     let folder = tempdir().unwrap();
@@ -77,7 +77,7 @@ fn older_folders_are_exported_with_nulls() {
     assert_same(&[&checked, &timed], folder.path());
     let (_, rows) = read(&folder.path().join("summary.parquet"));
     assert_eq!((&rows[0][1], &rows[0][2]), (&None, &None));
-    // Tables of tasks are not known here: their columns are text, and that is said.
+    // Tables of tasks have no schema here: their columns are text, and a note says so.
     assert!(
         told.notes.iter().any(|note| note.starts_with("contacts.csv: this tool has no schema")),
         "{:?}",
@@ -110,7 +110,7 @@ fn the_same_folders_give_the_same_bytes() {
         let [one, two] = [1, 2].map(|n| folder.path().join(format!("{}{n}", format.ending())));
         exported(&[&all], format, &one).unwrap();
         exported(&[&all], format, &two).unwrap();
-        // Onto themselves.
+        // A second export to the same place.
         exported(&[&all], format, &two).unwrap();
         assert!(!files(&one).is_empty() && files(&one) == files(&two));
         assert!(files(&one).iter().all(|(name, _)| name.ends_with(format.ending())), "nothing is left beside them");
@@ -128,7 +128,7 @@ fn runs_that_are_not_complete_are_marked() {
     let all = folder.path().join("all");
     write_run(&all.join("whole"), "2026-01-05T03:00:00Z", &kinds());
     drop(start_run(&all.join("killed"), "2026-01-06T03:00:00Z", &kinds()));
-    // What was written after the last commit is not of a finished scene.
+    // Rows written after the last commit do not belong to a finished scene.
     let mut cut = std::fs::OpenOptions::new().append(true).open(all.join("killed/kinds.csv")).unwrap();
     std::io::Write::write_all(&mut cut, b"half a ro").unwrap();
     let running = start_run(&all.join("running"), "2026-01-07T03:00:00Z", &kinds());

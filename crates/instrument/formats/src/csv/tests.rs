@@ -102,7 +102,7 @@ fn finite() -> impl Strategy<Value = f64> {
     any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite())
 }
 
-/// A double as text: in hex, or with all its digits.
+/// The text of a double: in hex, or with all its digits.
 fn written(x: f64, hex: bool) -> String {
     if hex { hexfloat::format(x) } else { format!("{x:.1074}") }
 }

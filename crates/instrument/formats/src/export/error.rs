@@ -1,60 +1,60 @@
-//! Why a mesh is not written.
+//! The reasons why meshes are not written.
 
-/// Why a mesh is not written. Vertices and faces are named by their places, from 0.
+/// The reason why a mesh is not written. Vertices and faces are identified by their indices, from 0.
 #[derive(Debug)]
 pub enum ExportError {
-    /// Writing failed; part of the file may be there.
+    /// Writing failed; the file may be partly written.
     Io(std::io::Error),
     /// A coordinate is NaN or infinite.
     NotFinite {
-        /// The vertex.
+        /// The index of the vertex.
         vertex: usize,
     },
-    /// A corner is none of the vertices.
+    /// A corner is not an index of a vertex.
     NoSuchVertex {
-        /// The face.
+        /// The index of the face.
         face: usize,
         /// The corner.
         corner: u32,
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
-    /// A face of fewer than three corners.
+    /// A face has fewer than three corners.
     TooFewCorners {
-        /// The face.
+        /// The index of the face.
         face: usize,
-        /// How many it has.
+        /// The number of corners.
         corners: usize,
     },
-    /// A face names a vertex twice.
+    /// A face has a vertex twice.
     RepeatedVertex {
-        /// The face.
+        /// The index of the face.
         face: usize,
-        /// The vertex.
+        /// The index of the vertex.
         vertex: u32,
     },
-    /// More vertices or faces than 2^31 - 1.
+    /// There are more than 2^31 - 1 vertices or faces.
     TooMany,
-    /// STL has triangles only.
+    /// A face is not a triangle, and STL has triangles only.
     NoTriangle {
-        /// The face.
+        /// The index of the face.
         face: usize,
-        /// How many corners it has.
+        /// The number of corners.
         corners: usize,
     },
-    /// STL has no vertices but those of faces.
+    /// A vertex is in no face, and STL stores only the vertices of faces.
     Unused {
-        /// The vertex.
+        /// The index of the vertex.
         vertex: usize,
     },
-    /// STL knows vertices by their coordinates, and two have the same.
+    /// Two vertices have the same coordinates, and STL identifies vertices by coordinates.
     OnePlace {
-        /// The vertices.
+        /// The indices of the vertices.
         vertices: [usize; 2],
     },
-    /// Binary STL has singles, and a coordinate is none.
+    /// A coordinate is not a single, and binary STL stores singles.
     NoSingle {
-        /// The vertex.
+        /// The index of the vertex.
         vertex: usize,
     },
 }

@@ -1,9 +1,9 @@
 //! Writers of meshes: OFF, OBJ, PLY and STL, so that the [readers](crate::mesh) get every bit back.
 //!
-//! What a format cannot hold is refused, never rounded or dropped. Decimals are written with all their digits, as
-//! the readers take no others without being told to round. STL has triangles of coordinates only: vertices that no
-//! face has, and two vertices at one place, would be lost, and binary STL has singles. Its reader numbers the
-//! vertices as they come.
+//! Anything that a format cannot hold is refused, never rounded or dropped. Decimals are written with all their digits,
+//! since the readers accept other decimals only with rounding on. STL stores triangles of coordinates only: it would
+//! lose vertices in no face, and the distinction of two vertices at one place. Binary STL stores singles. The STL
+//! reader numbers the vertices in the order of their occurrence.
 
 mod error;
 mod obj;
@@ -19,12 +19,12 @@ use crate::bits::lowest_bit;
 
 pub use error::ExportError;
 
-/// A format that meshes are written in.
+/// A file format for meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MeshFormat {
     /// OFF in ASCII.
     Off,
-    /// OBJ.
+    /// The OBJ format.
     Obj,
     /// PLY in ASCII, coordinates as doubles.
     PlyAscii,
@@ -47,7 +47,7 @@ impl MeshFormat {
         MeshFormat::StlBinary,
     ];
 
-    /// What names of files in the format end in.
+    /// The file name extension of the format.
     #[must_use]
     pub fn extension(self) -> &'static str {
         match self {
@@ -59,11 +59,11 @@ impl MeshFormat {
     }
 }
 
-/// Writes points and faces, in many small writes: give it a buffered writer.
+/// Writes points and faces, in many small writes; use a buffered writer.
 ///
 /// # Errors
-/// [`ExportError`] where the faces are none that the readers take, where the format cannot hold the mesh (nothing
-/// is written then), and where writing fails.
+/// [`ExportError`] if the readers would refuse the faces, if the format cannot hold the mesh (nothing is written then),
+/// or if writing fails.
 pub fn write_mesh(
     out: &mut impl Write,
     format: MeshFormat,
@@ -82,7 +82,7 @@ pub fn write_mesh(
     Ok(())
 }
 
-/// Refuses what no format holds.
+/// Refuses meshes that no format can hold.
 fn check(points: &[[f64; 3]], faces: &IndexedFaces) -> Result<(), ExportError> {
     if [points.len(), faces.len()].iter().any(|&count| i32::try_from(count).is_err()) {
         return Err(ExportError::TooMany);
@@ -107,13 +107,13 @@ fn check(points: &[[f64; 3]], faces: &IndexedFaces) -> Result<(), ExportError> {
     Ok(())
 }
 
-/// A finite double in decimal, exactly and without trailing zeros: as many places as its lowest bit needs.
+/// The exact decimal of a finite double without trailing zeros: as many places as its lowest bit needs.
 fn decimal(x: f64) -> String {
     let places = lowest_bit(x).map_or(0, |lowest| usize::try_from(-lowest).unwrap_or(0));
     format!("{x:.places$}")
 }
 
-/// The coordinates of a point with blanks between.
+/// The coordinates of a point, separated by blanks.
 fn decimals(point: &[f64; 3]) -> String {
     point.map(decimal).join(" ")
 }

@@ -1,4 +1,4 @@
-//! OBJ.
+//! The writer of OBJ files.
 
 use std::io::{self, Write};
 

@@ -1,4 +1,4 @@
-//! OFF.
+//! The writer of OFF files.
 
 use std::io::{self, Write};
 
@@ -6,7 +6,7 @@ use predicament_mesh::half_edge::IndexedFaces;
 
 use super::decimals;
 
-/// Writes the word, the counts (that of edges is 0, which means not counted), the points, the faces.
+/// Writes the keyword, the counts (0 edges means not counted), the points, and the faces.
 pub(super) fn write(out: &mut impl Write, points: &[[f64; 3]], faces: &IndexedFaces) -> io::Result<()> {
     writeln!(out, "OFF\n{} {} 0", points.len(), faces.len())?;
     for point in points {

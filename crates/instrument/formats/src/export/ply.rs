@@ -1,4 +1,4 @@
-//! PLY, in ASCII and in binary.
+//! The writer of PLY files, in ASCII and in binary.
 
 use std::io::{self, Write};
 
@@ -6,7 +6,7 @@ use predicament_mesh::half_edge::IndexedFaces;
 
 use super::decimals;
 
-/// How numbers are written.
+/// The encoding of numbers.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Encoding {
     Ascii,
@@ -15,7 +15,7 @@ pub(super) enum Encoding {
 }
 
 /// Writes coordinates as doubles, and corners as the list `vertex_indices` of 32-bit integers. The length of the list
-/// is a byte, as most programs have it, unless a face has more corners.
+/// is a byte, as in most programs, unless a face has more corners.
 pub(super) fn write(
     out: &mut impl Write,
     points: &[[f64; 3]],
@@ -41,7 +41,7 @@ pub(super) fn write(
         match (encoding, u8::try_from(corners.len())) {
             (Encoding::Ascii, _) => write!(out, "{}", corners.len())?,
             (Encoding::Binary, Ok(length)) if is_short => out.write_all(&[length])?,
-            // A face has no more corners than there are vertices.
+            // A face has at most as many corners as there are vertices.
             (Encoding::Binary, _) => {
                 let length = u32::try_from(corners.len()).map_err(io::Error::other)?;
                 out.write_all(&length.to_le_bytes())?;

@@ -1,5 +1,6 @@
-//! STL, in ASCII and in binary. Normals are written as zeros, which readers take as not given: a unit normal would
-//! be rounded.
+//! The writer of STL files, in ASCII and in binary.
+//!
+//! Normals are written as zeros, which readers take as not given: a unit normal would be rounded.
 
 use std::collections::HashMap;
 use std::io::Write;
@@ -8,10 +9,10 @@ use predicament_mesh::half_edge::IndexedFaces;
 
 use super::{ExportError, decimals};
 
-/// What stands before the number of triangles in a binary file; it must not begin with the word `solid`.
+/// The text before the number of triangles in a binary file; it must not begin with the word `solid`.
 const TITLE: &[u8; 80] = b"triangles, binary, normals not given                                            ";
 
-/// Writes decimals.
+/// Writes ASCII STL, with coordinates as decimals.
 pub(super) fn ascii(out: &mut impl Write, points: &[[f64; 3]], faces: &IndexedFaces) -> Result<(), ExportError> {
     let triangles = triangles(points, faces)?;
     writeln!(out, "solid")?;
@@ -26,7 +27,7 @@ pub(super) fn ascii(out: &mut impl Write, points: &[[f64; 3]], faces: &IndexedFa
     Ok(())
 }
 
-/// Writes singles; all coordinates have to be some.
+/// Writes binary STL; all coordinates must be singles.
 pub(super) fn binary(out: &mut impl Write, points: &[[f64; 3]], faces: &IndexedFaces) -> Result<(), ExportError> {
     let triangles = triangles(points, faces)?;
     let mut singles = Vec::with_capacity(points.len());
@@ -50,7 +51,7 @@ pub(super) fn binary(out: &mut impl Write, points: &[[f64; 3]], faces: &IndexedF
     Ok(())
 }
 
-/// The triangles, if that is all there is: no other faces, no vertex in none, no two vertices at one place.
+/// The triangles, if all faces are triangles, all vertices are in faces, and no two vertices coincide.
 fn triangles(points: &[[f64; 3]], faces: &IndexedFaces) -> Result<Vec<[u32; 3]>, ExportError> {
     let mut triangles = Vec::with_capacity(faces.len());
     let mut is_used = vec![false; points.len()];
@@ -72,9 +73,9 @@ fn triangles(points: &[[f64; 3]], faces: &IndexedFaces) -> Result<Vec<[u32; 3]>,
     Ok(triangles)
 }
 
-/// The single that a double is, if it is one.
+/// The single equal to a double, if there is one.
 fn single(x: f64) -> Option<f32> {
-    #[allow(clippy::cast_possible_truncation)] // what is not the same is refused
+    #[allow(clippy::cast_possible_truncation)] // an inexact single is refused
     let single = x as f32;
     (f64::from(single).to_bits() == x.to_bits()).then_some(single)
 }

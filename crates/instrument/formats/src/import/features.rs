@@ -1,5 +1,4 @@
-//! What is in a geometry file: points, lines and polygons with the lines where they are written, and what
-//! tasks take from them.
+//! The contents of a geometry file: points, lines and polygons with their line numbers, and the conversions for tasks.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Dimension, Vertex};
@@ -8,26 +7,26 @@ use super::shared::SharedVertices;
 use super::{ImportNotes, ImportedMap, rings};
 use crate::CorpusError;
 
-/// The deepest nesting of collections in collections.
+/// The maximum nesting of collections in collections.
 pub(super) const DEEPEST: usize = 32;
 
-/// A place, and its line in the file.
+/// A position, with its line in the file.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Position {
-    /// x and y.
+    /// The coordinates x and y.
     pub at: [f64; 2],
-    /// z, if there is one.
+    /// The coordinate z, if there is one.
     pub height: Option<f64>,
-    /// From 1.
+    /// The line in the file, from 1.
     pub line: usize,
 }
 
 /// A part of a feature.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Shape {
-    /// A single place.
+    /// A single point.
     Point(Position),
-    /// A line from place to place.
+    /// A polyline.
     Line(Vec<Position>),
     /// Rings: the border and its holes. The last position, which repeats the first, is left out.
     Polygon(Vec<Vec<Position>>),
@@ -40,7 +39,7 @@ pub struct Feature {
     pub name: Option<String>,
     /// The line on which the feature begins, from 1.
     pub line: usize,
-    /// Its parts in the order of the file.
+    /// The feature's parts in the order of the file.
     pub shapes: Vec<Shape>,
 }
 
@@ -55,12 +54,12 @@ pub struct Geometry {
     pub notes: ImportNotes,
 }
 
-/// Lines and points of the plane; vertices with equal coordinates are one.
+/// Lines and points of the plane; positions with equal coordinates are one vertex.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct ImportedEdges {
     /// The coordinates of each vertex.
     pub points: Vec<[f64; 2]>,
-    /// Vertices that are points of their own.
+    /// Isolated points.
     pub vertices: Vec<Vertex>,
     /// The edges of lines and rings.
     pub edges: Vec<[Vertex; 2]>,
@@ -92,7 +91,7 @@ impl Geometry {
     /// All positions in the order of the file, as points of two or of three coordinates.
     ///
     /// # Errors
-    /// [`CorpusError`] where there are none, or some have a height and some have none.
+    /// [`CorpusError`] if there are no positions, or only some have a height.
     pub fn points(&self) -> Result<(Dimension, Vec<f64>), CorpusError> {
         let mut dimension = None;
         let mut coordinates = Vec::new();
@@ -111,10 +110,10 @@ impl Geometry {
         Ok((dimension.ok_or_else(none)?, coordinates))
     }
 
-    /// The edges of its lines, in the order of the file.
+    /// The edges of the features' lines, in the order of the file.
     ///
     /// # Errors
-    /// [`CorpusError`] where a shape is no line.
+    /// [`CorpusError`] if a shape is not a line.
     pub fn segments(&self) -> Result<ImportedEdges, CorpusError> {
         for (feature, shape) in self.shapes() {
             let what = match shape {
@@ -157,10 +156,10 @@ impl Geometry {
         ImportedEdges { points: shared.into_points(), vertices, edges, notes }
     }
 
-    /// Its polygons; each feature is a region.
+    /// The map of the features' polygons; each feature is a region.
     ///
     /// # Errors
-    /// [`CorpusError`] where a shape is no polygon.
+    /// [`CorpusError`] if a shape is not a polygon.
     pub fn map(self) -> Result<ImportedMap, CorpusError> {
         let mut notes = self.notes;
         let (mut shared, mut map) = (SharedVertices::default(), PolygonMap::new());
@@ -194,7 +193,7 @@ fn cleaned(ring: &[Position], shared: &mut SharedVertices<2>, notes: &mut Import
     rings::ring(vertices, notes)
 }
 
-/// A ring without its last position, which has to repeat the first; or what is wrong.
+/// A ring without its last position, which must repeat the first. The error is a line and a message.
 pub(super) fn open(mut ring: Vec<Position>) -> Result<Vec<Position>, (usize, &'static str)> {
     if let [first, .., last] = ring.as_slice() {
         if (first.at, first.height) != (last.at, last.height) {
@@ -205,5 +204,5 @@ pub(super) fn open(mut ring: Vec<Position>) -> Result<Vec<Position>, (usize, &'s
     Ok(ring)
 }
 
-/// The cure of a ring that is not closed.
+/// The fix for a ring that is not closed.
 pub(super) const CLOSE: &str = "repeat its first position at its end";

@@ -1,8 +1,8 @@
 //! The reader of GeoJSON (RFC 7946).
 //!
-//! The crate `geojson` rounds every number to a double while it reads; here a number has to stay the text that
-//! it is in the file, to be read losslessly or refused. `serde_json` keeps texts (`RawValue`), and where they
-//! are. A `crs` and other members that say nothing about shapes are passed over.
+//! The crate `geojson` rounds every number to a double while it reads; here a number must keep its text, to be read
+//! losslessly or refused. `serde_json` keeps texts (`RawValue`) and their positions. A `crs` and other members that do
+//! not affect shapes are skipped.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -38,7 +38,7 @@ struct Properties {
     name: Option<Value>,
 }
 
-/// Where in the file something is: `features[3].geometry.coordinates[0][2]`.
+/// A path in the file: `features[3].geometry.coordinates[0][2]`.
 #[derive(Clone, Copy)]
 struct Place<'p> {
     before: Option<&'p Place<'p>>,
@@ -60,7 +60,7 @@ impl Place<'_> {
         Place { before: Some(self), step: Step::Index(index) }
     }
 
-    /// Its begin and its end, where it is long.
+    /// The path, shortened to its beginning and end if it is long.
     fn short(&self) -> String {
         ends(&self.to_string(), 120)
     }
@@ -79,10 +79,10 @@ impl fmt::Display for Place<'_> {
     }
 }
 
-/// Reads those features of a GeoJSON file that are wanted.
+/// Reads the selected features of a GeoJSON file.
 ///
 /// # Errors
-/// [`CorpusError`] at the line that is wrong, with the place in the file where lines don't tell it.
+/// [`CorpusError`] at the line that is wrong, with the path in the file if the line is not enough.
 pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) -> Result<Geometry, CorpusError> {
     let (mut reader, whole) = Reader::open(file, text, decimals)?;
     if whole.get().starts_with('[') {
@@ -93,10 +93,10 @@ pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) 
     Ok(reader.finish())
 }
 
-/// Reads the array of rings that is a member of a JSON object.
+/// Reads an array of rings that is a member of a JSON object.
 ///
 /// # Errors
-/// As [`read`], and where there is no such member.
+/// As [`read`], and if the member does not exist.
 pub fn read_member(
     file: &str,
     text: &str,
@@ -127,12 +127,12 @@ struct Reader<'r, 't> {
     decimals: &'r Decimals,
     notes: ImportNotes,
     features: Vec<Feature>,
-    /// How many features came before.
+    /// The number of features seen so far.
     seen: usize,
 }
 
 impl<'r, 't> Reader<'r, 't> {
-    /// A reader, and the whole of the file: it may end early or be no JSON at all, so that is looked at before any part.
+    /// A reader, and the whole file as one value: the syntax of the file is checked completely before any part is read.
     fn open(
         file: &'r str,
         text: &'t str,
@@ -148,7 +148,7 @@ impl<'r, 't> Reader<'r, 't> {
         Geometry { file: self.file.to_owned(), features: self.features, notes: self.notes }
     }
 
-    /// Whether the next feature is wanted.
+    /// True if the next feature is selected.
     fn is_wanted(&mut self, id: Option<&str>, keeps: &mut Keeps<'_>) -> bool {
         let number = self.seen;
         self.seen += 1;
@@ -165,10 +165,10 @@ impl<'r, 't> Reader<'r, 't> {
         CorpusError::file(self.file, message, cure).at_line(self.line(raw.get()))
     }
 
-    /// A part of the file, which starts at a line (counted from 0), as something.
+    /// Parses a part of the file, which starts at a line (counted from 0).
     fn part<'p, T: Deserialize<'p>>(&self, text: &'p str, line: usize) -> Result<T, CorpusError> {
         serde_json::from_str(text).map_err(|error| {
-            // serde_json appends the place, which is in the line already.
+            // serde_json appends the position, which is already in `line`.
             let whole = error.to_string();
             let message = whole.rsplit_once(" at line ").map_or(whole.as_str(), |(message, _)| message);
             let cure = if error.is_eof() {
@@ -184,7 +184,7 @@ impl<'r, 't> Reader<'r, 't> {
         self.part(raw.get(), self.line(raw.get()) - 1)
     }
 
-    /// A collection of features, a feature, or a geometry.
+    /// Reads a collection of features, a feature, or a geometry.
     fn feature(&mut self, raw: &'t RawValue, place: &Place<'_>, keeps: &mut Keeps<'_>) -> Result<(), CorpusError> {
         let object = self.object(raw, place)?;
         let line = self.line(raw.get());
@@ -233,7 +233,7 @@ impl<'r, 't> Reader<'r, 't> {
         }
     }
 
-    /// The rings of one polygon and nothing around them, closed or not: how triangulators write their test data.
+    /// Reads the rings of one polygon and nothing around them, closed or not: the format of triangulators' test data.
     fn bare_rings(&mut self, raw: &'t RawValue, place: &Place<'_>, keeps: &mut Keeps<'_>) -> Result<(), CorpusError> {
         if !self.is_wanted(None, keeps) {
             return Ok(());
@@ -284,7 +284,7 @@ impl<'r, 't> Reader<'r, 't> {
         let place = &place.key("coordinates");
         match kind {
             "Point" => {
-                // An empty array is a point without a place.
+                // An empty array is a point without a position.
                 if !self.items(coordinates, place)?.is_empty() {
                     shapes.push(Shape::Point(self.position(coordinates, place)?));
                 }
@@ -340,7 +340,7 @@ impl<'r, 't> Reader<'r, 't> {
         Ok(Position { at, height, line: self.line(raw.get()) })
     }
 
-    /// An object; what would be one as an array of its values is none.
+    /// Parses an object; an array of its values, which serde would accept, is refused.
     fn object(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Object<'t>, CorpusError> {
         if !raw.get().starts_with('{') {
             return Err(self.error(raw, place, "no object", "give an object with a `type`"));
@@ -357,7 +357,7 @@ impl<'r, 't> Reader<'r, 't> {
     }
 }
 
-/// What an object says it is.
+/// The type that an object declares.
 #[derive(Deserialize)]
 struct Kind {
     #[serde(rename = "type")]

@@ -1,15 +1,14 @@
-//! Importers of geometry files, GeoJSON and WKT: what they read are [`Geometry`]s.
+//! Importers of geometry files, GeoJSON and WKT, which return a [`Geometry`].
 //!
-//! A feature of GeoJSON and a geometry of WKT is one region of a map. Positions may have a height (Z), which
-//! points in space keep and flat tasks leave out, counted. Measures (M) and further numbers are left out,
-//! counted, too.
+//! A feature of GeoJSON and a geometry of WKT is one region of a map. Positions may have a height (Z), which points in
+//! space keep; flat tasks drop and count heights. Measures (M) and further numbers are also dropped and counted.
 
 pub use super::features::{Feature, Geometry, ImportedEdges, Position, Shape};
 use super::{Keeps, geojson, wkt};
 use crate::data::{DataFile, Format};
 use crate::{CorpusError, Decimals};
 
-/// Reads a `.geojson`, `.json` or `.wkt` file, perhaps with `.gz` behind it.
+/// Reads a `.geojson`, `.json` or `.wkt` file, optionally with `.gz` appended.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
@@ -17,10 +16,10 @@ pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Geometry,
     read_part(file, bytes, decimals, None, &mut |_, _| true)
 }
 
-/// Reads a part of such a file: the features that are wanted; of a JSON object, the member that is named, an array of rings.
+/// Reads a part of such a file: the selected features; of a JSON object, the named member, an array of rings.
 ///
 /// # Errors
-/// As [`read`], and where there is no such member.
+/// As [`read`], and if the member does not exist.
 pub fn read_part(
     file: &str,
     bytes: Vec<u8>,

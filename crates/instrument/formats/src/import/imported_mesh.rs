@@ -1,4 +1,4 @@
-//! A mesh as importers fill it, and how those of text read its lines.
+//! The mesh that importers return, and helpers that read lines of text.
 
 use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::Vertex;
@@ -15,23 +15,23 @@ pub struct ImportedMesh {
     pub points: Vec<[f64; 3]>,
     /// Edges that belong to no face (OBJ only).
     pub edges: Vec<[Vertex; 2]>,
-    /// The faces as they are in the file, with any number of corners from three on.
+    /// The faces as in the file, with any number of corners from three on.
     pub faces: IndexedFaces,
     /// The triangles of the faces.
     pub triangles: Vec<[Vertex; 3]>,
-    /// Where the points and the faces are in the file.
+    /// The positions of the points and the faces in the file.
     pub places: Places,
     /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 
-/// A line without its comment, or none if nothing else is on it.
+/// A line without its comment, or `None` if it is then empty.
 pub(super) fn content(line: &str) -> Option<&str> {
     let line = line.split('#').next().unwrap_or_default().trim();
     (!line.is_empty()).then_some(line)
 }
 
-/// The lines that say something, numbered from 1.
+/// The lines with content, numbered from 1.
 pub(super) fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines(text).filter_map(|line| content(line.body).map(|body| (line.number, body)))
 }
@@ -57,13 +57,13 @@ pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals
 }
 
 impl ImportedMesh {
-    /// Appends a point, and where it is.
+    /// Appends a point and its position.
     pub(super) fn push_point(&mut self, point: [f64; 3], at: usize) {
         self.points.push(point);
         self.places.push_point(at);
     }
 
-    /// Appends a face, its triangles, and where it is; or what is wrong with it, and the cure.
+    /// Appends a face, its triangles, and its position. The error is a message and its fix.
     pub(super) fn push_face(&mut self, corners: &[Vertex], at: usize) -> Result<(), (String, &'static str)> {
         let [first, rest @ ..] = corners else {
             return Err(("a face without corners".to_owned(), "remove it"));
@@ -76,7 +76,7 @@ impl ImportedMesh {
         if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
             return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
         }
-        // Input vertices, of which there are at most 2^31.
+        // The corners are input vertices, of which there are at most 2^31.
         self.faces.push(corners.iter().filter_map(|corner| u32::try_from(corner.index()).ok()));
         self.triangles.extend(rest.windows(2).map(|next| [*first, next[0], next[1]]));
         self.places.push_face(at);

@@ -1,8 +1,8 @@
 //! Mesh importers: OFF, OBJ and PLY, and STL, in ASCII or in binary; all of them also compressed by gzip.
 //!
-//! Only points and faces are read. Faces with more than three corners are kept as they are, and are also divided
-//! into triangles by a fan around their first corner. Decimals are read as those of suites are: exactly doubles, or refused, or rounded
-//! where the suite says so.
+//! Only points and faces are read. Faces with more than three corners are kept unchanged, and are also divided into
+//! triangles by a fan around their first corner. Decimals are read as in suites: exactly doubles, or refused, or
+//! rounded if the suite requests it.
 
 pub use super::imported_mesh::ImportedMesh;
 use super::{obj, off, ply, stl};
@@ -10,7 +10,7 @@ use crate::data::{DataFile, Format};
 use crate::decimals::MOST_COORDINATES;
 use crate::{CorpusError, Decimals};
 
-/// Reads a file by its extension, `.off`, `.obj`, `.ply` or `.stl`, each perhaps with `.gz` behind it.
+/// Reads a file by its extension, `.off`, `.obj`, `.ply` or `.stl`, each optionally with `.gz` appended.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong, or, in a binary file, at the byte where the wrong element begins.

@@ -37,7 +37,7 @@ pub struct ImportedMap {
     pub notes: ImportNotes,
 }
 
-/// Whether a region of a file is wanted, by its number, from 0 in the file's order, and by its id.
+/// A filter that returns true for the regions of a file to read, by number (from 0 in the file's order) and by id.
 pub type Keeps<'k> = dyn FnMut(usize, Option<&str>) -> bool + 'k;
 
 /// The text of a name or an id, which may be written as a number.
@@ -54,20 +54,20 @@ fn id_text(value: Option<&Value>) -> Option<String> {
 pub struct ImportNotes {
     /// Coordinates that are the nearest doubles of other decimals, by `round = true`.
     pub rounded: usize,
-    /// Third coordinates left out where a task is flat, and measures (M) anywhere.
+    /// Third coordinates dropped for flat tasks, and measures (M) dropped in all tasks.
     pub extra_coordinates: usize,
     /// Points dropped because they repeat the point before them in their ring or line.
     pub repeated_points: usize,
-    /// Rings dropped because fewer than three points were left of them.
+    /// Rings dropped because fewer than three points were left.
     pub degenerate_rings: usize,
-    /// Faces dropped because two of their corners are one point.
+    /// Faces dropped because two of their corners coincide.
     pub degenerate_faces: usize,
-    /// Regions dropped because no ring was left of them.
+    /// Regions dropped because no ring was left.
     pub empty_regions: usize,
 }
 
 impl ImportNotes {
-    /// Adds what another importer changed.
+    /// Adds the counts of another importer.
     pub fn add(&mut self, other: &ImportNotes) {
         self.rounded += other.rounded;
         self.extra_coordinates += other.extra_coordinates;
@@ -77,7 +77,7 @@ impl ImportNotes {
         self.empty_regions += other.empty_regions;
     }
 
-    /// Whether everything came in as it was.
+    /// True if nothing was left out or changed.
     #[must_use]
     pub fn is_clean(&self) -> bool {
         *self == ImportNotes::default()

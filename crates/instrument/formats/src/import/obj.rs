@@ -1,4 +1,4 @@
-//! OBJ.
+//! The reader of OBJ files.
 
 use predicament_predicates::Vertex;
 
@@ -7,7 +7,8 @@ use crate::coordinate::{self, CoordinateError};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
-/// What may follow the three coordinates of a vertex: a weight of 1, or a colour. What is wrong with it, and the cure.
+/// Checks the words after the three coordinates of a vertex: a weight of 1, or a colour. The error is a message and its
+/// fix.
 fn behind(words: &[&str]) -> Result<(), (String, &'static str)> {
     let number = |word: &&str| match coordinate::read(word) {
         Err(CoordinateError::Malformed) => Err((format!("`{}` is not a number", shown(word)), "write a number")),
@@ -28,7 +29,7 @@ fn behind(words: &[&str]) -> Result<(), (String, &'static str)> {
     }
 }
 
-/// Reads OBJ: `v`, `f` and `l`; what only matters for pictures is passed over.
+/// Reads OBJ: `v`, `f` and `l`; elements that only affect rendering are skipped.
 pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     const PASSED_OVER: [&str; 8] = ["vn", "vt", "g", "o", "s", "usemtl", "mtllib", "p"];
     let mut mesh = ImportedMesh::default();

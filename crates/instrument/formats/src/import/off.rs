@@ -1,4 +1,4 @@
-//! OFF, in ASCII.
+//! The reader of OFF files in ASCII.
 
 use predicament_predicates::Vertex;
 
@@ -6,7 +6,7 @@ use super::imported_mesh::{ImportedMesh, content, contents, no_vertex, point};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
-/// Reads OFF: the word, three counts, that many points, that many faces.
+/// Reads OFF: the keyword, three counts, the points, the faces.
 pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     const CURE: &str = "give an ASCII OFF file: the word OFF, then the numbers of vertices, faces and edges";
     let error = |line: usize, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
@@ -17,7 +17,7 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
         .strip_prefix("OFF")
         .filter(|rest| rest.is_empty() || rest.starts_with(char::is_whitespace))
         .ok_or_else(|| error(line, format!("the file starts with `{}`, not with OFF", shown(head)), CURE))?;
-    // The counts may stand behind the word.
+    // The counts may follow the keyword on its line.
     let (line, counts) = match content(rest) {
         Some(counts) => (line, counts),
         None => lines.next().ok_or_else(|| error(line, "the file ends before its counts".to_owned(), CURE))?,
@@ -39,7 +39,7 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
     for at in 0..vertices {
         let (line, words) = lines.next().ok_or_else(|| counted(last, at, vertices, "vertices"))?;
         let words: Vec<&str> = words.split_whitespace().collect();
-        // Colours may follow the coordinates. A face among the vertices has another number of words.
+        // Colours may follow the coordinates. A face among the vertices is detected by its different number of words.
         let first = *width.get_or_insert(words.len());
         if words.len() != first {
             let message = format!("a vertex of {} numbers, and the first has {first}", words.len());

@@ -1,8 +1,8 @@
-//! Where in its file each part of a mesh is, so that what is found wrong with the mesh later has a place, too.
+//! The positions of a mesh's parts in its file, so that later errors about the mesh have a position too.
 
 use crate::Position;
 
-/// Where in a file the points and the faces of a mesh are: lines of a text, or bytes of a binary file.
+/// The positions of a mesh's points and faces in a file: lines of a text, or bytes of a binary file.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Places {
     is_binary: bool,
@@ -11,7 +11,7 @@ pub struct Places {
     faces: Vec<u32>,
 }
 
-/// For a place beyond what four bytes hold.
+/// The value for a position beyond the range of four bytes.
 const UNKNOWN: u32 = u32::MAX;
 
 fn short(at: usize) -> u32 {
@@ -19,7 +19,7 @@ fn short(at: usize) -> u32 {
 }
 
 impl Places {
-    /// The lines of faces, counted from 1, of a mesh whose points have none.
+    /// The lines of faces, counted from 1, of a mesh whose points have no lines.
     #[must_use]
     pub fn of_lines(faces: impl IntoIterator<Item = usize>) -> Places {
         Places { faces: faces.into_iter().map(short).collect(), ..Places::default() }
@@ -30,33 +30,33 @@ impl Places {
         Places { points: points.into_iter().map(short).collect(), ..Places::default() }
     }
 
-    /// Those of a binary file, none yet.
+    /// An empty list of positions in a binary file.
     pub(super) fn binary() -> Places {
         Places { is_binary: true, ..Places::default() }
     }
 
-    /// Appends where a point is; by its first corner, where the file lists no points.
+    /// Appends the position of a point; its first corner, if the file has no list of points.
     pub(super) fn push_point(&mut self, at: usize) {
         self.points.push(short(at));
     }
 
-    /// Appends where a face is.
+    /// Appends the position of a face.
     pub(super) fn push_face(&mut self, at: usize) {
         self.faces.push(short(at));
     }
 
-    /// The number of points whose places are known.
+    /// The number of points with known positions.
     pub(super) fn points(&self) -> usize {
         self.points.len()
     }
 
-    /// Where a point is; where the file lists no points, its first corner.
+    /// The position of a point; its first corner, if the file has no list of points.
     #[must_use]
     pub fn point(&self, point: usize) -> Option<Position> {
         self.position(&self.points, point)
     }
 
-    /// Where a face is.
+    /// The position of a face.
     #[must_use]
     pub fn face(&self, face: usize) -> Option<Position> {
         self.position(&self.faces, face)
@@ -68,13 +68,13 @@ impl Places {
         Some(if self.is_binary { Position::Byte(at) } else { Position::Line(at) })
     }
 
-    /// A point in a message: its number from 0, and its place, as in `4 (line 6)`.
+    /// A point in a message: its number from 0, and its position, as in `4 (line 6)`.
     #[must_use]
     pub fn point_name(&self, point: usize) -> String {
         name(point, self.point(point))
     }
 
-    /// A face in a message: its number from 0, and its place, as in `2 (byte 184)`.
+    /// A face in a message: its number from 0, and its position, as in `2 (byte 184)`.
     #[must_use]
     pub fn face_name(&self, face: usize) -> String {
         name(face, self.face(face))

@@ -1,7 +1,7 @@
-//! PLY: the header and both binary forms, read by the crate `ply-rs-bw`.
+//! The reader of PLY files; the crate `ply-rs-bw` parses the header and both binary forms.
 //!
-//! The crate keeps every bit of binary numbers. Of ASCII it gives numbers that are rounded already, so that
-//! form is read [here](super::ply_ascii).
+//! The crate keeps every bit of binary numbers. For ASCII it returns rounded numbers, so that form is read
+//! [here](super::ply_ascii).
 
 use std::io::{BufReader, ErrorKind};
 
@@ -16,12 +16,12 @@ use crate::decimals::shown;
 use crate::lines::lines;
 use crate::{CorpusError, Decimals, Position};
 
-/// Reads the elements `vertex` and `face`; all others are passed over, but for strips of triangles, which are refused.
+/// Reads the elements `vertex` and `face`; others are skipped, except strips of triangles, which are refused.
 pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     let mut rest = bytes;
     let mut reader = Reader::new(BufReader::with_capacity(1, &mut rest));
     let header = Parser::<Element>::new().read_header(&mut reader).map_err(|error| {
-        // Where the header does not end, the parser names the line behind the last.
+        // If the header does not end, the parser reports the line behind the last.
         let last = lines(&String::from_utf8_lossy(bytes)).count().max(1);
         broken(file, &error).at(error.line().map(|line| Position::Line(line.min(last))))
     })?;
@@ -58,9 +58,9 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
     Ok(mesh)
 }
 
-/// What the parser cannot read.
+/// The error for input that the parser cannot read.
 fn broken(file: &str, error: &ParseError) -> CorpusError {
-    // The parser's own words name its grammar.
+    // The parser's own message uses names of its grammar.
     let said = error.to_string();
     let said = said.lines().next().unwrap_or_default();
     let line = error.line().map(|line| format!("Line {line}: ")).unwrap_or_default();
@@ -158,7 +158,7 @@ mod tests {
         assert_eq!(mesh.points[1], [0.1_f32.into(), 0.0, 0.1]);
         let triangles = [[0, 1, 2], [0, 2, 3], [3, 2, 1]].map(|triangle| triangle.map(Vertex::input));
         assert_eq!(mesh.triangles, triangles);
-        // The same in binary.
+        // The same mesh in binary.
         let header = HEADER.replace("ascii", "binary_big_endian");
         let mut bytes = header.into_bytes();
         for [x, y, z] in &mesh.points {
@@ -260,7 +260,7 @@ mod tests {
             let error = read("m.ply", format!("{header}0 0 0 1\n0 0 0 1\n0 0 0 1\n0 0 0 1\n").as_bytes()).unwrap_err();
             assert!(error.to_string().starts_with(expected), "{error}\n  expected {expected}");
         }
-        // Of what is passed over, names mean nothing.
+        // Names in skipped elements have no meaning.
         let other = "element tristrips 0\nproperty list uchar int vertex_indices\nelement edge 1\nproperty list uchar float x\n\
             property list uchar int vertex_index\nend_header\n";
         let text = HEADER.replace("end_header\n", other)

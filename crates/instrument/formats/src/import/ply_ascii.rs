@@ -1,7 +1,7 @@
 //! The payload of a PLY file in ASCII: a line for each element, a word for each number.
 //!
-//! A coordinate that is declared as a single is a decimal that is exactly a single, or it is refused, or, where
-//! the suite says so, rounded to the nearest single; a double likewise.
+//! A coordinate declared as a single must be a decimal that is exactly a single; otherwise it is refused, or, if the
+//! suite requests it, rounded to the nearest single. Doubles work in the same way.
 
 use ply_rs_bw::ply::{ElementDef, PropertyAccess, PropertyType, ScalarType};
 
@@ -10,13 +10,13 @@ use crate::decimals::{Place, explain, shown};
 use crate::lines::{Line, lines};
 use crate::{CorpusError, Decimals};
 
-/// What follows the header.
+/// The part of the file after the header.
 pub(super) struct Payload<'p> {
     file: &'p str,
     lines: Box<dyn Iterator<Item = Line<'p>> + 'p>,
-    /// The lines of the header.
+    /// The number of lines in the header.
     before: usize,
-    /// The last line that was read.
+    /// The number of the last line read.
     last: usize,
     decimals: &'p Decimals,
 }
@@ -42,7 +42,7 @@ impl<'p> Payload<'p> {
         CorpusError::file(self.file, message, cure).at_line(self.before + line)
     }
 
-    /// The next element, the so many-th of its kind, with its line.
+    /// Reads the next element, with index `index` of its kind; returns it with its line.
     pub(super) fn element(&mut self, kind: &ElementDef, index: usize) -> Result<(usize, Element), CorpusError> {
         let Some(Line { number, body, .. }) = self.lines.next() else {
             return Err(ended(self.file, kind, index).at_line(self.before + self.last));
@@ -51,7 +51,7 @@ impl<'p> Payload<'p> {
         Ok((self.before + number, self.line(kind, number, body)?))
     }
 
-    /// Refuses what follows the elements that the header counts.
+    /// Refuses content after the elements that the header counts.
     pub(super) fn end(&mut self) -> Result<(), CorpusError> {
         match self.lines.find(|line| !line.body.trim().is_empty()) {
             Some(Line { number, .. }) => Err(self.error(

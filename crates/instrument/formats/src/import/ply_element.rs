@@ -1,23 +1,23 @@
-//! An element of a PLY file, and which of its properties matter.
+//! An element of a PLY file with its relevant properties.
 
 use ply_rs_bw::ply::{ElementDef, Property, PropertyAccess, PropertyAccessResult};
 
 use crate::CorpusError;
 
-/// An element of any kind: what matters of its properties.
+/// An element of any kind: the values of its relevant properties.
 pub(super) struct Element {
-    /// `x`, `y` and `z`; not a number where there is none.
+    /// The values of `x`, `y` and `z`; NaN if missing.
     pub(super) at: [f64; 3],
-    /// `vertex_indices`, which some call `vertex_index`; none if one is negative.
+    /// The list `vertex_indices`, also called `vertex_index`; `None` if an index is negative.
     pub(super) corners: Option<Vec<u32>>,
 }
 
-/// The axis that a property of a vertex is the coordinate of.
+/// The axis of a vertex property that is a coordinate.
 pub(super) fn axis(name: &str) -> Option<usize> {
     ["x", "y", "z"].iter().position(|axis| *axis == name)
 }
 
-/// Whether a property of a face is the list of its vertices.
+/// True if a property of a face is the list of its vertices.
 pub(super) fn is_corners(name: &str) -> bool {
     matches!(name, "vertex_indices" | "vertex_index")
 }
@@ -48,7 +48,7 @@ impl PropertyAccess for Element {
     }
 }
 
-/// The file ends before, or in, an element.
+/// The error for a file that ends before, or in, an element.
 pub(super) fn ended(file: &str, kind: &ElementDef, index: usize) -> CorpusError {
     let message = format!("the file ends after {index} of its {} elements `{}`", kind.count, kind.name);
     CorpusError::file(file, message, "correct the counts or add what is missing")

@@ -1,6 +1,6 @@
-//! The header of a PLY file: what its parser leaves open, at the line where it is written.
+//! Checks of a PLY header that its parser does not make, with the line of each error.
 //!
-//! The parser gives elements and properties without their lines, and of two with one name the last.
+//! The parser returns elements and properties without their lines, and of two with one name only the last.
 
 use ply_rs_bw::ply::{ElementDef, Encoding, Header, PropertyType, ScalarType};
 
@@ -8,13 +8,13 @@ use super::ply_element::{axis, is_corners};
 use crate::CorpusError;
 use crate::decimals::shown;
 
-/// Refuses headers that do not say where points and faces are, or whose counts the file cannot hold.
+/// Refuses headers that do not describe points and faces, or whose counts exceed the file.
 pub(super) fn check(file: &str, text: &[u8], header: &Header, payload: usize) -> Result<(), CorpusError> {
     let lines = lines(file, text)?;
     for element in header.elements.values() {
         let line = lines.iter().find(|(name, _)| *name == element.name).map_or(1, |(_, line)| *line);
         let error = |message: String, cure: &str| Err(CorpusError::file(file, message, cure).at_line(line));
-        // The last line of an ASCII file may have no end.
+        // The last line of an ASCII file may lack its newline.
         if least(element, header.encoding) > payload + 1 {
             let message = format!("{} elements `{}` don't fit into {payload} bytes", element.count, element.name);
             return error(message, "correct the counts or add what is missing");
@@ -49,7 +49,7 @@ pub(super) fn check(file: &str, text: &[u8], header: &Header, payload: usize) ->
     Ok(())
 }
 
-/// The line of each element, counted from 1; or an error where a name is there twice.
+/// The line of each element, counted from 1. Duplicate names are an error.
 fn lines<'h>(file: &str, text: &'h [u8]) -> Result<Vec<(&'h str, usize)>, CorpusError> {
     let mut elements: Vec<(&str, usize)> = Vec::new();
     let mut properties: Vec<&str> = Vec::new();
@@ -86,10 +86,10 @@ fn is_integer(scalar: &ScalarType) -> bool {
     !matches!(scalar, ScalarType::Float | ScalarType::Double)
 }
 
-/// The least number of bytes that all elements of a kind take.
+/// The minimum number of bytes for all elements of a kind.
 fn least(element: &ElementDef, encoding: Encoding) -> usize {
     let one = match encoding {
-        // A blank or the end of a line behind each word.
+        // Each word is followed by a blank or a newline.
         Encoding::Ascii => 2 * element.properties.len(),
         Encoding::BinaryBigEndian | Encoding::BinaryLittleEndian => {
             let width = |kind: &PropertyType| match kind {
@@ -101,7 +101,7 @@ fn least(element: &ElementDef, encoding: Encoding) -> usize {
     element.count.saturating_mul(one.max(1))
 }
 
-/// The bytes of a number in a binary file.
+/// The size in bytes of a number in a binary file.
 fn width(scalar: &ScalarType) -> usize {
     match scalar {
         ScalarType::Char | ScalarType::UChar => 1,

@@ -1,4 +1,4 @@
-//! Points of a data file, whatever its format.
+//! Importer of points from a data file of any format.
 
 use predicament_predicates::Dimension;
 
@@ -10,18 +10,18 @@ use crate::{CorpusError, Decimals, csv};
 /// Points of two or of three coordinates.
 #[derive(Clone, PartialEq, Debug)]
 pub struct ImportedPoints {
-    /// How many coordinates each has.
+    /// The number of coordinates of each point.
     pub dimension: Dimension,
     /// The coordinates, point after point.
     pub coordinates: Vec<f64>,
-    /// Where the points are in the file.
+    /// The positions of the points in the file.
     pub places: Places,
     /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
 }
 
-/// Reads points by the extension of a file: rows of CSV, all positions of GeoJSON or WKT in their order (without
-/// those that close rings), or the vertices of a mesh.
+/// Reads points by the extension of a file: rows of CSV, all positions of GeoJSON or WKT in their order (without the
+/// positions that close rings), or the vertices of a mesh.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.

@@ -1,4 +1,4 @@
-//! Rings of polygons: without repeated points, and polygons written out in a suite.
+//! Rings of polygons: removal of repeated points, and polygons written in a suite.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::Vertex;
@@ -8,8 +8,7 @@ use super::{ImportNotes, ImportedMap};
 use crate::CorpusError;
 use crate::document::Field;
 
-/// A ring without vertices that repeat the one before them, the last before the first; none where fewer than
-/// three are left.
+/// A ring without vertices that repeat their predecessor (cyclically); `None` if fewer than three are left.
 pub(super) fn ring(mut vertices: Vec<Vertex>, notes: &mut ImportNotes) -> Option<Vec<Vertex>> {
     let all = vertices.len();
     vertices.dedup();
@@ -24,7 +23,7 @@ pub(super) fn ring(mut vertices: Vec<Vertex>, notes: &mut ImportNotes) -> Option
     Some(vertices)
 }
 
-/// Adds a region, or notes that it is empty.
+/// Adds a region, or counts it as empty.
 pub(super) fn push(map: &mut PolygonMap, name: Option<String>, rings: Vec<Vec<Vertex>>, notes: &mut ImportNotes) {
     if rings.is_empty() {
         notes.empty_regions += 1;
@@ -34,8 +33,8 @@ pub(super) fn push(map: &mut PolygonMap, name: Option<String>, rings: Vec<Vec<Ve
     map.push(name, rings).expect("rings of at least three vertices, none repeated at once");
 }
 
-/// Polygons written out in a suite, each a region: arrays of rings, which are arrays of points. The first point of
-/// a ring may be repeated at its end.
+/// Reads polygons written in a suite, each a region: arrays of rings, which are arrays of points. The first point of a
+/// ring may be repeated at its end.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.

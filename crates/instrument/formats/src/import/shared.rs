@@ -1,15 +1,15 @@
-//! Vertices by their coordinates: equal ones are one vertex.
+//! Vertices shared by their coordinates: equal coordinates give one vertex.
 
 use std::collections::HashMap;
 
 use predicament_predicates::Vertex;
 
-/// Points, none of them twice. A symbolic perturbation moves vertices by identity: what is one place in a file
-/// that repeats coordinates has to be one vertex.
+/// Distinct points. A symbolic perturbation moves vertices by identity, so coordinates that a file repeats must become
+/// one vertex.
 #[derive(Debug)]
 pub(super) struct SharedVertices<const N: usize> {
     points: Vec<[f64; N]>,
-    // Only looked up, never iterated: its order reaches no output.
+    // The map is only looked up, never iterated: its order cannot reach the output.
     vertices: HashMap<[u64; N], Vertex>,
 }
 
@@ -20,7 +20,7 @@ impl<const N: usize> Default for SharedVertices<N> {
 }
 
 impl<const N: usize> SharedVertices<N> {
-    /// The one vertex with these coordinates: numbered as they come.
+    /// The vertex with these coordinates; vertices are numbered in the order of their first occurrence.
     pub(super) fn vertex(&mut self, point: [f64; N]) -> Vertex {
         // -0 and +0 are the same place.
         let key = point.map(|x| (x + 0.0).to_bits());

@@ -1,9 +1,9 @@
-//! STL, in binary and in ASCII. Vertices with equal coordinates are one vertex: the format repeats them in
-//! every triangle.
+//! The reader of STL files, in binary and in ASCII. Vertices with equal coordinates are one vertex: the format repeats
+//! them in every triangle.
 //!
-//! The crate `stl_io` reads decimals as singles, rounded without a word. In binary a coordinate is a single,
-//! which is a double; in ASCII it is a decimal like any other. Normals, colours and names say nothing about
-//! points and are passed over.
+//! The crate `stl_io` reads decimals as singles and rounds them silently. In binary a coordinate is a single, which is
+//! a double; in ASCII it is a decimal like any other. Normals, colours and names do not affect the points and are
+//! skipped.
 
 use super::Places;
 use super::imported_mesh::{ImportedMesh, contents};
@@ -12,18 +12,18 @@ use crate::decimals::{Place, explain, shown};
 use crate::file::text_of;
 use crate::{CorpusError, Decimals};
 
-/// The bytes before the triangles of a binary file, with their number in the last four.
+/// The size in bytes of a binary file's header, with the number of triangles in the last four bytes.
 const HEADER: usize = 84;
-/// The bytes of a triangle: a normal, three corners, two more.
+/// The size in bytes of a triangle: a normal, three corners, two more bytes.
 const TRIANGLE: usize = 50;
 
-/// The cure of a file that ends too early.
+/// The fix for a file that ends too early.
 const AGAIN: &str = "fetch or copy it again";
 
-/// Reads a file. It is binary if it is as long as its number of triangles makes it, as binary files may begin
-/// with the word `solid` as well.
+/// Reads a file. It is binary if its length matches its number of triangles, as binary files may also begin with the
+/// word `solid`.
 pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
-    // Text has no zero byte; a binary file has them in its number of triangles.
+    // Text has no zero byte; a binary file has zero bytes in its number of triangles.
     let is_binary = bytes.contains(&0);
     if let Some((_, rest)) = bytes.split_at_checked(HEADER - 4)
         && let Some((count, body)) = rest.split_first_chunk()
@@ -48,7 +48,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Im
     ascii(file, &text_of(file, bytes)?, decimals)
 }
 
-/// Triangles by their corners.
+/// Triangles, as their corners.
 #[derive(Default)]
 struct Triangles {
     shared: SharedVertices<3>,
@@ -56,7 +56,7 @@ struct Triangles {
 }
 
 impl Triangles {
-    /// Appends a triangle: where it is, and its corners, each with where it is.
+    /// Appends a triangle and its position, and its corners with their positions.
     fn push(&mut self, at: usize, corners: [([f64; 3], usize); 3]) {
         let [a, b, c] = corners.map(|(corner, at)| {
             let vertex = self.shared.vertex(corner);
@@ -104,7 +104,7 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
     let mut triangles = Triangles::default();
     let mut corners: Vec<([f64; 3], usize)> = Vec::with_capacity(3);
     let mut facet = 0;
-    // What has to follow: the words of a facet in turn.
+    // The expected words of a facet, in turn.
     let mut within = Within::File;
     let mut last = 0;
     for (line, words) in contents(text) {
@@ -148,7 +148,7 @@ fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, Co
     }
 }
 
-/// Which words an ASCII file has begun and not ended.
+/// The nesting of an ASCII file's unfinished keywords.
 #[derive(Clone, Copy)]
 enum Within {
     File,
@@ -218,7 +218,7 @@ mod tests {
             [[0., 0., 0.], [1., 1., 0.], [0., 1., -0.]],
             [[1., 1., 0.], [1., 1., 0.], [0., 1., 0.]],
         ];
-        // Binary files may begin like ASCII ones.
+        // Binary files may begin like ASCII files.
         for head in [&b"made by hand"[..], b"solid a square"] {
             let binary = of(packed(&triangles, head)).unwrap();
             assert_eq!(without_places(&binary), without_places(&mesh));
@@ -247,7 +247,7 @@ mod tests {
         wrong_count[80] = 255;
         let not_finite = packed(&[[[0.0; 3], [f32::NAN; 3], [1.0; 3]]], b"");
         let error = |bytes: Vec<u8>| of(bytes).unwrap_err().to_string();
-        // Binary, though it begins like text.
+        // A binary file that begins like text.
         let cut_short = error(packed(&[[[0.0; 3]; 3]], b"solid")[..133].to_vec());
         let changed = |from: &str, to: &str| error(SQUARE.replacen(from, to, 1).into());
         for (got, expected) in [
@@ -296,7 +296,7 @@ mod tests {
                 .collect();
             let from_text = of(format!("solid\n{text}endsolid\n")).unwrap();
             prop_assert_eq!(without_places(&from_text), without_places(&mesh));
-            // Each written coordinate is that of some vertex.
+            // Each written coordinate belongs to some vertex.
             for corner in singles.as_chunks::<3>().0 {
                 let wide = corner.map(f64::from);
                 prop_assert!(mesh.points.contains(&wide));

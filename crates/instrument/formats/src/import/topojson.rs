@@ -1,15 +1,12 @@
 //! The importer of TopoJSON maps.
 //!
-//! TopoJSON stores borders as arcs that neighbours share, which is what an
-//! exact tiling needs. Vertices with equal decoded coordinates become *one*
-//! vertex over the whole map: a symbolic perturbation moves vertices by
-//! identity, and a border that two regions hold as different vertices would
-//! open into a sliver.
+//! TopoJSON stores borders as arcs that neighbours share, which is what an exact tiling needs. Vertices with equal
+//! decoded coordinates become *one* vertex over the whole map: a symbolic perturbation moves vertices by identity, and
+//! a border that two regions hold as different vertices would open into a sliver.
 //!
-//! Quantised coordinates are decoded as the format's reference client does:
-//! integer sums of the deltas, then `k * scale + translate` with two roundings
-//! in double precision. The doubles that come out *are* the scene. Positions that are not quantised are decimals,
-//! read as those of suites are.
+//! Quantised coordinates are decoded as the format's reference client does: integer sums of the deltas, then `k * scale
+//! + translate` with two roundings in double precision. The resulting doubles *are* the scene. Positions that are not
+//! quantised are decimals, read as in suites.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +26,7 @@ struct Topology<'t> {
     #[serde(rename = "type")]
     kind: String,
     transform: Option<Transform>,
-    /// Positions by arc: their numbers as they are written.
+    /// The positions of each arc, as the text of their numbers.
     #[serde(borrow)]
     arcs: Vec<Vec<Vec<&'t RawValue>>>,
     objects: BTreeMap<String, Geometry>,
@@ -51,7 +48,7 @@ struct Geometry {
     id: Option<Value>,
 }
 
-/// One polygon: its rings, each a list of arc references.
+/// A polygon: its rings, each a list of arc references.
 type Polygon = Vec<Vec<i64>>;
 
 /// Reads the polygons of one object.
@@ -62,7 +59,7 @@ pub fn read(file: &str, text: &str, object: &str, decimals: &Decimals) -> Result
     read_some(file, text, object, decimals, &mut |_, _| true)
 }
 
-/// Reads those polygons of one object that are wanted. Arcs are read whole, as they are shared.
+/// Reads the selected polygons of one object. Arcs are read completely, as they are shared.
 ///
 /// # Errors
 /// As [`read`].
@@ -74,7 +71,7 @@ pub fn read_some(
     keeps: &mut Keeps<'_>,
 ) -> Result<ImportedMap, CorpusError> {
     let topology: Topology<'_> = serde_json::from_str(text).map_err(|error| {
-        // serde_json appends the place, which is in the line already.
+        // serde_json appends the position, which is already in `line`.
         let whole = error.to_string();
         let message = whole.rsplit_once(" at line ").map_or(whole.as_str(), |(message, _)| message);
         let cure = if error.is_eof() { "the file ends early: fetch or copy it again" } else { "give a TopoJSON file" };
@@ -97,7 +94,7 @@ pub fn read_some(
     Ok(ImportedMap { points: importer.shared.into_points(), map: importer.map, notes: importer.notes })
 }
 
-/// Every arc's points.
+/// The points of all arcs.
 fn decode(
     file: &str,
     text: &str,
@@ -147,7 +144,7 @@ fn decode(
     Ok(arcs)
 }
 
-/// Sums of deltas are exact below this.
+/// The limit below which sums of deltas are exact.
 const MOST_QUANTA: f64 = 9_007_199_254_740_992.0;
 
 struct Importer<'f> {
@@ -156,7 +153,7 @@ struct Importer<'f> {
     shared: SharedVertices<2>,
     map: PolygonMap,
     notes: ImportNotes,
-    /// How many geometries that are no collections came before.
+    /// The number of geometries seen so far, not counting collections.
     seen: usize,
 }
 
@@ -177,7 +174,7 @@ impl Importer<'_> {
         let polygons: Vec<Polygon> = match geometry.kind.as_deref() {
             Some("Polygon") => vec![self.arc_references(geometry)?],
             Some("MultiPolygon") => self.arc_references(geometry)?,
-            // GeoJSON allows features without a place.
+            // GeoJSON allows features without a geometry.
             None => {
                 self.notes.empty_regions += 1;
                 return Ok(());
@@ -203,7 +200,7 @@ impl Importer<'_> {
         serde_json::from_value(arcs).map_err(|error| self.error(format!("a geometry's arcs are malformed: {error}")))
     }
 
-    /// Joins arcs to a ring: each starts where the one before it ends.
+    /// Joins arcs into a ring: each arc starts where the one before it ends.
     fn ring(&mut self, arcs: &[i64]) -> Result<Option<Vec<Vertex>>, CorpusError> {
         let mut ring: Vec<Vertex> = Vec::new();
         for (place, &reference) in arcs.iter().enumerate() {
@@ -221,7 +218,7 @@ impl Importer<'_> {
                 let vertex = self.shared.vertex(point);
                 match ring.last() {
                     Some(&last) if last == vertex => {
-                        // The joint of two arcs is in both; any other repetition is the data's.
+                        // The joint of two arcs is in both; any other repetition comes from the data.
                         self.notes.repeated_points += usize::from(at > 0);
                     }
                     Some(_) if at == 0 && place > 0 => {

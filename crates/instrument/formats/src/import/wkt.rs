@@ -1,18 +1,18 @@
 //! The reader of WKT, well-known text (OGC Simple Features), one geometry after another.
 //!
-//! The crate `wkt` parses numbers straight to doubles; here a number has to stay the text that it is in the
-//! file, to be read losslessly or refused. Blank space and semicolons separate geometries, lines that start
-//! with `#` are comments, and the `SRID=…;` of PostGIS is passed over.
+//! The crate `wkt` parses numbers straight to doubles; here a number must keep its text, to be read losslessly or
+//! refused. Blank space and semicolons separate geometries, lines that start with `#` are comments, and the `SRID=…;`
+//! of PostGIS is skipped.
 
 use super::features::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
 use super::{ImportNotes, Keeps};
 use crate::decimals::{Place, explain, shown};
 use crate::{CorpusError, Decimals, Lines};
 
-/// A word, a number or a sign.
+/// A token: a word, a number or a sign.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Token<'t> {
-    /// Anything else.
+    /// Any other text.
     Word(&'t str),
     Open,
     Close,
@@ -21,10 +21,10 @@ enum Token<'t> {
     End,
 }
 
-/// Which numbers follow x and y.
+/// The kind of numbers that follow x and y.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum More {
-    /// Nothing said: z, then m, if they are there.
+    /// Not declared: z, then m, if present.
     Unsaid,
     Z,
     M,
@@ -36,7 +36,7 @@ enum More {
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
 pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) -> Result<Geometry, CorpusError> {
-    // What is not wanted is passed over, and nothing in it is counted.
+    // Skipped geometries use this reader, so that their roundings are not counted.
     let unwanted = Decimals::new(true);
     let mut number = 0;
     let mut reader = Reader { file, text, at: 0, lines: Lines::new(text), decimals, notes: ImportNotes::default() };
@@ -79,7 +79,7 @@ struct Reader<'r, 't> {
 }
 
 impl<'t> Reader<'_, 't> {
-    /// Passes over blank space and comments.
+    /// Skips blank space and comments.
     fn skip(&mut self) {
         loop {
             let rest = &self.text[self.at..];
@@ -128,7 +128,7 @@ impl<'t> Reader<'_, 't> {
         CorpusError::file(self.file, message, cure).at_line(line)
     }
 
-    /// The error about the next token, where something else should be.
+    /// The error for a next token that is not the expected one.
     fn unexpected(&mut self, wanted: &str) -> CorpusError {
         let found = match self.peek() {
             Token::Word(word) => format!("`{}`", shown(word)),
@@ -149,7 +149,7 @@ impl<'t> Reader<'_, 't> {
         Ok(())
     }
 
-    /// `(item, item…)`, or nothing after the word `EMPTY`.
+    /// Reads `(item, item…)`, or nothing after the word `EMPTY`.
     fn list(&mut self, mut item: impl FnMut(&mut Self) -> Result<(), CorpusError>) -> Result<(), CorpusError> {
         if let Token::Word(word) = self.peek()
             && word.eq_ignore_ascii_case("EMPTY")
@@ -198,7 +198,7 @@ impl<'t> Reader<'_, 't> {
                 if reader.peek() == Token::Close { Ok(()) } else { Err(reader.unexpected("`)`")) }
             }),
             "MULTIPOINT" => self.list(|reader| {
-                // Both `((0 0), (1 1))` and `(0 0, 1 1)` are written.
+                // Both `((0 0), (1 1))` and `(0 0, 1 1)` are in use.
                 if matches!(reader.peek(), Token::Word(word) if !word.eq_ignore_ascii_case("EMPTY")) {
                     shapes.push(Shape::Point(reader.position(more_numbers)?));
                     return Ok(());
@@ -284,7 +284,7 @@ impl<'t> Reader<'_, 't> {
     }
 }
 
-/// What stands behind the name of a geometry, if it is that.
+/// The kind of further numbers that the suffix of a geometry's name declares.
 fn more(word: &str) -> Option<More> {
     match word {
         "" => Some(More::Unsaid),

@@ -1,4 +1,4 @@
-//! Meshes are written and read back, bit by bit; what a format cannot hold is refused.
+//! Meshes are written and read back, bit by bit; meshes that a format cannot hold are refused.
 
 use predicament_formats::{Decimals, ExportError, MeshFormat, mesh, write_mesh};
 use predicament_mesh::HalfEdgeMesh;
@@ -25,7 +25,7 @@ fn is_stl(format: MeshFormat) -> bool {
     matches!(format, MeshFormat::StlAscii | MeshFormat::StlBinary)
 }
 
-/// Writes and reads; decimals are read exactly or not at all.
+/// Writes and reads a mesh; decimals are read exactly or refused.
 fn round_trip(format: MeshFormat, points: &[[f64; 3]], faces: &IndexedFaces) {
     let bytes = written(format, points, faces).unwrap_or_else(|why| panic!("{format:?}: {why}"));
     assert_eq!(bytes, written(format, points, faces).expect("again"), "the same bytes");
@@ -54,7 +54,7 @@ fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![4 => finite(), 1 => simple]
 }
 
-/// Faces of three corners and more of so many vertices.
+/// A strategy for faces of three corners and more, over `vertices` vertices.
 fn polygons(vertices: usize) -> impl Strategy<Value = IndexedFaces> {
     let all: Vec<u32> = (0..).take(vertices).collect();
     let face = prop::sample::subsequence(all, 3..=vertices).prop_shuffle();
@@ -163,7 +163,7 @@ fn what_a_format_cannot_hold_is_refused_before_anything_is_written() {
     ] {
         assert!(got.starts_with(expected), "{got}");
     }
-    // 1e300 and 1e-60 are no singles either; 0.1 as a single is one.
+    // 1e300 and 1e-60 are not singles either; 0.1 rounded to a single is one.
     assert!(refused(StlBinary, &with(1, [1e300, 0.0, 0.0]), &triangles).contains("no single"));
     assert!(refused(StlBinary, &with(1, [1e-60, 0.0, 0.0]), &triangles).contains("no single"));
     round_trip(StlBinary, &with(1, [f64::from(0.1_f32), 0.0, 0.0]), &triangles);

@@ -1,4 +1,4 @@
-//! Manifests that are wrong.
+//! Tests of invalid manifests.
 
 use predicament_formats::Manifest;
 

@@ -1,4 +1,5 @@
-//! Points in solids whose corners are rational: the results of operations, with vertices that were constructed.
+//! Location of points relative to solids with rational corners, such as the results of operations that construct
+//! vertices.
 
 use std::cmp::Ordering;
 
@@ -6,21 +7,21 @@ use rug::Rational;
 
 type Point = [Rational; 3];
 
-/// A closed surface, counterclockwise as seen from outside.
+/// A closed surface whose triangles are counterclockwise as seen from outside.
 pub struct Boundary {
     triangles: Vec<[Point; 3]>,
-    /// For each what doubles say for sure: the least and the largest of each coordinate, rounded away from it.
+    /// A box of doubles around each triangle: the least and the largest of each coordinate, rounded outwards.
     boxes: Vec<[[f64; 2]; 3]>,
 }
 
 impl Boundary {
-    /// A surface of these triangles.
+    /// The surface with these triangles.
     #[must_use]
     pub fn new(triangles: Vec<[Point; 3]>) -> Boundary {
         let around = |triangle: &[Point; 3]| {
             [0, 1, 2].map(|axis: usize| {
                 let along = triangle.each_ref().map(|corner| corner[axis].to_f64());
-                // Conversion rounds toward zero, by less than a step.
+                // The conversion rounds toward zero, by less than one step between doubles.
                 let low = along.iter().fold(f64::INFINITY, |low, &x| low.min(x)).next_down();
                 let high = along.iter().fold(f64::NEG_INFINITY, |high, &x| high.max(x)).next_up();
                 [low, high]
@@ -30,8 +31,9 @@ impl Boundary {
         Boundary { triangles, boxes }
     }
 
-    /// How often the surface goes around a point, by a ray to larger x: once inside of a solid, and not at all outside. None where the
-    /// ray touches the border of a triangle, or the point is on one.
+    /// The winding number of the surface around a point, by a ray to larger x: 1 inside of a solid, 0 outside.
+    ///
+    /// Returns `None` if the ray touches the border of a triangle, or the point is on a triangle.
     #[must_use]
     pub fn winding(&self, q: [f64; 3]) -> Option<i64> {
         let exact = q.map(crate::rational);
@@ -46,8 +48,10 @@ impl Boundary {
         Some(winding)
     }
 
-    /// Whether a point is at most this far from the plane of a triangle in whose box it is, the box being larger by as much: each point that is
-    /// nearer to the surface is.
+    /// True if a triangle whose box, enlarged by `distance`, holds the point has its plane within `distance` of the
+    /// point.
+    ///
+    /// It is true for every point within `distance` of the surface.
     #[must_use]
     pub fn is_near(&self, q: [f64; 3], distance: f64) -> bool {
         let exact = q.map(crate::rational);
@@ -71,7 +75,9 @@ impl Boundary {
     }
 }
 
-/// 1 where the ray leaves the solid here, -1 where it enters, 0 where it passes beside; none where that is not told apart.
+/// The crossing of the ray with a triangle: 1 if it leaves the solid, −1 if it enters, 0 if it misses.
+///
+/// Returns `None` if the crossing is degenerate.
 fn passed([a, b, c]: &[Point; 3], q: &Point) -> Option<i64> {
     let less = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
     let [a, b, c] = [less(a), less(b), less(c)];
@@ -84,7 +90,8 @@ fn passed([a, b, c]: &[Point; 3], q: &Point) -> Option<i64> {
     if signs.contains(&Ordering::Equal) {
         return None;
     }
-    // Where the ray meets the plane x is the middle of the corners' by these weights, which are of one sign.
+    // At the point where the ray meets the plane, x is the mean of the corners' x, weighted by `turns`, which have one
+    // sign.
     let [u, v, w] = &turns;
     let along = Rational::from(u * &a[0]) + Rational::from(v * &b[0]) + Rational::from(w * &c[0]);
     let ahead = if signs[0] == Ordering::Greater { along.cmp0() } else { along.cmp0().reverse() };

@@ -1,8 +1,8 @@
-//! Near boxes against all pairs: on lattices, where most touch, far apart, and at the end of the doubles.
+//! Near boxes against all pairs: on lattices, where most boxes touch, far apart, and near the largest doubles.
 
 use predicament_judge::boxes::{Boxes, Extent, are_near, extent};
 
-/// Numbers that repeat after a long time.
+/// A pseudo-random sequence with a long period.
 fn numbers(mut state: u64) -> impl FnMut() -> f64 {
     move || {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -22,13 +22,13 @@ fn faces(cell: &[Vertex]) -> Vec<Cell> {
     (1_u32..1 << cell.len()).map(subset).collect()
 }
 
-/// All simplices that these are made of.
+/// All faces of the given cells.
 fn closure(cells: &[&[usize]]) -> Vec<Cell> {
     let all: BTreeSet<Cell> = cells.iter().flat_map(|of| faces(&cell(of))).collect();
     all.into_iter().collect()
 }
 
-/// The pairs registered, as indices of vertices.
+/// The registered pairs, as indices of vertices.
 fn found(scene: &Scene, a: &[&[usize]], b: &[&[usize]]) -> Vec<[Vec<usize>; 2]> {
     let (a, b) = (closure(a), closure(b));
     let of = |cell: &Cell| cell.iter().map(|v| v.index()).collect::<Vec<usize>>();
@@ -55,16 +55,16 @@ fn known_pairs_of_the_plane_are_registered() {
         [2.0, -1.0],
     ])
     .unwrap();
-    // An edge along another: the two vertices on it, and not the edges.
+    // An edge along another: the two vertices on it are registered, and not the edges.
     assert_eq!(found(&scene, &[&[0, 1]], &[&[3, 4]]), pairs([[&[0, 1], &[3]], [&[0, 1], &[4]]]));
-    // A common vertex, and one at the same place.
+    // A common vertex, and two vertices with equal coordinates.
     assert_eq!(found(&scene, &[&[0, 1]], &[&[0, 2]]), pairs([[&[0], &[0]]]));
     assert_eq!(found(&scene, &[&[0, 1]], &[&[5, 6]]), pairs([[&[0], &[6]]]));
-    // A crossing, and a vertex in a triangle of which an edge is crossed.
+    // Two crossing edges, and a vertex in a triangle that has one of its edges crossed.
     assert_eq!(found(&scene, &[&[0, 1]], &[&[5, 8]]), pairs([[&[0, 1], &[5, 8]]]));
     assert_eq!(found(&scene, &[&[0, 1, 2]], &[&[5, 8]]), pairs([[&[0, 1], &[5, 8]], [&[0, 1, 2], &[5]]]));
     assert_eq!(found(&scene, &[&[0, 1, 2]], &[&[7, 8]]), pairs([[&[0, 1], &[7, 8]], [&[1, 2], &[7, 8]]]));
-    // A triangle without area, on a line with an edge.
+    // A triangle without area, collinear with an edge.
     assert_eq!(found(&scene, &[&[0, 3, 4]], &[&[1]]), pairs([]));
     assert_eq!(found(&scene, &[&[0, 1, 4]], &[&[3]]), pairs([[&[0, 1], &[3]], [&[0, 4], &[3]]]));
     assert_eq!(found(&scene, &[], &[&[3]]), pairs([]));
@@ -88,7 +88,7 @@ fn known_pairs_of_space_are_registered() {
     // An edge through a triangle, into the tetrahedron.
     assert_eq!(found(&scene, &[&[0, 1, 2]], &[&[4, 5]]), pairs([[&[0, 1, 2], &[4, 5]]]));
     assert_eq!(found(&scene, &[solid], &[&[4, 5]]), pairs([[&[0, 1, 2], &[4, 5]], [solid, &[5]]]));
-    // Two edges in one plane, and a vertex in a triangle: degenerate in space.
+    // Two coplanar edges, and a vertex in a triangle: degenerate in space.
     assert_eq!(found(&scene, &[&[0, 1, 2]], &[&[6, 7]]), pairs([[&[0, 1], &[6, 7]], [&[0, 1, 2], &[7]]]));
     assert_eq!(found(&scene, &[solid], &[&[8]]), pairs([]));
 }
@@ -136,7 +136,7 @@ fn determinant(rows: &[Vec<i64>]) -> i64 {
     (0..rows.len()).map(|at| if at % 2 == 0 { 1 } else { -1 } * rows[at][0] * determinant(&minor(at))).sum()
 }
 
-/// All ways to take so many of these.
+/// All choices of `count` elements.
 fn choices(from: &[usize], count: usize) -> Vec<Vec<usize>> {
     if count == 0 {
         return vec![vec![]];
@@ -155,14 +155,13 @@ fn volume(points: &[&Vec<i64>], axes: &[usize]) -> i64 {
     determinant(&rows)
 }
 
-/// Whether open simplices meet, by planes: they are apart iff a plane has one
-/// on either side and does not contain both. In the flat that all points span, one
-/// such plane passes through as many points as span a plane there.
+/// True if open simplices meet, by planes: they are apart iff a plane has one on either side and does not contain both.
+/// In the flat that all points span, one such plane passes through as many points as span a plane there.
 fn meet(s: &[Vec<i64>], t: &[Vec<i64>]) -> bool {
     let all: Vec<&Vec<i64>> = s.iter().chain(t).collect();
     let places: Vec<usize> = (0..all.len()).collect();
     let of = |choice: &[usize]| choice.iter().map(|&i| all[i]).collect::<Vec<_>>();
-    // The flat's dimension, and coordinates that tell its points apart.
+    // The flat's dimension, and coordinates in which its points stay distinct.
     let every: Vec<usize> = (0..s[0].len()).collect();
     let span = (1..=every.len()).rev().find_map(|k| {
         let wide = |axes: &Vec<usize>| choices(&places, k + 1).iter().any(|points| volume(&of(points), axes) != 0);
@@ -184,7 +183,7 @@ fn integers(scene: &Scene, cell: &[Vertex]) -> Vec<Vec<i64>> {
     cell.iter().map(|&v| scene.point(v).iter().map(|&x| x as i64).collect()).collect()
 }
 
-/// The definition, word by word: the hierarchy over separating planes.
+/// The definition, literally: the hierarchy over separating planes.
 #[test]
 fn contacts_are_what_separating_planes_leave() {
     let mut random = Random::new(1);
@@ -214,14 +213,14 @@ fn contacts_are_what_separating_planes_leave() {
     assert!(seen > 400 && ended > 400, "{seen} contacts, {ended} pairs ended");
 }
 
-/// What the algorithm registers with exact signs, by places in the lists of simplices.
+/// The pairs that the algorithm registers with exact signs, as indices in the lists of simplices.
 pub fn of_algorithm(scene: &Scene, [a, b]: [&predicament_mesh::Complex; 2]) -> BTreeSet<[Cell; 2]> {
     let session = Exact.prepare(scene, Off).unwrap();
     let of = by_algorithm(&session, a, b);
     of.registered.iter().map(|c| [a.vertices_of(c.a).to_vec(), b.vertices_of(c.b).to_vec()]).collect()
 }
 
-/// What the judge registers, by the vertices of the pairs.
+/// The pairs that the judge registers, by their vertices.
 pub fn of_judge(scene: &Scene, complexes: [&predicament_mesh::Complex; 2]) -> BTreeSet<[Cell; 2]> {
     let [a, b] = complexes.map(simplices);
     contacts(scene, &a, &b).iter().map(|c| [a[c.pair[0]].clone(), b[c.pair[1]].clone()]).collect()

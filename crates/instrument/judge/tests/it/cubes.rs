@@ -1,4 +1,4 @@
-//! Unions of cubes: against known ones, against cells looked at one by one, against the algorithm.
+//! Unions of cubes: against known unions, against cells tested one by one, against the algorithm.
 
 use predicament_cube_union::algorithm::{Mass, ScaledCubes, cube_union, cube_union_by};
 use predicament_judge::cubes::{Cubes, Measures, NotCubes, Vertices};
@@ -40,7 +40,7 @@ fn known_unions_are_measured() {
     let stairs = of(&[[0.0; 3]; 5], 3.0);
     assert_eq!((stairs.volume, stairs.area), (Rational::from(27), Rational::from(54)));
     assert_eq!(stairs.edge_length, 3 * (6 + 6 * (2 * 5 - 1)));
-    // Exact beyond integers of 64 bits.
+    // Exact beyond 64-bit integers.
     let edge = 2.0_f64.powi(-40);
     let wide = of(&[[2.0_f64.powi(-90); 3], [4096.0; 3]], edge);
     assert_eq!(
@@ -73,8 +73,8 @@ fn integers(scene: &Scene) -> (Vec<[i64; 3]>, i64) {
     ((0..scene.len() / 2).map(|cube| at(2 * cube)).collect(), at(1)[0] - at(0)[0])
 }
 
-/// The definition, cell by cell: cubes that are really moved, by less than a
-/// unit, every cell between all planes asked of every cube; widths are those before moving.
+/// The measures by definition, cell by cell. Cubes are really moved, by less than a unit; every cell between all planes
+/// is tested against every cube. Widths are those before moving.
 fn by_cells(lowers: &[[i64; 3]], edge: i64) -> Measures {
     let count = i64::try_from(lowers.len()).unwrap();
     let scale = 2 * count + 2;
@@ -89,7 +89,7 @@ fn by_cells(lowers: &[[i64; 3]], edge: i64) -> Measures {
         planes
     });
     let cells = planes[0].len() + 1;
-    // Cell i along an axis is around a point just behind plane i − 1.
+    // Cell i along an axis contains a point just behind plane i − 1.
     let inner = |axis: usize, i: usize| if i == 0 { i64::MIN } else { planes[axis][i - 1].0 + 1 };
     let is_filled = |cell: [usize; 3]| {
         let point = [0, 1, 2].map(|axis| inner(axis, cell[axis]));
@@ -166,7 +166,7 @@ fn sections_measure_what_cells_and_inclusion_do() {
     }
 }
 
-/// What an algorithm found, in the scene's units.
+/// The measures that an algorithm found, in the scene's units.
 pub fn in_scene_units(mass: &Mass, exponent: i32) -> Measures {
     let scaled = |sum: i128, lengths: i32| Rational::from(Integer::from(sum)) << (lengths * exponent);
     let of = mass.vertices;
@@ -178,7 +178,7 @@ pub fn in_scene_units(mass: &Mass, exponent: i32) -> Measures {
     }
 }
 
-/// The algorithm on integers, in the scene's units.
+/// The measures from the algorithm on integers, in the scene's units.
 fn by_algorithm(scene: &Scene) -> Measures {
     let cubes = ScaledCubes::of_scene(scene).unwrap();
     in_scene_units(&cube_union(&cubes.lowers, cubes.edge).unwrap(), cubes.exponent)
@@ -219,7 +219,7 @@ fn a_sample_is_a_dense_part_of_the_whole() {
     assert_eq!(part.len(), 125, "1000 halved until 150 are enough");
     assert!(part.is_sorted());
     assert_eq!(part, all.sample_of(150));
-    // Measured as the scene of these cubes alone.
+    // The part is measured as a scene with these cubes alone.
     let points: Vec<[f64; 3]> =
         part.iter().flat_map(|&cube| [2 * cube, 2 * cube + 1]).map(|v| scene.point3(Vertex::input(v))).collect();
     let alone = Scene::from_points3(&points).unwrap();

@@ -1,4 +1,4 @@
-//! The judge depends on the vocabulary and on `rug`: on no code that it judges.
+//! Checks that the judge depends on the vocabulary and on `rug` only, not on code that it judges.
 
 /// The names under `[dependencies]` of a manifest.
 fn dependencies(manifest: &str) -> Vec<&str> {
@@ -16,6 +16,6 @@ fn no_path_leads_from_the_judge_to_what_it_judges() {
         "anything else needs a reason: the truth may share no code with a backend or an algorithm"
     );
     assert_eq!(dependencies(include_str!("../../../../kernel/predicates/Cargo.toml")), ["serde"]);
-    // The reader of manifests sees what there is.
+    // The manifest reader finds a dependency that exists.
     assert!(dependencies(include_str!("../../../../systems/contacts/Cargo.toml")).contains(&"predicament-mesh"));
 }

@@ -1,4 +1,4 @@
-//! Extreme vertices against another definition: those that are in no simplex of the others (Carathéodory).
+//! Extreme vertices against another definition: vertices that no simplex of the others contains (Carathéodory).
 
 use std::collections::BTreeSet;
 
@@ -21,12 +21,12 @@ fn dot(p: Point, q: Point) -> i64 {
     (0..3).map(|axis| p[axis] * q[axis]).sum()
 }
 
-/// Whether a point is in the segment of two others.
+/// True if a point is in the segment between two others.
 fn is_between(p: Point, [a, b]: [Point; 2]) -> bool {
     cross(less(a, p), less(b, p)) == [0; 3] && dot(less(a, p), less(b, p)) <= 0
 }
 
-/// Whether a point is in a triangle with an area.
+/// True if a point is in a triangle with an area.
 fn is_in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
     let normal = cross(less(b, a), less(c, a));
     let turn = |u: Point, v: Point| dot(cross(less(u, p), less(v, p)), normal);
@@ -35,7 +35,7 @@ fn is_in_triangle(p: Point, [a, b, c]: [Point; 3]) -> bool {
         && [turn(a, b), turn(b, c), turn(c, a)].iter().all(|&turn| turn >= 0)
 }
 
-/// Whether a point is in a tetrahedron with a volume.
+/// True if a point is in a tetrahedron with a volume.
 fn is_in_tetrahedron(p: Point, corners: [Point; 4]) -> bool {
     let volume = |[a, b, c, d]: [Point; 4]| dot(cross(less(b, a), less(c, a)), less(d, a));
     let whole = volume(corners);
@@ -47,7 +47,7 @@ fn is_in_tetrahedron(p: Point, corners: [Point; 4]) -> bool {
     whole != 0 && parts.iter().all(|&part| part >= 0)
 }
 
-/// By definition: the first vertex of each place that no simplex of other places holds.
+/// The extreme points by definition: the first vertex of each place that no simplex of other places contains.
 fn extreme(points: &[Point]) -> Vec<usize> {
     let places: BTreeSet<Point> = points.iter().copied().collect();
     let is_extreme = |p: Point| {
@@ -66,7 +66,7 @@ fn extreme(points: &[Point]) -> Vec<usize> {
     found
 }
 
-/// Points of a lattice of so many dimensions, moved into space by a map of integers.
+/// Points of a lattice with `dimensions` dimensions, mapped into space by integers.
 fn points(random: &mut Random, count: usize, dimensions: usize, end: usize) -> Vec<Point> {
     let mut whole = |end: usize| i64::try_from(random.below(end)).unwrap();
     let directions = [(); 3].map(|()| [(); 3].map(|()| whole(5) - 2));
@@ -94,7 +94,7 @@ fn extreme_vertices_are_those_in_no_simplex_of_others() {
     let mut of_sizes = [0_usize; 9];
     for round in 0..400 * effort() {
         let (count, end) = (1 + random.below(9), 2 + random.below(3));
-        // Points, segments, polygons and polyhedra.
+        // The affine hull is a point, a line, a plane or space.
         let space = points(&mut random, count, round % 4, end);
         let scene = Scene::from_points3(&space.iter().map(|&p| exact(p)).collect::<Vec<_>>()).unwrap();
         let expected = extreme(&space);

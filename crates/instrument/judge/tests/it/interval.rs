@@ -1,4 +1,4 @@
-//! Cells of a line: against the algorithm, by exact and by perturbed signs.
+//! Cells of a line: against the algorithm, with exact and with perturbed signs.
 
 use predicament_exact::Exact;
 use predicament_interval::algorithm::{self as algorithm, half_open};
@@ -24,7 +24,7 @@ fn known_points_are_in_their_cells() {
     for point in [first, last] {
         assert_eq!(cells_at(&scene, Axis::X, &cells, point), [(0, Place::AtEnd), (1, Place::AtEnd)]);
     }
-    // l ≤ p < r before the ends, l < p ≤ r behind them.
+    // l ≤ p < r for a point numbered before the ends, l < p ≤ r for a point numbered behind them.
     let perturbed = |point| cells.map(|cell| perturbed_place(&scene, Axis::X, cell, point));
     assert_eq!(perturbed(first), [Place::Outside, Place::Inside]);
     assert_eq!(perturbed(last), [Place::Inside, Place::Outside]);

@@ -14,7 +14,8 @@ fn rings(of: &[&[&[usize]]]) -> Regions {
     of.iter().map(|rings| rings.iter().map(ring).collect()).collect()
 }
 
-/// Where probes behind the map's vertices are, as lists of regions inside and on the boundary.
+/// The locations of probes, which are numbered after the map's vertices, as lists of regions inside and on the
+/// boundary.
 fn located(points: &[[f64; 2]], regions: &[&[&[usize]]], probes: &[[f64; 2]]) -> Vec<[Vec<u32>; 2]> {
     let scene = Scene::from_points2(&[points, probes].concat()).unwrap();
     let probes: Vec<Vertex> = (points.len()..scene.len()).map(Vertex::input).collect();
@@ -23,7 +24,7 @@ fn located(points: &[[f64; 2]], regions: &[&[&[usize]]], probes: &[[f64; 2]]) ->
 
 #[test]
 fn known_points_are_where_they_are() {
-    // Two squares side by side, a lake in the first, with an island that is the third region.
+    // Two squares side by side; the first has a lake with an island, the third region.
     let points = [
         [0.0, 0.0],
         [4.0, 0.0],
@@ -55,24 +56,23 @@ fn known_points_are_where_they_are() {
 
 #[test]
 fn odd_rings_follow_the_even_odd_rule() {
-    // A pentagram: its middle is outside.
+    // A pentagram: its center is outside.
     let points = [[0.0, 3.0], [2.0, -3.0], [-3.0, 1.0], [3.0, 1.0], [-2.0, -3.0]];
     let found = located(&points, &[&[&[0, 1, 2, 3, 4]]], &[[0.0, 0.0], [0.0, 2.0], [0.0, 1.0], [0.0, 3.0]]);
     assert_eq!(found, [[vec![], vec![]], [vec![0], vec![]], [vec![], vec![0]], [vec![], vec![0]]]);
-    // A spike that runs forth and back is not there; one to another vertex at the same place is.
+    // A spike that runs forth and back cancels out; a spike to another vertex at the same place does not.
     let points = [[0.0, 0.0], [2.0, 0.0], [0.0, 2.0], [4.0, 0.0], [2.0, 0.0]];
     for (ring, on) in [([0, 1, 3, 1, 2], vec![]), ([0, 1, 3, 4, 2], vec![0])] {
         assert_eq!(located(&points, &[&[&ring]], &[[3.0, 0.0]]), [[vec![], on]]);
     }
-    // A ring without area holds nothing, and is a boundary.
+    // A ring without area contains nothing, but is a boundary.
     let points = [[0.0, 0.0], [1.0, 1.0], [3.0, 3.0]];
     let found = located(&points, &[&[&[0, 1, 2]]], &[[2.0, 2.0], [1.0, 2.0], [4.0, 4.0]]);
     assert_eq!(found, [[vec![], vec![0]], [vec![], vec![]], [vec![], vec![]]]);
 }
 
-/// The definition by winding numbers: those of a region's rings, added up, are odd inside.
-/// A ring winds as often as it passes from one half-plane of the point to the other on
-/// the positive y axis, with signs; everything by rationals.
+/// The location by winding numbers: the sum over a region's rings is odd inside. A ring's winding number counts its
+/// signed crossings of the positive y axis through the point, in rationals.
 fn by_winding(scene: &Scene, regions: &Regions, probe: Vertex) -> Location {
     let at = |v: Vertex| scene.point(v).iter().map(|&x| rational(x)).collect::<Vec<Rational>>();
     let p = at(probe);
@@ -97,7 +97,7 @@ fn by_winding(scene: &Scene, regions: &Regions, probe: Vertex) -> Location {
         for edge in edges.iter().filter(|edge| is_odd(edge)) {
             let [u, v] = edge.map(from_p);
             let side = cross(&u, &v);
-            // To the left of the axis, x < 0, with the axis itself on the right.
+            // Left of the axis means x < 0; the axis itself counts as right.
             winding += match (u[0] < 0, v[0] < 0) {
                 (false, true) if side > 0 => 1,
                 (true, false) if side < 0 => -1,

@@ -1,5 +1,4 @@
-//! The truths of the judge: against what is known, against second
-//! computations, and against the algorithms that they are for.
+//! Tests of the judge: against known results, against second computations, and against the algorithms that it judges.
 
 mod boxes;
 mod contacts;

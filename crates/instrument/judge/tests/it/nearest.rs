@@ -1,4 +1,4 @@
-//! The nearest double, against the definition and the parser of decimals.
+//! The nearest double, against the definition and against the parser of decimals.
 
 use predicament_judge::{nearest, rational};
 use proptest::prelude::*;

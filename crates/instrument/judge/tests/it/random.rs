@@ -3,12 +3,12 @@
 use predicament_mesh::{Complex, PolygonMap, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
-/// How many times as many random scenes as by default.
+/// The factor by which the number of random scenes exceeds the default.
 pub fn effort() -> usize {
     if predicament_effort::whole() { 10 } else { 1 }
 }
 
-/// SplitMix64.
+/// The random number generator SplitMix64.
 pub struct Random(u64);
 
 impl Random {
@@ -24,17 +24,17 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Less than `end`.
+    /// A random number less than `end`.
     pub fn below(&mut self, end: usize) -> usize {
         usize::try_from(self.next() % u64::try_from(end).unwrap()).unwrap()
     }
 
-    /// An integer from 0 to before `end`.
+    /// A random integer from 0 to before `end`, as a double.
     pub fn whole(&mut self, end: usize) -> f64 {
         f64::from(u32::try_from(self.below(end)).unwrap())
     }
 
-    /// So many different numbers below `end`.
+    /// `count` different random numbers below `end`, ascending.
     fn distinct(&mut self, count: usize, end: usize) -> Vec<usize> {
         let mut all: Vec<usize> = (0..end).collect();
         for at in 0..count {
@@ -46,7 +46,7 @@ impl Random {
     }
 }
 
-/// How far apart coordinates are.
+/// The spacing of random coordinates.
 #[derive(Clone, Copy, Debug)]
 pub enum Grid {
     /// Small integers.
@@ -67,7 +67,7 @@ impl Grid {
         }
     }
 
-    /// So many coordinates.
+    /// `count` random coordinates.
     pub fn coordinates(self, random: &mut Random, count: usize, end: usize) -> Vec<f64> {
         (0..count).map(|_| self.coordinate(random, end)).collect()
     }
@@ -98,7 +98,7 @@ pub fn complexes(random: &mut Random, dimension: Dimension, grid: Grid) -> (Scen
     (scene, both)
 }
 
-/// All simplices of a complex by their vertices, in its own order.
+/// All simplices of a complex, as their vertices, in the complex' order.
 pub fn simplices(complex: &Complex) -> Vec<Vec<Vertex>> {
     let vertices = complex.vertices().iter().map(|&v| vec![v]);
     let edges = complex.edges().iter().map(|edge| edge.to_vec());
@@ -109,8 +109,7 @@ pub fn simplices(complex: &Complex) -> Vec<Vec<Vertex>> {
 /// The regions of a map.
 pub type Regions = Vec<Vec<Vec<Vertex>>>;
 
-/// Regions with random rings over the first vertices of a scene; all vertices
-/// are probes. Some of them are at one place.
+/// Regions with random rings over the first vertices of a scene. All vertices are probes; some coincide.
 pub fn map(random: &mut Random, grid: Grid) -> (Scene, Regions, PolygonMap) {
     let of_map = 3 + random.below(8);
     let probes = 12;
@@ -128,14 +127,14 @@ pub fn map(random: &mut Random, grid: Grid) -> (Scene, Regions, PolygonMap) {
         vertices.into_iter().map(Vertex::input).collect()
     };
     let mut regions: Regions = vec![vec![ring(), ring()], vec![ring()], vec![ring()]];
-    // A border that two regions have in common.
+    // A border that two regions share.
     let common = regions[0][0].iter().rev().copied().collect();
     regions[2].push(common);
     let map = polygon_map(&regions);
     (scene, regions, map)
 }
 
-/// The same regions as a map.
+/// The regions as a [`PolygonMap`].
 pub fn polygon_map(regions: &Regions) -> PolygonMap {
     let mut map = PolygonMap::new();
     for (at, rings) in regions.iter().enumerate() {

@@ -1,4 +1,5 @@
-//! Solids whose corners or points are rational: the fast computations against those of scenes, and against definitions.
+//! Solids with rational corners or points: the fast computations against the computations for scenes, and against
+//! definitions.
 
 use predicament_judge::rational;
 use predicament_judge::solids::{Boundary, Materials, Place};
@@ -7,7 +8,7 @@ use rug::Rational;
 
 use crate::random::{Random, effort};
 
-/// A tetrahedron of small integers with a volume, counterclockwise as seen from outside, and a point per corner.
+/// A tetrahedron with small integer corners and a volume, counterclockwise as seen from outside.
 fn tetrahedron(random: &mut Random, end: usize) -> Option<[[i64; 3]; 4]> {
     let mut point = || [(); 3].map(|()| i64::try_from(random.below(end)).unwrap());
     let [a, b, c, d] = [(); 4].map(|()| point());
@@ -33,7 +34,7 @@ fn dot(p: [i64; 3], q: [i64; 3]) -> i64 {
     (0..3).map(|axis| p[axis] * q[axis]).sum()
 }
 
-/// Above a triangle, seen counterclockwise, by its normal.
+/// The scaled height of `q` above a triangle, positive on the side where it appears counterclockwise.
 fn height(triangle: [[i64; 3]; 3], q: [i64; 3]) -> i64 {
     dot(normal(triangle), less(q, triangle[0]))
 }
@@ -60,10 +61,10 @@ fn windings_of_rational_solids_are_one_inside_and_zero_outside() {
         for denominator in [1_u32, 3, 7] {
             let triangles = of(corners).map(|face| face.map(|p| over(p, denominator)));
             let boundary = Boundary::new(triangles.to_vec());
-            // The same surface seen from inside: as many, counted down.
+            // The same surface seen from inside has the negated winding number.
             let reversed = Boundary::new(triangles.map(|[a, b, c]| [a, c, b]).to_vec());
             for _ in 0..8 {
-                // Quarters, in the box of the solid or next to it; both times 4 and the denominator are integers.
+                // Quarters, in the box of the solid or next to it; 4 times the point and the denominator are integers.
                 let q = [(); 3].map(|()| i64::try_from(random.below(1 + 48 / denominator as usize)).unwrap());
                 let scaled = q.map(|x| x * i64::from(denominator));
                 let heights = of(corners.map(|p| p.map(|x| 4 * x))).map(|face| height(face, scaled));
@@ -113,7 +114,7 @@ fn near_a_surface_is_near_a_plane_and_within_the_box() {
     assert!(counts.iter().all(|&count| count > 200), "{counts:?}");
 }
 
-/// A ray of the integers, against the same ray in rationals in a scene of three times the size.
+/// Integer rays against the same rays in rationals, in a scene of three times the size.
 #[test]
 fn points_in_thirds_are_where_they_are_in_a_mesh_of_three_times_the_size() {
     let mut random = Random::new(34);
@@ -157,7 +158,8 @@ fn points_in_thirds_are_where_they_are_in_a_mesh_of_three_times_the_size() {
 
 #[test]
 fn what_is_beside_a_point_of_triangles_is_where_one_comes_by_a_small_step() {
-    // Less than a vertex is from a plane that it is not in: heights are integers over 6 · 1,200, at most.
+    // Less than the distance of a vertex from a plane that does not contain it: heights are integers over 6 · 1,200 at
+    // most.
     let step = rational(2f64.powi(-40));
     let mut random = Random::new(35);
     let (mut told, mut fronts) = (0_usize, 0_usize);
@@ -197,7 +199,7 @@ fn what_is_beside_a_point_of_triangles_is_where_one_comes_by_a_small_step() {
         }
     }
     assert!(told > 200 && fronts > told / 3 && fronts < 2 * told / 3, "{told} told, {fronts} in front");
-    // No triangle, nothing beside it.
+    // Without triangles there is nothing beside the point.
     let scene = Scene::from_points3(&[[0.0; 3]]).unwrap();
     let none = Materials::new(&scene, &[], &[]);
     assert_eq!(none.in_integers().beside(&[], &over([0; 3], 1), [1, 0, 0]), None);

@@ -1,4 +1,4 @@
-//! The sample rule: everything while it is cheap, evenly spread else, and said in words.
+//! The sample rule: all items while that is cheap, else evenly spaced items, and the text that describes it.
 
 use predicament_judge::{Sample, contacts, locate};
 use predicament_predicates::Dimension;
@@ -19,7 +19,7 @@ fn large_scenes_are_judged_at_even_distances() {
     assert_eq!((sample.len(), sample.of(), sample.step()), (10, 1000, 100));
     assert_eq!(sample.to_string(), "10 of 1000, every 100th");
     assert!(sample.has(300) && !sample.has(301) && !sample.has(1000));
-    // One at least, whatever it costs.
+    // At least one item, whatever the cost.
     assert_eq!(Sample::within(1, 5, 1000).places().collect::<Vec<_>>(), [0]);
     for sample in [contacts::sample(Dimension::Three, [40_000, 40_000]), locate::sample(1_000_000, 1_000_000)] {
         assert!(!sample.is_all() && sample.len() > 50, "{sample}");

@@ -1,4 +1,4 @@
-//! Sessions of the judge: their signs are those of its functions, and ties are asked about zeros alone.
+//! Sessions of the judge: their signs equal those of its functions, and only zeros are passed to the tie rule.
 
 use std::sync::{Arc, Mutex};
 
@@ -39,7 +39,7 @@ fn sessions_answer_as_the_judge_does() {
         let scene = Scene::from_points2(points).unwrap();
         let zeros = Arc::new(Mutex::new(Vec::new()));
         let of_ties = Arc::clone(&zeros);
-        // Not the sign of any perturbation, to be told from all others.
+        // Not the sign of any perturbation, so that it is recognizable.
         let ties = move |scene: &Scene, question: Question, args: &[Vertex]| {
             assert_eq!(scene.len(), 4);
             of_ties.lock().unwrap().push((question, args.to_vec()));

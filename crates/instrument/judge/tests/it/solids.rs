@@ -1,7 +1,7 @@
-//! Points in multi-material meshes: the judge's two computations against each other, and both against what is known.
+//! Points in multi-material meshes: the judge's two computations against each other, and both against known results.
 //!
-//! Both add up crossings in the same way, so that sums are held against a third computation too: where a point is in
-//! each of the tetrahedra that a mesh is the sum of.
+//! Both add up crossings in the same way, so a third computation checks the sums too: the location of a point in each
+//! of the tetrahedra whose sum is the mesh.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use crate::random::{Grid, Random};
 
-/// So many directions are tried for a point, the last of them among 2001³.
+/// The maximum number of ray directions tried for a point; the last ones are drawn from 2001³.
 const TRIES: usize = 8;
 
 /// A sum of closed surfaces, any of which may cross itself and the others.
@@ -21,17 +21,17 @@ struct Chain {
     points: Vec<[f64; 3]>,
     triangles: Vec<[Vertex; 3]>,
     sides: Vec<[u32; 2]>,
-    /// The tetrahedra whose faces the triangles are, four after four, if they are.
+    /// The tetrahedra whose faces are the triangles (four triangles each), if the chain was made from tetrahedra.
     tetrahedra: Vec<[Vertex; 4]>,
 }
 
-/// The faces of a tetrahedron, seen counterclockwise from outside where `orient3d` of its corners is positive.
+/// The faces of a tetrahedron, counterclockwise as seen from outside if `orient3d` of its corners is positive.
 fn faces([a, b, c, d]: [Vertex; 4]) -> [[Vertex; 3]; 4] {
     [[a, b, c], [b, a, d], [c, b, d], [a, c, d]]
 }
 
 impl Chain {
-    /// Random tetrahedra over common points, turned out or in, between any two regions.
+    /// Random tetrahedra over common points, of either orientation, between any two regions.
     fn of_tetrahedra(random: &mut Random, grid: Grid) -> Chain {
         let count = 4 + random.below(5);
         let end = 2 + random.below(6);
@@ -48,7 +48,7 @@ impl Chain {
         chain
     }
 
-    /// Tori of a few triangles each, with their vertices anywhere.
+    /// Tori of a few triangles each, with vertices at random positions.
     fn of_tori(random: &mut Random, grid: Grid) -> Chain {
         let mut chain = Chain::default();
         for _ in 0..1 + random.below(2) {
@@ -67,7 +67,8 @@ impl Chain {
         chain
     }
 
-    /// Cubes around the origin with these halves of edges, from the outermost on; inside of each is the next region.
+    /// Cubes around the origin with these half edge lengths, from the outermost inwards; inside each cube is the next
+    /// region.
     fn nested(halves: &[f64]) -> Chain {
         let mut chain = Chain::default();
         for (region, half) in (0..).zip(halves) {
@@ -88,7 +89,8 @@ impl Chain {
         self.points.extend_from_slice(coordinates.as_chunks().0);
     }
 
-    /// A few points of each kind: of the mesh, of lines along the axes through it, next to both, and anywhere.
+    /// A few points of each kind: vertices of the mesh, points on axis-parallel lines through it, points near both, and
+    /// arbitrary points.
     fn probes(&self, random: &mut Random) -> Vec<[f64; 3]> {
         let mut probes: Vec<[f64; 3]> = Vec::new();
         for _ in 0..4 {
@@ -104,13 +106,13 @@ impl Chain {
                 probes.extend([point, beside, along]);
             }
         }
-        // Between corners of triangles with an edge or a corner in common, or none.
+        // Between corners of two triangles, which may share an edge, a corner or nothing.
         for _ in 0..12 {
             let at = random.below(self.triangles.len());
             let of = [at, (at + 1) % self.triangles.len()].map(|at| self.triangles[at].map(|v| self.points[v.index()]));
             probes.push([0, 1, 2].map(|axis: usize| of.iter().flatten().map(|p| p[axis] / 6.0).sum()));
         }
-        // Of the lattice that the vertices span.
+        // Points of the lattice that the vertices span.
         probes.extend((0..8).map(|_| [(); 3].map(|()| self.coordinate(random))));
         probes
     }
@@ -120,12 +122,12 @@ impl Chain {
     }
 }
 
-/// The regions in front and behind: most often outside in front, now and then the same on both sides.
+/// The regions in front and behind: usually outside is in front; sometimes both are the same region.
 fn regions(random: &mut Random) -> [u32; 2] {
     [[0, 0, 0, 1, 2, 3], [1, 2, 3, 1, 2, 0]].map(|of| of[random.below(of.len())])
 }
 
-/// How often points were found in places, and how often a further direction was needed.
+/// Counts of the locations found, and of ray directions that failed.
 #[derive(Default, Debug)]
 struct Counts {
     on: usize,
@@ -134,7 +136,7 @@ struct Counts {
     again: usize,
 }
 
-/// Asserts that all computations agree about all probes.
+/// Asserts that all computations agree about all probes; returns their locations.
 fn agree(random: &mut Random, chain: &Chain, probes: &[[f64; 3]], counts: &mut Counts) -> Vec<Place> {
     let scene = Scene::from_points3(&[&chain.points[..], probes].concat()).unwrap();
     let materials = Materials::new(&scene, &chain.triangles, &chain.sides);
@@ -164,8 +166,9 @@ fn agree(random: &mut Random, chain: &Chain, probes: &[[f64; 3]], counts: &mut C
     places
 }
 
-/// Where a point is by definition: around it a tetrahedron that holds it winds once, and no other does. None if there are no
-/// tetrahedra, or some have no volume.
+/// The location of a point by definition: a tetrahedron that contains the point winds around it once, no other does.
+///
+/// Returns `None` if there are no tetrahedra, or some have no volume.
 fn by_tetrahedra(scene: &Scene, chain: &Chain, q: Vertex) -> Option<Place> {
     let orient3d = |[a, b, c]: [Vertex; 3], d: Vertex| sign(scene, Question::Orient3d, &[a, b, c, d]);
     let (mut on, mut windings) = (Vec::new(), BTreeMap::from([(0_u32, 1_i64)]));
@@ -246,7 +249,7 @@ fn cubes_in_each_other_are_told_apart_by_the_largest_coordinate() {
 
 #[test]
 fn a_triangle_without_area_is_met_by_its_points_only() {
-    // A tetrahedron with a corner in the middle of an edge, and a triangle that closes the gap of no width.
+    // A tetrahedron with a corner in the middle of an edge, and a triangle that closes the gap of zero width.
     let points = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0], [2.0, 0.0, 0.0]];
     let triangles = [[0, 2, 1], [0, 4, 3], [4, 1, 3], [1, 2, 3], [2, 0, 3], [0, 1, 4]];
     let chain = Chain {

@@ -1,4 +1,4 @@
-//! Whether a determinant is within a limit: by integers over one power of two, against rationals.
+//! Comparison of determinants with a limit: integers over one power of two, against rationals.
 
 use predicament_judge::{is_within, rational, verdict};
 use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Vertex};

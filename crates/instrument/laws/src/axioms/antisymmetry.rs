@@ -6,24 +6,23 @@ use predicament_predicates::{PredicateKind, Predicates, Question, Sign, Vertex, 
 
 use super::{Answer, Law, Violation, says_nothing};
 
-/// The most arguments of a predicate.
+/// The maximum number of arguments of a predicate.
 const MOST: usize = 5;
 
-/// An order of arguments: which argument stands at each place, and the parity.
+/// An order of arguments: the index of the argument at each position, and the parity.
 struct Order {
     places: [usize; MOST],
     parity: Sign,
 }
 
-/// Asks one query in every order of its arguments.
+/// Checks the signs of one query in every order of its arguments.
 ///
-/// All five predicates are signs of determinants with one row (or, for the
-/// comparison, one term) per vertex, so an odd permutation flips the sign. The
-/// violations come in pairs: the first order whose answer says something, and
-/// one that contradicts it.
+/// All five predicates are signs of determinants with one row (or, for the comparison, one term) per vertex, so an odd
+/// permutation flips the sign. A violation has two answers: the first order whose answer is a sign, and an order that
+/// contradicts it.
 ///
 /// # Panics
-/// If `args` has not exactly as many vertices as the predicate takes.
+/// If the number of vertices in `args` is not the predicate's.
 pub fn antisymmetry<P: Predicates + ?Sized>(
     session: &P,
     question: Question,
@@ -35,10 +34,10 @@ pub fn antisymmetry<P: Predicates + ?Sized>(
     violations(question, args, &signs, zero)
 }
 
-/// Asks several queries in every order of their arguments, all in one batch: [`antisymmetry`] of each.
+/// Checks [`antisymmetry`] of several queries, all in one batch.
 ///
 /// # Panics
-/// If a query has not exactly as many vertices as the predicate takes.
+/// If the number of vertices in a query is not the predicate's.
 pub fn antisymmetry_of_all<P: Predicates + ?Sized>(
     session: &P,
     question: Question,
@@ -74,7 +73,7 @@ fn violations(question: Question, args: &[Vertex], signs: &[Sign], zero: ZeroMea
 }
 
 impl Order {
-    /// The arguments in this order; what follows them counts for nothing.
+    /// The arguments in this order; entries after the last argument are unused.
     fn of(&self, args: &[Vertex]) -> [Vertex; MOST] {
         self.places.map(|at| args[at])
     }

@@ -1,28 +1,24 @@
 //! Laws that the answers of one session must satisfy among themselves.
 //!
-//! The signs of one real (or one consistently perturbed) point set obey laws
-//! that need no judge: swapping two arguments flips the sign, order is
-//! transitive, and the orientations satisfy the three-term Grassmann-Plücker
-//! relations, the axioms of a chirotope. A session that breaks one of them
-//! answers about no point set at all.
+//! The signs of one real (or one consistently perturbed) point set obey laws that need no judge: swapping two arguments
+//! flips the sign, order is transitive, and the orientations satisfy the three-term Grassmann-Plücker relations, the
+//! axioms of a chirotope. If a session breaks a law, no point set has its answers.
 //!
 //! * [`antisymmetry`], [`transitivity`], [`never_zero`]: within one predicate.
-//! * [`Relation`]: Grassmann-Plücker relations, within one predicate or, through
-//!   points at infinity, between a predicate and those of fewer dimensions.
-//! * [`independence_of_place`], [`independence_of_later_vertices`]: an answer
-//!   belongs to its vertices, not to what else is asked or is in the scene.
-//! * [`equals_reference`]: the one law here that needs the truth.
+//! * [`Relation`]: Grassmann-Plücker relations, within one predicate or, through points at infinity, between a
+//!   predicate and those of fewer dimensions.
+//! * [`independence_of_place`], [`independence_of_later_vertices`]: an answer depends on its vertices only, not on
+//!   other queries or later vertices.
+//! * [`equals_reference`]: the only law here that needs the exact answer.
 //!
-//! Functions that end in `_of_all`, and [`Relation::check_all`], look at many tuples and ask in batches: a session may
-//! be a program at the other end of a pipe, where each question is a message.
+//! Functions that end in `_of_all`, and [`Relation::check_all`], check many tuples in batches: a session may be a
+//! program at the other end of a pipe, where each query is a message.
 //!
-//! # What a zero counts for
-//! * [`ZeroMeaning::Exact`] and [`ZeroMeaning::Never`]: a zero is a sign like
-//!   the others, that of a determinant which vanishes. (A session that breaks
-//!   ties still answers zero for repeated vertices, and rightly.)
-//! * [`ZeroMeaning::Band`]: a zero says "too close to tell", and the band may
-//!   be decided differently from one order of arguments to the next. So zeros
-//!   break no law, and a law is checked only between answers that are signs.
+//! # The meaning of a zero
+//! * [`ZeroMeaning::Exact`] and [`ZeroMeaning::Never`]: a zero is a sign like the others, that of a determinant which
+//!   vanishes. (A session that breaks ties still answers zero for repeated vertices, which is correct.)
+//! * [`ZeroMeaning::Band`]: a zero means "too close to decide", and the answer within the band may differ from one
+//!   order of arguments to the next. So zeros break no law, and laws are checked between non-zero answers only.
 
 mod antisymmetry;
 mod never_zero;
@@ -40,10 +36,10 @@ pub use transitivity::{transitivity, transitivity_of_all};
 
 use predicament_predicates::{Contract, PredicateKind, Question, Sign, Vertex, ZeroMeaning};
 
-/// Which law is broken.
+/// A law that answers can break.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Law {
-    /// A session that breaks ties answers zero for no distinct vertices.
+    /// A session that breaks ties never answers zero for distinct vertices.
     NeverZero,
     /// A permutation of the arguments multiplies the sign by its parity.
     Antisymmetry,
@@ -51,18 +47,18 @@ pub enum Law {
     Transitivity,
     /// The three-term Grassmann-Plücker relation of one predicate.
     GrassmannPlucker,
-    /// The same with points at infinity, which ties a predicate to those of fewer dimensions.
+    /// The three-term relation with points at infinity, which links a predicate to those of fewer dimensions.
     MixedGrassmannPlucker,
-    /// An answer does not depend on what is asked beside it.
+    /// An answer does not depend on other queries in the same batch.
     Place,
-    /// An answer does not depend on vertices that come after its own.
+    /// An answer does not depend on vertices numbered after its own.
     LaterVertices,
-    /// The exact sign, where that is not zero.
+    /// An answer equals the exact sign, where the exact sign is not zero.
     Reference,
 }
 
 impl Law {
-    /// All of them, in the order of reports.
+    /// All laws, in the order of reports.
     pub const ALL: [Law; 8] = [
         Law::NeverZero,
         Law::Antisymmetry,
@@ -74,7 +70,7 @@ impl Law {
         Law::Reference,
     ];
 
-    /// The name used in CSV files and reports.
+    /// The law's name in CSV files and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -90,12 +86,12 @@ impl Law {
     }
 }
 
-/// What a session means by zero, predicate by predicate.
+/// The meaning of zero in a session, for each predicate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Zeros([ZeroMeaning; PredicateKind::ALL.len()]);
 
 impl Zeros {
-    /// As the contracts of a backend say.
+    /// The meanings of zero that the contracts of a backend declare.
     #[must_use]
     pub fn promised(contract: impl Fn(PredicateKind) -> Contract) -> Zeros {
         Zeros(PredicateKind::ALL.map(|kind| contract(kind).zero))
@@ -108,35 +104,35 @@ impl Zeros {
     }
 }
 
-/// The same for all predicates.
+/// Gives all predicates the same meaning of zero.
 impl From<ZeroMeaning> for Zeros {
     fn from(zero: ZeroMeaning) -> Zeros {
         Zeros([zero; PredicateKind::ALL.len()])
     }
 }
 
-/// One query with the answer it got.
+/// A query with its answer.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Answer {
-    /// What was asked.
+    /// The question of the query.
     pub question: Question,
-    /// The arguments, in the order in which they were given.
+    /// The arguments, in the order of the query.
     pub args: Vec<Vertex>,
-    /// What the session said.
+    /// The sign that the session returned.
     pub sign: Sign,
 }
 
 /// Answers that contradict each other.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Violation {
-    /// The law they break.
+    /// The law that the answers break.
     pub law: Law,
-    /// The queries that can't all be right.
+    /// The queries that cannot all be right, with their answers.
     pub answers: Vec<Answer>,
 }
 
 impl std::fmt::Display for Violation {
-    /// One line: the law, and each query with its answer.
+    /// Writes one line: the law, and each query with its answer.
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} broken", self.law.name())?;
         for (at, Answer { question, args, sign }) in self.answers.iter().enumerate() {
@@ -146,12 +142,12 @@ impl std::fmt::Display for Violation {
     }
 }
 
-/// Whether a zero says nothing, so that no law can be read off it.
+/// True if a zero means "undecided", so that no law applies to it.
 fn says_nothing(sign: Sign, zero: ZeroMeaning) -> bool {
     zero == ZeroMeaning::Band && sign.is_zero()
 }
 
-/// Whether no vertex comes twice.
+/// True if the vertices are distinct.
 fn are_distinct(args: &[Vertex]) -> bool {
     args.iter().enumerate().all(|(at, v)| !args[..at].contains(v))
 }

@@ -1,14 +1,13 @@
-//! The law of broken ties: a session that promises so never answers zero for distinct vertices.
+//! The law of broken ties: a session that declares it never answers zero for distinct vertices.
 
 use predicament_predicates::{Predicates, Question, Vertex, ZeroMeaning};
 
 use super::{Answer, Law, Violation, are_distinct};
 
-/// A zero for distinct vertices, from a session that promises none.
+/// Finds a zero for distinct vertices, from a session that declares it never answers so.
 ///
-/// `is_identity` is asked about zeros only: whether the determinant is zero
-/// however the input moves, as that of a vertex and the plane that it was
-/// constructed on is. Such a zero is no tie.
+/// `is_identity` is called for zeros only. It returns true if the determinant is zero however the input moves, for
+/// example for a vertex and the plane that it was constructed on. Such a zero is not a tie.
 pub fn never_zero<P: Predicates + ?Sized>(
     session: &P,
     question: Question,

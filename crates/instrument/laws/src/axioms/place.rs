@@ -1,18 +1,17 @@
 //! The law of place: an answer depends on its vertices, not on its place in a batch or on other vertices.
 //!
-//! Batches go through other code than single calls do, four queries at a time
-//! with a rest at the end; and a perturbation that depends on how many vertices
-//! there are is not one perturbation. Neither may show.
+//! Batches use other code than single calls: four queries at a time with a remainder at the end. A perturbation that
+//! depends on the number of vertices is not one perturbation. Neither may change an answer.
 
 use predicament_predicates::{Predicates, QuerySet, Question, Sign, Vertex};
 
 use super::{Answer, Law, Violation};
 
-/// Asks each query alone, and all in batches in which it stands elsewhere,
-/// beside others: in order, without the first, and backwards. Turns are also
-/// asked of one line with the last vertices of all queries, sides of one plane.
+/// Checks that each query has the same answer alone and in batches, at other places and beside other queries: in order,
+/// without the first query, and backwards. Turns are also tested beside one line, with the last vertices of all
+/// queries; sides beside one plane.
 ///
-/// The violation has the query twice, alone first.
+/// The violation has the query twice, with the answer of the single call first.
 pub fn independence_of_place<P: Predicates + ?Sized>(session: &P, queries: &QuerySet) -> Option<Violation> {
     let question = queries.question();
     let alone: Vec<Sign> = (0..queries.len()).map(|query| question.ask(session, queries.args(query))).collect();
@@ -35,7 +34,7 @@ pub fn independence_of_place<P: Predicates + ?Sized>(session: &P, queries: &Quer
     if queries.is_empty() { None } else { beside_one_base(session, question, queries) }
 }
 
-/// The first query's line or plane with many points.
+/// Checks the first query's line or plane with many points.
 fn beside_one_base<P: Predicates + ?Sized>(session: &P, question: Question, queries: &QuerySet) -> Option<Violation> {
     let last: Vec<Vertex> = (0..queries.len()).filter_map(|query| queries.args(query).last().copied()).collect();
     let mut out = vec![Sign::Zero; last.len()];
@@ -57,12 +56,11 @@ fn beside_one_base<P: Predicates + ?Sized>(session: &P, question: Question, quer
     })
 }
 
-/// Asks a session of a scene's first vertices what that of the whole scene is
-/// asked. What comes after must not change an answer: a scene grows at its end.
+/// Checks that a session of a scene's first vertices answers as the session of the whole scene. Later vertices must not
+/// change an answer: a scene grows at its end.
 ///
-/// (A tolerance is made for the extent of the scene, so a session whose zero is
-/// a band does not promise this.) The violation has the query twice, with the
-/// answer of the session of fewer vertices first.
+/// (Tolerances depend on the extent of the scene, so a session whose zero is a band does not promise this.) The
+/// violation has the query twice, with the answer of the session of fewer vertices first.
 pub fn independence_of_later_vertices<P: Predicates + ?Sized, Q: Predicates + ?Sized>(
     fewer: &P,
     all: &Q,
@@ -73,7 +71,7 @@ pub fn independence_of_later_vertices<P: Predicates + ?Sized, Q: Predicates + ?S
     (signs[0] != signs[1]).then(|| violation(Law::LaterVertices, question, args, signs))
 }
 
-/// Asks both sessions several queries, each session in one batch: [`independence_of_later_vertices`] of each.
+/// Checks [`independence_of_later_vertices`] of several queries, with one batch per session.
 pub fn independence_of_later_vertices_of_all<P: Predicates + ?Sized, Q: Predicates + ?Sized>(
     fewer: &P,
     all: &Q,

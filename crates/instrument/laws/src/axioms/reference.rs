@@ -1,15 +1,14 @@
-//! The law of the reference: where a reference is not zero, the answer is the same.
+//! The law of the reference: if a reference answers a non-zero sign, the session answers the same.
 //!
-//! All other laws hold answers against each other. This one needs somebody who
-//! knows the truth, and says what a perturbation must not do: change a sign
-//! that is one.
+//! All other laws compare answers with each other. This law needs the exact answers. It states that a perturbation must
+//! not change a sign that is not zero.
 
 use predicament_predicates::{Predicates, Question, Vertex, ZeroMeaning};
 
 use super::{Answer, Law, Violation, says_nothing};
 
-/// Where the reference is not zero, the session has to answer the same. The
-/// second answer of the violation is the reference's.
+/// Checks that the session's answer equals the reference's if that is not zero. The second answer of the violation is
+/// the reference's.
 pub fn equals_reference<P: Predicates + ?Sized, R: Predicates + ?Sized>(
     session: &P,
     reference: &R,

@@ -1,18 +1,16 @@
 //! The three-term Grassmann-Plücker relations, also through points at infinity.
 //!
-//! A predicate of r vertices is the determinant, the *bracket*, of r vectors:
-//! the rows (coordinates, lift, 1) of the vertices, with the columns that the
-//! predicate looks at. With x standing for r − 2 vectors that all six share,
+//! A predicate of r vertices is the determinant, the *bracket*, of r vectors: the rows (coordinates, lift, 1) of the
+//! vertices, with the columns that the predicate uses. Let x stand for r − 2 vectors that all six brackets share. Then
 //!
 //! \[x a b\]\[x c d\] − \[x a c\]\[x b d\] + \[x a d\]\[x b c\] = 0.
 //!
-//! Three numbers that add up to zero are all zero, or two of them have opposite
-//! signs. That much can be said of signs alone.
+//! Three numbers that add up to zero are all zero, or two of them have opposite signs. This condition needs the signs
+//! only.
 //!
 //! # Points at infinity
-//! A vector need not be a vertex. The unit vector of a column, the point at
-//! infinity in that direction, strikes its row and its column from a bracket,
-//! and what is left is the bracket of a predicate of fewer dimensions:
+//! A vector need not be a vertex. The unit vector of a column, the point at infinity in that direction, removes its row
+//! and its column from a bracket. The remaining bracket belongs to a predicate of fewer dimensions:
 //!
 //! | predicate | struck | left | sign |
 //! |---|---|---|---|
@@ -21,15 +19,13 @@
 //! | incircle (x, y, lift, 1) | ∞lift in front | orient2d in xy | + |
 //! | insphere (x, y, z, lift, 1) | ∞lift in front | orient3d | − |
 //!
-//! So a relation with one, two or three such vectors ties predicates to each
-//! other. A perturbation of the coordinates moves no point at infinity, nor
-//! does one that moves the lift as one more coordinate, so the relations hold
-//! for every consistently perturbed scene. They don't where two predicates
-//! come from two perturbations: that is what they are for.
+//! So a relation with one, two or three such vectors links predicates to each other. A perturbation of the coordinates
+//! moves no point at infinity, and neither does a perturbation of the lift as one more coordinate. So the relations
+//! hold for every consistently perturbed scene. They fail if two predicates use two different perturbations, which is
+//! what they are meant to detect.
 //!
-//! A struck coordinate of a lifted predicate leaves no predicate (the lift is a
-//! sum over all coordinates), so only ∞lift occurs there. Points at infinity
-//! among the shared vectors give relations of the predicate that is left.
+//! Removing a coordinate of a lifted predicate leaves no predicate (the lift is a sum over all coordinates), so only
+//! ∞lift occurs there. Points at infinity among the shared vectors give relations of the remaining predicate.
 
 use predicament_predicates::{Axis, Plane, Predicates, Question, Sign, Vertex};
 
@@ -55,10 +51,10 @@ impl std::fmt::Display for Direction {
     }
 }
 
-/// The most vectors in a bracket.
+/// The maximum number of vectors in a bracket.
 const ROWS: usize = 5;
 
-/// One relation, for any vertices.
+/// A Grassmann-Plücker relation, applicable to any vertices.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Relation {
     question: Question,
@@ -68,13 +64,13 @@ pub struct Relation {
     brackets: [Bracket; 6],
 }
 
-/// A bracket without its points at infinity.
+/// A bracket with its points at infinity removed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Bracket {
     sign: Sign,
-    /// None where everything is struck but the 1.
+    /// The question, or `None` if only the 1 remains.
     question: Option<Question>,
-    /// Which of the relation's vertices are asked about; as many as the question takes.
+    /// The indices of the question's vertices among the relation's; as many are used as the question takes.
     places: [u8; ROWS],
 }
 
@@ -85,9 +81,9 @@ enum Vector {
     AtInfinity(Direction),
 }
 
-/// Every relation that this predicate's brackets have part in, the one without points at infinity first.
+/// All relations that contain brackets of this predicate, starting with the relation without points at infinity.
 ///
-/// None for a comparison: what its relations say is that the order is transitive.
+/// Empty for a comparison: its relations say that the order is transitive.
 #[must_use]
 pub fn relations(question: Question) -> Vec<Relation> {
     let directions = directions(question);
@@ -101,9 +97,8 @@ pub fn relations(question: Question) -> Vec<Relation> {
 }
 
 impl Relation {
-    /// The relation of brackets of this predicate in which a, b, … are points
-    /// at infinity in these directions, each at most once, and all other
-    /// vectors vertices. None if some bracket of it would not be a predicate.
+    /// The relation of brackets of this predicate in which a, b, … are points at infinity in these directions, each at
+    /// most once, and all other vectors are vertices. `None` if one of its brackets is not a predicate.
     #[must_use]
     pub fn new(question: Question, at_infinity: &[Direction]) -> Option<Relation> {
         let shared = question.kind().arity() - 2;
@@ -126,13 +121,13 @@ impl Relation {
         Some(Relation { question, at_infinity: at_infinity.to_vec(), vertices, brackets })
     }
 
-    /// Which law it is a case of.
+    /// The law that the relation is a case of.
     #[must_use]
     pub fn law(&self) -> Law {
         if self.at_infinity.is_empty() { Law::GrassmannPlucker } else { Law::MixedGrassmannPlucker }
     }
 
-    /// The predicate that its brackets are of, before anything is struck.
+    /// The predicate of the brackets, before rows and columns are struck.
     #[must_use]
     pub fn question(&self) -> Question {
         self.question
@@ -144,15 +139,15 @@ impl Relation {
         &self.at_infinity
     }
 
-    /// How many vertices it is about.
+    /// The number of vertices of the relation.
     #[must_use]
     pub fn vertices(&self) -> usize {
         self.vertices
     }
 
-    /// Every choice of so many vertices among the first n of a scene, and of
-    /// those among them that all brackets share. Other orders of the shared
-    /// ones or of the others give the same relation, if the session is antisymmetric.
+    /// All choices of the relation's vertices among the first n of a scene, and of the vertices among them that all
+    /// brackets share. Other orders of the shared vertices or of the others give the same relation if the session is
+    /// antisymmetric.
     pub fn tuples(&self, n: usize) -> impl Iterator<Item = Vec<Vertex>> + use<> {
         let (vertices, shared) = (self.vertices, self.question.kind().arity() - 2);
         choices(n, vertices).flat_map(move |chosen| {
@@ -163,7 +158,7 @@ impl Relation {
         })
     }
 
-    /// The predicates that it asks.
+    /// The predicates that the relation queries.
     pub fn questions(&self) -> impl Iterator<Item = Question> {
         let asked: Vec<Question> = self.brackets.iter().filter_map(|bracket| bracket.question).collect();
         (0..asked.len())
@@ -173,7 +168,7 @@ impl Relation {
             .into_iter()
     }
 
-    /// Asks all six brackets.
+    /// Checks the relation for these vertices, by querying all six brackets.
     ///
     /// # Panics
     /// If there are fewer than [`Relation::vertices`] vertices.
@@ -185,7 +180,7 @@ impl Relation {
         self.violation(vertices, self.brackets.each_ref().map(ask), zeros)
     }
 
-    /// Asks the brackets of several tuples of vertices, those of one predicate in one batch: [`Relation::check`] of each.
+    /// Checks [`Relation::check`] for several tuples of vertices, with one batch per predicate.
     ///
     /// # Panics
     /// If a tuple has fewer than [`Relation::vertices`] vertices.
@@ -212,7 +207,7 @@ impl Relation {
         tuples.iter().zip(answers).map(|(tuple, answers)| self.violation(tuple, answers, zeros)).collect()
     }
 
-    /// What is wrong with the answers to the brackets that ask something.
+    /// The violation among the answers to the brackets that have a question.
     fn violation(&self, vertices: &[Vertex], answers: [Option<Sign>; 6], zeros: Zeros) -> Option<Violation> {
         let mut signs = [Sign::Zero; 6];
         for ((sign, bracket), answer) in signs.iter_mut().zip(&self.brackets).zip(answers) {
@@ -241,7 +236,7 @@ fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
     let mut next = (size <= n).then(|| (0..size).collect::<Vec<usize>>());
     std::iter::from_fn(move || {
         let choice = next.take()?;
-        // The last one that can still grow does, and those after it follow on its heels.
+        // The last number that can still grow grows by one, and the later numbers follow consecutively.
         if let Some(at) = (0..size).rev().find(|&at| choice[at] < n - size + at) {
             let mut following = choice.clone();
             (at..size).for_each(|place| following[place] = choice[at] + 1 + place - at);
@@ -252,13 +247,12 @@ fn choices(n: usize, size: usize) -> impl Iterator<Item = Vec<usize>> {
 }
 
 impl Bracket {
-    /// What is asked about these of the relation's vertices, as many as the question takes; none where everything is
-    /// struck but the 1.
+    /// The question and its vertices among the relation's, as many as the question takes; `None` if only the 1 remains.
     fn query(&self, vertices: &[Vertex]) -> Option<(Question, [Vertex; ROWS])> {
         Some((self.question?, self.places.map(|place| vertices[usize::from(place)])))
     }
 
-    /// Strikes rows and columns until only vertices are left. None if what is left is no predicate.
+    /// Strikes rows and columns until only vertices are left. Returns `None` if the remainder is not a predicate.
     fn new(question: Question, mut vectors: Vec<Vector>) -> Option<Bracket> {
         // The column of ones comes last and has no direction.
         let mut columns = directions(question);
@@ -297,8 +291,9 @@ fn directions(question: Question) -> Vec<Direction> {
     axes.iter().copied().map(Direction::Axis).chain(lift).collect()
 }
 
-/// The predicate with these columns, what is left of this one's: none for the
-/// 1 alone. The sign is that of bringing the columns into the predicate's order.
+/// The predicate with these columns, which remain of `of`'s, and the sign of sorting them into its order.
+///
+/// The question is `None` if only the 1 remains. Returns `None` if the columns are not a predicate's.
 fn predicate(of: Question, columns: &[Direction]) -> Option<(Option<Question>, Sign)> {
     let left = match *columns {
         _ if columns == directions(of) => of,
@@ -365,7 +360,7 @@ mod tests {
         }
     }
 
-    /// Every bracket of every relation, as a predicate with a fixed sign and as the determinant of its vectors.
+    /// Compares every bracket of every relation, as a predicate with a fixed sign, with the determinant of its vectors.
     #[test]
     fn brackets_have_the_sign_of_their_determinant() {
         for (dimension, questions) in [(Dimension::Two, &FLAT[..]), (Dimension::Three, &SOLID[..])] {
@@ -376,7 +371,7 @@ mod tests {
                 let infinite = directions(question).into_iter().map(Vector::AtInfinity);
                 let some: Vec<Vector> = infinite.chain((0..6).map(Vector::Vertex)).collect();
                 let mut asked = 0;
-                // A step that has no divisor in common with the number of vectors, so that each is in each place.
+                // The step is coprime to the number of vectors, so that each vector occurs at each position.
                 let step = if predicament_effort::whole() || arity < 4 { 1 } else { 17 };
                 for word in (0..some.len().pow(u32::try_from(arity).unwrap())).step_by(step) {
                     let digit = |place: u32| word / some.len().pow(place) % some.len();

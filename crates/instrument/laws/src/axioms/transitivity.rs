@@ -4,8 +4,7 @@ use predicament_predicates::{Axis, Predicates, Question, Sign, Vertex, ZeroMeani
 
 use super::{Answer, Law, Violation, says_nothing};
 
-/// Whether a, b and c can be put on one line: a ≤ b ≤ c implies a ≤ c, and
-/// a < c if one of the two is strict.
+/// Checks that the order of a, b and c is transitive: a ≤ b ≤ c implies a ≤ c, and a < c if one of the two is strict.
 pub fn transitivity<P: Predicates + ?Sized>(
     session: &P,
     axis: Axis,
@@ -16,7 +15,7 @@ pub fn transitivity<P: Predicates + ?Sized>(
     violation(question, triple, pairs(triple).map(|pair| question.ask(session, &pair)), zero)
 }
 
-/// Asks about several triples in one batch: [`transitivity`] of each.
+/// Checks [`transitivity`] of several triples in one batch.
 pub fn transitivity_of_all<P: Predicates + ?Sized>(
     session: &P,
     axis: Axis,
@@ -35,7 +34,7 @@ fn pairs([a, b, c]: [Vertex; 3]) -> [[Vertex; 2]; 3] {
     [[a, b], [b, c], [a, c]]
 }
 
-/// What is wrong with the signs of the three pairs.
+/// The violation among the signs of the three pairs.
 fn violation(question: Question, triple: [Vertex; 3], signs: [Sign; 3], zero: ZeroMeaning) -> Option<Violation> {
     if signs.into_iter().any(|sign| says_nothing(sign, zero)) {
         return None;

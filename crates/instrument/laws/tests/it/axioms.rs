@@ -1,4 +1,4 @@
-//! The laws hold for what keeps them, and each catches a planted fault.
+//! The laws accept sessions that satisfy them, and each law detects a planted fault.
 
 mod batches;
 mod single;
@@ -15,7 +15,7 @@ use predicament_predicates::{
 };
 use predicament_sos::{Scheme, Sos};
 
-/// All points of a small grid: every kind of tie comes up.
+/// All points of a small grid, which has every kind of tie.
 fn grid2(n: i32) -> Scene {
     let points: Vec<[f64; 2]> = (0..n * n).map(|at| [f64::from(at % n), f64::from(at / n)]).collect();
     Scene::from_points2(&points).unwrap()
@@ -50,7 +50,7 @@ fn all_tuples<P: Predicates>(session: &P, relation: &Relation, zero: ZeroMeaning
     tuples.filter_map(|tuple| relation.check(session, &tuple, zero.into())).collect()
 }
 
-/// Everything that the laws say about the planar predicates.
+/// All violations of the laws for the planar predicates.
 fn planar<P: Predicates>(session: &P, zero: ZeroMeaning) -> Vec<Violation> {
     let n = session.scene().len();
     let mut found = Vec::new();
@@ -151,13 +151,13 @@ fn every_law_catches_a_planted_fault() {
     assert_eq!(planted(Fault::None), []);
     let one_sided = [Law::Antisymmetry, Law::Transitivity, Law::MixedGrassmannPlucker];
     assert_eq!(planted(Fault::OneSidedPair([2, 7])), one_sided);
-    // in every order the same, so that only the other laws can tell
+    // the fault is the same in every order, so that only the other laws detect it
     assert_eq!(planted(Fault::MirroredPair([0, 8])), [Law::Transitivity, Law::MixedGrassmannPlucker]);
-    // neighbours in x by the perturbation alone: the order stays an order, and no other predicate fits it
+    // the perturbation alone makes them neighbours in x: the order stays an order, and no other predicate fits it
     assert_eq!(planted(Fault::MirroredPair([0, 3])), [Law::MixedGrassmannPlucker]);
     assert_eq!(planted(Fault::FlippedTriple([0, 2, 7])), [Law::GrassmannPlucker, Law::MixedGrassmannPlucker]);
-    // one tie of three neighbours on a line, broken the other way, is what another
-    // perturbation says: laws can't object, only the judge of this one can
+    // one tie of three collinear neighbours, broken the other way, is consistent with another perturbation: laws can't
+    // object, only the judge of this perturbation can
     assert_eq!(planted(Fault::FlippedTriple([0, 4, 8])), []);
 
     let exact = |fault: Fault| {
@@ -177,10 +177,10 @@ fn every_law_catches_a_planted_fault() {
     assert_eq!(planted(Fault::FlippedQuadruple([0, 1, 2, 4])), both);
 }
 
-/// Each predicate for itself keeps every law. Together they are of no one scene.
+/// Each predicate alone satisfies every law, but together they fit no scene.
 #[test]
 fn predicates_of_two_perturbations_break_the_mixed_relations_only() {
-    // Ties of turns and of circles have to do with each other where points on a line coincide: not in a plain grid.
+    // Ties of turns and of circles are related if points on a line coincide, which a plain grid does not have.
     let grid = (0..9).map(|at: u8| [f64::from(at % 3), f64::from(at / 3)]);
     let points: Vec<[f64; 2]> = grid.chain((0..3).map(|at: u8| [f64::from(at), f64::from(at)])).collect();
     let scene = Scene::from_points2(&points).unwrap();
@@ -270,7 +270,7 @@ fn zeros_of_a_band_say_nothing() {
     let session = Faulty { inner: Exact.prepare(&scene, Off).unwrap(), fault: Fault::Epsilon(1.5) };
     assert!(!planar(&session, ZeroMeaning::Exact).is_empty());
     assert_eq!(planar(&session, ZeroMeaning::Band), []);
-    // but signs do
+    // but signs break laws
     let session = Faulty { inner: Exact.prepare(&scene, Off).unwrap(), fault: Fault::FlippedTriple([0, 2, 7]) };
     assert!(!planar(&session, ZeroMeaning::Band).is_empty());
 }

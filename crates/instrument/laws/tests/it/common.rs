@@ -2,37 +2,37 @@
 
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex, forward_to};
 
-/// A session that answers through `inner`, but for what the fault changes.
+/// A session that answers as `inner`, except for what the fault changes.
 pub struct Faulty<P> {
     pub inner: P,
     pub fault: Fault,
 }
 
-/// What is wrong with a [`Faulty`] session.
+/// The fault of a [`Faulty`] session.
 #[derive(Clone, Copy, Debug)]
 pub enum Fault {
-    /// Nothing: the wrapper by itself must not be caught.
+    /// No fault: the wrapper alone must not be reported.
     None,
     /// One pair is compared the wrong way round in x.
     MirroredPair([usize; 2]),
-    /// One ordered pair is compared the wrong way round, its swap is not.
+    /// One ordered pair is compared the wrong way round, but its swap is not.
     OneSidedPair([usize; 2]),
     /// One triple turns the other way, in every order.
     FlippedTriple([usize; 3]),
     /// One quadruple is on the other side, in every order.
     FlippedQuadruple([usize; 4]),
-    /// Ties go by the place in the argument list and not by the vertex.
+    /// Ties are broken by the position in the argument list and not by the vertex.
     TiesByPlace,
     /// All ties are broken towards positive, as a "≥" in place of a ">" does.
     TiesUp,
-    /// Turns that are ties go by the parity of the sum of the indices: each
-    /// tie broken for itself, not as part of one moved scene.
+    /// Ties of turns are broken by the parity of the sum of the indices: each tie on its own, not as part of one
+    /// perturbed scene.
     TiesByParity,
-    /// Everything within this distance of zero is zero, without a promise.
+    /// Every value within this distance of zero becomes zero, although the session does not declare a band.
     Epsilon(f64),
-    /// The last answer of a batch of turns is the opposite of what it is alone.
+    /// The last answer of a batch of turns is negated.
     LastOfBatch,
-    /// The first point beside a line is taken for on the other side.
+    /// The first point beside a line is reported on the other side.
     FirstOfLine,
     /// Ties are broken by the number of vertices that come after the first argument.
     CountedFromTheEnd,
@@ -121,7 +121,7 @@ impl<P: Predicates> Predicates for Faulty<P> {
     }
 }
 
-/// Comparisons and orientations of one session, circles and spheres of another.
+/// A session with the comparisons and orientations of one session, and the circles and spheres of another.
 pub struct Patched<'a, P, Q> {
     pub sides: &'a P,
     pub circles: &'a Q,

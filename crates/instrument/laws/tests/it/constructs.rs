@@ -1,5 +1,5 @@
-//! Constructing while running: each backend does what it declares, faults that
-//! are planted do not, and the number of threads changes no id.
+//! Constructing during a run: each backend does what it declares, planted faults are found, and ids do not depend on
+//! the number of threads.
 
 mod cases;
 mod complaints;
@@ -20,7 +20,7 @@ fn holds<B: Backend>(backend: &B, declared: Constructs) {
     assert!(complaints.is_empty(), "{}: {complaints:#?}", backend.name());
 }
 
-/// The table that the backends' pages show.
+/// Checks the table that the backends' pages show.
 #[test]
 fn every_backend_does_what_it_declares() {
     holds(&Exact, Constructs::Keeps);
@@ -35,7 +35,7 @@ fn every_backend_does_what_it_declares() {
     holds(&Shewchuk, Constructs::Rounds);
 }
 
-/// Each planted fault is found by the check that is there for it.
+/// Each planted fault is found by the check made for it.
 #[test]
 fn planted_faults_are_found() {
     assert!(complaints(&Faulty(Fault::None)).is_empty(), "the wrapper alone is no fault");

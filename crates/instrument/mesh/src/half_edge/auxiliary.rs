@@ -1,19 +1,19 @@
-//! Auxiliary edges: they join two loops to one, as those of a face and of its hole.
+//! Auxiliary edges: they join two loops into one, such as the loops of a face and of its hole.
 
 use super::{HalfEdge, HalfEdgeMesh, OperationError};
 
 impl HalfEdgeMesh {
-    /// Inserts an edge from the end of `first` to the end of `second`, which are of different loops; returns the
-    /// half-edge in that direction. At least one of both loops is a boundary loop. The joined loop belongs to the
-    /// face of the other one, if it has a face. A hole is made so: its boundary loop becomes a part of the face.
+    /// Inserts an edge from the end of `first` to the end of `second`, which are in different loops; returns the
+    /// half-edge in that direction. At least one of both loops is a boundary loop. The joined loop belongs to the face
+    /// of the other loop, if it has a face. This makes holes: the boundary loop of the hole becomes a part of the face.
     ///
-    /// The time is that of walking a boundary loop. The inverse is
+    /// The time is proportional to the length of a boundary loop. The inverse is
     /// [`remove_auxiliary_edge`](HalfEdgeMesh::remove_auxiliary_edge) of the half-edge that comes from the face, or of
-    /// either where there is none.
+    /// either half-edge if there is no face.
     ///
     /// # Errors
-    /// [`OperationError`] where both half-edges are of faces or of one loop, and where the ends are one vertex or
-    /// joined already.
+    /// [`OperationError`] if both half-edges are of faces or of one loop, or if the ends are one vertex or already
+    /// joined.
     pub fn insert_auxiliary_edge(&mut self, first: HalfEdge, second: HalfEdge) -> Result<HalfEdge, OperationError> {
         for h in [first, second] {
             self.known_half_edge(h)?;
@@ -34,7 +34,7 @@ impl HalfEdgeMesh {
             return Err(OperationError::EdgeExists(other));
         }
         self.room(2, 0, 0)?;
-        // Before they are one loop: only the one without a face is walked.
+        // This must precede the linking into one loop: only the loop without a face is walked.
         if face.is_some() {
             let open = if self.is_boundary(first) { first } else { second };
             self.fill_loop(open, face);
@@ -45,12 +45,13 @@ impl HalfEdgeMesh {
         Ok(h)
     }
 
-    /// Removes an edge that has both sides in one loop, which becomes two. The one at the start of `edge` keeps the
-    /// face, if there is one; that at its end becomes a boundary loop, of which a half-edge is returned.
+    /// Removes an edge that has both sides in one loop, which becomes two loops. The loop at the start of `edge` keeps
+    /// the face, if there is one. The loop at the end of `edge` becomes a boundary loop; one of its half-edges is
+    /// returned.
     ///
     /// # Errors
-    /// [`OperationError::NotAuxiliary`]; [`OperationError::LastEdge`] where an end has no other edge;
-    /// [`OperationError::TooFewHalfEdges`] where the face would keep fewer than three half-edges.
+    /// [`OperationError::NotAuxiliary`]; [`OperationError::LastEdge`] if an end has no other edge;
+    /// [`OperationError::TooFewHalfEdges`] if the face would keep fewer than three half-edges.
     pub fn remove_auxiliary_edge(&mut self, edge: HalfEdge) -> Result<HalfEdge, OperationError> {
         self.known_half_edge(edge)?;
         let back = self.opposite(edge);

@@ -1,32 +1,32 @@
-//! Half-edge meshes from indexed faces, in linear time.
+//! Builds half-edge meshes from indexed faces, in linear time.
 //!
-//! Half-edges that may be opposite have the same smaller end. A counting sort brings those together; within one
-//! smaller end, an array by the larger end finds the opposite. Nothing is hashed, and the order of the faces
-//! decides every handle.
+//! Half-edges that may be opposite have the same smaller end. A counting sort groups half-edges by smaller end; within
+//! one group, an array indexed by the larger end finds the opposite. The code uses no hash table, and the order of the
+//! faces determines every handle.
 
 use predicament_predicates::Vertex;
 
 use super::handles::NONE;
 use super::{ConversionError, Face, HalfEdge, HalfEdgeMesh, IndexedFaces, MeshVertex};
 
-/// In the array by larger ends: this edge has both of its half-edges.
+/// The mark in the array by larger ends for an edge that has both of its half-edges.
 const PAIRED: u32 = NONE - 1;
-/// In the array of boundary half-edges by start: several start at this vertex.
+/// The mark in the array of boundary half-edges by start for a vertex where several start.
 const PINCHED: u32 = NONE - 1;
-/// Rings that are walked in turns.
+/// The number of rings that are walked alternately.
 const RINGS: usize = 16;
 
 impl HalfEdgeMesh {
-    /// The mesh of these faces, whose corners are places in `vertices`; face i gets the i-th handle, and vertices
-    /// likewise. Vertices without faces are kept.
+    /// Builds the mesh of these faces, whose corners are indices into `vertices`. Face i gets the i-th handle, and
+    /// vertices likewise. Vertices without faces are kept.
     ///
-    /// A vertex whose faces make several fans is kept where all of them are open: the boundary loops are linked so
-    /// that its ring visits the fans one after the other, and [`gaps`](HalfEdgeMesh::gaps) tells how many there are.
+    /// A vertex whose faces form several fans is accepted if all fans are open. The boundary loops are linked so that
+    /// its ring visits the fans one after the other, and [`gaps`](HalfEdgeMesh::gaps) returns the number of fans.
     ///
     /// # Errors
-    /// [`ConversionError`] for the first face with a wrong corner; else for the first edge, by its smaller and then
-    /// its larger end, with more than two faces or with a flipped one; else for the first vertex with a closed fan
-    /// and another one.
+    /// [`ConversionError`] for the first face with a wrong corner; else for the first edge, by its smaller and then its
+    /// larger end, with more than two faces or with a flipped face; else for the first vertex with a closed fan and a
+    /// further fan.
     pub fn new(vertices: Vec<Vertex>, faces: &IndexedFaces) -> Result<HalfEdgeMesh, ConversionError> {
         let corners = faces.corners();
         let most = (1 << 31) - 2;
@@ -48,7 +48,7 @@ impl HalfEdgeMesh {
         Ok(mesh)
     }
 
-    /// The mesh of these faces over the first `points` input vertices of a scene.
+    /// Builds the mesh of these faces over the first `points` input vertices of a scene.
     ///
     /// # Errors
     /// As [`HalfEdgeMesh::new`].
@@ -61,7 +61,7 @@ impl HalfEdgeMesh {
         HalfEdgeMesh::new((0..points).map(Vertex::input).collect(), &faces)
     }
 
-    /// The half-edges of all faces, without opposites; returns, for each smaller end, where its edges begin.
+    /// Creates the half-edges of all faces, without opposites; returns the start of each smaller end's group.
     fn begin(&mut self, faces: &IndexedFaces) -> Result<Vec<u32>, ConversionError> {
         let (vertices, all) = (self.scene_vertex.len(), faces.corners().len());
         self.end.reserve_exact(all);
@@ -87,7 +87,7 @@ impl HalfEdgeMesh {
                 }
                 let after = if at + 1 == corners.len() { 0 } else { at + 1 };
                 let end = corners[after];
-                // One that is wrong is found in its turn.
+                // An invalid corner is reported later, when its own turn comes.
                 if let Some(count) = buckets.get_mut(corner.min(end) as usize + 1) {
                     *count += 1;
                 }
@@ -105,11 +105,11 @@ impl HalfEdgeMesh {
         Ok(buckets)
     }
 
-    /// Finds opposites; or an edge with more than two half-edges, or with two in one direction.
+    /// Finds all opposites, or fails with an edge that has more than two half-edges, or two in one direction.
     fn pair(&mut self, buckets: &[u32], corners: &[u32]) -> Result<(), [u32; 2]> {
         let vertices = self.scene_vertex.len();
         self.opposite = vec![HalfEdge::NONE; corners.len()];
-        // The larger end, and the half-edge times two, plus one if it goes from the larger to the smaller end.
+        // The larger end, and twice the half-edge, plus one if it goes from the larger to the smaller end.
         let mut sorted = vec![(0, 0); corners.len()];
         let mut places = buckets.to_vec();
         for ((h, &start), &MeshVertex(end)) in (0..).zip(corners).zip(&self.end) {
@@ -144,7 +144,7 @@ impl HalfEdgeMesh {
         Ok(())
     }
 
-    /// What is wrong with an edge.
+    /// The error of an edge that could not be paired.
     fn wrong_edge(&self, [low, high]: [u32; 2], faces: &IndexedFaces) -> ConversionError {
         let mut here = Vec::new();
         for (face, corners) in faces.iter().enumerate() {
@@ -169,7 +169,7 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Adds boundary half-edges where there are no opposites, and links them.
+    /// Adds boundary half-edges where opposites are missing, and links them.
     fn close(&mut self, corners: &[u32]) {
         let inner = corners.len();
         // The boundary half-edge that starts at each vertex.
@@ -198,7 +198,7 @@ impl HalfEdgeMesh {
         pinched.sort_unstable();
         for fans in pinched.chunk_by(|a, b| a.0 == b.0) {
             for (at, &(_, out)) in fans.iter().enumerate() {
-                // Around the fan, to the boundary half-edge at its other side.
+                // Walks around the fan, to the boundary half-edge at its other side.
                 let mut last = self.opposite(out);
                 while !self.is_boundary(last) {
                     last = self.opposite(self.next(last));
@@ -209,7 +209,7 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// Checks that the half-edges at each vertex are one ring.
+    /// Checks that the half-edges at each vertex form a single ring.
     fn single_rings(&self) -> Result<(), ConversionError> {
         if self.ring_lengths() == self.end.len() {
             return Ok(());
@@ -222,8 +222,8 @@ impl HalfEdgeMesh {
         }
     }
 
-    /// The sum of the lengths of all vertices' rings. Several rings are walked in turns: where faces are in no order,
-    /// each step waits for memory, and the others' steps do not wait for it.
+    /// The sum of the lengths of all vertices' rings. Several rings are walked alternately: if faces are in random
+    /// order, each step waits for memory, and meanwhile steps of the other rings can run.
     fn ring_lengths(&self) -> usize {
         let mut firsts = self.vertex_half_edge.iter().copied().filter(|h| h.some().is_some());
         let mut walks: Vec<[HalfEdge; 2]> = firsts.by_ref().take(RINGS).map(|h| [h, h]).collect();

@@ -1,50 +1,50 @@
-//! Why faces make no half-edge mesh.
+//! The reasons why faces make no half-edge mesh.
 
 use predicament_predicates::Vertex;
 
-/// Why a list of faces makes no half-edge mesh. Faces are named by their places in the list, from 0.
+/// The reason why a list of faces makes no half-edge mesh. Faces are identified by their indices in the list, from 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ConversionError {
-    /// More than 2^31 - 2 corners, or as many vertices or faces.
+    /// There are more than 2^31 - 2 corners, or as many vertices or faces.
     TooMany,
-    /// A corner is none of the vertices.
+    /// A corner is not an index of a vertex.
     NoSuchVertex {
         /// The face.
         face: usize,
-        /// The corner, as it was given.
+        /// The corner, as given.
         corner: u32,
-        /// How many vertices there are.
+        /// The number of vertices.
         vertices: usize,
     },
-    /// A face of fewer than three corners.
+    /// A face has fewer than three corners.
     TooFewCorners {
         /// The face.
         face: usize,
-        /// How many it has.
+        /// The number of corners.
         corners: usize,
     },
-    /// A face names a vertex twice.
+    /// A face has a vertex twice.
     RepeatedVertex {
         /// The face.
         face: usize,
         /// The vertex.
         vertex: Vertex,
     },
-    /// More than two faces at an edge.
+    /// An edge has more than two faces.
     ThreeFaces {
         /// The ends of the edge.
         edge: [Vertex; 2],
         /// The first three faces.
         faces: [usize; 3],
     },
-    /// Two faces pass along an edge in the same direction: one of them is flipped.
+    /// Two faces have an edge in the same direction: one of them is flipped.
     FlippedFace {
         /// The edge, in that direction.
         edge: [Vertex; 2],
         /// The faces.
         faces: [usize; 2],
     },
-    /// Faces close around a vertex, and there are more faces at it.
+    /// Faces close around a vertex that has further faces.
     SeveralFans {
         /// The vertex.
         vertex: Vertex,
@@ -52,7 +52,7 @@ pub enum ConversionError {
 }
 
 impl ConversionError {
-    /// What is wrong, and the cure, with faces and vertices named by these functions: as numbers with their lines, say.
+    /// The error and its fix as text, with faces and vertices named by these functions, for example by number and line.
     pub fn explained(
         &self,
         face: impl Fn(usize) -> String,
@@ -89,7 +89,7 @@ impl ConversionError {
         }
     }
 
-    /// The face that is wrong, the last of those that are not right together; none where the error is about no face.
+    /// The faulty face, or the last of the faces that conflict; `None` if the error is not about faces.
     #[must_use]
     pub fn face(&self) -> Option<usize> {
         use ConversionError as E;

@@ -1,23 +1,23 @@
-//! Cutting a mesh open along edges: unhooking what is on one side of them, in place.
+//! Cutting a mesh open along edges: separates the parts on either side, in place.
 //!
 //! Each edge becomes two, one for the face on either side, with boundary half-edges between them. At a vertex the faces
-//! between two gaps are a fan, and each fan gets a vertex of its own. Where the edges go around a part of the mesh, that
-//! part hangs on nothing any more. The time is that of walking the rings at the edges, however large the parts are.
+//! between two gaps are a fan, and each fan gets its own vertex. If the edges enclose a part of the mesh, that part is
+//! disconnected. The time is proportional to the rings at the edges, and independent of the size of the parts.
 
 use super::{HalfEdge, HalfEdgeMesh, MeshVertex, OperationError};
 
 impl HalfEdgeMesh {
     /// Cuts the mesh open along edges that have a face on either side. For each half-edge h of `edges`, in their order,
-    /// two new boundary half-edges are returned: the opposite of h, and the opposite of what was the opposite of h.
+    /// it returns two new boundary half-edges: the new opposite of h, and the new opposite of the former opposite of h.
     ///
-    /// Each new boundary half-edge has markers and user data of the one that it replaces. A vertex whose faces come
-    /// apart is divided: the first fan of its ring keeps it, and each other one gets a new vertex, with its scene vertex,
-    /// marker and user data.
+    /// Each new boundary half-edge has the marker and user data of the half-edge that it replaces. A vertex whose faces
+    /// are separated is divided: the first fan of its ring keeps it, and each other fan gets a new vertex, with its
+    /// scene vertex, marker and user data.
     ///
     /// # Errors
     /// [`OperationError::NoSuchHalfEdge`], [`OperationError::OnBoundary`], [`OperationError::Full`];
-    /// [`OperationError::EdgeListedTwice`]; [`OperationError::EdgeExists`] for an edge that would come to lie twice between
-    /// the same vertices, as a slit within a mesh does; [`OperationError::Broken`] for one at a vertex with a wire.
+    /// [`OperationError::EdgeListedTwice`]; [`OperationError::EdgeExists`] if two edges would join the same vertices,
+    /// as at a slit within a mesh; [`OperationError::Broken`] for an edge at a vertex with a wire.
     pub fn cut_along(&mut self, edges: &[HalfEdge]) -> Result<Vec<[HalfEdge; 2]>, OperationError> {
         let mut listed = Vec::with_capacity(edges.len());
         let mut touched = Vec::with_capacity(2 * edges.len());
@@ -36,7 +36,7 @@ impl HalfEdgeMesh {
         }
         self.room(2 * edges.len(), 0, 2 * edges.len())?;
         touched.sort_unstable();
-        // Where an edge is the only gap at both of its ends, they would be joined by two edges.
+        // If an edge is the only gap at both of its ends, two edges would join them.
         let is_divided = |v: MeshVertex| {
             let listed = touched.partition_point(|&other| other <= v) - touched.partition_point(|&other| other < v);
             listed + self.gaps(v) > 1
@@ -80,17 +80,18 @@ impl HalfEdgeMesh {
         Ok(doubled)
     }
 
-    /// Joins the ends of two half-edges where an edge joins them already, and divides the mesh there: for a face, or for a
-    /// face and a boundary loop, that touch an edge between two other faces. Each of these faces gets an edge of its
-    /// own with what touched it, and either end is divided into two vertices.
+    /// Joins the ends of two half-edges that an edge already joins, and divides the mesh at that edge: for a face, or
+    /// for a face and a boundary loop, that touch an edge between two other faces. Each of these faces gets its own
+    /// edge, shared with what touched it, and either end is divided into two vertices.
     ///
-    /// Returns the new half-edge from the end of `first` to that of `second`, the new one in the other direction, and the
-    /// new vertices. Loops and faces are as after [`split_face`](HalfEdgeMesh::split_face) for two half-edges of one face,
-    /// and as after [`insert_auxiliary_edge`](HalfEdgeMesh::insert_auxiliary_edge) where `second` is on a boundary.
+    /// Returns the new half-edge from the end of `first` to that of `second`, the new half-edge in the other direction,
+    /// and the new vertices. Loops and faces are as after [`split_face`](HalfEdgeMesh::split_face) for two half-edges
+    /// of one face, and as after [`insert_auxiliary_edge`](HalfEdgeMesh::insert_auxiliary_edge) if `second` is on a
+    /// boundary.
     ///
     /// # Errors
-    /// [`OperationError`] where these would be refused for another reason than that edge; where `edge` does not join the
-    /// two ends, or one of its faces is that of `first`.
+    /// [`OperationError`] if these operations would be refused for another reason than that edge; if `edge` does not
+    /// join the two ends, or if one of its faces is that of `first`.
     pub fn divide_at_edge(
         &mut self,
         first: HalfEdge,
@@ -110,7 +111,7 @@ impl HalfEdgeMesh {
             return Err(OperationError::TooFewHalfEdges(first));
         }
         let [from, to] = [first, second].map(|h| self.end(h));
-        // In the direction of the new half-edge.
+        // `along` has the direction of the new half-edge.
         let along = if self.end(edge) == to { edge } else { self.opposite(edge) };
         let back = self.opposite(along);
         if from == to || self.end(along) != to || self.start(along) != from {
@@ -137,7 +138,7 @@ impl HalfEdgeMesh {
         self.set_opposite(along, o);
         self.set_opposite(back, h);
         let mut divided = Vec::with_capacity(2);
-        // Either vertex has two rings now, one through each of the half-edges that end there.
+        // Each of the two vertices now has two rings, one through each of the half-edges that end there.
         for (v, kept, other) in [(to, along, h), (from, back, o)] {
             self.vertex_half_edge[v.index()] = kept;
             if self.ring(v).any(|h| h == other) {

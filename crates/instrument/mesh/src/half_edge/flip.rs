@@ -1,14 +1,14 @@
-//! Flipping an edge of two triangles.
+//! The flip of an edge between two triangles.
 
 use super::{HalfEdge, HalfEdgeMesh, OperationError};
 
 impl HalfEdgeMesh {
-    /// Flips an edge between two triangles: it then joins the two vertices opposite to it, and `edge` ends where the
-    /// triangle on its left had its third vertex. The inverse is to flip the same half-edge again.
+    /// Flips an edge between two triangles: it then joins the two vertices opposite to it, and `edge` ends at the third
+    /// vertex of the triangle that was on its left. The inverse is to flip the same half-edge again.
     ///
     /// # Errors
     /// [`OperationError::OnBoundary`], [`OperationError::NoTriangle`], and [`OperationError::OneVertex`] or
-    /// [`OperationError::EdgeExists`] where the vertices opposite to the edge are one, or joined already.
+    /// [`OperationError::EdgeExists`] if the vertices opposite to the edge are one vertex, or already joined.
     pub fn flip_edge(&mut self, edge: HalfEdge) -> Result<(), OperationError> {
         self.known_half_edge(edge)?;
         let back = self.opposite(edge);
@@ -20,7 +20,7 @@ impl HalfEdgeMesh {
             }
             *face = Some(f);
         }
-        // Around: edge a to b, then b to c, c to a; back b to a, then a to d, d to b.
+        // The loops: edge a to b, then b to c, c to a; back b to a, then a to d, d to b.
         let [b_c, a_d] = [edge, back].map(|h| self.next(h));
         let [c_a, d_b] = [b_c, a_d].map(|h| self.next(h));
         let [a, b, c, d] = [back, edge, b_c, a_d].map(|h| self.end(h));

@@ -1,6 +1,6 @@
-//! Handles: which half-edge, vertex or face of a mesh is meant.
+//! Handles that identify half-edges, vertices and faces of a mesh.
 
-/// The value of a handle that names nothing.
+/// The value of a handle that identifies nothing.
 pub(super) const NONE: u32 = u32::MAX;
 
 macro_rules! handle {
@@ -13,20 +13,20 @@ macro_rules! handle {
         impl $name {
             pub(super) const NONE: $name = $name(NONE);
 
-            /// The place in the mesh's arrays: below 2^32 - 2.
+            /// The index in the mesh's arrays: below 2^32 - 2.
             #[inline]
             #[must_use]
             pub const fn index(self) -> usize {
                 self.0 as usize
             }
 
-            /// The handle, or none where it names nothing.
+            /// The handle, or `None` if it identifies nothing.
             #[inline]
             pub(super) const fn some(self) -> Option<$name> {
                 if self.0 == NONE { None } else { Some(self) }
             }
 
-            /// The handle of a place in an array.
+            /// The handle of an array index.
             #[inline]
             pub(super) fn at(index: usize) -> $name {
                 $name(u32::try_from(index).unwrap_or(NONE))
@@ -47,7 +47,8 @@ handle!(
     "h"
 );
 handle!(
-    /// A vertex of a mesh; it carries the scene's [`Vertex`](predicament_predicates::Vertex). Displayed as `v7`.
+    /// A vertex of a mesh, which refers to a [`Vertex`](predicament_predicates::Vertex) of the scene. Displayed as
+    /// `v7`.
     MeshVertex,
     "v"
 );

@@ -1,14 +1,14 @@
-//! Faces as lists of vertices, in two arrays.
+//! Faces as lists of vertex indices, in two arrays.
 
 use predicament_predicates::Vertex;
 
 use super::{Face, HalfEdgeMesh, handles};
 
-/// Polygons as places in a list of vertices, all corners in one array.
+/// Polygons as indices into a list of vertices, with all corners in one array.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct IndexedFaces {
     corners: Vec<u32>,
-    /// Where each face ends in `corners`.
+    /// The end of each face in `corners`.
     ends: Vec<usize>,
 }
 
@@ -25,7 +25,7 @@ impl IndexedFaces {
         self.ends.len()
     }
 
-    /// Whether there is no face.
+    /// True if there are no faces.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.ends.is_empty()
@@ -53,12 +53,12 @@ impl<F: IntoIterator<Item = u32>> FromIterator<F> for IndexedFaces {
 }
 
 impl HalfEdgeMesh {
-    /// The vertices, those without edges too, and the faces as places in their list; both in the order of handles.
-    /// A face begins with the vertex where its half-edge starts.
+    /// The vertices, including those without edges, and the faces as indices into the vertices; both in the order of
+    /// handles. A face begins with the vertex where its half-edge starts.
     ///
-    /// [`HalfEdgeMesh::new`] makes an equal mesh of these, but for the order of fans at pinched vertices, markers and
-    /// user data; wires are in no face and not listed. It refuses faces that visit a vertex twice, which auxiliary
-    /// edges make.
+    /// [`HalfEdgeMesh::new`] rebuilds an equal mesh from these, except for the order of fans at pinched vertices,
+    /// markers and user data. Wires are in no face and not listed. It refuses faces that visit a vertex twice, which
+    /// auxiliary edges make.
     #[must_use]
     pub fn to_indexed(&self) -> (Vec<Vertex>, IndexedFaces) {
         let mut places = vec![handles::NONE; self.vertex_half_edge.len()];
@@ -74,10 +74,10 @@ impl HalfEdgeMesh {
         (vertices, faces)
     }
 
-    /// The vertices and the triangles as places in their list, as [`to_indexed`](HalfEdgeMesh::to_indexed).
+    /// The vertices and the triangles as indices into the vertices, as [`to_indexed`](HalfEdgeMesh::to_indexed).
     ///
     /// # Errors
-    /// The first face that is no triangle.
+    /// The first face that is not a triangle.
     pub fn to_triangles(&self) -> Result<(Vec<Vertex>, Vec<[u32; 3]>), Face> {
         let (vertices, faces) = self.to_indexed();
         let triangle = |(f, corners): (Face, &[u32])| corners.try_into().map_err(|_| f);

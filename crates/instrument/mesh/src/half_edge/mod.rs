@@ -1,13 +1,13 @@
 //! Half-edge meshes: orientable surfaces with boundaries, polygons of any size as faces.
 //!
-//! Each edge has two half-edges, one in each direction. A half-edge knows its *end vertex*, the *next* half-edge of
-//! its loop, its *opposite*, and the *face* on its left; it has a *marker* and *user data*. A loop belongs to one
-//! face, or to none: then it is a boundary loop. Boundary half-edges exist and are linked like all others, so the
-//! ring of a vertex closes everywhere.
+//! Each edge has two half-edges, one in each direction. A half-edge stores its *end vertex*, the *next* half-edge of
+//! its loop, its *opposite*, and the *face* on its left; it has a *marker* and *user data*. A loop belongs to one face,
+//! or to none: then it is a boundary loop. Boundary half-edges exist and are linked like all others, so the ring of
+//! every vertex is closed.
 //!
 //! # Invariants
-//! [`validate`](HalfEdgeMesh::validate) names the first one that is violated; every operation keeps all of them or
-//! refuses. With h any half-edge, and start(h) the end of its opposite:
+//! [`validate`](HalfEdgeMesh::validate) returns the first violation; every operation keeps all invariants or refuses.
+//! With h any half-edge, and start(h) the end of its opposite:
 //! * opposite(h) ≠ h, opposite(opposite(h)) = h, start(h) ≠ end(h);
 //! * next(h) ≠ h, start(next(h)) = end(h), and no other half-edge has this next;
 //! * face(next(h)) = face(h), each face has one loop, of at least three half-edges;
@@ -17,16 +17,16 @@
 //!
 //! # What is allowed
 //! * A pinched vertex: several fans of faces with gaps between them. Boundary loops are linked through it so that its
-//!   ring visits all fans. [`gaps`](HalfEdgeMesh::gaps) counts them. A fan that closes around a vertex is alone there.
+//!   ring visits all fans. [`gaps`](HalfEdgeMesh::gaps) counts them. A closed fan must be the only fan at its vertex.
 //! * A face that visits a vertex twice, or has both sides of an edge: auxiliary edges make such faces.
 //! * A wire: an edge without a face on either side.
 //! * A vertex without edges.
 //!
-//! Faces with several loops are not: a hole is joined to the outer loop by an auxiliary edge.
+//! Faces with several loops are not allowed: an auxiliary edge joins a hole to the outer loop.
 //!
-//! No coordinate is looked at here. An algorithm under a wrong predicate can make a mesh whose geometry is
-//! nonsense, but none that breaks an invariant. All traversals end after at most as many steps as there are
-//! half-edges, even where an invariant is broken.
+//! The mesh uses no coordinates. An algorithm with a wrong predicate can make a mesh whose geometry is nonsense, but
+//! not a mesh that breaks an invariant. All traversals end after at most as many steps as there are half-edges, even if
+//! an invariant is broken.
 
 mod auxiliary;
 mod build;
@@ -50,24 +50,23 @@ pub use indexed::IndexedFaces;
 pub use operation_error::OperationError;
 pub use validate::{Element, Violation};
 
-/// The half-edge of a vertex that was removed; [`handles::NONE`] is that of a vertex without edges.
+/// The half-edge value of a removed vertex; a vertex without edges has [`handles::NONE`].
 const REMOVED: HalfEdge = HalfEdge(handles::NONE - 1);
 
 /// A half-edge mesh, as a structure of arrays.
 ///
-/// Handles of removed elements are used again by later operations. Methods that are given a handle of another
-/// mesh, or of a removed element, panic or answer about another element; operations return an error where they
-/// see it.
+/// Later operations reuse the handles of removed elements. Methods that get a handle of another mesh, or of a removed
+/// element, panic or answer about another element; operations return an error if they detect it.
 #[derive(Clone, Debug, Default)]
 pub struct HalfEdgeMesh {
-    // Half-edges; the end of a removed one names nothing.
+    // Half-edges; the end of a removed half-edge is `NONE`.
     end: Vec<MeshVertex>,
     next: Vec<HalfEdge>,
     opposite: Vec<HalfEdge>,
     face: Vec<Face>,
     marker: Vec<u8>,
     user_data: Vec<u32>,
-    // Faces; the half-edge of a removed one names nothing.
+    // Faces; the half-edge of a removed face is `NONE`.
     face_half_edge: Vec<HalfEdge>,
     face_marker: Vec<u8>,
     face_user_data: Vec<u32>,
@@ -76,7 +75,7 @@ pub struct HalfEdgeMesh {
     vertex_marker: Vec<u8>,
     vertex_user_data: Vec<u32>,
     scene_vertex: Vec<Vertex>,
-    // Places of removed elements, to be used again.
+    // The handles of removed elements, to be reused.
     free_half_edges: Vec<HalfEdge>,
     free_faces: Vec<Face>,
     free_vertices: Vec<MeshVertex>,
@@ -111,14 +110,14 @@ impl HalfEdgeMesh {
         self.opposite[h.index()]
     }
 
-    /// The face on the left; none on a boundary.
+    /// The face on the left; `None` on a boundary.
     #[inline]
     #[must_use]
     pub fn face(&self, h: HalfEdge) -> Option<Face> {
         self.face[h.index()].some()
     }
 
-    /// Whether there is no face on the left.
+    /// True if the half-edge has no face on its left.
     #[inline]
     #[must_use]
     pub fn is_boundary(&self, h: HalfEdge) -> bool {
@@ -132,14 +131,14 @@ impl HalfEdgeMesh {
         self.face_half_edge[f.index()]
     }
 
-    /// A half-edge that ends at the vertex; none where it has no edges.
+    /// A half-edge that ends at the vertex; `None` if the vertex has no edges.
     #[inline]
     #[must_use]
     pub fn half_edge_of_vertex(&self, v: MeshVertex) -> Option<HalfEdge> {
         self.vertex_half_edge[v.index()].some()
     }
 
-    /// The scene's vertex that the mesh vertex stands for.
+    /// The vertex of the scene that the mesh vertex represents.
     #[inline]
     #[must_use]
     pub fn scene_vertex(&self, v: MeshVertex) -> Vertex {

@@ -1,43 +1,43 @@
-//! Why an operation is refused; the mesh is as it was.
+//! The reasons why operations are refused; the mesh is then unchanged.
 
 use super::{Face, HalfEdge, MeshVertex};
 
-/// Why an operation on a mesh is refused. The mesh is unchanged.
+/// The reason why an operation on a mesh is refused. The mesh is unchanged.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum OperationError {
-    /// The mesh has no such half-edge, or no longer.
+    /// The mesh does not have this half-edge, or has it no longer.
     NoSuchHalfEdge(HalfEdge),
-    /// The mesh has no such face, or no longer.
+    /// The mesh does not have this face, or has it no longer.
     NoSuchFace(Face),
-    /// The mesh has no such vertex, or no longer.
+    /// The mesh does not have this vertex, or has it no longer.
     NoSuchVertex(MeshVertex),
-    /// There is no face on the left of this half-edge, where one is needed.
+    /// A half-edge needs a face on its left, but has none.
     OnBoundary(HalfEdge),
-    /// There is a face on the left of this half-edge, where none may be.
+    /// A half-edge must not have a face on its left, but has one.
     NotOnBoundary(HalfEdge),
-    /// Two half-edges of different faces, where they must be of one.
+    /// The two half-edges are of different faces; they must be of the same face.
     TwoFaces(HalfEdge, HalfEdge),
-    /// Two half-edges of one loop, where they must be of two.
+    /// The two half-edges are of one loop; they must be of different loops.
     OneLoop(HalfEdge, HalfEdge),
     /// The face does not visit the vertex.
     NotInFace(Face, MeshVertex),
-    /// The face visits the vertex more than once: say by half-edges which corner is meant.
+    /// The face visits the vertex more than once: select the corner by half-edges.
     SeveralCorners(Face, MeshVertex),
     /// Both ends of the new edge would be this vertex.
     OneVertex(MeshVertex),
-    /// The new edge would be the second one between its vertices; this half-edge is of the first.
+    /// The new edge would be the second edge between its vertices; this half-edge is of the first.
     EdgeExists(HalfEdge),
-    /// The loop with this half-edge, of a face, would have fewer than three half-edges.
+    /// The loop of this half-edge, which has a face, would have fewer than three half-edges.
     TooFewHalfEdges(HalfEdge),
-    /// The face is no triangle.
+    /// The face is not a triangle.
     NoTriangle(Face),
-    /// The vertex has not exactly two edges.
+    /// The vertex does not have exactly two edges.
     NotTwoEdges(MeshVertex),
-    /// Both sides of the edge are in one face, so it separates no two.
+    /// Both sides of the edge are in one face, so it does not separate two faces.
     OneFace(HalfEdge),
-    /// The two sides of the edge are in different loops, so it joins no two.
+    /// The two sides of the edge are in different loops, so it is not an auxiliary edge.
     NotAuxiliary(HalfEdge),
-    /// The vertex would be left without edges.
+    /// The vertex would have no edges left.
     LastEdge(MeshVertex),
     /// The face is listed twice.
     ListedTwice(Face),

@@ -1,19 +1,19 @@
-//! Removing faces, unhooking them into another mesh, covering boundary loops.
+//! Removing faces, moving faces into another mesh, covering boundary loops.
 //!
-//! What is removed leaves the rings of its vertices; what stays keeps its order in them. The boundary is linked by
-//! that order alone: the next of a half-edge is the opposite of the one that follows it in the ring.
+//! Removed half-edges leave the rings of their vertices; the others keep their order in the rings. This order alone
+//! determines the boundary links: the next of a half-edge is the opposite of its successor in the ring.
 
 use std::collections::HashMap;
 
 use super::{Face, HalfEdge, HalfEdgeMesh, MeshVertex, OperationError};
 
-/// The face of half-edges that are about to be removed.
+/// The face value of half-edges that are about to be removed.
 const DOOMED: Face = Face(u32::MAX - 1);
 
 impl HalfEdgeMesh {
-    /// Removes faces, and the edges and vertices that no face uses any more.
+    /// Removes faces, and the edges and vertices that lose their last face.
     ///
-    /// Edges without faces that were there before stay. The time is that of walking the rings of the vertices.
+    /// Edges that had no faces before stay. The time is proportional to the rings of the vertices.
     ///
     /// # Errors
     /// [`OperationError::NoSuchFace`], [`OperationError::ListedTwice`].
@@ -57,19 +57,19 @@ impl HalfEdgeMesh {
         Ok(())
     }
 
-    /// Moves faces into another mesh, where they are a part of their own, with their own copies of the edges and
-    /// vertices, and returns their handles there, in the same order. Markers and user data go with them. What this
-    /// mesh keeps is what [`remove_faces`](HalfEdgeMesh::remove_faces) keeps.
+    /// Moves faces into another mesh, where they form a separate part with their own copies of the edges and vertices;
+    /// returns their handles there, in the same order. Markers and user data are moved too. This mesh keeps what
+    /// [`remove_faces`](HalfEdgeMesh::remove_faces) would keep.
     ///
     /// # Errors
-    /// [`OperationError::NoSuchFace`], [`OperationError::ListedTwice`]; [`OperationError::Full`] where the other mesh
-    /// has no room.
+    /// [`OperationError::NoSuchFace`], [`OperationError::ListedTwice`]; [`OperationError::Full`] if the other mesh has
+    /// too few free handles.
     pub fn unhook_faces(&mut self, faces: &[Face], into: &mut HalfEdgeMesh) -> Result<Vec<Face>, OperationError> {
         self.listed_once(faces)?;
         let around = || faces.iter().flat_map(|&f| self.loop_of(self.half_edge_of_face(f)));
         let corners = around().count();
         into.room(2 * corners, faces.len(), corners)?;
-        // Only looked up, never iterated: their order reaches no output.
+        // The maps are only looked up, never iterated: their order cannot reach the output.
         let mut half_edges: HashMap<HalfEdge, HalfEdge> = HashMap::new();
         let mut vertices: HashMap<MeshVertex, MeshVertex> = HashMap::new();
         let mut new_faces: HashMap<Face, Face> = HashMap::new();
@@ -105,7 +105,7 @@ impl HalfEdgeMesh {
             let face = self.face(h).and_then(|f| new_faces.get(&f).copied());
             into.set_face(copy, face);
             into.opposite[copy.index()] = half_edges[&self.opposite(h)];
-            // The one that follows in the ring, of those that are copied; at the latest this one itself.
+            // The next copied half-edge in the ring; at the latest this half-edge itself.
             let mut out = self.next(h);
             for _ in 0..self.end.len() {
                 if half_edges.contains_key(&out) {
@@ -120,7 +120,7 @@ impl HalfEdgeMesh {
         Ok(moved)
     }
 
-    /// Covers a boundary loop by a new face. The inverse is [`open_face`](HalfEdgeMesh::open_face).
+    /// Covers a boundary loop with a new face. The inverse is [`open_face`](HalfEdgeMesh::open_face).
     ///
     /// # Errors
     /// [`OperationError::NotOnBoundary`], [`OperationError::TooFewHalfEdges`], [`OperationError::Full`].
@@ -138,7 +138,7 @@ impl HalfEdgeMesh {
         Ok(f)
     }
 
-    /// Removes a face and keeps all its edges: its loop becomes a boundary loop, of which a half-edge is returned.
+    /// Removes a face and keeps all its edges: its loop becomes a boundary loop; one of its half-edges is returned.
     ///
     /// # Errors
     /// [`OperationError::NoSuchFace`].
@@ -150,7 +150,7 @@ impl HalfEdgeMesh {
         Ok(h)
     }
 
-    /// Refuses faces that there are not, and lists with repetitions.
+    /// Refuses faces that do not exist, and lists with repetitions.
     fn listed_once(&self, faces: &[Face]) -> Result<(), OperationError> {
         let mut sorted = faces.to_vec();
         sorted.sort_unstable();

@@ -1,12 +1,13 @@
-//! Splitting edges and faces, and the inverses.
+//! Splitting edges and faces, and the inverse operations.
 
 use predicament_predicates::Vertex;
 
 use super::{Face, HalfEdge, HalfEdgeMesh, MeshVertex, OperationError};
 
 impl HalfEdgeMesh {
-    /// Splits an edge by a new vertex, and returns it: `edge` then ends at it, and its next goes on to where `edge`
-    /// ended. The new half-edges have the markers and the user data of those that they continue.
+    /// Splits an edge by a new vertex, and returns the vertex: `edge` then ends at it, and its next goes on to the
+    /// former end of `edge`. The new half-edges copy the markers and the user data of the half-edges that they
+    /// continue.
     ///
     /// The inverse is [`join_edges`](HalfEdgeMesh::join_edges).
     ///
@@ -17,7 +18,7 @@ impl HalfEdgeMesh {
         self.room(2, 0, 1)?;
         let back = self.opposite(edge);
         let split = self.new_vertex(scene_vertex, edge);
-        // What lies behind the new vertex, in either direction.
+        // The half-edges behind the new vertex, in either direction.
         let [edge_b, back_b] = [edge, back].map(|h| {
             let end = self.end(h);
             let behind = self.new_half_edge(end);
@@ -37,11 +38,11 @@ impl HalfEdgeMesh {
         Ok(split)
     }
 
-    /// Removes a vertex of two edges and makes one edge of them; returns a half-edge of it.
+    /// Removes a vertex of two edges and joins them into one edge; returns a half-edge of it.
     ///
     /// # Errors
     /// [`OperationError::NotTwoEdges`]; [`OperationError::TooFewHalfEdges`] for a triangle;
-    /// [`OperationError::EdgeExists`] where the neighbours are joined already.
+    /// [`OperationError::EdgeExists`] if the neighbours are already joined.
     pub fn join_edges(&mut self, v: MeshVertex) -> Result<HalfEdge, OperationError> {
         self.known_vertex(v)?;
         let mut ring = self.ring(v);
@@ -50,7 +51,7 @@ impl HalfEdgeMesh {
         };
         drop(ring);
         let [edge_b, back_b] = [self.opposite(back), self.opposite(edge)];
-        // A face that has both sides loses two half-edges.
+        // A face on both sides of the edges loses two half-edges.
         let lost = if self.face(edge) == self.face(back) { 2 } else { 1 };
         for h in [edge, back] {
             if self.face(h).is_some() && self.loop_of(h).nth(2 + lost).is_none() {
@@ -75,14 +76,15 @@ impl HalfEdgeMesh {
     }
 
     /// Splits a face by an edge from the end of `first` to the end of `second`, and returns the half-edge in that
-    /// direction, which follows `first`. The loop with `first` keeps the face; that of the returned half-edge's
-    /// opposite, from the next of `first` to `second`, gets a new one. The time is that of walking the new loop.
+    /// direction, which follows `first`. The loop with `first` keeps the face. The loop of the returned half-edge's
+    /// opposite, from the next of `first` to `second`, gets a new face. The time is proportional to the length of the
+    /// new loop.
     ///
     /// The inverse is [`join_faces`](HalfEdgeMesh::join_faces) of the returned half-edge.
     ///
     /// # Errors
-    /// [`OperationError`] where the half-edges are not of one face, where one of the parts would have fewer than
-    /// three half-edges, and where the ends are one vertex or joined already.
+    /// [`OperationError`] if the half-edges are not of one face, if one of the parts would have fewer than three
+    /// half-edges, or if the ends are one vertex or already joined.
     pub fn split_face(&mut self, first: HalfEdge, second: HalfEdge) -> Result<HalfEdge, OperationError> {
         for h in [first, second] {
             self.known_half_edge(h)?;
@@ -115,12 +117,12 @@ impl HalfEdgeMesh {
         Ok(h)
     }
 
-    /// Splits a face by an edge between two of its vertices, wherever they are in a mesh: finds the half-edges of the
-    /// face that end at them by the rings of both.
+    /// Splits a face by an edge between two of its vertices: finds the half-edges of the face that end at them by the
+    /// rings of both.
     ///
     /// # Errors
     /// As [`split_face`](HalfEdgeMesh::split_face), and [`OperationError::NotInFace`] or
-    /// [`OperationError::SeveralCorners`] where a vertex is not exactly one corner of the face.
+    /// [`OperationError::SeveralCorners`] if a vertex is not exactly one corner of the face.
     pub fn split_face_between(&mut self, f: Face, v1: MeshVertex, v2: MeshVertex) -> Result<HalfEdge, OperationError> {
         self.known_face(f)?;
         let corner = |v: MeshVertex| {
@@ -136,8 +138,8 @@ impl HalfEdgeMesh {
         self.split_face(first, second)
     }
 
-    /// Cuts off an ear: the triangle of the end of `before` and the two vertices after it becomes a face of its own.
-    /// Returns the new half-edge of the rest, which follows `before` and passes by the ear's tip.
+    /// Cuts off an ear: the end of `before` and the next two vertices become a separate triangle. Returns the new
+    /// half-edge of the remaining face, which follows `before` and bypasses the ear's tip.
     ///
     /// The inverse is [`join_faces`](HalfEdgeMesh::join_faces) of the returned half-edge.
     ///
@@ -148,7 +150,7 @@ impl HalfEdgeMesh {
         self.split_face(before, self.next(self.next(before)))
     }
 
-    /// Removes an edge between two faces: the face on the left of `edge` gets the other one's loop.
+    /// Removes an edge between two faces: the face on the left of `edge` takes over the other face's loop.
     ///
     /// # Errors
     /// [`OperationError::OnBoundary`], or [`OperationError::OneFace`] for an edge with one face on both sides.
@@ -181,7 +183,7 @@ impl HalfEdgeMesh {
         [h, o]
     }
 
-    /// Takes an edge out of its loops and removes it; `before` are the half-edges before its two.
+    /// Unlinks an edge from its loops and removes it; `before` are the predecessors of its two half-edges.
     pub(super) fn unlink(&mut self, edge: [HalfEdge; 2], before: [HalfEdge; 2]) {
         let [h, o] = edge;
         let [after_h, after_o] = edge.map(|h| self.next(h));

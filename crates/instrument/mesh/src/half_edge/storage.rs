@@ -1,26 +1,26 @@
-//! Which elements there are: making and removing them, and their handles in order.
+//! Storage of elements: creation, removal, and iteration in the order of handles.
 
 use predicament_predicates::Vertex;
 
 use super::{Face, HalfEdge, HalfEdgeMesh, MeshVertex, OperationError, REMOVED};
 
-/// The most elements of a kind: the two largest handles stand for none and for removed.
+/// The maximum number of elements of a kind: the two largest handle values mean "none" and "removed".
 pub(super) const MOST: usize = u32::MAX as usize - 1;
 
 impl HalfEdgeMesh {
-    /// Whether the mesh has this half-edge.
+    /// True if the mesh has this half-edge.
     #[must_use]
     pub fn has_half_edge(&self, h: HalfEdge) -> bool {
         self.end.get(h.index()).is_some_and(|end| end.some().is_some())
     }
 
-    /// Whether the mesh has this face.
+    /// True if the mesh has this face.
     #[must_use]
     pub fn has_face(&self, f: Face) -> bool {
         self.face_half_edge.get(f.index()).is_some_and(|h| h.some().is_some())
     }
 
-    /// Whether the mesh has this vertex.
+    /// True if the mesh has this vertex.
     #[must_use]
     pub fn has_vertex(&self, v: MeshVertex) -> bool {
         self.vertex_half_edge.get(v.index()).is_some_and(|&h| h != REMOVED)
@@ -41,19 +41,19 @@ impl HalfEdgeMesh {
         (0..self.vertex_half_edge.len()).map(MeshVertex::at).filter(|&v| self.has_vertex(v))
     }
 
-    /// How many edges there are: half as many as half-edges.
+    /// The number of edges: half the number of half-edges.
     #[must_use]
     pub fn edge_count(&self) -> usize {
         (self.end.len() - self.free_half_edges.len()) / 2
     }
 
-    /// How many faces there are.
+    /// The number of faces.
     #[must_use]
     pub fn face_count(&self) -> usize {
         self.face_half_edge.len() - self.free_faces.len()
     }
 
-    /// How many vertices there are, those without edges among them.
+    /// The number of vertices, including those without edges.
     #[must_use]
     pub fn vertex_count(&self) -> usize {
         self.vertex_half_edge.len() - self.free_vertices.len()
@@ -71,7 +71,7 @@ impl HalfEdgeMesh {
         if self.has_vertex(v) { Ok(()) } else { Err(OperationError::NoSuchVertex(v)) }
     }
 
-    /// Refuses to grow beyond the handles that there are; `half_edges`, `faces` and `vertices` more are wanted.
+    /// Refuses to grow by `half_edges`, `faces` and `vertices` if there are too few handles.
     pub(super) fn room(&self, half_edges: usize, faces: usize, vertices: usize) -> Result<(), OperationError> {
         let fits = |length: usize, more: usize| length.checked_add(more).is_some_and(|all| all <= MOST);
         let room = fits(self.end.len(), half_edges)
@@ -80,7 +80,7 @@ impl HalfEdgeMesh {
         if room { Ok(()) } else { Err(OperationError::Full) }
     }
 
-    /// A half-edge whose links name nothing yet, but for its end.
+    /// A new half-edge with only its end set.
     pub(super) fn new_half_edge(&mut self, end: MeshVertex) -> HalfEdge {
         if let Some(h) = self.free_half_edges.pop() {
             self.end[h.index()] = end;
@@ -95,7 +95,7 @@ impl HalfEdgeMesh {
         HalfEdge::at(self.end.len() - 1)
     }
 
-    /// Two half-edges that are opposite to each other, without next and face.
+    /// Two new half-edges that are opposite to each other, without next and face.
     pub(super) fn new_edge(&mut self, from: MeshVertex, to: MeshVertex) -> [HalfEdge; 2] {
         let [h, o] = [to, from].map(|end| self.new_half_edge(end));
         self.set_opposite(h, o);
@@ -126,7 +126,7 @@ impl HalfEdgeMesh {
         MeshVertex::at(self.vertex_half_edge.len() - 1)
     }
 
-    /// Removes a half-edge; nothing may link to it any more.
+    /// Removes a half-edge; links to it must no longer exist.
     pub(super) fn delete_half_edge(&mut self, h: HalfEdge) {
         self.end[h.index()] = MeshVertex::NONE;
         self.face[h.index()] = Face::NONE;
@@ -158,19 +158,19 @@ impl HalfEdgeMesh {
         self.next[h.index()] = next;
     }
 
-    /// Sets the face on the left, or none.
+    /// Sets or clears the face on the left.
     pub(super) fn set_face(&mut self, h: HalfEdge, face: Option<Face>) {
         self.face[h.index()] = face.unwrap_or(Face::NONE);
     }
 
-    /// Makes another half-edge that of the vertex, if it was the first one.
+    /// Replaces the vertex' half-edge by `is`, if it was `was`.
     pub(super) fn anchor_vertex(&mut self, v: MeshVertex, was: HalfEdge, is: HalfEdge) {
         if self.vertex_half_edge[v.index()] == was {
             self.vertex_half_edge[v.index()] = is;
         }
     }
 
-    /// Makes another half-edge that of the face, if there is a face and it was the first one.
+    /// Replaces the face's half-edge by `is`, if there is a face and its half-edge was `was`.
     pub(super) fn anchor_face(&mut self, face: Option<Face>, was: HalfEdge, is: HalfEdge) {
         if let Some(f) = face
             && self.face_half_edge[f.index()] == was

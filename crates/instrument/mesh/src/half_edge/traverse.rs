@@ -1,10 +1,13 @@
-//! Traversals: loops, rings, faces without repeats, boundary loops. None of them allocates, and each takes at most
-//! one step more than there are half-edges, whatever the links say.
+//! Traversals: loops, rings, faces without repeats, boundary loops.
+//!
+//! Traversals do not allocate, and each takes at most one step more than there are half-edges, even if links are
+//! broken.
 
 use super::{Face, HalfEdge, HalfEdgeMesh, MeshVertex};
 
 impl HalfEdgeMesh {
-    /// From a half-edge on by a step, until it comes back or every half-edge could have been seen.
+    /// The half-edges from a start on by a step function, until it returns to the start or has taken a step per
+    /// half-edge.
     fn walk<'m>(
         &'m self,
         first: Option<HalfEdge>,
@@ -17,17 +20,17 @@ impl HalfEdgeMesh {
         })
     }
 
-    /// The half-edges of the loop, of a face or of a boundary, from this one on.
+    /// The half-edges of the loop, of a face or of a boundary, starting with this half-edge.
     pub fn loop_of(&self, h: HalfEdge) -> impl Iterator<Item = HalfEdge> + '_ {
         self.walk(Some(h), |h| self.next(h))
     }
 
-    /// The end vertices of the loop, from that of this half-edge on.
+    /// The end vertices of the loop, starting with the end of this half-edge.
     pub fn vertex_loop(&self, h: HalfEdge) -> impl Iterator<Item = MeshVertex> + '_ {
         self.loop_of(h).map(|h| self.end(h))
     }
 
-    /// The half-edges that end at the vertex, at boundaries too; nothing for a vertex without edges.
+    /// The half-edges that end at the vertex, also at boundaries; empty for a vertex without edges.
     pub fn ring(&self, v: MeshVertex) -> impl Iterator<Item = HalfEdge> + '_ {
         self.walk(self.half_edge_of_vertex(v), |h| self.opposite(self.next(h)))
     }
@@ -62,7 +65,7 @@ impl HalfEdgeMesh {
 
     /// The half-edge before this one in its loop: by the loop or by the ring, whichever is shorter.
     ///
-    /// None only where the links are broken.
+    /// Returns `None` only if links are broken.
     #[must_use]
     pub fn previous(&self, h: HalfEdge) -> Option<HalfEdge> {
         let ring = self.walk(Some(self.opposite(h)), |h| self.opposite(self.next(h)));
@@ -70,16 +73,17 @@ impl HalfEdgeMesh {
         both.flat_map(<[HalfEdge; 2]>::from).find(|&before| self.next(before) == h)
     }
 
-    /// The half-edge of the face that ends at the vertex, the first one in its ring.
+    /// The half-edge of the face that ends at the vertex, the first such half-edge in its ring.
     #[must_use]
     pub fn half_edge_in_face(&self, f: Face, v: MeshVertex) -> Option<HalfEdge> {
         self.ring(v).find(|&h| self.face(h) == Some(f))
     }
 
-    /// The faces at some vertices, each once: those whose marker is not `marker`, which then get it.
+    /// The faces at some vertices, each once. A face is returned if its marker is not `marker`, and then gets this
+    /// marker.
     ///
-    /// Faces that have the marker beforehand are left out. Where the iterator is dropped early, the faces that it
-    /// gave have the marker.
+    /// Faces that already have the marker are left out. If the iterator is dropped early, only the returned faces have
+    /// the marker.
     pub fn faces_once<'m, V: Iterator<Item = MeshVertex> + 'm>(
         &'m mut self,
         mut vertices: V,
@@ -105,8 +109,8 @@ impl HalfEdgeMesh {
         })
     }
 
-    /// One half-edge of each boundary loop, the one with the smallest handle: of those whose half-edges do not have
-    /// the marker `marker`, which then get it.
+    /// The half-edge with the smallest handle of each boundary loop. A loop is returned if its half-edges do not have
+    /// the marker `marker`, and then gets this marker.
     pub fn boundary_loops(&mut self, marker: u8) -> impl Iterator<Item = HalfEdge> + '_ {
         let mut at = 0;
         std::iter::from_fn(move || {
@@ -117,7 +121,7 @@ impl HalfEdgeMesh {
                     continue;
                 }
                 let mut current = h;
-                // Markers end this too: each step marks one half-edge more.
+                // Markers also bound this loop: each step marks one half-edge more.
                 while self.marker(current) != marker {
                     self.set_marker(current, marker);
                     current = self.next(current);

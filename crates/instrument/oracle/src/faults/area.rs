@@ -5,24 +5,24 @@
 pub enum Area {
     /// Numbers: integers, expansions, rounding.
     Arithmetic,
-    /// Bounds of floating-point filters, and when they hold.
+    /// Bounds of floating-point filters, and their conditions.
     Filters,
     /// Simulation of Simplicity: terms, parities, identities.
     Sos,
-    /// Bands and the contacts that go by distances.
+    /// Bands, and the contacts that use distances.
     Tolerance,
-    /// Contacts that a backend registers, and right answers that are spoiled before they are judged.
+    /// Contacts that a backend registers, and right answers that are corrupted before they are judged.
     Answers,
-    /// What judges answers: a check that is off.
+    /// The judging of answers: a disabled check.
     Checks,
     /// Truth, classes, expectations, ids.
     Oracle,
-    /// What reads files.
+    /// The readers of files.
     Readers,
 }
 
 impl Area {
-    /// All of them.
+    /// All areas.
     pub const ALL: [Area; 8] = [
         Area::Arithmetic,
         Area::Filters,
@@ -34,7 +34,7 @@ impl Area {
         Area::Readers,
     ];
 
-    /// A word for tables and files.
+    /// The area's name in tables and files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

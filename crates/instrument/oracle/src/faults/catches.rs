@@ -1,7 +1,7 @@
-//! Which checks have to find each fault.
+//! The checks that must detect each fault.
 //!
-//! A fault that another check finds as well shows nothing about the one that
-//! was made for it: `selftest` is red if any of these finds nothing.
+//! A fault that another check detects too proves nothing about the check that was made for it: `selftest` fails if any
+//! of these checks does not detect its fault.
 
 use predicament_predicates::Dimension;
 use predicament_tasks::{Catch, Class};
@@ -10,7 +10,7 @@ use predicament_tolerance::Misscaled;
 use super::Fault;
 
 impl Fault {
-    /// The checks that have to find it on the embedded corpora.
+    /// The checks that must detect the fault on the embedded corpora.
     #[must_use]
     pub fn caught_by(self) -> &'static [Catch] {
         match self {
@@ -134,7 +134,7 @@ impl Fault {
         }
     }
 
-    /// The task whose check it is, where several tasks declare one of this class and name.
+    /// The task of the check, if several tasks declare a check of this class and name.
     #[must_use]
     pub fn caught_in(self, (_, check): Catch) -> Option<&'static str> {
         match (self, check) {
@@ -146,8 +146,8 @@ impl Fault {
         }
     }
 
-    /// Whether it can show in a task, by its name: a fault in what is asked about pairs of simplices
-    /// shows where they are asked about.
+    /// True if the fault can show in a task, given by name: a fault in the queries about pairs of simplices shows only
+    /// in tasks that make them.
     #[must_use]
     pub fn shows_in(self, task: &str) -> bool {
         match self {
@@ -168,8 +168,8 @@ impl Fault {
     }
 }
 
-/// By what the tolerance is for: whether up to it a pair is registered, or beyond it only, and whether a
-/// predicate is banded by it.
+/// The checks for a wrongly scaled tolerance. They depend on its use: registered up to it, or not beyond it, and
+/// whether a predicate's band uses it.
 fn misscaled_caught_by(misscaled: Misscaled) -> &'static [Catch] {
     match (misscaled.symbol, misscaled.halved) {
         ("σ", false) => &[(Class::Overreach, "band")],

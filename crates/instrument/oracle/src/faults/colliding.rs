@@ -1,15 +1,13 @@
 //! A fault of lifting: points moved by ε^(2^i) are lifted again, where squares collide.
 //!
-//! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product
-//! of different infinitesimals has a power of its own. A lifted determinant has
-//! squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
-//! fault enters each term under its power, those of first order first; where two
-//! have the same, the later one overwrites the earlier.
+//! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product of different infinitesimals has a power
+//! of its own. A lifted determinant has squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
+//! fault stores each term under its power, first-order terms first; of two terms with the same power, the later
+//! overwrites the earlier.
 //!
-//! (To add them up would be right: points that have really moved by ε^(2^i) are
-//! points, and break no law. To take them one after the other in any fixed
-//! order is right as well, by another perturbation whose infinitesimals are
-//! nearly in these proportions. Only what is lost makes answers contradict each other.)
+//! (Adding the terms would be correct: points that have really moved by ε^(2^i) are points, and break no law. Taking
+//! the terms one after the other in any fixed order is correct as well, by another perturbation with infinitesimals in
+//! nearly these proportions. Only the lost terms make answers contradict each other.)
 
 use std::sync::OnceLock;
 
@@ -18,13 +16,13 @@ use rug::Rational;
 
 use predicament_judge as judge;
 
-/// One row's share of a monomial: its infinitesimal's coordinate and power.
+/// The factor of a monomial from each row: the coordinate and power of its infinitesimal.
 type Moves = Vec<Option<(usize, u32)>>;
 
-/// The coordinates of a point.
+/// The number of coordinates of a point.
 const AXES: usize = 2;
 
-/// The sign of the first coefficient of four points in the plane that is not zero.
+/// The sign of the first non-zero coefficient for four points in the plane.
 pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
     static MONOMIALS: OnceLock<Vec<Moves>> = OnceLock::new();
     let points: Vec<Vec<Rational>> =
@@ -37,7 +35,7 @@ pub(super) fn decide(scene: &Scene, sorted: &[Vertex]) -> Option<Sign> {
     signs.into_iter().find(|sign| !sign.is_zero())
 }
 
-/// Products of infinitesimals by power, of those with equal power one of the highest degree.
+/// Products of infinitesimals by power; of those with equal power, one of the highest degree.
 fn monomials() -> Vec<Moves> {
     let mut all: Vec<Moves> = vec![Vec::new()];
     for _ in 0..AXES + 2 {

@@ -1,4 +1,4 @@
-//! Faults in the questions of the contact hierarchy, whatever the signs.
+//! Faults in the queries of the contact hierarchy; the signs are right.
 
 use predicament_exact::Exact;
 use predicament_predicates::{
@@ -8,7 +8,7 @@ use predicament_tolerance::Tolerance;
 
 use super::Fault;
 
-/// A backend that is right about all signs, and about all contacts but one kind.
+/// A backend with correct signs, and with correct contacts except for one kind.
 pub(super) struct Faulty<B> {
     pub(super) fault: Fault,
     pub(super) honest: B,
@@ -61,7 +61,7 @@ impl<P: Predicates> Session<P> {
         a.iter().zip(p).map(|(a, p)| (a - p) * (a - p)).sum::<f64>().sqrt()
     }
 
-    /// σ₋ and σ₊.
+    /// The band limits σ₋ and σ₊.
     fn sigma(&self) -> Option<[f64; 2]> {
         self.honest.contact_band([0, 0]).map(|sigma| [sigma.lower, sigma.upper])
     }
@@ -78,7 +78,7 @@ impl<P: Predicates> Predicates for Session<P> {
         self.honest.band(question)
     }
 
-    /// Wide enough for what registers too much: every pair is looked at.
+    /// The reach, wide enough for faults that register too much: every pair is tested.
     fn reach(&self) -> f64 {
         match self.fault {
             Fault::ContactsEndlessEdge => {

@@ -1,33 +1,32 @@
-//! Backends that end their process, or never answer: what isolation is for.
+//! Backends that end their process, or never answer: tests for isolation.
 //!
-//! They are no part of `selftest`, which would end with them: `run --isolate` has
-//! to make a row of each and go on.
+//! They are not part of `selftest`, which would end with them. `run --isolate` must write a row for each and continue.
 
 use predicament_predicates::{PredicateKind, Question};
 
-/// A way to take the process along, or to keep it for ever. It strikes at the first `orient2d`.
+/// A way to end or block the process, at the first `orient2d`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Deadly {
-    /// It never answers.
+    /// The backend never answers.
     Loops,
-    /// It panics.
+    /// The backend panics.
     Panics,
-    /// It calls itself until the stack is full.
+    /// The backend recurses until the stack overflows.
     OverflowsStack,
-    /// It aborts.
+    /// The backend aborts.
     Aborts,
-    /// It asks for 16 TB of memory.
+    /// The backend requests 16 TB of memory.
     Hoards,
-    /// It ends the process as if all were well.
+    /// The backend exits with code 0.
     Exits,
 }
 
 impl Deadly {
-    /// All of them.
+    /// All deadly faults.
     pub const ALL: [Deadly; 6] =
         [Deadly::Loops, Deadly::Panics, Deadly::OverflowsStack, Deadly::Aborts, Deadly::Hoards, Deadly::Exits];
 
-    /// The name after `fault:`.
+    /// The fault's name after `fault:`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -40,7 +39,7 @@ impl Deadly {
         }
     }
 
-    /// Does it, where the question is the one.
+    /// Strikes if the question is `orient2d`.
     pub(super) fn strike(self, question: Question) {
         if question.kind() != PredicateKind::Orient2d {
             return;
@@ -61,7 +60,7 @@ impl Deadly {
     }
 }
 
-/// Needs more stack than there is.
+/// Recurses beyond the available stack.
 #[allow(unconditional_recursion, reason = "the fault that is planted")]
 fn deeper(depth: u64) -> u64 {
     let room = std::hint::black_box([depth; 64]);

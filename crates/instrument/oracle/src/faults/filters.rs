@@ -1,4 +1,4 @@
-//! Faults in filters and integers: right parts of the exact ladder, used where they do not hold.
+//! Faults in filters and integers: correct parts of the exact ladder, used outside of their conditions.
 
 use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_arithmetic::{Fixed, Plan, units};
@@ -9,7 +9,7 @@ use predicament_predicates::{Plane, Predicates, Question, Sign, Vertex};
 use super::Session;
 
 impl Session<'_> {
-    /// The sign by the filter with this share of its bound; none where that leaves it open.
+    /// The sign by the filter with this share of its bound; `None` if the filter cannot decide.
     pub(super) fn filtered(&self, question: Question, args: &[Vertex], share: f64) -> Option<Sign> {
         fn bound<const D: usize>(determinant: Determinant, points: &[[f64; D]]) -> f64 {
             let allowed = Plan::of(points).allows_filters(determinant.form);
@@ -39,13 +39,13 @@ impl Session<'_> {
         }
     }
 
-    /// The sign of the plain floating-point determinant, if that is a number beyond the bound.
+    /// The sign of the plain floating-point determinant, if it is a number beyond the bound.
     pub(super) fn fooled(&self, question: Question, args: &[Vertex], bound: f64) -> Option<Sign> {
         let determinant = self.float.estimate(question, args)?;
         (determinant.is_finite() && determinant.abs() > bound).then(|| Sign::of(determinant))
     }
 
-    /// The static bound for the lengths of the box of the scene's first half of vertices.
+    /// The static bound for the bounding box of the scene's first half of vertices.
     pub(super) fn stale(&self, question: Question) -> f64 {
         let scene = self.exact.scene();
         let count = scene.dimension().count();
@@ -66,12 +66,12 @@ impl Session<'_> {
         }
     }
 
-    /// The sign by integers of one limb; none where two would be too few.
+    /// The sign by integers of one limb; `None` if two limbs would not suffice.
     pub(super) fn one_limb(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
         fn rows<const D: usize, const N: usize>(points: &[[f64; D]]) -> Option<[[Fixed<1>; D]; N]> {
             let plan = Plan::of(points);
             let last = points.last()?;
-            // The lower half of the difference, where that is all that there is and where it is not.
+            // The lower half of the difference, even if the upper half is significant.
             #[allow(clippy::cast_possible_truncation)]
             let entry = |row: usize, axis: usize| {
                 Fixed::from(

@@ -1,4 +1,4 @@
-//! Faults in breaking ties: right terms put together wrongly.
+//! Faults in breaking ties: correct terms combined wrongly.
 
 use predicament_predicates::{Predicates, Question, Sign, Vertex};
 use predicament_sos::{Scheme, Term, ties};
@@ -48,7 +48,7 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
         }
         Fault::SosCollidingLift => match question {
             Question::Incircle => colliding::decide(exact.scene(), &sorted.vertices).map(|sign| sign * sorted.parity),
-            // Without a lift no two terms have the same power; and of spheres there are too many to write out.
+            // Without a lift all terms have different powers, and spheres have too many terms to write out.
             _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
         },
         _ => decide(terms, &sorted.vertices).map(|(sign, _)| sign * sorted.parity),
@@ -56,7 +56,7 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
     decided.unwrap_or(Sign::Zero)
 }
 
-/// The terms with the sign of one changed, if there are so many.
+/// The terms with the sign of the term at `place` negated, if there is such a term.
 fn with_swapped(terms: &[Term], place: usize) -> Vec<Term> {
     let mut terms = terms.to_vec();
     if let Some(term) = terms.get_mut(place) {
@@ -65,7 +65,8 @@ fn with_swapped(terms: &[Term], place: usize) -> Vec<Term> {
     terms
 }
 
-/// Each vertex is before the next one, and the third before the first; those of three apart are in order.
+/// The cyclic order by index modulo 3: each vertex is before the next, and the third before the first. Vertices with
+/// equal remainders are in order.
 fn in_circle(a: Vertex, b: Vertex) -> Sign {
     let [place, other] = [a, b].map(|v| v.index() % 3);
     match (place + 3 - other) % 3 {

@@ -1,4 +1,4 @@
-//! What judges answers, held to tables that are written out by hand.
+//! Guards of the judging of answers, which compare it with handwritten tables.
 
 use std::path::Path;
 
@@ -13,9 +13,9 @@ use super::{Facts, Guard, Guarded, Held};
 use crate::expect::Expectations;
 use crate::faults::Area;
 
-/// What judges answers: each function is the real one, unless a fault replaces it.
+/// The functions that judge answers: each is the real function, unless a fault replaces it.
 pub(super) trait Judging {
-    /// The class of an answer to a query whose determinant is this, exactly.
+    /// The class of an answer to a query with exactly this determinant.
     fn class(&self, zero: ZeroMeaning, band: Option<Band>, answer: Sign, determinant: f64) -> Class {
         classify(zero, band, answer, Sign::of(determinant), |limit| determinant.abs() <= limit)
     }
@@ -33,7 +33,7 @@ pub(super) trait Judging {
         finding_id(scene, backend, finding)
     }
 
-    /// The true sign of a query.
+    /// The exact sign of a query.
     fn truth(&self, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
         predicament_judge::sign(scene, question, args)
     }
@@ -44,12 +44,12 @@ pub(super) trait Judging {
     }
 }
 
-/// Nothing is wrong.
+/// The real functions, without a fault.
 pub(super) struct Real;
 
 impl Judging for Real {}
 
-/// The guards of what judges answers.
+/// The guards of the judging.
 pub const GUARDS: &[Guard] = &[
     guard("class table", "each promise has its own legal disagreements, and a band both of its edges"),
     guard("status table", "a finding has to be expected of its scene, backend, level and class, and has to occur then"),
@@ -69,7 +69,7 @@ const fn guard(name: &'static str, means: &'static str) -> Guard {
     Guard { area: Area::Oracle, name, means }
 }
 
-/// What each guard finds.
+/// The result of each guard.
 pub(super) fn held(judging: &dyn Judging) -> Vec<Held> {
     let guards: [fn(&dyn Judging, &mut Facts); 6] = [class_table, status_table, ids, signs, ties, honest];
     let held = |(guard, look): (&Guard, fn(&dyn Judging, &mut Facts))| {
@@ -175,7 +175,7 @@ fn ids(judging: &dyn Judging, facts: &mut Facts) {
     facts.hold(again == all[0], || format!("{again} and {} are of one finding", all[0]));
 }
 
-/// The id of the first of these findings since there are ids.
+/// The id of the first of these findings, fixed since ids were introduced.
 const PINNED: &str = "ec9032d92351";
 
 fn scene(points: &[[f64; 3]]) -> Scene {
@@ -208,7 +208,7 @@ fn signs(judging: &dyn Judging, facts: &mut Facts) {
     look(&corner, Incircle, &vertices([0, 1, 2, 3]), Positive);
     look(&corner, Incircle, &vertices([0, 1, 2, 4]), Zero);
     look(&corner, Incircle, &vertices([0, 1, 2, 5]), Negative);
-    // Left of it in the plane of x and y, right of it in that of y and z, on the line in that of z and x.
+    // Left of it in the xy plane, right of it in the yz plane, on the line in the zx plane.
     let turned = scene(&[[0.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 1.0, 0.0]]);
     look(&turned, Orient2d(Plane::Xy), &vertices([0, 1, 2]), Positive);
     look(&turned, Orient2d(Plane::Yz), &vertices([0, 1, 2]), Negative);
@@ -236,11 +236,11 @@ fn ties(judging: &dyn Judging, facts: &mut Facts) {
         let got = judging.perturbed(&line, question, args);
         facts.hold(got == sign, || format!("{} is {got} in the perturbed scene, not {sign}", question.query(args)));
     };
-    // y of vertex k moves by ε^(2^(2k + 1)): that of a smaller index by more.
+    // The y of vertex k moves by ε^(2^(2k + 1)): a smaller index moves more.
     look(Compare(Axis::Y), &vertices([0, 1]), Positive);
     look(Compare(Axis::Y), &vertices([1, 0]), Negative);
     look(Compare(Axis::Y), &vertices([1, 2]), Positive);
-    // ∂/∂y of the first vertex is the third's x less the second's; that in x is zero.
+    // ∂/∂y of the first vertex is the third's x minus the second's; that in x is zero.
     look(Orient2d(Plane::Xy), &vertices([0, 1, 2]), Positive);
     look(Orient2d(Plane::Xy), &vertices([0, 2, 1]), Negative);
     look(Orient2d(Plane::Xy), &vertices([2, 0, 1]), Positive);
@@ -270,7 +270,7 @@ macro_rules! faults {
             }
         )*
 
-        /// Faults in what judges answers.
+        /// The faults in the judging.
         pub const FAULTS: &[Guarded] = &[$(Guarded {
             area: Area::Oracle,
             name: $name,

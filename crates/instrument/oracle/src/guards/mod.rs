@@ -1,10 +1,9 @@
-//! Guards: checks of the tool itself, for faults that no answer of a backend shows.
+//! Guards: checks of the tool itself, for faults that no backend's answer shows.
 //!
-//! A backend is judged by truth, classes and expectations, and is asked about points that a reader has read. If one of
-//! these is wrong, judging shows nothing, or nonsense. A guard holds a part of the tool to facts that are known
-//! without it: tables written out by hand, files written by a few lines that share nothing with the readers. Each
-//! part is a trait that stands for the real functions; a fault replaces one of them, and the guards that are named
-//! for it have to fail.
+//! Truth, classes and expectations judge a backend, with points from a reader. If one of these is wrong, judging shows
+//! nothing, or nonsense. A guard compares a part of the tool with independently known facts: handwritten tables, or
+//! files written by a few lines that share nothing with the readers. Each part is a trait that stands for the real
+//! functions. A fault replaces one of them, and the guards listed for the fault must fail.
 //!
 //! * [`judging`]: truth, classes, statuses and ids.
 //! * [`readers`]: coordinates, points, meshes, rings, lines and content ids.
@@ -17,40 +16,40 @@ use crate::faults::Area;
 /// A check of a part of the tool.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Guard {
-    /// The part: [`Area::Oracle`] or [`Area::Readers`].
+    /// The guarded part: [`Area::Oracle`] or [`Area::Readers`].
     pub area: Area,
-    /// Its name.
+    /// The name of the guard.
     pub name: &'static str,
-    /// What it knows, in one line.
+    /// A one-line description of the known facts.
     pub means: &'static str,
 }
 
 /// A fault in a part of the tool.
 pub struct Guarded {
-    /// The part.
+    /// The part with the fault.
     pub area: Area,
-    /// The name of the fault, after that of its part and a colon.
+    /// The name of the fault, after the name of its part and a colon.
     pub name: &'static str,
-    /// What is wrong, in one line.
+    /// A one-line description of the fault.
     pub what: &'static str,
-    /// The guards that have to find it, by name.
+    /// The names of the guards that must detect the fault.
     pub caught_by: &'static [&'static str],
     run: fn() -> Vec<Held>,
 }
 
-/// What a guard found.
+/// The result of a guard.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Held {
     /// The guard's name.
     pub guard: &'static str,
-    /// How many facts it looked at: up to the first that does not hold, if there is one.
+    /// The number of facts checked, up to the first that does not hold.
     pub facts: u64,
     /// The first fact that does not hold.
     pub broken: Option<String>,
 }
 
 impl Guarded {
-    /// What each guard of the part finds where this is wrong.
+    /// The results of the part's guards with this fault.
     #[must_use]
     pub fn run(&self) -> Vec<Held> {
         (self.run)()
@@ -67,7 +66,7 @@ pub fn faults() -> impl Iterator<Item = &'static Guarded> {
     judging::FAULTS.iter().chain(readers::FAULTS)
 }
 
-/// What the guards of a part find where nothing is wrong.
+/// The results of a part's guards without a fault.
 #[must_use]
 pub fn honest(area: Area) -> Vec<Held> {
     match area {
@@ -77,7 +76,7 @@ pub fn honest(area: Area) -> Vec<Held> {
     }
 }
 
-/// Facts that a guard looks at, one by one.
+/// The facts that a guard checks, one by one.
 #[derive(Default)]
 struct Facts {
     count: u64,
@@ -85,7 +84,7 @@ struct Facts {
 }
 
 impl Facts {
-    /// Looks at a fact; those after the first that does not hold are not counted.
+    /// Checks a fact; facts after the first that does not hold are not counted.
     fn hold(&mut self, holds: bool, what: impl FnOnce() -> String) {
         if self.broken.is_none() {
             self.count += 1;

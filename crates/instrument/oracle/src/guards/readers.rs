@@ -1,5 +1,5 @@
-//! What reads files, held to files whose contents are known: they are written here, by a few lines that share nothing with the
-//! readers.
+//! Guards of the file readers, which read files with known contents, written here by a few lines that share nothing
+//! with the readers.
 
 use predicament_corpus::{Canon, Content, content_id};
 use predicament_formats::{Decimals, geometry, mesh, points, read_coordinate};
@@ -10,32 +10,32 @@ use crate::faults::Area;
 
 /// Rows of coordinates.
 type Points = Vec<Vec<f64>>;
-/// Faces by the coordinates of their corners.
+/// Faces, as the coordinates of their corners.
 type Faces = Vec<Vec<[f64; 3]>>;
-/// Rings and lines by their places.
+/// Rings and lines, as the coordinates of their points.
 type Chains = Vec<Vec<[f64; 2]>>;
 
-/// What reads: each function is the real one, unless a fault replaces it. None is a file that is refused.
+/// The functions that read files: each is the real function, unless a fault replaces it. `None` means a refused file.
 pub(super) trait Reading {
-    /// A coordinate.
+    /// Reads a coordinate.
     fn coordinate(&self, text: &str) -> Option<f64> {
         read_coordinate(text).ok()
     }
 
-    /// The points of a file.
+    /// Reads the points of a file.
     fn points(&self, file: &str, bytes: &[u8]) -> Option<Points> {
         let read = points::read(file, bytes.to_vec(), &Decimals::new(false)).ok()?;
         Some(read.coordinates.chunks(read.dimension.count()).map(<[f64]>::to_vec).collect())
     }
 
-    /// The faces of a mesh.
+    /// Reads the faces of a mesh.
     fn faces(&self, file: &str, bytes: &[u8]) -> Option<Faces> {
         let read = mesh::read(file, bytes.to_vec(), &Decimals::new(false)).ok()?;
         let corner = |&v: &u32| read.points.get(v as usize).copied();
         read.faces.iter().map(|face| face.iter().map(corner).collect()).collect()
     }
 
-    /// The rings of all polygons.
+    /// Reads the rings of all polygons.
     fn rings(&self, file: &str, bytes: &[u8]) -> Option<Chains> {
         let read = geometry::read(file, bytes.to_vec(), &Decimals::new(false)).ok()?;
         let shapes = read.features.into_iter().flat_map(|feature| feature.shapes);
@@ -46,20 +46,20 @@ pub(super) trait Reading {
         Some(rings.flatten().map(|ring| ring.iter().map(|position| position.at).collect()).collect())
     }
 
-    /// The ends of all segments of lines.
+    /// Reads the ends of all segments of lines.
     fn segments(&self, file: &str, bytes: &[u8]) -> Option<Chains> {
         let read = geometry::read(file, bytes.to_vec(), &Decimals::new(false)).ok()?.edges();
         let ends = |edge: &[predicament_predicates::Vertex; 2]| edge.map(|v| read.points[v.index()]).to_vec();
         Some(read.edges.iter().map(ends).collect())
     }
 
-    /// The id of a scene of these points and nothing else.
+    /// The id of a scene with these points and no questions.
     fn id(&self, points: &[[f64; 2]]) -> Option<String> {
         Some(content_id(&Scene::from_points2(points).ok()?, &Nothing))
     }
 }
 
-/// A content that asks nothing.
+/// A content without questions.
 #[derive(Debug)]
 struct Nothing;
 
@@ -73,12 +73,12 @@ impl Content for Nothing {
     }
 }
 
-/// Nothing is wrong.
+/// The real functions, without a fault.
 pub(super) struct Real;
 
 impl Reading for Real {}
 
-/// The guards of what reads.
+/// The guards of the readers.
 pub const GUARDS: &[Guard] = &[
     guard("hex floats", "a double written digit by digit from its bits is read as it was"),
     guard("decimals", "a decimal is read if a double is printed so, and refused if none is"),
@@ -96,7 +96,7 @@ const fn guard(name: &'static str, means: &'static str) -> Guard {
     Guard { area: Area::Readers, name, means }
 }
 
-/// What each guard finds.
+/// The result of each guard.
 pub(super) fn held(reading: &dyn Reading) -> Vec<Held> {
     let guards: [fn(&dyn Reading, &mut Facts); 7] = [hex_floats, decimals, csv, meshes, rings, lines, ids];
     let held = |(guard, look): (&Guard, fn(&dyn Reading, &mut Facts))| {
@@ -121,7 +121,7 @@ const DOUBLES: [f64; 10] = [
     12_345.678_901_234_567,
 ];
 
-/// A double as C's `%a`, from its bits.
+/// The text of a double as C's `%a`, from its bits.
 fn hex(x: f64) -> String {
     let bits = x.to_bits();
     let minus = if bits >> 63 == 1 { "-" } else { "" };
@@ -156,7 +156,7 @@ fn decimals(reading: &dyn Reading, facts: &mut Facts) {
         ("0.1", 0x3fb9_9999_9999_999a),
         ("0.10000000000000001", 0x3fb9_9999_9999_999a),
         ("-5e-324", 0x8000_0000_0000_0001),
-        // 2^-44: the shortest decimal that tells it from others is not the nearest one of 16 digits.
+        // 2^-44: its shortest identifying decimal is not the nearest decimal of 16 digits.
         ("5.684341886080802e-14", 0x3d30_0000_0000_0000),
     ] {
         let got = reading.coordinate(text);
@@ -204,7 +204,7 @@ fn csv(reading: &dyn Reading, facts: &mut Facts) {
     }
 }
 
-/// The faces of a tetrahedron over points that are no singles' neighbours: all are singles, for STL.
+/// The faces of a tetrahedron, with coordinates that are all singles, for STL.
 fn tetrahedron() -> (Vec<[f64; 3]>, [[usize; 3]; 4]) {
     (known::<3>(4), [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]])
 }
@@ -246,9 +246,10 @@ fn meshes(reading: &dyn Reading, facts: &mut Facts) {
     }
 }
 
-/// A header of 80 bytes, the number of triangles, and each with its normal and two bytes more; little end first.
+/// Binary STL: a header of 80 bytes, the number of triangles, and each triangle with its normal and two more bytes;
+/// little-endian.
 fn binary_stl(points: &[[f64; 3]], faces: &[[usize; 3]]) -> Vec<u8> {
-    // All of them are singles.
+    // All coordinates are singles.
     #[allow(clippy::cast_possible_truncation)]
     let single = |x: f64| x as f32;
     let mut bytes = vec![0; STL_HEAD];
@@ -271,7 +272,7 @@ fn known_rings() -> [Vec<Vec<[f64; 2]>>; 2] {
     ]
 }
 
-/// A ring's places with the first one behind the last.
+/// The points of a ring with the first repeated at the end.
 fn closed(ring: &[[f64; 2]]) -> Vec<[f64; 2]> {
     ring.iter().chain(ring.first()).copied().collect()
 }
@@ -314,7 +315,7 @@ fn lines(reading: &dyn Reading, facts: &mut Facts) {
     }
 }
 
-/// The id of the scene since there are ids.
+/// The id of the scene, fixed since ids were introduced.
 const PINNED: &str = "0fa27daf00cfd24b";
 
 fn ids(reading: &dyn Reading, facts: &mut Facts) {
@@ -344,7 +345,7 @@ macro_rules! faults {
             }
         )*
 
-        /// Faults in what reads.
+        /// The faults in the readers.
         pub const FAULTS: &[Guarded] = &[$(Guarded {
             area: Area::Readers,
             name: $name,
@@ -355,7 +356,7 @@ macro_rules! faults {
     };
 }
 
-/// A double as the single that is nearest.
+/// A double rounded to the nearest single.
 fn as_single(x: f64) -> f64 {
     #[allow(clippy::cast_possible_truncation)]
     f64::from(x as f32)

@@ -4,7 +4,7 @@ use predicament_tasks::Class;
 
 use crate::common::{definitions, judged_by_name, loaded};
 
-/// Of each kind of construction; `run` asks for all of them.
+/// A tie for each kind of construction; `run` tests all of them.
 #[test]
 fn ties_about_constructed_vertices_are_broken_as_the_judge_does() {
     let scenes = definitions().into_iter().filter(|scene| scene.suite == "constructed");

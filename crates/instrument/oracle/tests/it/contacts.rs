@@ -1,4 +1,4 @@
-//! Contacts: what meets by its definition, honest backends, and faulty ones.
+//! Contacts: pairs that meet by definition, honest backends, and faulty backends.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -26,9 +26,8 @@ fn plus(a: &Form, by: &Rational, b: &Form) -> Form {
     a.iter().zip(b).map(|(a, b)| a + Rational::from(by * b)).collect()
 }
 
-/// Whether some point is strictly inside both simplices: positive weights that
-/// add up to one on each side and give the same point. Equations by Gaussian
-/// elimination, then inequalities by Fourier and Motzkin.
+/// True if some point is strictly inside both simplices: positive weights that add up to one on each side and give the
+/// same point. Equations by Gaussian elimination, then inequalities by Fourier and Motzkin.
 fn insides_meet(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> bool {
     let (n, dimension) = (s.len() + t.len(), scene.dimension().count());
     let mut equations: Vec<Form> = vec![vec![Rational::new(); n + 1]; dimension + 2];
@@ -87,8 +86,8 @@ fn is_face(part: &[Vertex], of: &[Vertex]) -> bool {
     part.iter().all(|v| of.contains(v))
 }
 
-/// The pairs that meet, by their definition: common points of two insides, the
-/// most degenerate first, and nothing above what was found.
+/// The pairs that meet, by definition: common points of two interiors, the most degenerate pairs first, and no pair
+/// above a found one.
 fn by_carriers(scene: &Scene, [a, b]: [&Complex; 2]) -> BTreeSet<[Simplex; 2]> {
     let bounds = |simplex: &[Vertex]| -> Vec<[f64; 2]> {
         let along = |axis| simplex.iter().map(move |&v| scene.point(v)[axis]);
@@ -132,7 +131,7 @@ fn what_meets_by_definition_is_registered() {
         assert_eq!(found, by_carriers(&loaded.scene, content.both()), "{}", loaded.name);
         kinds.extend(found.iter().map(|[s, t]| (loaded.task, s.rank.max(t.rank), s.rank.min(t.rank))));
     }
-    // Of every kind of pair there is one that meets.
+    // At least one pair of every kind meets.
     assert_eq!(kinds.len(), 4 + 6, "{kinds:?}");
 }
 
@@ -141,13 +140,13 @@ fn honest_backends_have_no_findings() {
     for loaded in suite("contacts") {
         for backend in ["exact", "sos", "sos:edelsbrunner-mucke", "sos:per-mesh", "tolerance"] {
             let mut outcome = judged_by_name(&loaded, backend);
-            // Contacts that keep their promise and make curves cross an odd number of times.
+            // These contacts keep their promise and make curves cross an odd number of times.
             if backend == "tolerance" && (loaded.name == "kettner-zigzag" || loaded.name.starts_with("odd-")) {
                 let of_class = outcome.counts.get(Class::Topology);
                 outcome.findings.retain(|finding| finding.check != "crossing parity");
                 assert_eq!(of_class > 0, loaded.name != "odd-everywhere-f32", "{}", loaded.name);
             }
-            // And those that make curves of intersection fork.
+            // These contacts make curves of intersection fork.
             if backend == "tolerance" && (loaded.name == "surfaces-near" || loaded.name.starts_with("broken-curve")) {
                 let of_class = outcome.counts.get(Class::Topology);
                 outcome.findings.retain(|finding| finding.check != "loose ends");

@@ -1,4 +1,4 @@
-//! The judge of crossings: it passes right answers, and names what is wrong with others.
+//! The judge of crossings: it accepts right answers, and reports the errors of others.
 
 use std::sync::Arc;
 
@@ -11,7 +11,7 @@ use predicament_tasks::{Asked, Budget, Class, Outcome};
 
 use crate::common::{checks, load, suite, with_case};
 
-/// What is found about an answer that a backend might have given.
+/// The outcome for a possible answer of a backend.
 fn judged(loaded: &LoadedScene, backend: &str, answer: &Crossed) -> Outcome {
     let contestant = predicament_bundle::backend(backend).unwrap();
     with_case(loaded, |case, watch| {
@@ -30,7 +30,7 @@ fn honest(loaded: &LoadedScene, backend: &str) -> Crossed {
     predicament_bundle::backend(backend).unwrap().answer(&Crossings, &loaded.scene, content).unwrap()
 }
 
-/// A way to spoil the crossings of one segment; false where they are too few for it.
+/// A way to corrupt the crossings of one segment; returns false if it has too few crossings.
 type Spoil = fn(&mut Vec<Vec<u32>>) -> bool;
 
 const SPOILT: [(&str, Spoil, Class, &str); 4] = [
@@ -91,7 +91,7 @@ fn every_way_to_spoil_an_answer_has_its_class() {
     }
 }
 
-/// A segment that ends on another crosses it, or does not: where nothing is perturbed, it does not.
+/// Without a perturbation, a segment that ends on another does not cross it.
 #[test]
 fn a_touch_taken_for_a_crossing_is_a_missed_zero() {
     let loaded = load("touching");
@@ -104,7 +104,7 @@ fn a_touch_taken_for_a_crossing_is_a_missed_zero() {
     assert_eq!((outcome.counts.findings(), checks(&outcome)), (2, vec![(Class::MissedZero, "crossings")]));
 }
 
-/// What breaks ties has one right answer, that of the perturbed scene.
+/// A backend that breaks ties has one right answer, that of the perturbed scene.
 #[test]
 fn a_perturbed_scene_has_one_answer() {
     for loaded in suite("crossings") {
@@ -121,8 +121,8 @@ fn a_perturbed_scene_has_one_answer() {
     }
 }
 
-/// Two computations of the truth about a perturbed scene: the judge's, which looks at every pair, and the driver's
-/// on a session whose ties are decided in polynomials.
+/// Two computations of the truth about a perturbed scene: the judge's, which tests every pair, and the driver's on a
+/// session that breaks ties by polynomials.
 #[test]
 fn the_truth_about_a_perturbed_scene_is_computed_twice() {
     let (mut broken, template) = (0, load("touching"));

@@ -1,4 +1,4 @@
-//! Expectations: what they match, and what is wrong with a file of them.
+//! Expectations: their matches, and the errors of a file of expectations.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! Planted faults that only some ways of judging find.
+//! Planted faults that only some ways of judging detect.
 
 use predicament_judge::TieJudge;
 use predicament_predicates::{Question, Sign};
@@ -7,7 +7,7 @@ use predicament_tasks::{Budget, Class};
 
 use crate::common::{checks, judged_by_name, load};
 
-/// A tie: the query, the answer to it in a batch and alone, and the sign that it should have.
+/// A tie: the query, its answers in a batch and alone, and the correct sign.
 struct Tie {
     query: usize,
     given: Sign,
@@ -42,7 +42,7 @@ fn ties(scene: &str, backend: &str) -> Vec<Tie> {
     ties
 }
 
-/// What is judged is the answer that was given; single calls would show nothing.
+/// Answers are judged as given in the batch; single calls would show nothing.
 #[test]
 fn batches_that_break_ties_the_other_way_are_caught() {
     for scene in ["grid-4x4-orient2d", "grid-orient3d"] {
@@ -56,7 +56,7 @@ fn batches_that_break_ties_the_other_way_are_caught() {
     }
 }
 
-/// Queries to a chunk: the sample once was the first ties of each.
+/// The number of queries in a chunk. An earlier sample took the first ties of each chunk.
 const CHUNK: usize = 4096;
 
 #[test]

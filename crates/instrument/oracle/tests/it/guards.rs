@@ -1,4 +1,4 @@
-//! Guards: nothing is wrong with the tool, and each fault in it is found by those that are named for it.
+//! Guards pass on the tool, and each planted fault is detected by the guards listed for it.
 
 use std::collections::BTreeSet;
 

@@ -1,9 +1,8 @@
-//! The judge judged: by a computation that has nothing in common with its own two.
+//! A test of the judge by a computation that is independent of its own two.
 //!
-//! [`judge::sign`] and [`judge::verdict`] both take differences to the last
-//! vertex and expand. The third computation takes homogeneous coordinates (a
-//! column of ones, lifts of coordinates and not of differences) and eliminates
-//! without fractions (Bareiss).
+//! [`judge::sign`] and [`judge::verdict`] both take differences to the last vertex and expand. The third computation
+//! takes homogeneous coordinates (a column of ones, lifts of coordinates and not of differences) and eliminates without
+//! fractions (Bareiss).
 
 use predicament_corpus::homogeneous;
 use predicament_judge as judge;
@@ -14,13 +13,13 @@ use rug::{Integer, Rational};
 
 use crate::common::{definitions, loaded};
 
-/// Queries of a scene, at most.
+/// The maximum number of queries per scene.
 fn most() -> usize {
     predicament_effort::some_or_all(60, 3000)
 }
 
-/// The sign of the homogeneous determinant. Constructed vertices have a positive
-/// weight instead of the one, by joins and meets of integer vectors.
+/// The sign of the homogeneous determinant. Constructed vertices have a positive weight instead of the one, by joins
+/// and meets of integer vectors.
 fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let axes = match question {
         Question::Compare(axis) => vec![axis],
@@ -43,7 +42,8 @@ fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
         row
     };
     let rows: Vec<Vec<Rational>> = args.iter().map(|&v| exact(v)).collect();
-    // Denominators are powers of two: the largest one makes integers of all, column by column alike.
+    // Denominators are powers of two: multiplying by the largest makes all entries integers, with one factor for all
+    // columns.
     let scale = rows.iter().flatten().map(Rational::denom).max().expect("coordinates").clone();
     let whole = |row: &Vec<Rational>| row.iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
     bareiss(rows.iter().map(whole).collect())
@@ -70,7 +70,7 @@ fn bareiss(mut matrix: Vec<Vec<Integer>>) -> Sign {
     sign * Sign::from(matrix[n - 1][n - 1].cmp0())
 }
 
-/// All three computations; a determinant is never larger than its permanent.
+/// The sign by all three computations, which must agree; a determinant is never larger than its permanent.
 fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let (sign, verdict) = (judge::sign(scene, question, args), judge::verdict(scene, question, args));
     let third = third(scene, question, args);
@@ -85,8 +85,8 @@ fn agreed(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     sign
 }
 
-/// Every embedded scene of signs, so every family: evenly spread queries. The same queries convict
-/// arithmetic that rounds, so they are not too easy to tell a right judge from a wrong one.
+/// Evenly spaced queries from every embedded scene of signs, and so from every family. The same queries detect
+/// arithmetic that rounds, so they are hard enough to distinguish a right judge from a wrong one.
 #[test]
 fn three_computations_agree_on_every_family() {
     let (mut scenes, mut zeros, mut rounded) = (0, 0, 0);
@@ -141,7 +141,7 @@ fn small() -> impl Strategy<Value = f64> {
     (-3i8..=3).prop_map(f64::from)
 }
 
-/// Constructions by these ids, those that are points.
+/// Adds the constructions with these ids that give points.
 fn construct(scene: &mut Scene, ids: &[usize]) {
     let v = |i: usize| Vertex::input(ids[i]);
     let candidates: Vec<Construction> = match scene.dimension() {

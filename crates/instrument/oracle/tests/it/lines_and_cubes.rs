@@ -1,4 +1,4 @@
-//! Cells of a line and unions of cubes: what a backend gets wrong is found, and classed by its promise.
+//! Cells of a line and unions of cubes: errors of a backend are detected, and classified by its promise.
 
 use predicament_corpus::Suite;
 use predicament_cube_union::task::MassRow;
@@ -11,7 +11,7 @@ use predicament_tasks::{Class, Outcome};
 
 use crate::common::{checks, judged, judged_by_name, load, loaded};
 
-/// Compares by coordinates, then as it is told: by what is left of the tie, the two numbers.
+/// A backend that compares by a rule over two coordinates and, for ties, two vertex numbers.
 struct ByRule {
     zero: ZeroMeaning,
     rule: fn([f64; 2], [usize; 2]) -> Sign,
@@ -76,7 +76,7 @@ fn by_rule(name: &str, zero: ZeroMeaning, rule: fn([f64; 2], [usize; 2]) -> Sign
     judged(&load(name), &predicament_bundle::entry(ByRule { zero, rule }))
 }
 
-/// What a backend measured of a union, by the columns of its row.
+/// The measures that a backend computed for a union, by column name of its table row.
 fn mass(outcome: &Outcome) -> impl Fn(&str) -> f64 + use<> {
     let fields = outcome.rows[0].fields.clone();
     move |column| {
@@ -102,7 +102,7 @@ fn honest_backends_are_clean_on_lines() {
 #[test]
 fn each_way_to_be_wrong_on_a_line_has_its_class() {
     let exact = |[a, b]: [f64; 2], _: [usize; 2]| order(a, b);
-    // One point of three-cells that is at an end is said to be beyond it, against any promise.
+    // One point of three-cells at an end is reported beyond it, against every promise.
     let never = by_rule("three-cells", ZeroMeaning::Never, exact);
     assert_eq!(checks(&never), [(Class::Inconsistent, "never zero")]);
     let broken = by_rule("three-cells", ZeroMeaning::Exact, smaller_is_further);
@@ -110,25 +110,25 @@ fn each_way_to_be_wrong_on_a_line_has_its_class() {
     let near = |[a, b]: [f64; 2], _: [usize; 2]| if (a - b).abs() < 1e-9 { Sign::Zero } else { order(a, b) };
     let near = by_rule("cells-uniform-interval", ZeroMeaning::Exact, near);
     assert_eq!(checks(&near), [(Class::Overreach, "cells")]);
-    // Everything above 0.5 is taken for less by 0.1: in the wrong cell, but in one.
+    // Probes above 0.5 are compared as if smaller by 0.1: each is in a wrong cell, but in exactly one.
     let shifted = |[a, b]: [f64; 2], [i, j]: [usize; 2]| {
         let probe = |x: f64, at: usize| if at < 402 && x > 0.5 { x - 0.1 } else { x };
         order(probe(a, i), probe(b, j))
     };
     let shifted = by_rule("cells-uniform-interval", ZeroMeaning::Exact, shifted);
     assert!(checks(&shifted).contains(&(Class::SignFlip, "cells")), "{:?}", checks(&shifted));
-    // Ties broken the other way: a partition where no end is repeated, but not the promised one.
+    // Ties broken the other way: without repeated ends this is a partition, but not the promised one.
     let other = by_rule("three-cells", ZeroMeaning::Never, larger_is_further);
     assert_eq!(checks(&other), [(Class::SignFlip, "half-open rule")]);
-    // … and none where ends are.
+    // … and not a partition with repeated ends.
     let other = by_rule("no-length", ZeroMeaning::Never, larger_is_further);
     assert!(checks(&other).contains(&(Class::Topology, "double")), "{:?}", checks(&other));
-    // Ties by place: right of one cell's end and left of the next one's beginning, or in both.
+    // Ties by position: right of one cell's end and left of the next one's beginning, or in both.
     let up = |[a, b]: [f64; 2], _: [usize; 2]| if a >= b { Sign::Positive } else { Sign::Negative };
     assert!(checks(&by_rule("three-cells", ZeroMeaning::Never, up)).contains(&(Class::Topology, "double")));
     let down = |[a, b]: [f64; 2], _: [usize; 2]| if a > b { Sign::Positive } else { Sign::Negative };
     assert!(checks(&by_rule("three-cells", ZeroMeaning::Never, down)).contains(&(Class::Topology, "gap")));
-    // An order with a cycle: a probe beyond the last end, and left of the one before.
+    // An order with a cycle: a probe beyond the last end, and left of the previous end.
     let cycle = |[a, b]: [f64; 2], [i, j]: [usize; 2]| match (i, j) {
         (2, 10) | (9, 2) => Sign::Positive,
         (10, 2) | (2, 9) => Sign::Negative,
@@ -163,17 +163,17 @@ fn each_sum_over_a_union_can_be_found_wrong() {
     let found: Vec<&str> = checks(&exact).iter().map(|(_, check)| *check).collect();
     assert_eq!(found, ["area", "edge length", "volume"]);
     assert_eq!(mass(&exact)("corners"), 0., "every corner is in another cube");
-    // Moved the other way two cubes part that should be one: the same volume, with other walls.
+    // Moved the other way, two cubes separate that should join: the same volume, with other walls.
     let other = by_rule("common-face", ZeroMeaning::Never, larger_is_further);
     let found: Vec<&str> = checks(&other).iter().map(|(_, check)| *check).collect();
     assert_eq!(found, ["area", "vertices"]);
-    // Ties by place are no perturbation at all: some corners are in, others out.
+    // Ties by position are not a perturbation: some corners are inside, others outside.
     let up = |[a, b]: [f64; 2], _: [usize; 2]| if a >= b { Sign::Positive } else { Sign::Negative };
     let up = by_rule("slide", ZeroMeaning::Never, up);
     assert!(checks(&up).contains(&(Class::Topology, "euler characteristic")), "{:?}", checks(&up));
 }
 
-/// More cubes than the judge measures as a whole: of every second one, it says the same as sections do of all.
+/// More cubes than the judge measures as a whole: an error in the measured part is detected.
 #[test]
 fn a_part_of_many_cubes_can_be_found_wrong() {
     let cubes: Vec<String> =

@@ -1,5 +1,4 @@
-//! Locating is judged with every edge asked about, and the shortcut that users
-//! run is held against it.
+//! Location is judged with a query for every edge, and compared with the shortcut that users run.
 
 use std::sync::Arc;
 
@@ -16,16 +15,15 @@ use predicament_tasks::{Class, Outcome};
 
 use crate::common;
 
-/// SoS that says one turn of every probe the wrong way round: that of the
-/// square's top edge, which lies above all probes.
+/// SoS with one wrong turn for every probe: the turn of the square's top edge, which lies above all probes.
 struct WrongAboutTheTop {
     proved: bool,
 }
 
 struct Session<'s>(predicament_sos::Session<'s, Off>);
 
-/// The probes come first: the middles of the left and of the right side, and
-/// the middle of the square; then its corners.
+/// The probes come first: the middles of the left and of the right side, and the middle of the square; then its
+/// corners.
 const POINTS: [[f64; 2]; 7] = [[0., 1.], [2., 1.], [1., 1.], [0., 0.], [2., 0.], [2., 2.], [0., 2.]];
 const TOP: [usize; 2] = [5, 6];
 
@@ -87,8 +85,8 @@ fn a_wrong_sign_that_raw_coordinates_would_hide_is_found() {
 
 #[test]
 fn proved_signs_have_to_give_the_same_by_the_shortcut() {
-    // On the coast "outside" is as legal as "inside": only the shortcut, which
-    // does not ask about the top, tells. One side is perturbed into the square.
+    // On the coast "outside" is as legal as "inside": only the shortcut, which does not query the top edge, shows the
+    // fault. One side is perturbed into the square.
     let outcome = judged(WrongAboutTheTop { proved: true }, 2);
     let checks: Vec<&str> = outcome.findings.iter().map(|finding| finding.check.as_str()).collect();
     assert_eq!((outcome.counts.get(Class::Topology), checks), (1, vec!["shortcut"]));

@@ -1,6 +1,5 @@
-//! The synthetic maps of the suites, where ties are everywhere: the paper's own
-//! test, the generic code under both exact signs and a perturbation, and the
-//! judge of tilings.
+//! The suites' synthetic maps, which are full of ties: the paper's own test, the generic code with both exact signs and
+//! a perturbation, and the judge of tilings.
 
 use predicament_exact::{Exact, raw};
 use predicament_polygon_locate::algorithm::{LocateIndex, locate_all, locate_all_specially};

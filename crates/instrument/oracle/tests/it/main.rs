@@ -1,4 +1,4 @@
-//! The oracle from outside: backends on scenes of the corpora, and what is found about them.
+//! Tests of the oracle through its public interface: backends on scenes of the corpora, and the findings about them.
 
 mod common;
 mod constructed;

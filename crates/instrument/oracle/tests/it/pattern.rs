@@ -1,4 +1,4 @@
-//! A name is what globset takes it for.
+//! Patterns that are names match as globset would.
 
 use std::collections::BTreeSet;
 
@@ -16,7 +16,7 @@ proptest! {
         prop_assert_eq!(pattern.names(&suite, &scene), truth);
     }
 
-    /// A search by pattern skips names with another prefix, and finds what a search over all names finds.
+    /// A search by pattern skips names with another prefix, and finds the same scenes as a search over all names.
     #[test]
     fn a_pattern_of_one_of_several_scenes_is_found(
         text in "[ab]{0,2}([/*?,]|\\{a,b\\}|\\[ab\\]|\\\\a){0,2}[ab]{0,2}",

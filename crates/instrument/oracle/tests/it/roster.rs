@@ -1,4 +1,4 @@
-//! Backends by name.
+//! Tests of backends by name.
 
 use predicament_oracle::roster::{DEFAULT, HELP, MORE, backend};
 use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
@@ -26,7 +26,7 @@ fn mistakes_are_answered_with_what_there_is() {
     assert!(error("fault:none").contains("selftest --list"));
 }
 
-/// What the help names without a parameter runs by default or is said not to.
+/// Every parameterless backend in the help runs by default or is listed as not doing so.
 #[test]
 fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
     let names = HELP
@@ -42,7 +42,7 @@ fn every_backend_of_the_help_runs_by_default_or_is_left_out_by_name() {
     assert!(MORE.iter().all(|name| plain.contains(name)));
 }
 
-/// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as it is.
+/// `sos:per-mesh` is one of the backends behind a pointer: it counts, refuses and constructs as without the pointer.
 #[test]
 fn a_backend_behind_a_pointer_is_the_backend() {
     let per_mesh = backend("sos:per-mesh", &()).unwrap();

@@ -1,4 +1,5 @@
-//! What [`run`](predicament_oracle::run) makes of backends that answer, decline, always say the same, or panic.
+//! The outcomes of [`run`](predicament_oracle::run) for backends that answer, decline, always answer the same, or
+//! panic.
 
 use std::sync::Arc;
 
@@ -10,7 +11,7 @@ use predicament_tasks::{Class, Entry};
 
 use crate::common::{judged, judged_by_name, load, with_case};
 
-/// Answers that everything is positive, or panics at the third query.
+/// A backend that answers positive to every query, or panics at the third.
 struct Stub {
     panics: bool,
 }

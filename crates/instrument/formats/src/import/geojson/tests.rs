@@ -7,7 +7,7 @@ fn of(text: &str) -> Result<Geometry, CorpusError> {
     read("m.geojson", text, &Decimals::new(false), &mut |_, _| true)
 }
 
-/// Two squares that share a border, one with a hole that is the other; then a feature without a place.
+/// Two squares that share a border, one with a hole that is the other; then a feature without a geometry.
 const SQUARES: &str = r#"{"type": "FeatureCollection", "crs": {"type": "name"}, "features": [
     {"type": "Feature", "properties": {"name": "west", "more": [[[]]]}, "geometry":
         {"type": "Polygon", "coordinates": [[[0, 0], [4, 0], [4, 4], [0, 4], [0, 0]], [[1, 1], [1, 2], [2, 2], [1, 1]]]}},
@@ -43,7 +43,7 @@ fn bare_rings_are_one_polygon() {
 
 #[test]
 fn some_features_are_read_and_nothing_is_counted_of_the_others() {
-    // The second has a decimal that is no double.
+    // The second has a decimal that is not a double.
     let text = SQUARES.replace("9.5", "9.1000000000000000001");
     let some = |decimals: &Decimals, wanted: &dyn Fn(usize, Option<&str>) -> bool| {
         let mut seen = Vec::new();

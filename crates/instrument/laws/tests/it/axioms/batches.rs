@@ -1,4 +1,4 @@
-//! Laws about many tuples: what is found about each alone, by batches only.
+//! Laws about many tuples: batches give the same findings as single checks, and use batched queries only.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -15,7 +15,7 @@ use predicament_sos::Sos;
 use super::{choices, grid2, grid3};
 use crate::common::{Fault, Faulty};
 
-/// A session that answers batches only, each query as another session answers it alone; it counts them.
+/// A session that answers batches only, each query as another session answers it alone; it counts the batches.
 struct Batches<'s, P> {
     alone: &'s P,
     batches: AtomicUsize,
@@ -67,7 +67,7 @@ fn some<const N: usize>(vertices: usize) -> Vec<[Vertex; N]> {
     some
 }
 
-/// Compares what is found about some tuples at once and about each alone; returns how much that is.
+/// Compares the findings for tuples in one batch with the findings for each tuple alone; returns their number.
 fn compare<P: Predicates>(alone: &P, zero: ZeroMeaning, questions: &[Question]) -> usize {
     let session = Batches { alone, batches: AtomicUsize::new(0) };
     let asked = |most: usize| assert!((1..=most).contains(&session.batches.swap(0, Relaxed)), "{most} batches");

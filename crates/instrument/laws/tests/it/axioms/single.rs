@@ -1,4 +1,4 @@
-//! The laws for single answers that are made up, and what relations say about themselves.
+//! The laws on made-up single answers, and the descriptions of relations.
 
 use predicament_exact::Exact;
 use predicament_laws::axioms::{
@@ -12,11 +12,11 @@ use predicament_predicates::{
 const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
 const MEANINGS: [ZeroMeaning; 3] = [ZeroMeaning::Band, ZeroMeaning::Exact, ZeroMeaning::Never];
 
-/// Comparisons along x by a function; batches with one wrong answer, where they are so long.
+/// A session that compares along x with a function; batches of a given length have one wrong answer.
 struct Answers<P, F> {
     inner: P,
     compare: F,
-    /// The length of the batch, and which of its answers is turned.
+    /// The length of the batch, and the index of its negated answer.
     turned: Option<[usize; 2]>,
 }
 
@@ -77,11 +77,11 @@ fn three_comparisons_are_transitive_if_three_numbers_answer_so() {
         }
         broken += usize::from(!is_order);
     }
-    // Of 27 there are 13 weak orders of three.
+    // Of the 27 triples of signs, 13 are weak orders of three.
     assert_eq!(broken, 14);
 }
 
-/// Two comparisons of two vertices: either order.
+/// Both orders of the two vertices are compared.
 #[test]
 fn two_orders_are_antisymmetric_if_their_signs_are_opposite() {
     let scene = cube();
@@ -125,7 +125,7 @@ fn a_reference_that_is_zero_says_nothing_and_a_zero_of_a_band_is_no_sign() {
     }
 }
 
-/// A wrong answer in the batch of all queries, in that without the first one, and beside one plane.
+/// The wrong answer is in the batch of all queries, in the batch without the first query, or beside one plane.
 #[test]
 fn a_violation_of_place_names_the_query_that_was_answered_otherwise() {
     let scene = cube();
@@ -149,7 +149,7 @@ fn a_violation_of_place_names_the_query_that_was_answered_otherwise() {
     let queries = QuerySet::new(Question::Orient3d, flat);
     assert_eq!(independence_of_place(&session(None), &queries), None);
     let found = independence_of_place(&session(Some([3, 2])), &queries).unwrap();
-    // The last point of the third query beside the first one's plane.
+    // The last point of the third query beside the first query's plane.
     assert!(found.answers.iter().all(|answer| answer.args == [0, 1, 2, 6].map(Vertex::input)), "{found:?}");
     assert_eq!(found.answers[0].sign, -found.answers[1].sign);
 }

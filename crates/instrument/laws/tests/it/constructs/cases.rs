@@ -1,5 +1,5 @@
-//! Scenes, and what is constructed in them: a first level, deeper ones, and a
-//! definition of no point; with questions about all of it and the true answers.
+//! Scenes with constructions: a first level, deeper levels, and a definition that gives no point; with queries about
+//! all of them and the exact answers.
 
 use std::sync::LazyLock;
 
@@ -7,7 +7,7 @@ use predicament_judge::{determinant, point};
 use predicament_predicates::{Axis, Construction, Dimension, Plane, Predicates, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
-/// A generator of numbers: xorshift64 (Marsaglia 2003).
+/// The random number generator xorshift64 (Marsaglia 2003).
 pub struct Random(pub u64);
 
 impl Random {
@@ -23,7 +23,7 @@ impl Random {
         std::array::from_fn(|_| left.swap_remove(self.below(left.len())))
     }
 
-    /// Three planes of input vertices only: rows of deeper ones are long for a judge in rationals.
+    /// Three planes of input vertices only: deeper constructions have long rows, too slow for a judge in rationals.
     fn definition(&mut self, dimension: Dimension, from: &[Vertex]) -> Construction {
         match dimension {
             Dimension::Two => Construction::Ssi([self.distinct(from), self.distinct(from)]),
@@ -38,26 +38,26 @@ impl Random {
 pub struct Case {
     /// Two meshes, for the backend that needs them; the last points are for `degenerate`.
     pub scene: Scene,
-    /// Of input vertices.
+    /// Constructions from input vertices.
     pub first: Vec<Construction>,
-    /// Of those, and in the plane of each other.
+    /// Constructions from the first level, and in the plane also from each other.
     pub deep: Vec<Construction>,
     /// Parallel lines, or a line parallel to a plane.
     pub degenerate: Construction,
-    /// About each constructed vertex, in their order.
+    /// The queries about each constructed vertex, in the order of the vertices.
     asked: Vec<Vec<Asked>>,
 }
 
-/// A question, its vertices, and the true sign.
+/// A question, its vertices, and the exact sign.
 pub type Asked = (Question, Vec<Vertex>, Sign);
 
 impl Case {
-    /// Questions about the vertices of some constructions, and about others from before the last.
+    /// The queries about the vertices of some constructions and about earlier vertices.
     pub fn asked(&self, constructed: std::ops::Range<usize>) -> impl Iterator<Item = &Asked> {
         self.asked[constructed].iter().flatten()
     }
 
-    /// The levels that a session has constructed whole.
+    /// The constructed vertices of the levels that a session has constructed completely.
     pub fn known(&self, session: &dyn Predicates) -> std::ops::Range<usize> {
         let (first, constructed) = (self.first.len(), session.scene().constructions().len());
         let levels = [0, first, first + self.deep.len()];
@@ -65,10 +65,10 @@ impl Case {
     }
 }
 
-/// The case of each dimension, the plane's first.
+/// The two cases: first the plane, then space.
 pub static CASES: LazyLock<[Case; 2]> = LazyLock::new(|| [case(Dimension::Two), case(Dimension::Three)]);
 
-/// Random points but for the last ones.
+/// Builds a case; all points are random except the last ones.
 fn case(dimension: Dimension) -> Case {
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let points = 8;
@@ -92,7 +92,7 @@ fn case(dimension: Dimension) -> Case {
     let mut grown = scene.clone();
     let first = level(&mut random, &mut grown, &inputs, 6);
     let mut deep = Vec::new();
-    // In space one: the rationals of the judge grow by far more than the rows of a backend.
+    // One level in space: the rationals of the judge grow far faster than the rows of a backend.
     let levels = if dimension == Dimension::Two { 2 } else { 1 };
     for _ in 0..levels {
         let last = grown.constructions().len() - 4..grown.constructions().len();
@@ -103,7 +103,7 @@ fn case(dimension: Dimension) -> Case {
     Case { scene, first, deep, degenerate, asked }
 }
 
-/// Definitions of points, of these vertices. All of them are added to the scene.
+/// Constructions that give points, from these vertices. All of them are added to the scene.
 fn level(random: &mut Random, scene: &mut Scene, from: &[Vertex], count: usize) -> Vec<Construction> {
     let mut level = Vec::new();
     while level.len() < count {
@@ -118,8 +118,8 @@ fn level(random: &mut Random, scene: &mut Scene, from: &[Vertex], count: usize) 
     level
 }
 
-/// About each constructed vertex: whether it is on what defines it, and random
-/// questions, for the first ones about vertices of their level only.
+/// The queries about each constructed vertex: whether it is on the lines and planes that define it, and random queries.
+/// The random queries about the first vertices use vertices of their level only.
 fn asked(scene: &Scene, first: usize) -> Vec<Vec<Asked>> {
     let (axes, planes): (&[Axis], &[Plane]) = match scene.dimension() {
         Dimension::Two => (&[Axis::X, Axis::Y], &[Plane::Xy]),

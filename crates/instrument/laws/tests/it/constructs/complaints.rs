@@ -1,4 +1,4 @@
-//! What is wrong with how a backend constructs, in the light of what it declares.
+//! Checks of how a backend constructs, compared with its declaration.
 
 use predicament_predicates::{
     Backend, Construction, Constructs, Off, Predicates, QuerySet, Question, Scene, Sign, Vertex,
@@ -6,8 +6,8 @@ use predicament_predicates::{
 
 use super::cases::{CASES, Case};
 
-/// Each begins with the name of its check: `declared`, `ids`, `interned`, `all or nothing`,
-/// `degenerate`, `truth`, `prepared`, `batches`.
+/// The failed checks of a backend. Each begins with the name of its check: `declared`, `ids`, `interned`, `all or
+/// nothing`, `degenerate`, `truth`, `prepared`, `batches`.
 pub fn complaints<B: Backend>(backend: &B) -> Vec<String> {
     let mut complaints = Vec::new();
     for case in CASES.iter() {
@@ -79,7 +79,8 @@ fn constructs<B: Backend>(
     batches(case, session, complaints);
 }
 
-/// A batch with a definition that cannot be, and one with a degenerate one.
+/// Checks that a batch with an invalid construction is refused as a whole, and so is one with a degenerate
+/// construction.
 fn refused_together(case: &Case, declared: Constructs, session: &mut dyn Predicates, complaints: &mut Vec<String>) {
     let before = session.scene().clone();
     let missing = Vertex::input(case.scene.len());
@@ -104,7 +105,7 @@ fn refused_together(case: &Case, declared: Constructs, session: &mut dyn Predica
     }
 }
 
-/// The same lines and planes in other orders are the same vertices, in any order.
+/// Checks that the lines and planes of known vertices, in other orders and in a reversed batch, give those vertices.
 fn interned(case: &Case, session: &mut dyn Predicates, complaints: &mut Vec<String>) {
     let turn = |&definition: &Construction| match definition {
         Construction::Ssi([[a, b], line]) => Construction::Ssi([line, [b, a]]),
@@ -120,7 +121,7 @@ fn interned(case: &Case, session: &mut dyn Predicates, complaints: &mut Vec<Stri
     }
 }
 
-/// Kept vertices have the true signs; rounded ones are seen to be rounded.
+/// Checks that kept vertices have the exact signs, and that the rounding of rounded vertices is detected.
 fn truth(
     case: &Case,
     declared: Constructs,
@@ -134,7 +135,7 @@ fn truth(
     let mut wrong = Vec::new();
     for &(question, ref args, truth) in case.asked(constructed) {
         let sign = question.ask(session, args);
-        // Backends that break ties are held to what is none.
+        // Backends that break ties are only compared where the exact sign is not zero.
         if sign != truth && (declared != Constructs::KeepsFirst || !truth.is_zero()) {
             wrong.push(format!("truth: {} is {truth:?}, not {sign:?}", question.query(args)));
         }
@@ -146,7 +147,7 @@ fn truth(
     }
 }
 
-/// A scene that has all vertices from the start gets the same answers.
+/// Checks that a scene that has all vertices from the start gets the same answers.
 fn prepared<B: Backend>(case: &Case, backend: &B, session: &dyn Predicates, complaints: &mut Vec<String>) {
     let scene: Scene = session.scene().clone();
     match backend.prepare(&scene, Off) {
@@ -162,7 +163,7 @@ fn prepared<B: Backend>(case: &Case, backend: &B, session: &dyn Predicates, comp
     }
 }
 
-/// Batches, lines and planes answer as single calls do.
+/// Checks that batches, lines and planes answer as single calls do.
 fn batches(case: &Case, session: &dyn Predicates, complaints: &mut Vec<String>) {
     for &(question, ref args, _) in case.asked(case.known(session)) {
         let single = question.ask(session, args);

@@ -1,4 +1,4 @@
-//! A backend that constructs wrongly: exact answers, and one fault.
+//! A faulty backend: exact answers, and one fault in how it constructs.
 
 use predicament_controls::Shewchuk;
 use predicament_exact::Exact;
@@ -7,7 +7,7 @@ use predicament_predicates::{
     Predicates, Question, Refused, Scene, Sign, Tally, Vertex, answer_by,
 };
 
-/// Whether a definition was refused for lines, or a line and a plane, that are parallel.
+/// True if a construction was refused because lines, or a line and a plane, are parallel.
 fn is_parallel(reason: &DefinitionError) -> bool {
     matches!(reason, DefinitionError::NoPoint(NoPoint::ParallelLines | NoPoint::ParallelToPlane))
 }
@@ -15,23 +15,23 @@ fn is_parallel(reason: &DefinitionError) -> bool {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Fault {
     None,
-    /// A definition in another order than before is a new vertex.
+    /// A construction in another order than before gives a new vertex.
     ForgetsToIntern,
-    /// Ids are in the order of definitions, whatever the order they come in.
+    /// Ids are sorted by construction, whatever order the constructions arrive in.
     Sorts,
-    /// What stands before a refused definition stays.
+    /// Constructions before a refused construction stay.
     KeepsThePrefix,
-    /// Vertices that constructed ones define are rounded.
+    /// Vertices defined by constructed vertices are rounded.
     RoundsTheSecondLevel,
     /// Vertices are rounded if the scene was not prepared with them.
     RoundsWhatIsNew,
-    /// The same, in batches only.
+    /// Vertices are rounded in batches only.
     RoundsInBatches,
-    /// It declares to keep vertices and declines.
+    /// The backend declares that it keeps vertices, but it declines constructions.
     DeclinesInstead,
-    /// It declares to decline and constructs.
+    /// The backend declares that it declines constructions, but it constructs.
     ConstructsInSecret,
-    /// Parallel lines get the vertex of the definition before them.
+    /// Parallel lines get the vertex of the previous construction.
     TakesParallels,
 }
 
@@ -39,7 +39,7 @@ pub struct Faulty(pub Fault);
 
 pub struct Session<'s> {
     exact: <Exact as Backend>::Session<'s, Off>,
-    /// The same scene, with rounded vertices and exact signs about those.
+    /// A session with rounded vertices, and exact signs about the rounded vertices.
     rounded: <Shewchuk as Backend>::Session<'s, Off>,
     prepared: usize,
     fault: Fault,

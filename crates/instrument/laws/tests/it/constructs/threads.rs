@@ -6,14 +6,14 @@ use rayon::prelude::*;
 
 use super::cases::Random;
 
-/// Whether two segments cross, as their ends say.
+/// True if two segments cross, by the signs of their ends.
 fn cross(session: &impl Predicates, [[a, b], [c, d]]: [[Vertex; 2]; 2]) -> bool {
     let side = |p, q, r| session.orient2d(Plane::Xy, p, q, r);
     let apart = |x: Sign, y: Sign| !x.is_zero() && x == -y;
     apart(side(a, b, c), side(a, b, d)) && apart(side(c, d, a), side(c, d, b))
 }
 
-/// One phase: all crossings among these segments, found in parallel, constructed at once.
+/// Runs one phase: finds all crossings among these segments in parallel, and constructs them in one call.
 fn phase(session: &mut impl Predicates, segments: &[[Vertex; 2]]) -> Vec<Vertex> {
     let asked = &*session;
     let found: Vec<Construction> = (0..segments.len())
@@ -25,7 +25,7 @@ fn phase(session: &mut impl Predicates, segments: &[[Vertex; 2]]) -> Vec<Vertex>
     session.construct(&found).expect("lines that cross meet")
 }
 
-/// Two levels of crossings, and the order of all along x.
+/// Constructs two levels of crossings and sorts all vertices along x.
 fn cascade(scene: &Scene, threads: usize) -> (Vec<Construction>, Vec<Vertex>, Vec<Sign>) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     pool.install(|| {

@@ -1,4 +1,4 @@
-//! The invariants, each with the handle where it is violated first.
+//! Validation of the invariants; each violation has the first handle where it occurs.
 
 #[cfg(test)]
 mod tests;
@@ -26,22 +26,22 @@ impl std::fmt::Display for Element {
     }
 }
 
-/// An invariant of half-edge meshes that is violated, and where.
+/// A violated invariant of half-edge meshes, and its location.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Violation {
-    /// The element is removed and not free to be used again, or free twice, or free and in use.
+    /// The element is removed but not free for reuse, or free twice, or free and in use.
     Storage(Element),
-    /// The element links to one that the mesh does not have.
+    /// The element links to an element that the mesh does not have.
     Link(Element, Element),
     /// The half-edge is its own opposite.
     OwnOpposite(HalfEdge),
-    /// The opposite of the half-edge's opposite is another one.
+    /// The opposite of the half-edge's opposite is another half-edge.
     Opposite(HalfEdge),
     /// The half-edge starts where it ends.
     OneVertex(HalfEdge),
     /// The half-edge is its own next.
     OwnNext(HalfEdge),
-    /// The next of the half-edge does not start where it ends.
+    /// The next of the half-edge does not start at the half-edge's end.
     Start(HalfEdge),
     /// Two half-edges have the same next.
     SharedNext(HalfEdge, HalfEdge),
@@ -57,7 +57,7 @@ pub enum Violation {
     VertexHalfEdge(MeshVertex),
     /// The half-edge ends at the vertex and is not in its ring.
     SecondRing(MeshVertex, HalfEdge),
-    /// Two half-edges go from one vertex to another.
+    /// Two half-edges go from one vertex to the same other vertex.
     SecondEdge(HalfEdge, HalfEdge),
 }
 
@@ -99,7 +99,7 @@ impl HalfEdgeMesh {
         self.edges_once()
     }
 
-    /// Free places are those of removed elements.
+    /// Checks that the free handles are those of removed elements.
     fn storage(&self) -> Result<(), Violation> {
         fn check<T: Copy>(
             used: impl Iterator<Item = bool>,
@@ -107,7 +107,7 @@ impl HalfEdgeMesh {
             place: impl Fn(T) -> usize,
             element: impl Fn(usize) -> Element,
         ) -> Result<(), Violation> {
-            // Each place is in use or free, once.
+            // Each handle is in use or free, exactly once.
             let mut times: Vec<u8> = used.map(u8::from).collect();
             for &handle in free {
                 match times.get_mut(place(handle)) {
@@ -125,7 +125,7 @@ impl HalfEdgeMesh {
         check(vertices, &self.free_vertices, MeshVertex::index, |at| Element::Vertex(MeshVertex::at(at)))
     }
 
-    /// All links lead to elements that there are.
+    /// Checks that all links lead to existing elements.
     fn links(&self) -> Result<(), Violation> {
         let to_half_edge = |from: Element, h: HalfEdge| {
             if self.has_half_edge(h) { Ok(()) } else { Err(Violation::Link(from, Element::HalfEdge(h))) }

@@ -1,10 +1,10 @@
-//! Each violation is planted, named by its handle, and shown in words; no traversal of a broken mesh runs on.
+//! Each violation is planted and reported with its handle and text; traversals of a broken mesh end.
 
 use super::*;
 use crate::half_edge::{IndexedFaces, REMOVED};
 use predicament_predicates::Vertex;
 
-/// A strip of three triangles and a tetrahedron beside it: vertices 0 to 4 and 5 to 8; one more without edges.
+/// A strip of three triangles and a separate tetrahedron: vertices 0 to 4 and 5 to 8; and one vertex without edges.
 fn mesh() -> HalfEdgeMesh {
     let triangles = [[0, 1, 2], [2, 1, 3], [2, 3, 4], [5, 6, 7], [5, 8, 6], [6, 8, 7], [7, 8, 5]];
     let faces: IndexedFaces = triangles.into_iter().collect();
@@ -17,7 +17,7 @@ fn half_edge(mesh: &HalfEdgeMesh, from: u32, to: u32) -> HalfEdge {
     mesh.find(MeshVertex(from), MeshVertex(to)).unwrap()
 }
 
-/// The violation after a change, which traversals survive.
+/// The violation after a change; checks that all traversals end.
 fn broken(change: impl Fn(&mut HalfEdgeMesh)) -> Violation {
     let mut mesh = mesh();
     change(&mut mesh);
@@ -27,7 +27,7 @@ fn broken(change: impl Fn(&mut HalfEdgeMesh)) -> Violation {
         let links = [mesh.next(h), mesh.opposite(h)].into_iter().all(|h| mesh.has_half_edge(h));
         links && mesh.has_vertex(mesh.end(h)) && mesh.face(h).is_none_or(|f| mesh.has_face(f))
     };
-    // Links to what is not there are no matter of traversals.
+    // Traversals need not handle links to elements that do not exist.
     if mesh.half_edges().all(known) {
         let anchored = |v: &MeshVertex| mesh.half_edge_of_vertex(*v).is_none_or(|h| mesh.has_half_edge(h));
         let vertices: Vec<MeshVertex> = mesh.vertices().filter(anchored).collect();
@@ -100,7 +100,7 @@ fn wrong_chains_are_seen() {
     let (h, before) = (half_edge(&m, 1, 2), half_edge(&m, 0, 1));
     assert_eq!(broken(|m| m.next[h.index()] = h), Violation::OwnNext(h));
     assert_eq!(broken(|m| m.next[before.index()] = half_edge(m, 2, 0)), Violation::Start(before));
-    // 1 to 3 starts at 1 too, and follows 2 to 1.
+    // The half-edge from 1 to 3 starts at 1 too, and follows the half-edge from 2 to 1.
     let (other, shared) = (half_edge(&m, 2, 1), half_edge(&m, 1, 3));
     assert_eq!(broken(|m| m.next[before.index()] = shared), Violation::SharedNext(before, other));
     assert_eq!(m.next(other), shared);
@@ -116,14 +116,14 @@ fn wrong_faces_are_seen() {
     assert!(before > h);
     assert_eq!(broken(|m| m.face_half_edge[0] = half_edge(m, 5, 6)), Violation::FaceHalfEdge(Face(0)));
     let second = |m: &mut HalfEdgeMesh| m.fill_loop(half_edge(m, 5, 6), Some(Face(0)));
-    // The tetrahedron's face is left without half-edges, which comes before its second loop.
+    // The tetrahedron's face has no half-edges left, which is reported before its second loop.
     assert_eq!(broken(second), Violation::FaceHalfEdge(Face(3)));
     let second = |m: &mut HalfEdgeMesh| {
         second(m);
         m.delete_face(Face(3));
     };
     assert_eq!(broken(second), Violation::SecondLoop(Face(0), half_edge(&m, 5, 6)));
-    // An edge alone, with a face on both of its sides.
+    // An isolated edge, with a face on both of its sides.
     let digon = |m: &mut HalfEdgeMesh| {
         let [h, o] = m.new_edge(MeshVertex(9), MeshVertex(8));
         m.set_next(h, o);
@@ -133,7 +133,7 @@ fn wrong_faces_are_seen() {
         m.vertex_half_edge[9] = o;
     };
     assert_eq!(broken(digon), Violation::TooFewHalfEdges(Face(7)));
-    // Without the face, it is in a second ring of vertex 8.
+    // Without the face, the edge is in a second ring of vertex 8.
     let wire = |m: &mut HalfEdgeMesh| {
         digon(m);
         m.open_face(Face(7)).unwrap();
@@ -147,10 +147,10 @@ fn wrong_vertices_are_seen() {
     let m = mesh();
     let h = half_edge(&m, 0, 1);
     assert_eq!(broken(|m| m.vertex_half_edge[4] = h), Violation::VertexHalfEdge(MeshVertex(4)));
-    // A vertex that has half-edges and does not know.
+    // A vertex that has half-edges, but no link to them.
     let into = m.half_edges().find(|&h| m.end(h) == MeshVertex(4)).unwrap();
     assert_eq!(broken(|m| m.vertex_half_edge[4] = HalfEdge::NONE), Violation::SecondRing(MeshVertex(4), into));
-    // One vertex at the strip and at the tetrahedron.
+    // One vertex shared by the strip and the tetrahedron.
     let merged = |m: &mut HalfEdgeMesh| {
         let all: Vec<HalfEdge> = m.ring(MeshVertex(8)).collect();
         all.into_iter().for_each(|h| m.end[h.index()] = MeshVertex(4));
@@ -161,7 +161,7 @@ fn wrong_vertices_are_seen() {
 
 #[test]
 fn second_edges_are_seen() {
-    // Between 0 and 3, in the boundary loop of the strip: the new edge cuts it in two.
+    // Between 0 and 3, in the boundary loop of the strip: the new edge splits the loop in two.
     let m = mesh();
     let doubled = |m: &mut HalfEdgeMesh| {
         let (first, second) = (half_edge(m, 1, 0), half_edge(m, 3, 1));
@@ -173,7 +173,7 @@ fn second_edges_are_seen() {
     assert!(broken(doubled).to_string().ends_with("join the same vertices"));
 }
 
-/// A chain of nexts that runs into a circle without its beginning.
+/// A chain of nexts that runs into a cycle that does not contain its start.
 #[test]
 fn traversals_end_where_links_never_come_back() {
     let mut m = mesh();

@@ -1,4 +1,4 @@
-//! From indexed faces and back, and what is refused on the way.
+//! Conversion from indexed faces and back, and refused faces.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{ConversionError, IndexedFaces};
@@ -92,7 +92,7 @@ fn what_is_no_manifold_is_refused_by_edge_and_vertex() {
             ),
             "faces close around vertex 0, and it has more faces; give these a vertex of their own",
         ),
-        // A tetrahedron and a triangle that share one.
+        // A tetrahedron and a triangle that share a vertex.
         (
             refused(6, &[&[0, 1, 2], &[0, 3, 1], &[1, 3, 2], &[2, 3, 0], &[3, 4, 5]]),
             "faces close around vertex 3, and it has more faces; give these a vertex of their own",
@@ -104,7 +104,7 @@ fn what_is_no_manifold_is_refused_by_edge_and_vertex() {
 
 #[test]
 fn open_fans_at_one_vertex_are_one_ring() {
-    // Three triangles that share vertex 0, and two that share vertices 1 and 2 with nobody else.
+    // Three triangles that share vertex 0 and nothing else.
     let pinched = mesh(7, &[[0, 1, 2], [0, 3, 4], [0, 5, 6]]).unwrap();
     assert_eq!(pinched.validate(), Ok(()));
     let shared = pinched.vertices().next().unwrap();
@@ -114,14 +114,14 @@ fn open_fans_at_one_vertex_are_one_ring() {
     assert_eq!((loops.boundaries.len(), loops.boundaries[0].len()), (1, 9));
 }
 
-/// By brute force: whether faces make a mesh. Corners are fine.
+/// True if faces make a mesh, by brute force. The corners are valid.
 fn is_manifold(faces: &[Vec<u32>]) -> bool {
     let sides =
         |face: &[u32]| -> Vec<[u32; 2]> { (0..face.len()).map(|at| [face[at], face[(at + 1) % face.len()]]).collect() };
     let all: Vec<[u32; 2]> = faces.iter().flat_map(|face| sides(face)).collect();
     let directed_once = all.iter().all(|edge| all.iter().filter(|other| *other == edge).count() == 1);
-    // At a vertex, corners are chained where one's outgoing edge is the other's incoming; a chain that closes has
-    // to have all corners.
+    // At a vertex, two corners are linked if the outgoing edge of one is the incoming edge of the other. A closed chain
+    // must contain all corners.
     let single = |v: u32| {
         let corners: Vec<[u32; 2]> = faces
             .iter()

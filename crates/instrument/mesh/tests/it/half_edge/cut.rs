@@ -9,7 +9,7 @@ fn checked(mesh: &HalfEdgeMesh) {
     mesh.validate().unwrap_or_else(|why| panic!("{why}"));
 }
 
-/// The number of parts that hang together.
+/// The number of connected parts.
 fn parts(mesh: &HalfEdgeMesh) -> usize {
     let most = mesh.vertices().map(|v| v.index() + 1).max().unwrap_or(0);
     let mut of: Vec<usize> = (0..most).collect();
@@ -26,7 +26,7 @@ fn parts(mesh: &HalfEdgeMesh) -> usize {
 #[test]
 fn a_cube_cut_around_comes_apart() {
     let mut m = cube();
-    // Around the face 0 3 2 1.
+    // The edges around the face 0 3 2 1.
     let around: Vec<HalfEdge> = [[0, 3], [3, 2], [2, 1], [1, 0]].map(|[a, b]| between(&m, a, b)).to_vec();
     m.set_user_data(m.opposite(around[2]), 7);
     let old: Vec<HalfEdge> = around.iter().map(|&h| m.opposite(h)).collect();
@@ -41,7 +41,7 @@ fn a_cube_cut_around_comes_apart() {
         let f = m.face(h);
         assert!(m.loop_of(h).all(|h| m.face(h) == f));
     }
-    // Both covered, they are closed.
+    // After both are covered, they are closed.
     for h in [m.opposite(around[0]), m.opposite(old[0])] {
         m.cover_boundary_loop(h).unwrap();
     }
@@ -91,7 +91,8 @@ fn what_is_no_edge_between_faces_is_refused() {
     assert_eq!(m.cut_along(&[inner]), Err(OperationError::OnBoundary(beside)));
 }
 
-/// Two tetrahedra that touch along an edge, as one mesh of which one face passes by the edge: it comes apart.
+/// Two tetrahedra that touch along an edge, as one mesh in which one face passes by the edge: the mesh is divided
+/// there.
 #[test]
 fn what_touches_along_an_edge_comes_apart() {
     // A roof over the quadrangle 0 1 2 3 whose ridge has come down to the diagonal from 0 to 2.

@@ -1,12 +1,12 @@
-//! Meshes as lists of loops: a second judgement of validity, and a form to compare by. Nothing is asked of a mesh
-//! here but where its loops go.
+//! Meshes as lists of loops: a second check of validity, and a form for comparison. This module uses only the loops of
+//! a mesh.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_predicates::Vertex;
 
-/// The loops of a mesh by vertices, each from its smallest rotation on, in ascending order.
+/// The loops of a mesh as vertices, each in its smallest rotation, in ascending order.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Loops {
     pub faces: Vec<Vec<Vertex>>,
@@ -15,7 +15,7 @@ pub struct Loops {
     pub alone: Vec<Vertex>,
 }
 
-/// Numbers of vertices, edges, faces and boundary loops.
+/// The numbers of vertices, edges, faces and boundary loops.
 pub type Counts = [i64; 4];
 
 fn rotated(of: &[Vertex]) -> Vec<Vertex> {
@@ -24,7 +24,7 @@ fn rotated(of: &[Vertex]) -> Vec<Vertex> {
 }
 
 impl Loops {
-    /// The loops, found by going from half-edge to next with a list of those seen.
+    /// The loops, found by following next from each half-edge, with a list of those visited.
     pub fn of(mesh: &HalfEdgeMesh) -> Loops {
         let (mut faces, mut boundaries) = (Vec::new(), Vec::new());
         let mut seen = BTreeSet::new();
@@ -56,9 +56,11 @@ impl Loops {
         [vertices, half_edges / 2, self.faces.len(), self.boundaries.len()].map(|n| i64::try_from(n).unwrap())
     }
 
-    /// What is wrong, if anything: each directed edge is there once, and its reverse is; around each vertex, the
-    /// step from an edge to the one before its reverse goes through all of its edges; faces have three corners; the
-    /// Euler characteristic is that of closed orientable surfaces when all loops are filled.
+    /// Checks the loops: each directed edge occurs once, and so does its reverse; around each vertex, the step from an
+    /// edge to the one before its reverse goes through all of its edges; faces have three corners; the Euler
+    /// characteristic is that of closed orientable surfaces when all loops are filled.
+    ///
+    /// The error says what is wrong.
     pub fn check(&self) -> Result<(), String> {
         let mut after = BTreeMap::new();
         for list in self.faces.iter().chain(&self.boundaries) {
@@ -87,7 +89,7 @@ impl Loops {
             let first = after.keys().find(|edge| edge.1 == to).expect("a degree");
             let (mut from, mut steps) = (first.0, 0);
             loop {
-                // Out of `to` by the loop, and back by the reverse.
+                // Leaves `to` along the loop, and returns by the reverse.
                 from = after[&(from, to)];
                 steps += 1;
                 if from == first.0 || steps > degree {
@@ -98,7 +100,7 @@ impl Loops {
                 return Err(format!("{degree} edges at {to}, {steps} in one ring"));
             }
         }
-        // Components: to the smallest vertex that is reached.
+        // The component of a vertex is the smallest vertex reached.
         for &start in degrees.keys() {
             let mut waiting = vec![start];
             while let Some(v) = waiting.pop() {
@@ -136,7 +138,7 @@ fn the_second_judgement_can_fail() {
     assert!(refused(&[&[0, 1, 2], &[0, 1, 3]], &[]).contains("two edges"));
     assert!(refused(&[&[0, 1, 1, 2]], &[]).contains("to itself"));
     assert!(refused(&[&[0, 1]], &[]).contains("a face of"));
-    // Two triangles that share a vertex, each with a boundary of its own; with one boundary they are whole.
+    // Two triangles that share a vertex, each with its own boundary; with one common boundary they are valid.
     let pinched: [&[usize]; 2] = [&[0, 1, 2], &[0, 3, 4]];
     assert_eq!(refused(&pinched, &[&[2, 1, 0], &[4, 3, 0]]), "4 edges at 0, 2 in one ring");
     assert_eq!(check(&pinched, &[&[2, 1, 0, 4, 3, 0]]), Ok(()));

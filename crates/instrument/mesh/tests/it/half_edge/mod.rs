@@ -1,4 +1,4 @@
-//! Half-edge meshes from outside: conversions, operations, long random sequences.
+//! Tests of half-edge meshes through the public interface: conversions, operations, long random sequences.
 
 mod conversion;
 mod cut;

@@ -1,4 +1,4 @@
-//! Single operations and traversals, on meshes that are drawn by hand.
+//! Single operations and traversals, on small hand-made meshes.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
@@ -56,7 +56,7 @@ fn loops_and_rings() {
     m.clear_markers();
     assert_eq!(m.boundary_loops(1).count(), 1);
     let [low, right] = [1, 5].map(|v| vertex(&m, v));
-    // The faces of 5 that are none of 1, as the lecture does it.
+    // The faces of 5 that are not faces of 1, as in the lecture.
     let places = |faces: Vec<Face>| faces.iter().map(|f| f.index()).collect::<Vec<_>>();
     let mut first = places(m.faces_once([low].into_iter(), 1).collect());
     first.sort_unstable();
@@ -93,7 +93,7 @@ fn faces_are_split_at_the_right_corner_anywhere_in_a_mesh() {
     let [center, corner, far] = [4, 8, 6].map(|v| vertex(&m, v));
     let f = all_faces(&m)[3];
     assert_eq!(m.split_face_between(f, center, far), Err(OperationError::NotInFace(f, far)));
-    // Wherever the ring of the center begins.
+    // The result does not depend on where the ring of the center begins.
     let h = m.split_face_between(f, center, corner).unwrap();
     let loops = checked(&m);
     assert_eq!(loops.counts(), [9, 13, 5, 1]);
@@ -174,7 +174,7 @@ fn edges_are_flipped_and_flipped_back() {
     assert_eq!(indices(&m, [m.start(h), m.end(h)].into_iter()), [4, 2]);
     m.flip_edge(h).unwrap();
     assert_eq!(checked(&m), before);
-    // A tetrahedron has all its edges.
+    // A tetrahedron already has all possible edges.
     let mut small = mesh(4, &[[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]]).unwrap();
     let h = between(&small, 0, 1);
     assert_eq!(small.flip_edge(h), Err(OperationError::EdgeExists(between(&small, 2, 3))));
@@ -193,7 +193,7 @@ fn removed_faces_leave_linked_boundaries() {
     let faces = all_faces(&m);
     m.remove_faces(&[faces[0]]).unwrap();
     assert_eq!(checked(&m).counts(), [6, 12, 7, 1]);
-    // The opposite one at vertex 0: pinched there.
+    // Also the opposite face at vertex 0: the vertex is then pinched.
     m.remove_faces(&[faces[2]]).unwrap();
     assert_eq!(m.gaps(vertex(&m, 0)), 2);
     checked(&m);
@@ -223,10 +223,10 @@ fn unhooked_faces_are_whole_in_the_other_mesh() {
     let mut both = [rest.faces, part.faces].concat();
     both.sort();
     assert_eq!(both, all.faces, "each face is in one of both, with its vertices");
-    // The last face touches the middle one in a vertex: there the part is pinched.
+    // The last face touches the middle face in a vertex, where the part is pinched.
     assert_eq!(other.vertices().filter(|&v| other.gaps(v) == 2).count(), 1);
     let more = all_faces(&m)[0];
-    // It becomes a part of its own there, with its own copies of vertices.
+    // There it becomes a separate part, with its own copies of vertices.
     m.unhook_faces(&[more], &mut other).unwrap();
     assert_eq!(other.validate(), Ok(()));
     assert_eq!((other.face_count(), other.vertex_count()), (4, 9 + 4));
@@ -257,18 +257,18 @@ fn what_would_break_an_invariant_is_refused_by_handle() {
     let mut other = HalfEdgeMesh::default();
     assert_eq!(m.unhook_faces(&[faces[0], faces[0]], &mut other), Err(E::ListedTwice(faces[0])));
     assert_eq!(Loops::of(&m), Loops::of(&grid(2, 1, false)));
-    // The last triangle of a strip: its corner is needed.
+    // The last triangle of a strip: its corner cannot be removed.
     let mut strip = mesh(4, &[[0, 1, 2], [2, 1, 3]]).unwrap();
     let corner = vertex(&strip, 0);
     assert!(matches!(strip.join_edges(corner), Err(E::TooFewHalfEdges(_))));
-    // The diagonal of a square that another face has as an edge already.
+    // The diagonal of a square that another face already has as an edge.
     let mut doubled = mesh(5, &[&[0, 1, 2, 3][..], &[0, 2, 4]]).unwrap();
     let f = all_faces(&doubled)[0];
     let (a, c) = (vertex(&doubled, 0), vertex(&doubled, 2));
     let exists = doubled.split_face_between(f, a, c).unwrap_err();
     assert_eq!(exists, E::EdgeExists(between(&doubled, 0, 2)));
     assert!(exists.to_string().ends_with("joins the same vertices already"));
-    // An edge that is left alone is no auxiliary edge.
+    // A single remaining edge is not an auxiliary edge.
     full.remove_faces(&all_faces(&full)[1..]).unwrap();
     let f = all_faces(&full)[0];
     let h = full.open_face(f).unwrap();
@@ -281,7 +281,7 @@ fn an_edge_that_leads_nowhere_else_stays() {
     let mut m = mesh(6, &[[0, 1, 2], [3, 4, 5]]).unwrap();
     let h = m.insert_auxiliary_edge(between(&m, 2, 0), between(&m, 4, 3)).unwrap();
     let v = m.split_edge(h, Vertex::input(6)).unwrap();
-    // 6 then ends a dead end.
+    // 6 is then a dead end.
     m.remove_auxiliary_edge(h).unwrap();
     assert_eq!(m.degree(v), 1);
     checked(&m);

@@ -1,4 +1,4 @@
-//! Long random sequences of operations: all invariants hold, numbers change as each operation says, and inverses
+//! Long random sequences of operations: all invariants hold, counts change as each operation specifies, and inverses
 //! restore the mesh.
 
 use predicament_mesh::HalfEdgeMesh;
@@ -7,7 +7,7 @@ use super::loops::Loops;
 use super::sequence::{Done, KINDS, Sequence};
 use super::shapes::{cube, grid, octahedron, polygon_and_fan, two_squares};
 
-/// A linear congruence (Knuth's MMIX constants).
+/// A linear congruential generator (Knuth's MMIX constants).
 struct Random(u64);
 
 impl Random {
@@ -43,7 +43,7 @@ fn a_hundred_thousand_operations_keep_every_invariant_and_inverses_restore_the_m
             if at == operations {
                 break 'meshes;
             }
-            // What takes away is rarer, or nothing would be left.
+            // Removals are rarer, or nothing would be left.
             let kind = random.next() % KINDS;
             if (10..13).contains(&kind) && !random.next().is_multiple_of(4) {
                 continue;

@@ -1,10 +1,10 @@
-//! Sequences of operations that numbers stand for. The fuzz target about meshes uses this file as well.
+//! Sequences of operations encoded as numbers. The fuzz target for meshes uses this file too.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
 use predicament_predicates::Vertex;
 
-/// An operation that was done, with what its inverse needs.
+/// A completed operation, with the data for its inverse.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Done {
     SplitEdge(MeshVertex),
@@ -23,12 +23,13 @@ pub enum Done {
     DivideAtEdge,
 }
 
-/// How many operations there are.
+/// The number of kinds of operations.
 pub const KINDS: u32 = 14;
 
 impl Done {
-    /// The change of the numbers of vertices, edges, faces and boundary loops; none where faces are removed or come
-    /// apart, as that depends on what they share.
+    /// The change of the numbers of vertices, edges, faces and boundary loops.
+    ///
+    /// `None` if faces are removed or separated, as the change then depends on what they share.
     pub fn change(&self) -> Option<[i64; 4]> {
         match self {
             Done::SplitEdge(_) => Some([1, 1, 0, 0]),
@@ -44,7 +45,7 @@ impl Done {
         }
     }
 
-    /// Undoes the operation; false where it has no inverse.
+    /// Undoes the operation; returns false if it has no inverse.
     pub fn undo(self, mesh: &mut HalfEdgeMesh) -> Result<bool, OperationError> {
         match self {
             Done::SplitEdge(v) => drop(mesh.join_edges(v)?),
@@ -62,7 +63,7 @@ impl Done {
     }
 }
 
-/// A mesh, what was unhooked from it, and how many vertices were ever made.
+/// A mesh, the faces moved out of it, and the number of vertices ever made.
 pub struct Sequence {
     pub mesh: HalfEdgeMesh,
     pub unhooked: HalfEdgeMesh,
@@ -75,7 +76,7 @@ impl Sequence {
         Sequence { mesh, unhooked: HalfEdgeMesh::default(), made }
     }
 
-    /// One operation: which one, and numbers that choose its arguments. Arguments may name nothing.
+    /// Performs one operation of this kind; the numbers choose its arguments, which may be invalid handles.
     pub fn step(&mut self, kind: u32, numbers: [u32; 2]) -> Result<Done, OperationError> {
         let half_edges: Vec<HalfEdge> = self.mesh.half_edges().collect();
         let faces: Vec<Face> = self.mesh.faces().collect();
@@ -84,7 +85,7 @@ impl Sequence {
         let Some(&any) = half_edges.first() else { return Err(OperationError::Full) };
         let pick = |number: u32| half_edges[number as usize % half_edges.len()];
         let [a, b] = numbers.map(pick);
-        // Two of one loop, often; else of any.
+        // Often two half-edges of one loop; else any two.
         let mate = self.mesh.loop_of(a).nth(numbers[1] as usize % 7).unwrap_or(b);
         let mesh = &mut self.mesh;
         let before = |h: HalfEdge, mesh: &HalfEdgeMesh| mesh.previous(h).ok_or(no_half_edge(h));
@@ -159,9 +160,9 @@ impl Sequence {
         })
     }
 
-    /// Makes the mesh again of its faces, each vertex with a scene vertex of its own: those that were divided share
-    /// one, and a list of loops could not tell them apart. Where a face passes a vertex twice, or an edge has no face,
-    /// there is no such mesh: then all is as it was before.
+    /// Rebuilds the mesh from its faces, with a separate scene vertex for each vertex: divided vertices share a scene
+    /// vertex, and a list of loops could not distinguish them. If a face passes a vertex twice, or an edge has no face,
+    /// there is no such mesh: the mesh is then restored to `before`.
     ///
     /// # Panics
     /// If the mesh is not valid.

@@ -1,10 +1,10 @@
-//! Meshes to work on.
+//! Meshes for tests.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{ConversionError, HalfEdge, IndexedFaces, MeshVertex};
 use predicament_predicates::Vertex;
 
-/// The mesh of these faces over as many input vertices.
+/// The mesh of these faces over `vertices` input vertices.
 pub fn mesh<F: AsRef<[u32]>>(vertices: usize, faces: &[F]) -> Result<HalfEdgeMesh, ConversionError> {
     let faces: IndexedFaces = faces.iter().map(|face| face.as_ref().iter().copied()).collect();
     HalfEdgeMesh::new((0..vertices).map(Vertex::input).collect(), &faces)
@@ -20,7 +20,7 @@ pub fn cube() -> HalfEdgeMesh {
     mesh(8, &faces).unwrap()
 }
 
-/// Quadrangles on a grid; where `wraps`, a torus.
+/// Quadrangles on a grid; if `wraps`, a torus.
 pub fn grid(columns: u32, rows: u32, wraps: bool) -> HalfEdgeMesh {
     let (wide, high) = if wraps { (columns, rows) } else { (columns + 1, rows + 1) };
     let at = |x: u32, y: u32| (y % high) * wide + x % wide;
@@ -36,12 +36,12 @@ pub fn polygon_and_fan(corners: u32) -> HalfEdgeMesh {
     mesh(corners as usize, &faces).unwrap()
 }
 
-/// A square with a smaller one apart.
+/// A square, and a smaller separate square.
 pub fn two_squares() -> HalfEdgeMesh {
     mesh(8, &[[0, 1, 2, 3], [4, 5, 6, 7]]).unwrap()
 }
 
-/// The half-edge between two vertices, by their indices in the scene.
+/// The half-edge between two vertices, given by their indices in the scene.
 pub fn between(mesh: &HalfEdgeMesh, from: usize, to: usize) -> HalfEdge {
     let of = |index| {
         let mut vertices = mesh.vertices().filter(|&v| mesh.scene_vertex(v) == Vertex::input(index));
