@@ -1,4 +1,4 @@
-//! `phases.csv`: what the parts of an algorithm take, one by one.
+//! `phases.csv`: the time and memory of the phases of an algorithm.
 use crate::RowError;
 
 crate::table! {

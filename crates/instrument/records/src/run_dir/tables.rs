@@ -1,8 +1,7 @@
-//! Tables by name: what a folder has beside the tables of every run.
+//! Tables by name: the tables of a folder besides the tables that every run has.
 //!
-//! A task that has something to tell of its own writes a table of its own. The
-//! folder's code knows no task, so such rows come as text, checked where their
-//! type is known.
+//! A task writes its own results to its own table. The folder's code does not know tasks, so such rows come as text.
+//! They are checked where their type is known.
 
 use std::path::Path;
 
@@ -19,7 +18,7 @@ pub struct TableSpec {
     pub columns: &'static [&'static str],
     /// What a row is.
     pub about: &'static str,
-    /// What its columns are, in order; none where nobody has said it.
+    /// The schema of the columns, in order; empty if it is not given.
     pub schema: &'static [Column],
 }
 
