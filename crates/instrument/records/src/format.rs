@@ -35,7 +35,7 @@ pub fn nanoseconds(ns: f64) -> String {
     significant(ns, 3)
 }
 
-/// A factor, two digits: `0.61×`.
+/// A factor with two significant digits: `0.61×`.
 #[must_use]
 pub fn factor(ratio: f64) -> String {
     format!("{}×", significant(ratio, 2))
@@ -55,7 +55,7 @@ pub fn percent(part: u64, whole: u64) -> String {
     }
 }
 
-/// How many in a million; none of nothing is no rate.
+/// The rate in a million; `None` if `whole` is 0.
 #[must_use]
 pub fn per_million(part: u64, whole: u64) -> Option<f64> {
     (whole > 0).then(|| 1e6 * approximately(part) / approximately(whole))

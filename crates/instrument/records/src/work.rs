@@ -75,7 +75,7 @@ pub struct WorkPlan {
 /// An error: the requested number of parts is not that of the plan.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WrongParts {
-    /// How many parts the plan has.
+    /// The number of parts of the plan.
     pub planned: u32,
     /// The requested number of parts.
     pub asked: u32,

@@ -25,7 +25,7 @@ pub(super) type Pair = [String; 5];
 /// A run that was read from its folder. Rows are in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RunDir {
-    /// The folder, as it was named.
+    /// The folder, as the caller named it.
     pub path: PathBuf,
     /// The planned work.
     pub plan: Plan,

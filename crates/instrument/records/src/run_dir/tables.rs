@@ -14,16 +14,16 @@ use crate::{Column, Error, Row};
 pub struct TableSpec {
     /// The file's name.
     pub file: &'static str,
-    /// Its columns, in order.
+    /// The columns, in order.
     pub columns: &'static [&'static str],
-    /// What a row is.
+    /// A description of a row.
     pub about: &'static str,
     /// The schema of the columns, in order; empty if it is not given.
     pub schema: &'static [Column],
 }
 
 impl TableSpec {
-    /// The table of these rows.
+    /// The specification of the table with these rows.
     #[must_use]
     pub const fn of<R: Row>() -> TableSpec {
         TableSpec { file: R::FILE, columns: R::COLUMNS, about: R::ABOUT, schema: R::SCHEMA }
