@@ -1,7 +1,7 @@
-//! Backends with a band, held to it by exact distances.
+//! The judgement of backends with a band, by exact distances.
 //!
-//! Every registered pair is judged, and every pair that is near enough to have
-//! been registered. What breaks the guarantee has a class:
+//! Every registered pair is judged, and every pair that is near enough to be registered. The class depends on the
+//! violation of the guarantee:
 //!
 //! | verdict | degenerate pairs | pairs of full dimension | check |
 //! |---|---|---|---|
@@ -15,11 +15,10 @@
 //! | registered although a test of its algorithm had to fail | `overreach` | `overreach` | `reading` |
 //! | not registered although all had to pass | `missed_zero` | `missed_zero` | `reading` |
 //!
-//! The last two are of pairs that have ended as well: a sample of them is asked about
-//! by itself. The tolerances are those that the paper publishes, for the lengths in the
-//! scene, and not those that the backend says it has.
+//! The last two verdicts also apply to pairs that have ended: a sample of them is queried separately. The tolerances
+//! are those that the paper publishes, for the lengths in the scene, and not those that the backend claims.
 //!
-//! A backend that has no bands for contacts is held to exact contacts: nothing
+//! A backend without bands for contacts is judged by exact contacts, the only possible promise.
 //! else could be what it promises.
 
 use std::collections::{BTreeMap, BTreeSet};

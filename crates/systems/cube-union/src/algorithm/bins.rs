@@ -11,7 +11,6 @@
 //! The list is sorted in two passes that both read and write in order. The first pass sorts into blocks of consecutive
 //! cells; each part of the input has its own slice of every block. The second pass sorts each block by cell. Both
 //! passes keep the order of the input among equals, so the result does not depend on the number of threads.
-//! among equals, so the result does not depend on the number of threads.
 
 use rayon::prelude::*;
 

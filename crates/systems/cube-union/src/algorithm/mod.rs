@@ -22,7 +22,6 @@
 //! with the product of the octant's three directions (±1) as sign. It is the mixed derivative ∂x∂y∂z f, a sum of points
 //! with weights c(v). It vanishes except at vertices, as f doesn't depend on all three coordinates elsewhere.
 //! Integration by parts, once for each axis, gives
-//! each axis, gives
 //!
 //! > volume = ∫ f = −Σ c(v) x y z.
 //!
