@@ -61,7 +61,7 @@ fn has_seal(bytes: &[u8]) -> bool {
     serde_json::from_slice::<Object>(bytes).is_ok_and(|object| object.seal.is_some())
 }
 
-/// The seal of a file, and the file without its line, if it has one.
+/// The seal of a file, and the file without the seal's line, if it has one.
 fn sealed(bytes: &[u8]) -> Option<(&[u8], Vec<u8>)> {
     let [before, after] = LINE.map(str::as_bytes);
     let rest = bytes.strip_prefix(FIRST.as_bytes())?.strip_prefix(before)?;

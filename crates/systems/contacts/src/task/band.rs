@@ -19,7 +19,6 @@
 //! are those that the paper publishes, for the lengths in the scene, and not those that the backend claims.
 //!
 //! A backend without bands for contacts is judged by exact contacts, the only possible promise.
-//! else could be what it promises.
 
 use std::collections::{BTreeMap, BTreeSet};
 

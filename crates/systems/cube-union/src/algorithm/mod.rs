@@ -26,15 +26,15 @@
 //! > volume = ∫ f = −Σ c(v) x y z.
 //!
 //! At a vertex let s = (s₁, s₂, s₃) be the directions of its x, y and z face, +1 for the upper face of a cube. Around a
-//! corner f is the product h₁h₂h₃ of three half-spaces, hᵢ on the side −sᵢ, and c = −s₁s₂s₃. At an edge and a face, f =
-//! 1 − (1 − h₁h₂)(1 − h₃), of which only −h₁h₂h₃ depends on all coordinates: c has the other sign. Three faces have f =
-//! 1 − (1 − h₁)(1 − h₂)(1 − h₃) and c as at a corner. With t = −1 at an edge and a face, and t = 1 elsewhere, c = −t
-//! s₁s₂s₃ and
+//! corner f is the product h₁h₂h₃ of three half-spaces, hᵢ on the side −sᵢ, and c = −s₁s₂s₃. At an edge and a face,
+//! f = 1 − (1 − h₁h₂)(1 − h₃), of which only −h₁h₂h₃ depends on all coordinates: c has the other sign. Three faces have
+//! f = 1 − (1 − h₁)(1 − h₂)(1 − h₃) and c as at a corner. With t = −1 at an edge and a face, and t = 1 elsewhere,
+//! c = −t s₁s₂s₃ and
 //!
 //! > volume = Σ t (s₁x)(s₂y)(s₃z).
 //!
-//! **Area.** In a plane x = const there is one face, and its direction is s₁ everywhere. So it is boundary where f(x−)
-//! − f(x+) is s₁, and not where it is 0. By parts in the plane, its area is Σ d(v) y z. Here d(v) is the sum over
+//! **Area.** In a plane x = const there is one face, and its direction is s₁ everywhere. So it is boundary where
+//! f(x−) − f(x+) is s₁, and not where it is 0. By parts in the plane, its area is Σ d(v) y z. Here d(v) is the sum over
 //! quadrants of s₁(f(x−) − f(x+)) with their signs, which is −s₁c(v) = t s₂s₃. So
 //!
 //! > area = Σ t ((s₁x)(s₂y) + (s₂y)(s₃z) + (s₃z)(s₁x)).

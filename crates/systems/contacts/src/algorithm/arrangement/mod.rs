@@ -19,8 +19,6 @@
 //! cross an even number of times after merging, the registrations are wrong. Only the order along an edge needs more
 //! than the registrations, as weights are rounded. Vertices exactly on the edge's line are ordered by their
 //! coordinates, in rationals.
-//! are rounded, and vertices that are exactly on the edge's line have the order
-//! that their coordinates give, which is decided in rationals.
 
 mod intersection;
 mod merge;

@@ -9,7 +9,6 @@
 //! The driver is the same for all kinds of backends. With exact signs it sorts the common points of two closed
 //! complexes by their carriers. With perturbed signs only pairs of the last level can register. With tolerances it is
 //! the paper's scheme.
-//! paper's scheme.
 
 mod ended;
 mod near;

@@ -16,8 +16,8 @@ pub struct LooseEnd {
     pub point: usize,
     /// The triangle of each complex.
     pub triangles: [u32; 2],
-    /// How many other points the two triangles have in common. One would be
-    /// right: none leaves the curve without a way on, more without a direction.
+    /// The number of other points that the two triangles have in common. One would be right: with none the curve does
+    /// not continue, with more its direction is not determined.
     pub others: usize,
 }
 

@@ -9,7 +9,7 @@ use rug::Rational;
 
 use Dimension::{Three, Two};
 
-/// A tolerance c ε^e L^p: c of T₋, T and T₊ (true: the last one is a multiple of 1/√3), 4e and p.
+/// A tolerance c ε^e L^p: its symbol, c of T₋, T and T₊, true if the last c is over √3, 4e, and p.
 type Row = (Symbol, [f64; 3], bool, u32, u32);
 
 const PLANE: [Row; 4] = [
