@@ -1,6 +1,6 @@
 //! `plan.json`: the work of a run, written before the run does it.
 //!
-//! It is the first file in a run folder: without it, nobody could tell what an interrupted run has not done.
+//! It is the first file in a run folder: only the plan shows the missing work of an interrupted run.
 
 use predicament_predicates::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
@@ -198,7 +198,7 @@ pub struct Plan {
     /// The files of the suites that were named by path, by the suites' names.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub paths: BTreeMap<String, String>,
-    /// The SHA-256 of those files, in hex digits.
+    /// The SHA-256 of each file in `paths`, in hex digits, by the suites' names.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub hashes: BTreeMap<String, String>,
     /// The engines by the backends' names. A folder is data: its readers never start an engine because it is listed
@@ -248,7 +248,7 @@ pub struct Plan {
 pub struct EngineFile {
     /// The path of its `engine.toml`.
     pub file: String,
-    /// The SHA-256 of that file in hex digits.
+    /// The SHA-256 of its `engine.toml` in hex digits.
     pub sha256: String,
     /// The version of the library behind the engine; `None` if the engine gave none.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -35,7 +35,7 @@ pub trait Row: Serialize + DeserializeOwned {
     }
 }
 
-/// The largest count: no run gets there, and sums of counts stay far below 2^64.
+/// The maximum count: no run reaches it, and sums of counts stay far below 2^64.
 pub(crate) const MOST: u64 = 1 << 48;
 /// The message about a larger count.
 pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
@@ -143,7 +143,7 @@ impl SummaryRow {
         }
     }
 
-    /// The count of a class, to be changed.
+    /// The count of a class, mutable.
     pub fn count_mut(&mut self, class: Class) -> &mut u64 {
         match class {
             Class::Agree => &mut self.agree,
@@ -232,7 +232,7 @@ pub fn is_predicate(task: &str) -> bool {
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interface {
-    /// One query per call.
+    /// Single queries, one per call.
     Single,
     /// Slices of queries, answered by the backend's own code for slices.
     Batch,

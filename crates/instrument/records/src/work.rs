@@ -43,7 +43,7 @@ impl Build {
 /// The share of one scene in the work.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Share {
-    /// The part that runs it, from 1.
+    /// The part that runs the scene, from 1.
     pub part: u32,
     /// The estimated cost on all backends together, in microseconds of earlier runs; `None` if unknown.
     pub cost_us: Option<u64>,

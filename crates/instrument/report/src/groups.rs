@@ -18,7 +18,7 @@ pub enum Way {
 }
 
 impl Way {
-    /// All three, in the order of columns.
+    /// All three interfaces, in the order of columns.
     pub const ALL: [Way; 3] = [Way::Single, Way::Batch, Way::Whole];
 
     pub const fn of(interface: Interface) -> Way {

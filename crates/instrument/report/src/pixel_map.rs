@@ -1,6 +1,6 @@
 //! The sign of a predicate over a raster, one pixel for each query.
 //!
-//! Kettner, Mehlhorn, Pion, Schirra and Yap made these pictures famous: one point of an orientation query moves over
+//! Kettner, Mehlhorn, Pion, Schirra and Yap made these pictures famous. One point of an orientation query moves over
 //! neighbouring doubles, and the line between two half planes turns into a coastline. Red for negative, yellow for zero
 //! and blue for positive are their colours, in shades that every kind of colour vision can distinguish. Wrong answers
 //! are darker, so that they are visible even in grey.

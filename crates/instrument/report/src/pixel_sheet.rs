@@ -9,11 +9,11 @@ use crate::plot::page;
 pub struct Column {
     /// The backend's name.
     pub name: String,
-    /// Its answers.
+    /// The backend's answers.
     pub answers: PixelMap,
-    /// The differences between its answers and the truth.
+    /// The differences between the backend's answers and the truth.
     pub difference: PixelMap,
-    /// Its counts, in short lines.
+    /// The backend's counts, in short lines.
     pub lines: Vec<String>,
 }
 

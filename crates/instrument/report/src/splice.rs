@@ -22,8 +22,8 @@ pub type Part<'a> = dyn Fn(&str) -> Option<Result<String, String>> + 'a;
 /// A page whose lines all end with CR LF keeps these line ends.
 ///
 /// # Errors
-/// If there is no mark, or a mark names an unknown section or part or one that can't be made, or a mark has no end or
-/// is not closed before the next one.
+/// If there is no mark, or a mark has no end or is not closed before the next one. Also if a mark names an unknown
+/// section or part, or one that can't be made.
 pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section], part: &Part<'_>) -> Result<(String, usize), Error> {
     let all = sections(runs, of_tasks)?;
     let (mut text, mut rest, mut count) = (String::new(), page, 0);

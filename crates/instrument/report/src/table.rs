@@ -25,7 +25,7 @@ pub enum Tone {
     Plain,
     /// Unimportant: printed pale.
     Muted,
-    /// As required.
+    /// Right.
     Good,
     /// Expected, but worth a look.
     Notable,
@@ -358,7 +358,7 @@ impl Section {
 pub struct Headline {
     /// The number.
     pub number: String,
-    /// What it counts.
+    /// The label of the number.
     pub label: &'static str,
     /// The total, the backend, or the reason why there is no number.
     pub detail: String,

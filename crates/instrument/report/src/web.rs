@@ -1,6 +1,6 @@
 //! The data of a page in a browser: scripts, and rows as compressed columns.
 //!
-//! A row of a table is far more expensive for a browser than a row of data: a page with all findings as a table would
+//! A row of a table is far more expensive for a browser than a row of data. A page with all findings as a table would
 //! be tens of megabytes and take minutes to open. So rows are stored as compressed columns, words as indices in a
 //! dictionary, and the table creates only the visible rows. Everything is inside the page: it works from a disk without
 //! a network.

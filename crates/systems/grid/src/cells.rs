@@ -213,8 +213,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// A grid with the maximum number of cells. While it has too many entries, it halves the columns or the rows,
-    /// whichever are crossed more.
+    /// A grid with the maximum number of cells, or fewer if these have too many entries: it halves the columns or the
+    /// rows, whichever are crossed more.
     fn over(segments: &[Segment]) -> Grid {
         let x = extent(segments.as_flattened().iter().map(|end| end[0]));
         let y = extent(segments.as_flattened().iter().map(|end| end[1]));

@@ -1,7 +1,7 @@
 //! The boxes of each of two sets that may meet a box of the other set.
 //!
-//! If two large meshes cross, nearly all triangles are far from the other mesh. A bit for each cell of a fine grid,
-//! over the common box of both sets, rejects most of these triangles in two passes over either set, without a list of
+//! If two large meshes cross, nearly all triangles are far from the other mesh. A fine grid over the common box of both
+//! sets has one bit for each cell. It rejects most of these triangles in two passes over either set, without a list of
 //! each cell's content.
 //!
 //! # Why nothing is missed

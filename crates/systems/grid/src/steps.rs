@@ -32,7 +32,7 @@ impl Steps {
         self.count
     }
 
-    /// The same extent in half as many steps.
+    /// Half as many steps over the same extent.
     pub(crate) fn coarser(&self) -> Steps {
         let count = self.count.div_ceil(2);
         #[allow(clippy::cast_precision_loss)] // any monotone map will do
@@ -82,7 +82,7 @@ impl Steps {
 }
 
 impl Steps {
-    /// The same as [`Steps::of`] for fewer than 2^32 steps, with a faster conversion to 32 bits.
+    /// A faster [`Steps::of`] for fewer than 2^32 steps, by a conversion to 32 bits.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
     pub(crate) fn short(&self, x: f64) -> u32 {

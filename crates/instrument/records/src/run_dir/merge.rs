@@ -1,7 +1,7 @@
 //! Merging the parts of a run: the result is byte for byte that of one machine.
 //!
-//! A part that is missing, repeated, incomplete or of another plan is refused by name: a report on a part of the work
-//! must not look like a report on all of it.
+//! A part that is missing, repeated, incomplete or of another plan is refused by name. Otherwise a report on a part of
+//! the work would look like a report on all of it.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -10,9 +10,8 @@
 //! costs.csv        how long each scene took on each backend; no digest covers it: see `CostRow`
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
-//! ```
-//! If a table is missing and `state.json` does not list it, the folder was made by an older version of the tool: the
-//! table is read as empty, and started when the run is resumed.
+//! ``` If a table is missing and `state.json` does not list it, the folder was made by an older version of the tool.
+//! The table is then read as empty, and started when the run is resumed.
 //!
 //! A folder counts as incomplete until the run records its end. JSON files and pictures are complete or absent. A table
 //! counts up to the length in the state, and only with the digest in the state. Each JSON file has a digest of itself,

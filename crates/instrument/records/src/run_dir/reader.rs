@@ -19,7 +19,7 @@ use crate::{
     ThroughputRow,
 };
 
-/// Suite, scene, id, task, backend.
+/// The key of a pair of scene and backend: suite, scene, id, task, backend.
 pub(super) type Pair = [String; 5];
 
 /// A run that was read from its folder. Rows are in the order of their files.

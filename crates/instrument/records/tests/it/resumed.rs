@@ -157,7 +157,7 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     assert!(!early.path().join(left).exists());
 }
 
-/// A flipped bit in the state of an unfinished run is refused at any place: in a name, it would leave a file without
+/// A flipped bit in the state of an unfinished run is refused at any place. In a name, it would leave a file without
 /// its digest, and add a name that the run did not write.
 #[test]
 fn flipped_bits_in_the_state_of_an_unfinished_run_are_refused() {

@@ -111,7 +111,7 @@ impl Layer {
     }
 }
 
-/// Layers, the later ones above the earlier ones.
+/// A drawing: layers, the later ones above the earlier ones.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Drawing {
     /// True if the drawing is in space.

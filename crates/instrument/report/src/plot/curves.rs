@@ -13,8 +13,7 @@ const SIZE: (u32, u32) = (760, 380);
 
 /// The size of letters.
 const FONT: u32 = 12;
-/// The legend below the picture: the left margin, the sample of a line before its name, the maximum width of a letter,
-/// the gap between names, and the height of a row.
+/// The sizes of the legend: left margin, line sample, maximum letter width, gap between names, and row height.
 const LEFT: u32 = 74;
 const SAMPLE: u32 = 24;
 const LETTER: u32 = 7;

@@ -14,7 +14,7 @@ pub enum Face {
 }
 
 impl Face {
-    /// The name that every reader knows.
+    /// The standard name of the font, which every PDF reader knows.
     pub const fn name(self) -> &'static [u8] {
         match self {
             Face::Regular => b"Helvetica",

@@ -41,8 +41,8 @@ pub fn names(area: &Area, mut labels: Vec<Label>, edge: i32, height: Range<i32>)
     Ok(())
 }
 
-/// Moves the labels of a column, in their order, until they do not overlap: first each label is pushed below the
-/// previous one, from the top; then labels beyond the bottom are pushed back up.
+/// Moves the labels of a column, in their order, until they do not overlap. From the top, each label is pushed below
+/// the previous one. Then labels beyond the bottom are pushed back up.
 fn stack(labels: &mut [Label], (top, bottom): (i32, i32)) {
     let mut least = top;
     for label in labels.iter_mut() {

@@ -43,7 +43,7 @@ const INK_IN_SVG: &str = "#010203";
 /// A plot for pages and files.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Picture {
-    /// As SVG, for pages and the web.
+    /// The plot as SVG, for pages and the web.
     pub svg: String,
     /// The plot as PDF, for papers, if there is one.
     pub pdf: Option<Vec<u8>>,

@@ -34,8 +34,10 @@ fn turn(part: usize, of: usize) -> f64 {
     std::f64::consts::TAU * part as f64 / of as f64
 }
 
-/// A scene of about `edges` edges, with single-precision coordinates: half of them in star-shaped polygons of 20 edges
-/// side by side, half in another such field, shifted by a fraction of a polygon.
+/// A scene of about `edges` edges, with single-precision coordinates.
+///
+/// Half of the edges are in a field of star-shaped polygons of 20 edges, half in another such field, shifted by a
+/// fraction of a polygon.
 pub fn polygons(edges: usize) -> Pair {
     const CORNERS: usize = 20;
     let side = ((edges / (2 * CORNERS)) as f64).sqrt().ceil().max(1.0) as usize;
@@ -59,7 +61,7 @@ pub fn polygons(edges: usize) -> Pair {
     Pair::new(Scene::from_points2(&points).expect("finite"), field)
 }
 
-/// A scene of about `triangles` triangles, with single-precision coordinates: two tori through each other.
+/// A scene of about `triangles` triangles, with single-precision coordinates: two tori that intersect.
 pub fn tori(triangles: usize) -> Pair {
     let around = ((triangles / 4) as f64 * 3.0).sqrt().ceil().max(3.0) as usize;
     let across = (around / 3).max(3);

@@ -9,11 +9,11 @@
 //! | not registered up to T₋, or in spite of a crossing | `missed_zero` | `sign_flip` | `band` |
 //! | a guarded quantity below its bound: a sub-pair should have been registered | `missed_zero` | `missed_zero` | `unguarded` |
 //! | a weight not in [0, 1] | `inconsistent` | `inconsistent` | `weights` |
-//! | the same, not a number | `nan` | `nan` | `weights` |
+//! | a weight that is not a number | `nan` | `nan` | `weights` |
 //! | registered although a sub-pair is | `inconsistent` | `inconsistent` | `unasked` |
-//! | registered, and never near | `overreach` | `overreach` | `unasked` |
+//! | registered although not near | `overreach` | `overreach` | `unasked` |
 //! | registered although a test of its algorithm had to fail | `overreach` | `overreach` | `reading` |
-//! | not registered although all had to pass | `missed_zero` | `missed_zero` | `reading` |
+//! | not registered although all tests had to pass | `missed_zero` | `missed_zero` | `reading` |
 //!
 //! The last two verdicts also apply to pairs that have ended: a sample of them is queried separately. The tolerances
 //! are those that the paper publishes, for the lengths in the scene, and not those that the backend claims.

@@ -342,7 +342,7 @@ fn vertices_of(content: &Complexes, [s, t]: Pair) -> [&[Vertex]; 2] {
     [content.a.vertices_of(s), content.b.vertices_of(t)]
 }
 
-/// A pair as a query: `contacts2d(0 1, 4 5)`.
+/// The query of a pair: `contacts2d(0 1, 4 5)`.
 fn query(scene: &Scene, content: &Complexes, pair: Pair) -> Query {
     let args = vertices_of(content, pair).map(<[Vertex]>::to_vec).to_vec();
     Query { what: format!("contacts{}d", scene.dimension().count()), detail: None, args }

@@ -1,10 +1,10 @@
 //! The vertices of the union in one cell of the grid.
 //!
-//! A cell that is no wider than a cube contains at most one face of each cube for each axis. With the faces sorted
-//! along an axis, the cubes that a face's plane meets in the cell follow from the previous faces: cubes whose lower
-//! face was passed, cubes whose upper face was not yet passed, and cubes without a face there. All these sets fit in
-//! words of 64 bits. A vertex is a triple of faces such that the cubes that all three planes meet are exactly the
-//! faces' owners.
+//! A cell that is no wider than a cube contains at most one face of each cube for each axis. Let the faces be sorted
+//! along an axis. The cubes that a face's plane meets in the cell then follow from the previous faces. They are the
+//! cubes whose lower face was passed, the cubes whose upper face was not yet passed, and the cubes without a face
+//! there. All these sets fit in words of 64 bits. A vertex is a triple of faces such that the cubes that all three
+//! planes meet are exactly the faces' owners.
 
 use super::crowd::add_crowd;
 use super::cube::{Cube, Range, reaches};

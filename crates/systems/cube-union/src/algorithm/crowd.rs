@@ -10,11 +10,11 @@
 //! - *Runs.* Cubes of one mixed type, say x ≥ p and y ≤ p, do not contain each other. Let p₁ < … < pₖ be such cubes
 //!   without other remaining cubes between them in the order, and let a vertex be on faces of some of them. Their faces
 //!   all have the same order relative to those of any other cube, so the rest of the scene does not distinguish them.
-//!   If all of the vertex's coordinates that come from the run are of one side, say ≥, it is on a face of the cube with
-//!   the smallest p (of the largest for ≤), or that cube hides it. If x = pᵢ and y = pⱼ, it is on both faces if i ≥ j,
-//!   and inside of all members between: so i = j or i = j + 1. So each position of the run, except at the ends, has the
-//!   same vertices: the number of vertices whose last member is the second cube equals the number for the third cube,
-//!   and so on to the last but one.
+//!   Suppose that all of the vertex's coordinates that come from the run are of one side, say ≥. Then it is on a face
+//!   of the cube with the smallest p (of the largest for ≤), or that cube hides it. If x = pᵢ and y = pⱼ, it is on both
+//!   faces if i ≥ j, and inside of all members between: so i = j or i = j + 1. So each position of the run, except at
+//!   the ends, has the same vertices. The number of vertices whose last member is the second cube equals the number for
+//!   the third cube, and so on to the last but one.
 //!
 //! So only the first, the second and the last cube of a run are kept, and a vertex whose last member is the second cube
 //! counts k − 2 times. n identical cubes take time linear in n. Cubes of mixed types in an order that also mixes the

@@ -7,9 +7,9 @@
 //! # Perturbation
 //! Cube i is moved by an infinitesimal, along all axes, that is larger than those of all cubes after it. So of two
 //! equal coordinates, that of the cube with the smaller index is larger. Both faces of a cube move alike, so a cube
-//! stays a cube. Then no two faces are in one plane, and the boundary has three kinds of vertices: corners of a cube;
-//! points where an edge of one cube meets a face of another; points where faces of three cubes meet. Each vertex is
-//! outside all other cubes. The results are the limits for perturbations that go to zero:
+//! stays a cube. Then no two faces are in one plane, and the boundary has three kinds of vertices. They are the corners
+//! of a cube, the points where an edge of one cube meets a face of another, and the points where faces of three cubes
+//! meet. Each vertex is outside all other cubes. The results are the limits for perturbations that go to zero:
 //! * The volume is that of the union; ties do not affect it.
 //! * The area is that of the perturbed boundary. Suppose that the upper face of one cube lies on the lower face of
 //!   another. If the first cube has the smaller index, they overlap by an infinitesimal, and the common part is not
@@ -211,7 +211,7 @@ pub fn cube_union_by<S: Predicates>(session: &S) -> Result<(Mass, i32), CubesErr
 /// The mass properties of the union of cubes for any order of their faces.
 ///
 /// # Errors
-/// As [`cube_union`].
+/// Like [`cube_union`].
 pub fn union_in_order<O: Order>(order: &O, lowers: &[[i64; 3]], edge: i64) -> Result<Mass, CubesError> {
     positive(edge)?;
     let Ok(count) = u32::try_from(lowers.len()) else {

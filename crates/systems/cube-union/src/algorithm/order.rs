@@ -29,7 +29,7 @@ pub trait Order: Sync {
 /// The order by the predicates of a session. Its scene has the lower corner of cube i at vertex 2i and the upper one at
 /// vertex 2i + 1.
 ///
-/// A session that breaks ties by the vertices' indices here breaks them by those of the cubes: two faces with equal
+/// A session that breaks ties by the vertices' indices here breaks them by those of the cubes. For two faces with equal
 /// coordinates belong to two cubes, and 2i, 2i + 1 come before 2j, 2j + 1 iff i comes before j. So the cubes move as
 /// rigid bodies, although each vertex is moved separately.
 #[derive(Debug)]

@@ -137,9 +137,10 @@ impl Triangulation {
     }
 }
 
-/// True if a vertex is in the circle of the triangle beyond an edge. The circle of an infinite triangle is a
-/// half-plane, with the part of its line between the edge's ends. If the vertex is on the circle, the edge is marked
-/// round.
+/// True if a vertex is in the circle of the triangle beyond an edge.
+///
+/// The circle of an infinite triangle is a half-plane, with the part of its line between the edge's ends. If the vertex
+/// is on the circle, the edge is marked round.
 ///
 /// An edge between two new triangles is never round. If its four vertices are on one circle, which is empty, they were
 /// a face before the new vertex came, and the triangles of that face stay.

@@ -1,6 +1,6 @@
 //! Triangles with their neighbours, around an infinite vertex.
 //!
-//! Beside each edge of the hull is a triangle with the infinite vertex as its last corner: so every edge has two
+//! Beside each edge of the hull is a triangle with the infinite vertex as its last corner. So every edge has two
 //! triangles, and a vertex outside of the hull is in one of the infinite triangles. A triangle takes 32 bytes, half a
 //! cache line.
 

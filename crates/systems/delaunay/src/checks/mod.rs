@@ -20,12 +20,12 @@
 //!   `empty circle` and `fan`; the triangulation is then the constrained one (Lee and Lin 1986).
 //!
 //! # Why they are enough
-//! Triangles that are counterclockwise, meet along edges, and are bounded by one convex cycle that is wound once cover
-//! its inside once: the number of triangles over a point does not change at an inner edge. All vertices are corners, so
-//! the cycle is the hull. Then `empty circle` implies `empty` (Delaunay's lemma): on the way from a triangle to a
-//! vertex, the power of the vertex with respect to the circles of the passed triangles only decreases, and it is zero
-//! for the last one. With `fan` at every edge, each cocircular face is a fan from its smallest vertex: an edge opposite
-//! of that vertex would have it among its four vertices and not as an end.
+//! Let triangles be counterclockwise, meet along edges, and be bounded by one convex cycle that is wound once. Then
+//! they cover its inside once: the number of triangles over a point does not change at an inner edge. All vertices are
+//! corners, so the cycle is the hull. Then `empty circle` implies `empty` (Delaunay's lemma). For take the way from a
+//! triangle to a vertex: the power of the vertex with respect to the circles of the passed triangles only decreases,
+//! and it is zero for the last one. With `fan` at every edge, each cocircular face is a fan from its smallest vertex:
+//! an edge opposite of that vertex would have it among its four vertices and not as an end.
 
 mod flaws;
 mod outline;

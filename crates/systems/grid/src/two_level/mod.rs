@@ -1,7 +1,7 @@
 //! A uniform grid in space of two levels: crowded cells have a nested grid.
 //!
 //! This is the grid of PinMesh and of 3D-EPUG-Overlay (Magalhães, *Exact and parallel intersection of 3D triangular
-//! meshes*, section 4.4): only the cells that need it are refined, so the grid is adaptive at the price of one more
+//! meshes*, section 4.4). Only the cells that need it are refined, so the grid is adaptive at the price of one more
 //! look-up.
 //!
 //! # Why no incidence is lost

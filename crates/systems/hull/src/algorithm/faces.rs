@@ -8,8 +8,10 @@ use super::{Contradiction, Hull3};
 /// The number of edges in a batch of queries.
 const CHUNK: usize = 4096;
 
-/// The hull with these triangles, each with its neighbours across the edges that begin at its corners. Coplanar
-/// triangles become one face, and its corners are the vertices of three faces or more.
+/// The hull with these triangles, after merging coplanar ones.
+///
+/// Each triangle comes with its neighbours across the edges that begin at its corners. Coplanar triangles become one
+/// face, and its corners are the vertices of three faces or more.
 pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: &[[u32; 3]]) -> Hull3 {
     let mut groups: Vec<u32> = (0..).take(triangles.len()).collect();
     let mut broken = None;

@@ -20,7 +20,7 @@ pub(super) enum Span {
     Line([Vertex; 2]),
     /// All vertices are in one plane, whose projection to this coordinate plane has area.
     Flat(Plane),
-    /// These four vertices are not coplanar, and the last one is below the plane of the others.
+    /// Not coplanar: these four vertices span space, and the last one is below the plane of the others.
     Space([Vertex; 4]),
 }
 

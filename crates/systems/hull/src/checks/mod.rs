@@ -8,8 +8,8 @@
 //! is above the edges below it and below the edges above it: two or three signs for each point.
 //!
 //! # In space
-//! Faces can close to a connected surface with V − E + F = 2, be flat and convex, and be convex at every edge, and
-//! still not bound a convex body: two pyramids over a pentagram pass all these checks. So the surface must also be
+//! A surface can be closed and connected, with V − E + F = 2, flat and convex faces, and be convex at every edge, and
+//! still not bound a convex body. Two pyramids over a pentagram pass all these checks. So the surface must also be
 //! wound once around an inner point: a ray from there meets it in one place only (Mehlhorn et al., *Checking geometric
 //! programs*, 1999). Both together are a proof, in linear time. Points that are not vertices are checked against every
 //! face, all of them or a sample.

@@ -132,8 +132,10 @@ fn solid(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<
     inside(tally, vertices, faces);
 }
 
-/// Checks `planar`: all vertices of a face are in its plane; `face convex`: the face turns to one side only; and
-/// `extreme`: it turns at each vertex. A triangle of zero area is legal if ties are broken.
+/// Checks one face by `planar`, `face convex` and `extreme`.
+///
+/// `planar`: all vertices of the face are in its plane. `face convex`: it turns to one side only. `extreme`: it turns
+/// at each vertex. A triangle of zero area is legal if ties are broken.
 fn planar(tally: &mut Tally<'_>, face: &[Vertex]) {
     let exact = tally.signs.exact;
     let [a, b, c] = [face[0], face[1], face[2]];

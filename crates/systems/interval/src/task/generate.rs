@@ -44,7 +44,7 @@ fn recipe(ends: Ends, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
 enum Ends {
     /// Uniform in [0, 1).
     Uniform,
-    /// On half as many integers as there are cells: rows of cells have zero length.
+    /// Random among half as many integers as there are cells: rows of cells have zero length.
     Repeated,
 }
 

@@ -1,4 +1,4 @@
-//! The judgement of every probe by the rule without infinitesimals, and of the cells by each other.
+//! The judgement of an answer: probes by the rule without infinitesimals, and cells by their consistency.
 
 use crate::algorithm::place;
 use crate::answer::{Found, Place};

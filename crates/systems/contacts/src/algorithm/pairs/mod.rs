@@ -1,10 +1,10 @@
 //! Contacts between two complexes: the pairs of simplices that meet, the most degenerate first.
 //!
-//! Wang, Jiang, Schroeder and Teran register degeneracies in a hierarchy: first vertices with vertices, then vertices
-//! with edges, and so on to the pairs whose dimensions add up to that of the space. A sub-pair of a pair is a face of
-//! the one with a face of the other. If a sub-pair is registered, the pair has ended and is not queried: simplices that
-//! meet in a common vertex do not meet again in an edge. So each query may assume that there is no more degenerate
-//! contact. This makes floating point safe.
+//! Wang, Jiang, Schroeder and Teran register degeneracies in a hierarchy. Vertices with vertices come first, then
+//! vertices with edges, and so on to the pairs whose dimensions add up to that of the space. A sub-pair of a pair is a
+//! face of the one with a face of the other. If a sub-pair is registered, the pair has ended and is not queried:
+//! simplices that meet in a common vertex do not meet again in an edge. So each query may assume that there is no more
+//! degenerate contact. This makes floating point safe.
 //!
 //! The driver is the same for all kinds of backends. With exact signs it sorts the common points of two closed
 //! complexes by their carriers. With perturbed signs only pairs of the last level can register. With tolerances it is

@@ -51,8 +51,8 @@ pub(super) fn distance([a, b]: [Point; 2], p: Point) -> (f64, f64) {
 
 /// An upper bound on the distance of a point from a segment, valid for any rounding.
 pub(super) fn distance_at_most(line: [Point; 2], p: Point) -> f64 {
-    // The computed nearest point counts as a point of the segment, so only the way from it to p is rounded: along each
-    // axis by less than four times 2^-53 of the operands of the subtraction.
+    // The computed nearest point counts as a point of the segment, so only the way from it to p is rounded. Along each
+    // axis, the error is less than four times 2^-53 of the operands of the subtraction.
     let reach = |q: Point| (q[0] - line[0][0]).abs() + (q[1] - line[0][1]).abs();
     up(distance(line, p).0 + 4.0 * f64::EPSILON * (reach(line[1]) + reach(p)))
 }

@@ -1,4 +1,4 @@
-//! The boundary of a triangle pierces a closed surface an even number of times.
+//! The check that the boundary of a triangle pierces a closed surface an even number of times.
 
 use std::collections::BTreeSet;
 

@@ -13,7 +13,7 @@ use predicament_predicates::Vertex;
 pub struct Cluster {
     /// The merged point.
     pub point: usize,
-    /// Its vertices in each complex.
+    /// The vertices of the cluster in each complex.
     pub vertices: [Vec<Vertex>; 2],
     /// The number of its pairs of vertices, one of each complex, that were not registered: merged only through others.
     /// Zero if registration was transitive here.

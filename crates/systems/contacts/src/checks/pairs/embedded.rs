@@ -9,8 +9,8 @@ use predicament_predicates::{Dimension, Predicates, Vertex};
 /// A simple closed polygon is embedded, and so is every planar drawing and every surface that does not cross itself.
 /// The time grows with the square of the number of simplices.
 ///
-/// Only pairs without a common vertex are tested. That is enough: if two triangles with a common face meet outside of
-/// it, the common segment ends on a side of one of them that has no vertex of the other, or in such a vertex.
+/// Only pairs without a common vertex are tested. That is enough. If two triangles with a common face meet outside of
+/// it, they share a segment. It ends on a side of one triangle that has no vertex of the other, or in such a vertex.
 /// (Tetrahedra are not tested, nor triangles of the plane.)
 ///
 /// `exact` must answer exact signs; otherwise the result is meaningless.

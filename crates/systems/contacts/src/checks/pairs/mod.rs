@@ -9,10 +9,10 @@
 //!
 //! # The crossing number after merging
 //! Registrations identify features. A registered crossing of two edges counts as one crossing, unless both pass through
-//! a common merged point: two edges meet once. At a merged point, or along a chain of merged points that both curves
-//! pass through, the curves cross if the second changes sides of the first, that is, if its arcs leave on different
-//! sides. Sides are decided on the merged curves: edges are bent through the points that they were registered with, at
-//! the locations that the [`Seat`] rule gives.
+//! a common merged point: two edges meet once. Both curves can pass through a merged point, or along a chain of merged
+//! points. There they cross if the second changes sides of the first, that is, if its arcs leave on different sides.
+//! Sides are decided on the merged curves: edges are bent through the points that they were registered with, at the
+//! locations that the [`Seat`] rule gives.
 //!
 //! Both cases, and curves that pass through a point or along a chain more than once, are counted in one way. The second
 //! curve is moved by (δ, δ²), for an infinitesimal δ > 0, and then crosses the first transversally near their shared

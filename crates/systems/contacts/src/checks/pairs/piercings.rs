@@ -38,8 +38,10 @@ impl Piercings {
     }
 }
 
-/// Counts the piercings of a closed surface (the triangles of `surface`) by a closed curve (the edges of the other
-/// complex), for each pair of components with a registered contact, in order.
+/// Counts the piercings of a closed surface by a closed curve, for each pair of components with a registered contact,
+/// in order.
+///
+/// The surface is the triangles of `surface`, the curve the edges of the other complex.
 ///
 /// `session` decides the side of a triangle that an edge's end is on. Use the exact session or, for contacts with
 /// broken ties, the session that broke them.

@@ -17,8 +17,10 @@ fn count(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// A polygon around (1/2, 1/2) whose vertices are alternately inside and outside a square, by a random part of its edge
-/// length: two such polygons cross each other all the way round. It is star-shaped, hence simple.
+/// A star-shaped polygon around (1/2, 1/2) whose vertices are alternately inside and outside a square, by a random part
+/// of its edge length.
+///
+/// Two such polygons cross each other all the way round. The polygon is star-shaped, hence simple.
 pub(super) fn wavy(n: usize, rng: &mut Random) -> Shape {
     let n = n.max(8);
     let depth = (2.0 / integer(count(n))).min(0.25);
@@ -39,8 +41,10 @@ pub(super) fn wavy(n: usize, rng: &mut Random) -> Shape {
     closed(&points)
 }
 
-/// A polygon along another: along each axis, each vertex is at most 2σ from a vertex of the other or from a point of
-/// its edge, or exactly there up to rounding.
+/// A polygon close to another polygon.
+///
+/// Along each axis, each vertex is at most 2σ from a vertex of the other or from a point of its edge, or exactly there
+/// up to rounding.
 pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     let around = other.coordinates.as_chunks::<2>().0;
     let points: Vec<[f64; 2]> = (0..around.len())

@@ -13,8 +13,10 @@ fn count(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// A randomly rotated sphere around (1/2, 1/2, 1/2) whose vertices are inside or outside it by a random part of its
-/// edge length: two such spheres cross each other everywhere. It is star-shaped, hence embedded.
+/// A randomly rotated, bumpy sphere around (1/2, 1/2, 1/2).
+///
+/// Its vertices are inside or outside the sphere by a random part of its edge length, so two such spheres cross each
+/// other everywhere. It is star-shaped, hence embedded.
 ///
 /// It is an octahedron with divided faces, projected to the sphere: only square roots and divisions, which round the
 /// same on every platform.
@@ -49,8 +51,10 @@ pub(super) fn lumpy(n: usize, rng: &mut Random) -> Shape {
     Shape { coordinates, simplices: Simplices { triangles, ..Simplices::default() } }
 }
 
-/// A surface along another, with a vertex for each of the other's. Along each axis, it is at most 2σ from that vertex,
-/// or from a point of an edge or a triangle there, or exactly there up to rounding.
+/// A surface close to another surface, with a vertex for each of the other's vertices.
+///
+/// Along each axis, a vertex is at most 2σ from the other's vertex, or from a point of an edge or a triangle there, or
+/// exactly there up to rounding.
 ///
 /// Such points are nearer to the vertex than to any other corner. If neighbours move towards each other, or triangles
 /// are folded by σ, the surface can cross itself: no law about its contacts excludes that.
@@ -94,8 +98,10 @@ fn rotation(rng: &mut Random) -> [[f64; 3]; 3] {
     }
 }
 
-/// Boxes on integer coordinates, one in each cell of a lattice: a corner anywhere from 0 to 2, edges of 1 or 2. Cell by
-/// cell, the boxes of two such sets share corners, edges, parts of faces, or all of these, or cross.
+/// Boxes on integer coordinates, one in each cell of a lattice.
+///
+/// A box has a corner anywhere from 0 to 2 and edges of 1 or 2. Cell by cell, the boxes of two such sets share corners,
+/// edges, parts of faces, or all of these, or cross.
 pub(super) fn boxes(n: usize, rng: &mut Random) -> Shape {
     const TRIANGLES: usize = 12;
     const PITCH: i64 = 5;
