@@ -1,6 +1,6 @@
 //! `env.json`: the machine, compiler and versions of a run.
 //!
-//! Timings mean nothing without the machine, and floating-point answers may depend on the instruction sets that the
+//! Timings mean nothing without the machine, and floating-point answers may depend on the CPU features that the
 //! compiler was allowed to use.
 
 use std::collections::BTreeMap;
@@ -26,9 +26,9 @@ pub struct Env {
     pub os: String,
     /// The compiler's version, `rustc -V`; `None` if unknown.
     pub rustc: Option<String>,
-    /// The instruction sets that the compiler was allowed to use everywhere.
+    /// The CPU features that the compiler was allowed to use everywhere.
     pub compiled_features: Vec<String>,
-    /// The instruction sets of the processor, among the relevant ones.
+    /// The CPU features that the processor has, among those that matter here.
     pub detected_features: Vec<String>,
     /// The profile that the tool was built with and the compiler's flags; `None` if unknown.
     pub opt_flags: Option<String>,

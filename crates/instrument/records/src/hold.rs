@@ -24,7 +24,7 @@ pub struct Hold {
 }
 
 impl Hold {
-    /// Waits for the exclusive right to write a file, or a name in a folder. `whose` describes this process to waiting
+    /// Waits for the exclusive right to write a file or a folder. `whose` describes this process to waiting
     /// processes.
     ///
     /// # Errors

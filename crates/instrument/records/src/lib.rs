@@ -11,7 +11,6 @@
 //! * [`table!`] makes a row, its table and its schema from one definition; [`schema_markdown`] prints the schema.
 //! * [`RunFolder`] reads a folder row by row, however large.
 //! * [`junit`] writes the report for build servers.
-//! * [`junit`] is what build servers read.
 
 mod answers;
 mod balance;

@@ -22,7 +22,7 @@
 //! # Why they are enough
 //! Let triangles be counterclockwise, meet along edges, and be bounded by one convex cycle that is wound once. Then
 //! they cover its inside once: the number of triangles over a point does not change at an inner edge. All vertices are
-//! corners, so the cycle is the hull. Then `empty circle` implies `empty` (Delaunay's lemma). For take the way from a
+//! corners, so the cycle is the hull. Then `empty circle` implies `empty` (Delaunay's lemma). Take the way from a
 //! triangle to a vertex: the power of the vertex with respect to the circles of the passed triangles only decreases,
 //! and it is zero for the last one. With `fan` at every edge, each cocircular face is a fan from its smallest vertex:
 //! an edge opposite of that vertex would have it among its four vertices and not as an end.
