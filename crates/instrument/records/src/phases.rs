@@ -4,7 +4,8 @@ use crate::RowError;
 crate::table! {
     /// `phases.csv`: one timed sample of one phase of a scene.
     ///
-    /// Phases that ask no predicate, such as reading a file or making a grid, are timed once for all backends: `backend` is empty.
+    /// Phases that ask no predicate, such as reading a file or making a grid, are timed once for all backends:
+    /// `backend` is empty.
     pub struct PhaseRow [Clone, PartialEq, Debug] in "phases.csv" {
         /// The suite's name.
         pub suite: String,

@@ -46,7 +46,7 @@ impl Lined {
 }
 
 impl RunDir {
-    /// The counting rows of one of the folder's tables; `None` if the table does not exist.
+    /// The rows of one of the folder's tables, without repeated ones; `None` if the table does not exist.
     ///
     /// [`RunDir::open_all`] removes rows that an earlier folder has. Findings are not supported here, as there may be
     /// very many.

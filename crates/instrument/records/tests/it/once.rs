@@ -174,7 +174,7 @@ fn stages_that_are_partly_repeated_are_left_out_with_a_warning() {
     assert!(warning.contains("stages of 1 groups, first orient2d near exact"), "{warning}");
 }
 
-/// A pair that one folder has planned and another has done is done.
+/// A pair that one folder has planned and another has run is not missing.
 #[test]
 fn what_another_folder_has_is_not_missing() {
     let folder = tempdir().unwrap();

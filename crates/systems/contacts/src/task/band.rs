@@ -7,7 +7,7 @@
 //! |---|---|---|---|
 //! | registered beyond T₊, or without a crossing | `overreach` | `sign_flip` | `band` |
 //! | not registered up to T₋, or in spite of a crossing | `missed_zero` | `sign_flip` | `band` |
-//! | a guarded quantity below its bound: a sub-pair should have been registered | `missed_zero` | `missed_zero` | `unguarded` |
+//! | a guarded quantity below its bound: a sub-pair was missed | `missed_zero` | `missed_zero` | `unguarded` |
 //! | a weight not in [0, 1] | `inconsistent` | `inconsistent` | `weights` |
 //! | a weight that is not a number | `nan` | `nan` | `weights` |
 //! | registered although a sub-pair is | `inconsistent` | `inconsistent` | `unasked` |
