@@ -1,4 +1,4 @@
-//! `answers.csv`: every answer of a run that was asked for them.
+//! `answers.csv`: every answer of a run, if the run was told to write its answers.
 
 use predicament_predicates::Class;
 

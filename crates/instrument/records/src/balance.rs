@@ -1,6 +1,7 @@
-//! Which scenes go to which part of a run, so that all parts take about as long.
+//! The distribution of scenes over the parts of a run, so that all parts take about as long.
 //!
-//! Whoever makes a plan decides once, in whole numbers, and writes it down: parts on different machines agree without talking.
+//! The maker of a plan computes the distribution once, in whole numbers, and writes it down. Parts on different
+//! machines then agree without communication.
 
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
@@ -10,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::{CostRow, Error, PlannedScene, Row};
 
-/// The part, from 1 to `parts`, of the scene with this content id: the same whatever else is selected.
+/// The part, from 1 to `parts`, of the scene with this content id. It does not depend on the other selected scenes.
 #[must_use]
 pub fn part_of_id(id: &str, parts: u32) -> u32 {
     let digits = id.get(..15).unwrap_or(id);
@@ -18,8 +19,10 @@ pub fn part_of_id(id: &str, parts: u32) -> u32 {
     u32::try_from(number % u64::from(parts.max(1))).unwrap_or(0) + 1
 }
 
-/// The part, from 1, of each scene, given its id and its cost. A scene without a cost goes where its id says; the others one by one, the
-/// most expensive first and equal ones by id, to the part that has least to do by then, the first of several.
+/// The part, from 1, of each scene, given its id and its cost.
+///
+/// A scene without a cost goes to the part that its id gives. The other scenes are assigned in order, the most
+/// expensive first and equal ones by id: each goes to the part with the smallest load so far, the first of several.
 #[must_use]
 pub fn balance(scenes: &[(&str, Option<u64>)], parts: u32) -> Vec<u32> {
     let mut assigned: Vec<u32> = scenes.iter().map(|(id, _)| part_of_id(id, parts)).collect();
@@ -32,39 +35,39 @@ pub fn balance(scenes: &[(&str, Option<u64>)], parts: u32) -> Vec<u32> {
     for (Reverse(cost), _, at) in order {
         if let Some((part, load)) = loads.iter_mut().min_by_key(|(part, load)| (**load, **part)) {
             assigned[at] = *part;
-            // A scene that costs nothing is still one: without this all of them would go to one part.
+            // A scene with cost 0 counts as 1: otherwise all such scenes would go to one part.
             *load = load.saturating_add(cost.max(1));
         }
     }
     assigned
 }
 
-/// How the cost of a scene is known.
+/// The source of a scene's estimated cost.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Basis {
-    /// This very scene was measured on every backend.
+    /// Measured on every backend for this very scene.
     Measured,
-    /// Scenes of the same task were: the cost is theirs for each query.
+    /// Estimated from scenes of the same task, by their cost per query.
     Estimated,
-    /// Nothing is known.
+    /// Unknown.
     Unknown,
 }
 
 /// The costs of earlier runs, in microseconds.
 #[derive(Clone, Default, Debug)]
 pub struct Costs {
-    /// By scene and backend: the sum, and over how many runs.
+    /// The sum of costs and the number of runs, by scene and backend.
     scenes: BTreeMap<[String; 2], (u64, u64)>,
-    /// By task, family and backend, and by task and backend with an empty family: time and queries.
+    /// Time and queries, by task, family and backend, and by task and backend with an empty family.
     rates: BTreeMap<[String; 3], (u64, u64)>,
 }
 
 impl Costs {
-    /// The costs that these run folders have written down.
+    /// The costs that these run folders contain.
     ///
     /// # Errors
-    /// The folder that has none, or the line that is wrong.
+    /// If a folder has no costs, or a line is wrong; the error names the folder or the line.
     pub fn read<P: AsRef<Path>>(folders: &[P]) -> Result<Costs, Error> {
         let mut costs = Costs::default();
         for folder in folders {
@@ -76,7 +79,7 @@ impl Costs {
                 );
                 return Err(Error::new(folder.as_ref(), message));
             }
-            // A scene that was run again after a kill counts as it was the last time.
+            // If a scene was run again after a kill, its last cost counts.
             let last: BTreeMap<[&str; 3], &CostRow> =
                 rows.iter().map(|row| ([&*row.scene_id, &*row.backend, &*row.suite], row)).collect();
             last.into_values().for_each(|row| costs.add(row));
@@ -85,7 +88,7 @@ impl Costs {
     }
 
     fn add(&mut self, row: &CostRow) {
-        // The time that passes depends on what else the machine does. Where processor time is unknown it is all there is.
+        // Wall time depends on the other load of the machine, so it is used only where processor time is unknown.
         let cost = if row.cpu_us == 0 { row.wall_us } else { row.cpu_us };
         let known = self.scenes.entry([row.scene_id.clone(), row.backend.clone()]).or_default();
         *known = (known.0.saturating_add(cost), known.1 + 1);
@@ -96,7 +99,7 @@ impl Costs {
         }
     }
 
-    /// What a scene will cost on these backends together, and how that is known.
+    /// The estimated cost of a scene on these backends together, and the source of the estimate.
     #[must_use]
     pub fn of(&self, scene: &PlannedScene, backends: &[String]) -> (Option<u64>, Basis) {
         let mut basis = Basis::Measured;
@@ -115,11 +118,11 @@ impl Costs {
         if known == 0 {
             return (None, Basis::Unknown);
         }
-        // A backend of which nothing is known costs what the others do on average.
+        // A backend without any known cost counts as the mean of the others.
         (Some(sum.saturating_add(sum / known * unknown)), basis)
     }
 
-    /// What the scene would cost at the rate of its family, or else of its task.
+    /// The cost of the scene at the rate of its family, or else of its task.
     fn rated(&self, scene: &PlannedScene, backend: &str) -> Option<u64> {
         let rate = |family: &str| self.rates.get(&[scene.task.clone(), family.to_owned(), backend.to_owned()]);
         let (cost, queries) = rate(&scene.family).or_else(|| rate(""))?;
@@ -147,14 +150,14 @@ mod tests {
     #[test]
     fn the_longest_go_first_and_ties_by_id() {
         let scenes = [("c", Some(5)), ("a", Some(5)), ("b", Some(9)), ("d", Some(1)), ("e", Some(0)), ("f", Some(0))];
-        // b (9) to 1; a (5) and c (5) to 2; d (1) to 1, and then both have 10.
+        // b (9) goes to 1; a (5) and c (5) go to 2; d (1) goes to 1; then both have 10.
         assert_eq!(balance(&scenes, 2), [2, 2, 1, 1, 1, 2]);
         let mut turned = scenes;
         turned.reverse();
         let mut expected = balance(&scenes, 2);
         expected.reverse();
         assert_eq!(balance(&turned, 2), expected, "the order does not matter");
-        // Without costs the id decides, whatever else there is.
+        // Without costs the id decides, independently of the other scenes.
         let unknown = [("0000000000000070", None), ("b", Some(9))];
         assert_eq!(balance(&unknown, 7)[0], part_of_id("0000000000000070", 7));
         let loads = balance(&[("a", Some(0)), ("b", Some(0)), ("c", Some(0))], 3);
@@ -183,7 +186,7 @@ mod tests {
         assert_eq!(of(&scene("a", "near", 100), &["exact"]), (Some(1200), Basis::Measured));
         assert_eq!(of(&scene("c", "near", 1000), &["exact"]), (Some(12_000), Basis::Estimated));
         assert_eq!(of(&scene("d", "wide", 100), &["exact"]), (Some(2200), Basis::Estimated));
-        // Of `sos` nothing is known: the mean of the others.
+        // `sos` has no known cost: it counts as the mean of the others.
         assert_eq!(of(&scene("a", "near", 100), &["exact", "sos"]), (Some(1800), Basis::Estimated));
         let other = PlannedScene { task: "hull2d".to_owned(), ..scene("e", "near", 9) };
         assert_eq!(of(&other, &["exact"]), (None, Basis::Unknown));

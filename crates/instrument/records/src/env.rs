@@ -1,7 +1,7 @@
 //! `env.json`: the machine, compiler and versions of a run.
 //!
-//! Timings mean nothing without the machine, and floating-point answers may
-//! depend on what the compiler was allowed to use.
+//! Timings mean nothing without the machine, and floating-point answers may depend on the CPU features that the
+//! compiler was allowed to use.
 
 use std::collections::BTreeMap;
 use std::time::{SystemTime, UNIX_EPOCH};
@@ -14,44 +14,45 @@ use sha2::{Digest, Sha256};
 #[derive(Clone, PartialEq, Eq, Debug, Default, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Env {
-    /// When the run began, in UTC: `2026-01-31T23:59:59Z`; none in folders made before it was written down.
+    /// The time when the run began, in UTC: `2026-01-31T23:59:59Z`; `None` in folders of versions that did not record
+    /// it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub started: Option<String>,
-    /// The processor's name; none where the system doesn't tell.
+    /// The processor's name; `None` if the system does not report it.
     pub cpu: Option<String>,
-    /// How many threads the process may run at once; none where unknown.
+    /// The number of threads that the process may run at once; `None` if unknown.
     pub cores: Option<u64>,
     /// The operating system and architecture, such as `linux x86_64`.
     pub os: String,
-    /// The compiler's version, `rustc -V`; none where unknown.
+    /// The compiler's version, `rustc -V`; `None` if unknown.
     pub rustc: Option<String>,
-    /// The features that the compiler was allowed to use everywhere.
+    /// The CPU features that the compiler was allowed to use everywhere.
     pub compiled_features: Vec<String>,
-    /// The features that the processor has, of those that matter here.
+    /// The CPU features that the processor has, among those that matter here.
     pub detected_features: Vec<String>,
-    /// The profile that the tool was built with and the flags given to the compiler; none where unknown.
+    /// The profile that the tool was built with and the compiler's flags; `None` if unknown.
     pub opt_flags: Option<String>,
-    /// The commit that the tool was built from; none where it was built outside of its repository, and in folders made
-    /// before it was written down.
+    /// The commit that the tool was built from; `None` if it was built outside of its repository, and in folders of
+    /// versions that did not record it.
     #[serde(default)]
     pub commit: Option<String>,
-    /// Whether the files that the tool was built from differed from that commit; none where that is none.
+    /// True if the files that the tool was built from differed from that commit; `None` if `commit` is `None`.
     #[serde(default)]
     pub dirty: Option<bool>,
-    /// How the system chose the frequency of the first core when the run began, such as `performance`; none where it
-    /// doesn't tell.
+    /// The frequency governor of the first core when the run began, such as `performance`; `None` if the system does
+    /// not report it.
     #[serde(default)]
     pub governor: Option<String>,
-    /// The machine's name; none where the system doesn't tell, and in folders made before it was written down.
+    /// The machine's name; `None` if the system does not report it, and in folders of versions that did not record it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub node: Option<String>,
-    /// The parts that a merged run was put together from, each with the name of its machine.
+    /// The parts of a merged run, each with the name of its machine.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub parts: Vec<String>,
-    /// The hash of the plan of work that this was run by; none where there was none.
+    /// The hash of the work plan of this run; `None` if there was no such plan.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<String>,
-    /// Whether debug assertions were compiled in: such timings are worthless.
+    /// True if debug assertions were compiled in: such timings are worthless.
     pub debug_assertions: bool,
     /// The version of the tool.
     pub package_version: String,
@@ -62,8 +63,8 @@ pub struct Env {
 }
 
 impl Env {
-    /// What can be found out from inside the process. What it can't know is
-    /// left empty, to be filled in: the compiler, its flags, the commit, and the peers.
+    /// The facts that the process can find out about its machine. The other fields are left empty for the caller: the
+    /// compiler, its flags, the commit, and the peers.
     #[must_use]
     pub fn collect(package_version: &str) -> Env {
         Env {
@@ -90,8 +91,10 @@ impl Env {
 }
 
 impl Env {
-    /// What tells machines apart whose times are not to be compared: twelve hex digits of a digest of processor, cores and system.
-    /// The machine's name is not among them, as hosts of build services have another every night.
+    /// The id of the machine's kind: twelve hex digits of a digest of processor, cores and system.
+    ///
+    /// Times from different kinds must not be compared. The machine's name is not included, as hosts of build services
+    /// get a new one every night.
     #[must_use]
     pub fn fingerprint(&self) -> String {
         let cores = self.cores.map(|cores| cores.to_string());
@@ -103,8 +106,11 @@ impl Env {
         sum.finalize().iter().take(6).map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// What two runs must have in common for their times to be compared, by name: the machine's kind, and how the tool was compiled
-    /// for it. The machine's name is not among it: of two alike either will do, and a container's name is new each time.
+    /// The properties that two runs must share for their times to be compared, by name: the machine's kind, and how the
+    /// tool was compiled for it.
+    ///
+    /// The machine's name is not among them: two machines of one kind are comparable, and a container gets a new name
+    /// each time.
     #[must_use]
     pub fn comparable(&self) -> [(&'static str, String); 7] {
         let unknown = || "unknown".to_owned();
@@ -120,10 +126,10 @@ impl Env {
     }
 }
 
-/// Where Linux says how it chooses the frequency of the first core.
+/// The file in which Linux reports the frequency governor of the first core.
 const GOVERNOR: &str = "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor";
 
-/// A line without its end; none if nothing is left.
+/// A line without its line end and blanks; `None` if the rest is empty.
 fn trimmed(line: &str) -> Option<String> {
     let line = line.trim();
     (!line.is_empty()).then(|| line.to_owned())

@@ -1,39 +1,39 @@
-//! Errors about the files of a run folder: the file, the line, what is wrong.
+//! Errors about the files of a run folder: the file, the line, the message.
 
 use std::fmt;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// What went wrong with which file.
+/// An error in a file of a run folder.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Error {
     /// The file or folder.
     pub path: PathBuf,
-    /// The line in it, from 1, where there is one to blame.
+    /// The line of the error in the file, from 1, if the error is in one line.
     pub line: Option<u64>,
-    /// What is wrong, in one line.
+    /// The message, in one line.
     pub message: String,
 }
 
 impl Error {
-    /// One without a line.
+    /// An error without a line.
     #[must_use]
     pub fn new(path: &Path, message: impl Into<String>) -> Error {
         Error { path: path.to_owned(), line: None, message: message.into() }
     }
 
-    /// One with a line.
+    /// An error with a line.
     #[must_use]
     pub fn at(path: &Path, line: u64, message: impl Into<String>) -> Error {
         Error { path: path.to_owned(), line: Some(line), message: message.into() }
     }
 
-    /// Turns an operating system error into one about this file, for `map_err`.
+    /// Turns an operating system error into an error about this file, for `map_err`.
     pub fn io(path: &Path) -> impl FnOnce(std::io::Error) -> Error {
         move |error| Error::new(path, with_cure(&error))
     }
 
-    /// The same for a lock: some file systems that machines share have none.
+    /// Turns an error of locking into an error about this file: some shared file systems do not support locks.
     #[must_use]
     pub fn no_locks(path: &Path, error: std::io::Error) -> Error {
         if error.kind() == ErrorKind::Unsupported {
@@ -43,7 +43,7 @@ impl Error {
         }
     }
 
-    /// A JSON error with its line taken out of the message, for `map_err`.
+    /// Turns a JSON error into an error about this file, for `map_err`; the line moves from the message to its field.
     pub fn json(path: &Path) -> impl FnOnce(serde_json::Error) -> Error {
         move |error| {
             let text = error.to_string();
@@ -56,7 +56,7 @@ impl Error {
     }
 }
 
-/// An operating system error, with what to do about it where that is not the same for all.
+/// An operating system error as text, with a fix if one is known for its kind.
 #[must_use]
 pub fn with_cure(error: &std::io::Error) -> String {
     let cure = match error.kind() {
@@ -80,7 +80,7 @@ impl fmt::Display for Error {
         if let Some(line) = self.line {
             write!(f, ":{line}")?;
         }
-        // Other libraries quote what they have found, line breaks and all.
+        // Other libraries quote the text that they found, including line breaks.
         let words: Vec<&str> = self.message.split_whitespace().collect();
         write!(f, ": {}", words.join(" "))
     }

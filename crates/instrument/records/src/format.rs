@@ -1,15 +1,14 @@
-//! Numbers as text for reports: separated thousands, significant digits.
+//! Numbers as text for reports: thousands separators, significant digits.
 
 use crate::stats::approximately;
 
-/// `1234567` as `1,234,567`.
+/// A whole number with thousands separators: `1234567` as `1,234,567`.
 #[must_use]
 pub fn thousands(n: u64) -> String {
     separated(&n.to_string())
 }
 
-/// A non-negative number with this many significant digits: `12.3`, `0.0457`,
-/// `1,230`. Zero is `0`.
+/// A non-negative number with this many significant digits: `12.3`, `0.0457`, `1,230`. Zero is `0`.
 #[must_use]
 pub fn significant(x: f64, digits: usize) -> String {
     if !x.is_finite() || x < 0.0 {
@@ -18,7 +17,7 @@ pub fn significant(x: f64, digits: usize) -> String {
     if x == 0.0 {
         return "0".to_owned();
     }
-    // Rounding first, as it can carry into the next power of ten.
+    // Rounding comes first, as it can carry into the next power of ten.
     let scientific = format!("{x:.*e}", digits.saturating_sub(1));
     let exponent: i64 = scientific.split_once('e').and_then(|(_, e)| e.parse().ok()).unwrap_or(0);
     if !(-6..15).contains(&exponent) {
@@ -30,19 +29,19 @@ pub fn significant(x: f64, digits: usize) -> String {
     separated(&format!("{rounded:.decimals$}"))
 }
 
-/// Nanoseconds, three digits.
+/// A time in nanoseconds with three significant digits.
 #[must_use]
 pub fn nanoseconds(ns: f64) -> String {
     significant(ns, 3)
 }
 
-/// A factor, two digits: `0.61×`.
+/// A factor with two significant digits: `0.61×`.
 #[must_use]
 pub fn factor(ratio: f64) -> String {
     format!("{}×", significant(ratio, 2))
 }
 
-/// A part of a whole in percent, never rounded to 0 or 100 unless it is.
+/// A share in percent, rounded to 0 or 100 only if it is exactly that.
 #[must_use]
 pub fn percent(part: u64, whole: u64) -> String {
     let share = 100.0 * approximately(part) / approximately(whole);
@@ -56,20 +55,20 @@ pub fn percent(part: u64, whole: u64) -> String {
     }
 }
 
-/// How many in a million; none of nothing is no rate.
+/// The rate in a million; `None` if `whole` is 0.
 #[must_use]
 pub fn per_million(part: u64, whole: u64) -> Option<f64> {
     (whole > 0).then(|| 1e6 * approximately(part) / approximately(whole))
 }
 
-/// A count with its noun, in the plural unless it is one: `1 scene`, `1,000 scenes`.
+/// A count with its noun, in the plural unless the count is 1: `1 scene`, `1,000 scenes`.
 #[must_use]
 pub fn counted(n: u64, noun: &str) -> String {
     let plural = if n == 1 { "" } else { "s" };
     format!("{} {noun}{plural}", thousands(n))
 }
 
-/// A length as a count. No collection in memory has more than 2^64 items.
+/// A length as a `u64`. No collection in memory has more than 2^64 items.
 #[must_use]
 pub fn length(n: usize) -> u64 {
     u64::try_from(n).unwrap_or(u64::MAX)

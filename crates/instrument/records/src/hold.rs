@@ -1,6 +1,8 @@
-//! One writer at a time: for a file that is read, changed and written back, and for a folder whose files belong together.
+//! An exclusive lock for writers: of a file that is read, changed and written back, or of a folder whose files belong
+//! together.
 //!
-//! A second writer waits for the first, and reads what the first has written. The system drops the lock with its process, however that ends.
+//! A second writer waits for the first, and reads what the first has written. The system drops the lock when its
+//! process ends, however it ends.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{Read as _, Write as _};
@@ -11,10 +13,10 @@ use crate::Error;
 
 /// The longest time that a second writer waits for the first.
 const PATIENCE: Duration = Duration::from_secs(60);
-/// How often it looks.
+/// The interval at which a waiting writer tries again.
 const LOOK: Duration = Duration::from_millis(5);
 
-/// The right to write a file or a folder, until it is dropped.
+/// The exclusive right to write a file or a folder, until it is dropped.
 #[derive(Debug)]
 pub struct Hold {
     lock: PathBuf,
@@ -22,11 +24,12 @@ pub struct Hold {
 }
 
 impl Hold {
-    /// Waits for the right to write a file, or for the name of what is written in a folder. `whose` says what this process is, for
-    /// those who wait.
+    /// Waits for the exclusive right to write a file or a folder. `whose` describes this process to waiting
+    /// processes.
     ///
     /// # Errors
-    /// If the file system refuses, or another process holds the place for longer than a minute; the message names that process.
+    /// If the file system refuses, or another process holds the right for longer than a minute; the message names that
+    /// process.
     pub fn take(place: &Path, whose: &str) -> Result<Hold, Error> {
         Hold::take_within(place, whose, PATIENCE)
     }
@@ -40,7 +43,7 @@ impl Hold {
             let open = OpenOptions::new().create(true).append(true).read(true).open(&lock);
             let mut file = open.map_err(Error::io(&lock))?;
             match file.try_lock() {
-                // Whoever had it has removed the file: another one of its name may be there by now.
+                // The previous holder has removed the file: another file of its name may exist by now.
                 Ok(()) if !is_still(&file, &lock) => continue,
                 Ok(()) => {
                     let told = format!("process {} ({whose})", std::process::id());
@@ -63,14 +66,15 @@ impl Hold {
 
 impl Drop for Hold {
     fn drop(&mut self) {
-        // Removed while it is held, so that whoever opens one of this name makes it. Elsewhere a file that is open can't be removed.
+        // Removed while it is held, so that the next process creates a new file. On other systems an open file can't be
+        // removed.
         if cfg!(unix) {
             let _ = fs::remove_file(&self.lock);
         }
     }
 }
 
-/// Whether the file of this name is the one that is open.
+/// True if the file of this name is the open one.
 fn is_still(file: &File, path: &Path) -> bool {
     #[cfg(unix)]
     {

@@ -1,4 +1,4 @@
-//! `imports.csv`: the scenes that reading has changed, and how.
+//! `imports.csv`: the scenes that were changed when they were read, and the changes.
 
 use crate::{PlannedScene, RowError};
 
@@ -33,7 +33,7 @@ crate::table! {
 }
 
 impl ImportRow {
-    /// The row of a scene of which nothing is said yet.
+    /// A row for a scene with all counts 0.
     #[must_use]
     pub fn new(scene: &PlannedScene) -> ImportRow {
         let [suite, scene, scene_id, task] = scene.labels();

@@ -9,9 +9,8 @@ use crate::{Class, Error, NotRun, Status, SummaryRow};
 
 /// One test case for each scene on each backend, grouped by suite and sorted.
 ///
-/// Unexpected findings and unexpected passes are failures. A pair that was
-/// planned and not run is an error: silence is no success. A scene that was
-/// declined as expected is skipped. The body of a failure is what `told` says of its row.
+/// Unexpected findings and unexpected passes are failures. A planned pair that was not run is an error. A scene that
+/// was declined as expected is skipped. `told` gives the body of a failure from its row.
 ///
 /// # Errors
 /// If the XML can't be written.
@@ -45,7 +44,8 @@ pub fn junit(
     report.to_string().map_err(|error| Error::new(Path::new(name), format!("no JUnit report: {error}")))
 }
 
-/// A text with a replacement for each character that XML 1.0 forbids in any spelling: no parser reads a file that has one.
+/// A text in which each character that XML 1.0 forbids is replaced. A parser rejects any file with such a character,
+/// escaped or not.
 fn xml(text: &str) -> String {
     let is_legal = |c: char| matches!(c, '\t' | '\n' | '\r' | ' '..='\u{FFFD}' | '\u{10000}'..);
     text.chars().map(|c| if is_legal(c) { c } else { char::REPLACEMENT_CHARACTER }).collect()

@@ -1,19 +1,16 @@
-//! Run folders: the files that a run leaves and that every later step reads.
+//! Run folders: the files that a run writes and that every later step reads.
 //!
-//! A run leaves CSV and JSON files; they are the interchange format, and every
-//! number of a report can be traced to one of their rows. This crate writes,
-//! checks and reads them. It knows no geometry and no backend: a backend is a
-//! name in a column, a truth is a symbol in a cell. It draws nothing; pages and
-//! plots are the crate `report`.
+//! The CSV and JSON files are the interchange format: every number of a report can be traced to one of their rows. This
+//! crate writes, checks and reads the files. It does not depend on geometry or backends: a backend is a name in a
+//! column, a truth is a symbol in a cell. It does not draw; the crate `report` makes pages and plots.
 //!
-//! * [`RunWriter`] makes a run folder and appends to it; a run that was killed
-//!   explains itself and can be resumed. [`RunDir`] reads one.
-//! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`] and [`PrecisionRow`]
-//!   are the rows that every run has; tasks add tables of their own through [`Row`]. [`Rows`] know their lines.
-//! * [`Plan`] and [`Env`] say what was to be done, and where.
-//! * [`table!`] makes a row, its table and its schema from one definition; [`schema_markdown`] prints it.
+//! * [`RunWriter`] makes a run folder and appends to it; a killed run can be resumed. [`RunDir`] reads a run folder.
+//! * [`SummaryRow`], [`FindingRow`], [`ThroughputRow`], [`StageRow`] and [`PrecisionRow`] are the rows that every run
+//!   has; tasks add their own tables through [`Row`]. [`Rows`] keep the line numbers of their rows.
+//! * [`Plan`] lists the work of a run, and [`Env`] describes its machine.
+//! * [`table!`] makes a row, its table and its schema from one definition; [`schema_markdown`] prints the schema.
 //! * [`RunFolder`] reads a folder row by row, however large.
-//! * [`junit`] is what build servers read.
+//! * [`junit`] writes the report for build servers.
 
 mod answers;
 mod balance;
@@ -58,7 +55,7 @@ pub use run_dir::{
 };
 pub use sampled::SampledRow;
 pub use schema::{Column, Kind, Typed, schema_json, schema_markdown};
-/// For deriving a [`Row`] in a crate that does not depend on `serde` itself.
+/// The crate `serde`, for deriving a [`Row`] in a crate that does not depend on `serde` itself.
 pub use serde;
 pub use stats::{Spread, approximately, geometric_mean, wilson};
 pub use work::{Build, Share, WorkPlan, WrongParts};

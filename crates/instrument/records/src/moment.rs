@@ -1,21 +1,21 @@
 //! Moments in UTC as text: `2026-01-31T23:59:59Z`.
 //!
-//! Years 1970 to 9999. Local time and leap seconds are left to others.
+//! Years 1970 to 9999. Local time and leap seconds are not supported.
 
 use chrono::{DateTime, SecondsFormat, Utc};
 
-/// A moment so many seconds after 1970 began.
+/// The moment `seconds` after the start of 1970, as text.
 #[must_use]
 pub fn text(seconds: u64) -> String {
     let moment = i64::try_from(seconds).ok().and_then(DateTime::from_timestamp_secs);
     moment.unwrap_or(DateTime::<Utc>::MAX_UTC).to_rfc3339_opts(SecondsFormat::Secs, true)
 }
 
-/// How many seconds after 1970 began a moment is; none if it is no moment as [`text`] writes it.
+/// The number of seconds from the start of 1970 to a moment; `None` if the text is not as [`text`] writes it.
 #[must_use]
 pub fn seconds(moment: &str) -> Option<u64> {
     let seconds = u64::try_from(moment.parse::<DateTime<Utc>>().ok()?.timestamp()).ok()?;
-    // RFC 3339 has other ways to write a moment, and leap seconds.
+    // RFC 3339 allows other spellings of a moment, and leap seconds.
     (text(seconds) == moment).then_some(seconds)
 }
 
@@ -25,7 +25,7 @@ mod tests {
 
     #[test]
     fn moments_are_those_of_the_calendar() {
-        // By `date -u -d @SECONDS`.
+        // Expected values by `date -u -d @SECONDS`.
         for (number, moment) in [
             (0, "1970-01-01T00:00:00Z"),
             (951_782_399, "2000-02-28T23:59:59Z"),

@@ -1,10 +1,11 @@
-//! `phases.csv`: what the parts of an algorithm take, one by one.
+//! `phases.csv`: the time and memory of the phases of an algorithm.
 use crate::RowError;
 
 crate::table! {
     /// `phases.csv`: one timed sample of one phase of a scene.
     ///
-    /// Phases that ask no predicate, such as reading a file or making a grid, are timed once for all backends: `backend` is empty.
+    /// Phases that ask no predicate, such as reading a file or making a grid, are timed once for all backends:
+    /// `backend` is empty.
     pub struct PhaseRow [Clone, PartialEq, Debug] in "phases.csv" {
         /// The suite's name.
         pub suite: String,

@@ -1,7 +1,6 @@
-//! `plan.json`: what a run is going to do, written before it does it.
+//! `plan.json`: the work of a run, written before the run does it.
 //!
-//! An interrupted run can be explained only by someone who knows what it was
-//! after, so this is the first file in a run folder.
+//! It is the first file in a run folder: only the plan shows the missing work of an interrupted run.
 
 use predicament_predicates::UnknownName;
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,13 +11,13 @@ use sha2::{Digest, Sha256};
 /// The version of the run folder's format that this crate writes and reads.
 pub const FORMAT: u32 = 2;
 
-/// How thorough a run is.
+/// The amount of work of a run.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Level {
-    /// For every commit.
+    /// The checks for every commit.
     Quick,
-    /// Everything.
+    /// All checks.
     Full,
 }
 
@@ -43,7 +42,7 @@ impl std::str::FromStr for Level {
     }
 }
 
-/// The `index`-th of `count` parts of a run, from 1; written `index/count`.
+/// The `index`-th of `count` parts of a run, counted from 1; written `index/count`.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(try_from = "String", into = "String")]
 pub struct Shard {
@@ -52,22 +51,22 @@ pub struct Shard {
 }
 
 impl Shard {
-    /// All of it.
+    /// The whole run as one part.
     pub const WHOLE: Shard = Shard { index: 1, count: 1 };
 
-    /// Part `index` of `count`; none unless 1 ≤ `index` ≤ `count`.
+    /// Part `index` of `count`; `None` unless 1 ≤ `index` ≤ `count`.
     #[must_use]
     pub const fn new(index: u32, count: u32) -> Option<Shard> {
         if 1 <= index && index <= count { Some(Shard { index, count }) } else { None }
     }
 
-    /// Which part, from 1.
+    /// The number of this part, from 1.
     #[must_use]
     pub const fn index(self) -> u32 {
         self.index
     }
 
-    /// How many parts there are.
+    /// The number of parts.
     #[must_use]
     pub const fn count(self) -> u32 {
         self.count
@@ -80,7 +79,7 @@ impl std::fmt::Display for Shard {
     }
 }
 
-/// A text that is not a shard.
+/// An error: a text that is not a shard.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseShardError(String);
 
@@ -135,41 +134,42 @@ crate::table! {
 }
 
 impl PlannedScene {
-    /// What the rows of a scene begin with in every table: suite, scene, id and task.
+    /// The first four cells of a scene's rows in every table: suite, scene, id and task.
     #[must_use]
     pub fn labels(&self) -> [String; 4] {
         [&self.suite, &self.scene, &self.scene_id, &self.task].map(String::clone)
     }
 }
 
-/// A suite that is not going to be run, and why.
+/// A suite that is left out of the run, and the reason.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 pub struct NotSelected {
     /// The suite's name.
     pub suite: String,
-    /// Why, in one line.
+    /// The reason, in one line.
     pub reason: String,
 }
 
-/// The selection that a plan has a part of.
+/// The whole selection of scenes, of which a plan has one part.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Whole {
-    /// How many scenes there are in all parts together.
+    /// The number of scenes in all parts together.
     pub scenes: u64,
-    /// The SHA-256, in hex digits, of all of these scenes: parts of the same selection have the same.
+    /// The SHA-256, in hex digits, of all these scenes; equal for all parts of one selection.
     pub digest: String,
-    /// The places of this part's scenes among all, from 0, in their order.
+    /// The places of this part's scenes among all scenes, from 0, in their order.
     pub places: Vec<u64>,
-    /// The hash of the plan of work that says which scenes these are; none where their ids do.
+    /// The hash of the work plan that distributes the scenes; `None` if the scenes' ids distribute them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub plan: Option<String>,
-    /// The SHA-256 of the expectations that rows are held against; none in folders made before it was written down.
+    /// The SHA-256 of the expectations that rows are compared with; `None` in folders of versions that did not record
+    /// it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub expected: Option<String>,
 }
 
 impl Whole {
-    /// A part of these scenes: those in these places.
+    /// A selection of these scenes, and the part with the scenes in these places.
     #[must_use]
     pub fn new(scenes: &[PlannedScene], places: Vec<u64>) -> Whole {
         let mut digest = Sha256::new();
@@ -184,71 +184,73 @@ impl Whole {
     }
 }
 
-/// What a run is going to do.
+/// The work of a run.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Plan {
     /// The version of the run folder's format: [`FORMAT`].
     pub format: u32,
     /// The version of the tool that made the folder.
     pub created_by: String,
-    /// How thorough it is.
+    /// The amount of work of the run.
     pub level: Level,
     /// The suites that were selected.
     pub suites: Vec<String>,
-    /// The files of suites that were named by path, by the suites' names.
+    /// The files of the suites that were named by path, by the suites' names.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub paths: BTreeMap<String, String>,
-    /// The SHA-256 of those files, in hex digits.
+    /// The SHA-256 of each file in `paths`, in hex digits, by the suites' names.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub hashes: BTreeMap<String, String>,
-    /// What the engines were, by the backends' names. A folder is data: nobody starts an engine because it stands here.
+    /// The engines by the backends' names. A folder is data: its readers never start an engine because it is listed
+    /// here.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub engines: BTreeMap<String, EngineFile>,
-    /// Whether every answer is written to `answers.csv`.
+    /// True if every answer is written to `answers.csv`.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub answers: bool,
-    /// Evaluations that one backend spends on other orders of the arguments in one scene, where they were named.
+    /// The number of evaluations that one backend spends on permuted arguments in one scene, if it was given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub permutations: Option<u64>,
-    /// Whether the scenes are timed: such a folder can't be resumed.
+    /// True if the scenes are timed: such a folder can't be resumed.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub timed: bool,
     /// The scenes of this shard, in the order in which they will be run.
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.
     pub backends: Vec<String>,
-    /// The tasks whose answers are judged as a whole: where one law is broken, the answer to the scene is.
+    /// The tasks whose answers are judged as a whole: if one law is broken, the whole answer to the scene is wrong.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
     pub judged_whole: BTreeSet<String>,
-    /// The rungs of the exact backend's ladder, cheapest first: columns go by it.
-    /// Empty in folders made before it was written down.
+    /// The rungs of the exact backend's ladder, cheapest first: report columns are in this order. Empty in folders of
+    /// versions that did not record it.
     #[serde(default)]
     pub ladder: Vec<String>,
-    /// Which part of the selection this is.
+    /// The part of the selection that this plan has.
     pub shard: Shard,
-    /// In a part: what it is a part of. None in a whole run, and in folders made before it was written down.
+    /// The whole selection that this is a part of; `None` in a whole run, and in folders of versions that did not
+    /// record it.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub whole: Option<Whole>,
-    /// What was left out on purpose.
+    /// The suites that were left out on purpose.
     pub not_selected: Vec<NotSelected>,
-    /// The backends of the tool that do not run where none is named, and were not: they have to be named.
+    /// The tool's backends that run only if they are named, and were not named.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub left_out: Vec<String>,
-    /// How many findings of each class are kept for each scene and backend.
+    /// The number of findings that are kept of each class, for each scene and backend.
     pub findings_per_class: u64,
-    /// The expectations that were named on the command line.
+    /// The file of expectations that was named on the command line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub expected: Option<ExpectedFile>,
 }
 
-/// An engine as it was when it was asked.
+/// An engine as it was at the time of the run.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct EngineFile {
-    /// Where its `engine.toml` was.
+    /// The path of its `engine.toml`.
     pub file: String,
-    /// The SHA-256 of that file in hex digits.
+    /// The SHA-256 of its `engine.toml` in hex digits.
     pub sha256: String,
-    /// The version of the library behind it; none where it said none.
+    /// The version of the library behind the engine; `None` if the engine gave none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub version: Option<String>,
 }
@@ -256,20 +258,20 @@ pub struct EngineFile {
 /// A file of expectations that a run was given.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct ExpectedFile {
-    /// Where it is.
+    /// The path of the file.
     pub file: String,
-    /// Its SHA-256 in hex digits.
+    /// The SHA-256 of the file in hex digits.
     pub sha256: String,
 }
 
 impl Plan {
-    /// The command-line argument for a suite: its file if the run was given a file, and its name otherwise.
+    /// The command-line argument for a suite: its file if the run was given a file, otherwise its name.
     #[must_use]
     pub fn argument<'p>(&'p self, suite: &'p str) -> &'p str {
         self.paths.get(suite).map_or(suite, String::as_str)
     }
 
-    /// The family of each scene, by suite, name, id and task: `summary.csv` has no such column.
+    /// The family of each scene, by suite, name, id and task: `summary.csv` does not have this column.
     #[must_use]
     pub fn families(&self) -> BTreeMap<[&str; 4], &str> {
         self.scenes.iter().map(|s| ([&*s.suite, &*s.scene, &*s.scene_id, &*s.task], &*s.family)).collect()

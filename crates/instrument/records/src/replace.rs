@@ -1,7 +1,8 @@
-//! Files that are whole or not there.
+//! Atomic replacement of files: a file is complete or absent.
 //!
-//! A file is written beside its place, under a name that nobody else has, and moved there when the disk has all of it. So a full disk, a
-//! power cut and a second writer leave the old file, or a whole new one, and never a half.
+//! A file is written beside its place under a unique name, and moved to its place when the disk has all of it. After a
+//! full disk, a power cut or a race with a second writer, the old file or a complete new one is there, never a part of
+//! one.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions};
@@ -12,10 +13,11 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::Error;
 
-/// What the name of a file that is being written ends in. It begins with a dot and the name that it will have.
+/// The end of the name of a file under construction. Such a name is a dot, the final name, a unique text and this
+/// ending.
 const ENDING: &str = ".next";
 
-/// A file that is being written beside its place. Unless it is kept, it is removed.
+/// A file under construction beside its place. It is removed unless it is kept.
 #[derive(Debug)]
 pub struct Beside {
     file: NamedTempFile,
@@ -24,8 +26,10 @@ pub struct Beside {
 }
 
 impl Beside {
-    /// An empty file for this place. A link stays, and the file that it names is replaced, keeping its permissions. What
-    /// processes that were killed have left in the folder is taken away.
+    /// An empty file for this place.
+    ///
+    /// A link in this place stays: the file that it points to is replaced and keeps its permissions. Files that killed
+    /// processes have left in the folder are removed.
     ///
     /// # Errors
     /// If the file system refuses, or a folder is in the place of the file; the error names the file.
@@ -42,22 +46,23 @@ impl Beside {
         let prefix = format!(".{name}.");
         let mut builder = Builder::new();
         builder.prefix(&prefix).suffix(ENDING);
-        // As any new file: the user's mask says who may read it.
+        // As for any new file, the user's umask limits the permissions.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let file = builder.tempfile_in(folder).map_err(failed)?;
-        // Whoever sweeps sees that somebody is writing. Where there are no locks nobody sweeps either.
+        // The lock tells a sweeping process that the file is in use. Where locks are not supported, sweeping is
+        // skipped.
         let _ = file.as_file().lock();
         Ok(Beside { file, place, permissions })
     }
 
-    /// The file, to be written.
+    /// The file, for writing.
     #[must_use]
     pub fn file(&self) -> &File {
         self.file.as_file()
     }
 
-    /// How many bytes were written.
+    /// The number of bytes written.
     ///
     /// # Errors
     /// If the file system refuses.
@@ -65,7 +70,7 @@ impl Beside {
         Ok(self.file().metadata().map_err(Error::io(&self.place))?.len())
     }
 
-    /// Moves files into their places, when the disk has all of each.
+    /// Moves files into their places when the disk has all of each.
     ///
     /// # Errors
     /// If the file system refuses one of the files; the error names it, and files before it may be in their places.
@@ -84,7 +89,7 @@ impl Beside {
     }
 }
 
-/// Writes a file beside its place and moves it there. Into a pipe or a device the bytes are written as they are.
+/// Writes a file beside its place and moves it there. A pipe or a device gets the bytes directly.
 ///
 /// # Errors
 /// If the file system refuses; the error names the file.
@@ -99,7 +104,7 @@ pub fn replace(path: &Path, bytes: &[u8]) -> Result<(), Error> {
     Beside::keep(vec![beside])
 }
 
-/// Makes a folder with the folders above it, each of which the disk is asked to keep.
+/// Makes a folder and its missing parents, and asks the disk to keep each.
 ///
 /// # Errors
 /// If the file system refuses; the error names the folder that was asked for.
@@ -110,13 +115,13 @@ pub fn make_folder(folder: &Path) -> Result<(), Error> {
     missing.iter().try_for_each(|made| sync_folder(folder_of(made)))
 }
 
-/// Asks the disk to keep the names in a folder. Where folders can't be opened, there is nothing to ask.
+/// Asks the disk to keep the names in a folder. Does nothing where folders can't be opened.
 ///
 /// # Errors
 /// If the file system refuses.
 pub(crate) fn sync_folder(folder: &Path) -> Result<(), Error> {
     match File::open(folder).and_then(|opened| opened.sync_all()) {
-        // File systems that have no such thing say so in one of these ways.
+        // File systems without this operation return one of these errors.
         Err(error)
             if matches!(
                 error.kind(),
@@ -129,27 +134,28 @@ pub(crate) fn sync_folder(folder: &Path) -> Result<(), Error> {
     }
 }
 
-/// Whether a name is that of a file that is being written.
+/// True if the name is that of a file under construction.
 pub(crate) fn is_beside(name: &str) -> bool {
     name.starts_with('.') && name.ends_with(ENDING)
 }
 
-/// Takes away all that was being written in a folder by whoever had the lock of it before.
+/// Removes all files under construction that the previous holder of the folder's lock has left.
 pub(crate) fn sweep_all(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         if is_beside(&entry.file_name().to_string_lossy()) {
-            // What can't be removed is in nobody's way.
+            // A file that can't be removed does no harm.
             let _ = fs::remove_file(entry.path());
         }
     }
 }
 
-/// The folder in which a file or folder is.
+/// The folder that contains a file or folder.
 pub(crate) fn folder_of(place: &Path) -> &Path {
     place.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
-/// Takes away what processes that are gone have left in a folder: nobody holds such a file. One without a byte may be about to be held.
+/// Removes the files under construction that ended processes have left in a folder: files that are not locked. Empty
+/// files are kept, as their writer may be about to lock them.
 fn sweep(folder: &Path) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let path = entry.path();
@@ -157,7 +163,7 @@ fn sweep(folder: &Path) {
             && fs::symlink_metadata(&path).is_ok_and(|found| found.is_file() && found.len() > 0)
             && File::open(&path).is_ok_and(|file| file.try_lock().is_ok())
         {
-            // What can't be removed is in nobody's way.
+            // A file that can't be removed does no harm.
             let _ = fs::remove_file(&path);
         }
     }
@@ -176,7 +182,7 @@ mod tests {
             assert_eq!(fs::read_to_string(&path).unwrap(), text);
         }
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
-        // In the place of a file there is a folder.
+        // A folder is in the place of the file.
         let error = replace(folder.path(), b"x").unwrap_err();
         assert_eq!(error.path, folder.path());
     }
@@ -227,7 +233,7 @@ mod tests {
         assert!(!fs::metadata("/dev/null").unwrap().is_file());
         let full = Path::new("/dev/full");
         assert!(!full.exists() || replace(full, b"lost").is_err(), "a full device is an error");
-        // What is beside a place is nobody's: a link there is not followed.
+        // A file beside a place may be anybody's: a link there is not followed.
         let (mine, trap) = (folder.path().join("mine"), folder.path().join("page.next"));
         fs::write(&mine, "mine").unwrap();
         std::os::unix::fs::symlink(&mine, &trap).unwrap();

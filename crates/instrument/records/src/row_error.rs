@@ -1,20 +1,20 @@
-//! What is wrong with the values of a row.
+//! Errors in the values of a row.
 
 use crate::rows::MOST;
 
-/// What is wrong with the values of a row, beyond their types.
+/// An error in the values of a row, beyond their types.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum RowError {
     /// A count that no run reaches.
     Count(u64),
-    /// A number that its column cannot have.
+    /// A number that is invalid in its column.
     Number {
         /// The column.
         column: &'static str,
         /// The number.
         value: f64,
-        /// What the column has, with its article: `a time`.
+        /// The kind of number in the column, with its article: `a time`.
         wanted: &'static str,
     },
     /// A column is empty.
@@ -22,23 +22,23 @@ pub enum RowError {
         /// The column.
         column: &'static str,
     },
-    /// Values that are not of one row: what is wrong with them, in one line.
+    /// Values that contradict each other; the message, in one line.
     Contradiction(&'static str),
 }
 
 impl RowError {
-    /// Whether a count is one that a run reaches.
+    /// Checks that a run can reach a count.
     ///
     /// # Errors
-    /// [`RowError::Count`] where it is not.
+    /// [`RowError::Count`] if the count is too large.
     pub(crate) fn check_count(count: u64) -> Result<(), RowError> {
         if count > MOST { Err(RowError::Count(count)) } else { Ok(()) }
     }
 
-    /// Whether a column's number is a time.
+    /// Checks that a column's number is a time.
     ///
     /// # Errors
-    /// [`RowError::Number`] where it is not finite and positive.
+    /// [`RowError::Number`] if the number is not finite and positive.
     pub(crate) fn check_time(column: &'static str, value: f64) -> Result<(), RowError> {
         if value.is_finite() && value > 0.0 {
             Ok(())

@@ -13,30 +13,31 @@ use crate::{Class, Column, PlannedScene, RowError, Status};
 
 /// A line of one of the CSV files of a run folder.
 ///
-/// Tasks add files of their own by implementing this, most easily by [`table!`](crate::table): see
+/// Tasks add their own files by implementing this trait, most easily by [`table!`](crate::table). See
 /// [`Record::of`](crate::Record::of) for writing and [`RunDir::rows`](crate::RunDir::rows) for reading.
 pub trait Row: Serialize + DeserializeOwned {
     /// The file's name.
     const FILE: &'static str;
-    /// Its columns.
+    /// The names of the columns.
     const COLUMNS: &'static [&'static str];
-    /// What a line is, in words.
+    /// A description of a line.
     const ABOUT: &'static str = "";
-    /// The columns with their types, units and meanings, in the same order; none where nobody has said them: such columns are text to other programs.
+    /// The columns with their types, units and meanings, in the same order. If it is empty, other programs get the
+    /// columns as text.
     const SCHEMA: &'static [Column] = &[];
 
-    /// Whether the values make sense, beyond having the right types.
+    /// Checks the values beyond their types.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// If a value makes no sense; the error says why.
     fn check(&self) -> Result<(), RowError> {
         Ok(())
     }
 }
 
-/// The largest count: no run gets there, and sums of counts stay far below 2^64.
+/// The maximum count: no run reaches it, and sums of counts stay far below 2^64.
 pub(crate) const MOST: u64 = 1 << 48;
-/// What is wrong with a larger one.
+/// The message about a larger count.
 pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
 
 crate::table! {
@@ -142,7 +143,7 @@ impl SummaryRow {
         }
     }
 
-    /// The count of a class, to be changed.
+    /// The count of a class, mutable.
     pub fn count_mut(&mut self, class: Class) -> &mut u64 {
         match class {
             Class::Agree => &mut self.agree,
@@ -161,13 +162,13 @@ impl SummaryRow {
         }
     }
 
-    /// How many answers are wrong: the sum over [`Class::is_wrong_answer`].
+    /// The number of wrong answers: the sum over [`Class::is_wrong_answer`].
     #[must_use]
     pub fn wrong(&self) -> u64 {
         Class::ALL.into_iter().filter(|class| class.is_wrong_answer()).map(|class| self.count(class)).sum()
     }
 
-    /// Whether any query was answered.
+    /// True if any query was answered.
     #[must_use]
     pub fn has_answers(&self) -> bool {
         Class::ALL.into_iter().any(|class| class.is_answer() && self.count(class) > 0)
@@ -221,31 +222,31 @@ crate::table! {
     }
 }
 
-/// Whether a task asks the signs of one predicate, and nothing more.
+/// True if the task asks only for the signs of one predicate.
 #[must_use]
 pub fn is_predicate(task: &str) -> bool {
     task.parse::<PredicateKind>().is_ok()
 }
 
-/// How a backend was asked while it was timed. Times of different interfaces are never compared.
+/// The interface by which a backend was timed. Times of different interfaces are never compared.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Interface {
-    /// One query at a time.
+    /// Single queries, one per call.
     Single,
-    /// Slices of queries, which the backend answers by code of its own.
+    /// Slices of queries, answered by the backend's own code for slices.
     Batch,
-    /// Slices of queries, which the backend answers by a loop over single ones.
+    /// Slices of queries, answered by a loop over single queries.
     Loop,
-    /// The answer to a whole scene.
+    /// Whole scenes.
     Whole,
 }
 
 impl Interface {
-    /// All four.
+    /// All four interfaces.
     pub const ALL: [Interface; 4] = [Interface::Single, Interface::Batch, Interface::Loop, Interface::Whole];
 
-    /// The name used in every file.
+    /// The interface's name in every file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {

@@ -1,11 +1,11 @@
-//! Rows that know the lines that they were read from.
+//! Rows with the line numbers that they were read from.
 //!
-//! A report says of each number where it is from, and that is a line of a file. Rows are dropped where an earlier folder has
-//! them, sorted and chosen from, so a row can't be found again by its place in the list: it keeps its line.
+//! A report names the source line of each number. Rows are dropped if an earlier folder has them, sorted and selected,
+//! so an index in the list does not identify a row: each row keeps its line number.
 
 use std::ops::{Deref, Index, IndexMut};
 
-/// The rows of a table, each with its line in the file. It can be used like a list of rows.
+/// The rows of a table, each with its line in the file; usable like a list of rows.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Rows<R> {
     rows: Vec<R>,
@@ -14,42 +14,44 @@ pub struct Rows<R> {
 }
 
 impl<R> Rows<R> {
-    /// Rows with their lines; `is_part` if the file has others.
+    /// Rows with their lines; `is_part` is true if the file has other rows too.
     pub(crate) fn read(lined: impl IntoIterator<Item = (u64, R)>, is_part: bool) -> Rows<R> {
         let (lines, rows) = lined.into_iter().map(|(line, row)| (Some(line), row)).unzip();
         Rows { rows, lines, is_part }
     }
 
-    /// The rows, each with its line as an editor counts, the header being line 1; none of a row that was not read from a file.
+    /// The rows, each with its line number; the header is line 1. The number is `None` if the row was not read from a
+    /// file.
     pub fn lined(&self) -> impl Iterator<Item = (Option<u64>, &R)> {
         self.lines.iter().copied().zip(&self.rows)
     }
 
-    /// Whether the file has rows that are not here: an earlier folder has them, or they are of a scene that was not finished.
+    /// True if the file has rows that are missing here: rows that an earlier folder has, or rows of an unfinished
+    /// scene.
     #[must_use]
     pub fn is_part(&self) -> bool {
         self.is_part
     }
 
-    /// Adds a row that is in no file.
+    /// Adds a row that is not in a file.
     pub fn push(&mut self, row: R) {
         self.rows.push(row);
         self.lines.push(None);
     }
 
-    /// Leaves out the rows that are not to be kept.
+    /// Keeps only the rows for which `keep` is true.
     pub fn retain(&mut self, mut keep: impl FnMut(&R) -> bool) {
         let before = self.len();
         self.edit(|rows| rows.retain(|(_, row)| keep(row)));
         self.is_part |= self.len() < before;
     }
 
-    /// Sorts rows by a key; those with the same key stay in their order.
+    /// Sorts rows by a key; rows with equal keys keep their order.
     pub fn sort_by_cached_key<K: Ord>(&mut self, mut key: impl FnMut(&R) -> K) {
         self.edit(|rows| rows.sort_by_cached_key(|(_, row)| key(row)));
     }
 
-    /// Moves rows with their lines.
+    /// Changes the list of rows together with their lines.
     pub fn edit(&mut self, change: impl FnOnce(&mut Vec<(Option<u64>, R)>)) {
         let (lines, rows) = (std::mem::take(&mut self.lines), std::mem::take(&mut self.rows));
         let mut lined = lines.into_iter().zip(rows).collect();
@@ -57,7 +59,7 @@ impl<R> Rows<R> {
         (self.lines, self.rows) = lined.into_iter().unzip();
     }
 
-    /// The rows, to be changed in their places.
+    /// The rows in their order, mutable.
     pub fn iter_mut(&mut self) -> std::slice::IterMut<'_, R> {
         self.rows.iter_mut()
     }
@@ -69,14 +71,14 @@ impl<R> Default for Rows<R> {
     }
 }
 
-/// Rows that are in no file.
+/// Rows that are not in a file.
 impl<R> From<Vec<R>> for Rows<R> {
     fn from(rows: Vec<R>) -> Rows<R> {
         Rows { lines: vec![None; rows.len()], rows, is_part: false }
     }
 }
 
-/// Rows that are in no file.
+/// Rows that are not in a file.
 impl<R> Extend<R> for Rows<R> {
     fn extend<I: IntoIterator<Item = R>>(&mut self, rows: I) {
         for row in rows {

@@ -1,4 +1,4 @@
-//! `sampled.csv`: the answers that were held against the truth of a part of their scene.
+//! `sampled.csv`: the answers whose truth covers only a part of their scene.
 
 use crate::{PlannedScene, RowError};
 
@@ -25,7 +25,7 @@ crate::table! {
 }
 
 impl SampledRow {
-    /// The row of a scene and backend.
+    /// The row for a scene and backend.
     #[must_use]
     pub fn new(scene: &PlannedScene, backend: &str, truth_of: &str) -> SampledRow {
         let [suite, scene, scene_id, task] = scene.labels();

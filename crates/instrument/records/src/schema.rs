@@ -1,20 +1,21 @@
-//! What the columns of a table are: their names, types, units and meanings, from the one definition of its row.
+//! The columns of a table: their names, types, units and meanings, from the one definition of its row.
 //!
-//! A row is a struct, and its columns are its fields. [`table!`](crate::table) makes of the struct everything that is known of the table: how a
-//! line is written and read, the header, and the schema that `predicament schema` prints and files of other formats have.
+//! A row is a struct, and its columns are its fields. [`table!`](crate::table) derives from the struct how a line is
+//! written and read, the header, and the schema. `predicament schema` prints the schema, and files in other formats
+//! contain it.
 
 use predicament_predicates::{Class, Status};
 use serde::Serialize;
 
-/// What the cells of a column are.
+/// The type of a column's cells.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// UTF-8; all ids and names are text.
     Text,
-    /// A whole number of 64 bits with its sign.
+    /// A signed whole number of 64 bits.
     Int64,
-    /// A double.
+    /// An IEEE 754 double.
     Float64,
     /// True or false.
     Bool,
@@ -23,7 +24,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Its name in the published schema.
+    /// The type's name in the published schema.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -39,20 +40,20 @@ impl Kind {
 /// A column of a table.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Column {
-    /// Its name, the same in every format.
+    /// The column's name, the same in every format.
     pub name: &'static str,
-    /// What its cells are.
+    /// The type of its cells.
     pub kind: Kind,
-    /// Whether a cell may have no value: empty in CSV.
+    /// True if a cell may have no value: empty in CSV.
     pub is_optional: bool,
-    /// What its numbers count or measure; empty where the type says it all.
+    /// The unit of its numbers; empty if the type says it all.
     pub unit: &'static str,
-    /// What it says, as the documentation of the field has it.
+    /// The column's meaning: the documentation of the field.
     about: &'static str,
 }
 
 impl Column {
-    /// A column of a table that is made of rows by [`table!`](crate::table), or of one that is made in another way.
+    /// A column of a table, whether [`table!`](crate::table) makes the table or not.
     #[must_use]
     pub const fn new(
         name: &'static str,
@@ -65,23 +66,23 @@ impl Column {
         Column { name, kind, is_optional, unit, about }
     }
 
-    /// What it says, in plain text.
+    /// The column's meaning, in plain text.
     #[must_use]
     pub fn meaning(&self) -> String {
         plain(self.about)
     }
 }
 
-/// The first sentence of a documentation comment, or all of it, without the brackets of its links.
+/// A documentation comment in one line, without the brackets of its links.
 fn plain(about: &str) -> String {
     about.split_whitespace().collect::<Vec<_>>().join(" ").replace("[`", "`").replace("`]", "`")
 }
 
 /// A type that a field of a row may have.
 pub trait Typed {
-    /// What a column of it holds.
+    /// The type of a column with this field.
     const KIND: Kind;
-    /// Whether there may be no value.
+    /// True if a value may be missing.
     const IS_OPTIONAL: bool = false;
 }
 
@@ -105,11 +106,12 @@ impl<T: Typed> Typed for Option<T> {
     const IS_OPTIONAL: bool = true;
 }
 
-/// A row and its table from one definition: the struct, how it is written and read, and what its columns are.
+/// A row and its table from one definition: the struct, its reading and writing, and its columns.
 ///
-/// A field has a documentation comment, which is the meaning of its column, and may have another name for its column and a unit:
-/// `pub distance: Option<f64> as "distance_over_L" ["L"],`. A whole number without a unit is a count. Behind the struct is what else is said of
-/// [`Row`](crate::Row), such as its `check`. The name `serde` has to be in scope: a dependency, or `use predicament_records::serde`.
+/// Each field needs a documentation comment, which is the meaning of its column. A field may name its column and its
+/// unit: `pub distance: Option<f64> as "distance_over_L" ["L"],`. A whole number without a unit is a count. Other items
+/// of [`Row`](crate::Row), such as `check`, follow the struct. The name `serde` has to be in scope: a dependency, or
+/// `use predicament_records::serde`.
 #[macro_export]
 macro_rules! table {
     (
@@ -154,7 +156,7 @@ macro_rules! table {
     (@name $field:ident) => { stringify!($field) };
 }
 
-/// The schema of tables for people: a heading, what a row is, and a line for each column.
+/// The schema of tables as Markdown: a heading, a description of a row, and a line for each column.
 #[must_use]
 pub fn schema_markdown(tables: &[crate::TableSpec]) -> String {
     let mut text = String::new();
@@ -172,7 +174,7 @@ pub fn schema_markdown(tables: &[crate::TableSpec]) -> String {
     text
 }
 
-/// The schema of tables for programs.
+/// The schema of tables as JSON.
 #[must_use]
 pub fn schema_json(tables: &[crate::TableSpec]) -> serde_json::Value {
     let column = |column: &Column| {
@@ -189,13 +191,13 @@ pub fn schema_json(tables: &[crate::TableSpec]) -> serde_json::Value {
 }
 
 impl crate::TableSpec {
-    /// The table's name: its file's, without the ending.
+    /// The table's name: its file name without the ending.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.file.strip_suffix(".csv").unwrap_or(self.file)
     }
 
-    /// What a row is, in plain text; without the name of the file, which is said before.
+    /// The description of a row, in plain text, without the name of the file.
     #[must_use]
     pub fn about(&self) -> String {
         let about = plain(self.about);

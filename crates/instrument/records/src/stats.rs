@@ -1,20 +1,20 @@
 //! Medians, spreads and geometric means of timings.
 
-/// The middle and the ends of some samples.
+/// The median, the smallest and the largest of some samples.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Spread {
-    /// The smallest.
+    /// The smallest sample.
     pub min: f64,
-    /// The middle one, or the mean of the middle two.
+    /// The middle sample, or the mean of the middle two.
     pub median: f64,
-    /// The largest.
+    /// The largest sample.
     pub max: f64,
-    /// How many there were.
+    /// The number of samples.
     pub samples: usize,
 }
 
 impl Spread {
-    /// The spread of some numbers; none if there are none, or one is NaN.
+    /// The spread of some numbers; `None` if there are none, or one is NaN.
     #[must_use]
     pub fn of(samples: impl IntoIterator<Item = f64>) -> Option<Spread> {
         let mut sorted: Vec<f64> = samples.into_iter().collect();
@@ -30,7 +30,7 @@ impl Spread {
     }
 }
 
-/// The geometric mean of positive numbers; none if there are none.
+/// The geometric mean of positive numbers; `None` if there are none.
 #[must_use]
 pub fn geometric_mean(numbers: impl IntoIterator<Item = f64>) -> Option<f64> {
     let (mut sum, mut count) = (0.0, 0.0);
@@ -41,7 +41,7 @@ pub fn geometric_mean(numbers: impl IntoIterator<Item = f64>) -> Option<f64> {
     (count > 0.0).then(|| (sum / count).exp())
 }
 
-/// Wilson's interval of a share at 95 %: the shares from which so many of `of` are not surprising. It is (0, 1) where `of` is zero.
+/// Wilson's 95 % interval of the true share, given `count` of `of`. It is (0, 1) if `of` is zero.
 ///
 /// (Wilson 1927; the normal quantile is 1.96.)
 #[must_use]
@@ -55,12 +55,11 @@ pub fn wilson(count: u64, of: u64) -> [f64; 2] {
     let middle = share + Z * Z / (2.0 * n);
     let reach = Z * (share * (1.0 - share) / n + Z * Z / (4.0 * n * n)).sqrt();
     let [low, high] = [middle - reach, middle + reach].map(|x| x / (1.0 + Z * Z / n));
-    // At the ends rounding could leave a trace.
+    // At the ends, rounding could leave a small error.
     [if count == 0 { 0.0 } else { low.max(0.0) }, if count == of { 1.0 } else { high.min(1.0) }]
 }
 
-/// A count as a number to divide by: the nearest double, which above 2^53 is
-/// off by less than any report prints.
+/// A count as a divisor: the nearest double. Above 2^53 its error is smaller than any digit that a report prints.
 #[must_use]
 #[allow(clippy::cast_precision_loss)]
 pub fn approximately(count: u64) -> f64 {
@@ -82,7 +81,7 @@ mod tests {
 
     #[test]
     fn intervals_of_shares() {
-        // Values of a published table (Newcombe 1998, table I, method 3).
+        // Expected values from a published table (Newcombe 1998, table I, method 3).
         for (count, of, low, high) in [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611)] {
             let [l, h] = wilson(count, of);
             assert!((l - low).abs() < 5e-5 && (h - high).abs() < 5e-5, "{count} of {of}: {l}, {h}");

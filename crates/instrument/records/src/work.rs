@@ -1,6 +1,7 @@
-//! A plan of work: what a run in parts will do, and which part does what, written down before any part begins.
+//! A work plan: the work of a run in parts, and the part that does each scene, written before any part begins.
 //!
-//! It is sealed by a hash. Each part that is run by it names the hash, so that parts of different plans can't be put together.
+//! A hash seals the plan. Each part that runs by the plan records the hash, so parts of different plans can't be
+//! merged.
 
 use std::path::Path;
 
@@ -12,25 +13,25 @@ use crate::{Basis, Env, Error, Plan, PlannedScene, Shard, Whole};
 /// The version of the file's format.
 const FORMAT: u32 = 1;
 
-/// What the tool was built from: parts of one plan have to agree in it.
+/// The build of the tool: parts of one plan must have equal builds.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Build {
     /// The tool's version.
     pub version: String,
-    /// The commit that it was built from, where known.
+    /// The commit that the tool was built from, if known.
     pub commit: Option<String>,
-    /// Whether its sources differed from that commit, where known.
+    /// True if its sources differed from that commit; `None` if unknown.
     pub dirty: Option<bool>,
 }
 
 impl Build {
-    /// The build that has written this.
+    /// The build that wrote this `Env`.
     #[must_use]
     pub fn of(env: &Env) -> Build {
         Build { version: env.package_version.clone(), commit: env.commit.clone(), dirty: env.dirty }
     }
 
-    /// The same in words.
+    /// The build in words.
     #[must_use]
     pub fn describe(&self) -> String {
         let commit = self.commit.as_deref().map_or("an unknown commit", |commit| commit.get(..12).unwrap_or(commit));
@@ -42,41 +43,41 @@ impl Build {
 /// The share of one scene in the work.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Share {
-    /// The part that runs it, from 1.
+    /// The part that runs the scene, from 1.
     pub part: u32,
-    /// What it will cost on all backends together, in microseconds of earlier runs; none where nothing is known.
+    /// The estimated cost on all backends together, in microseconds of earlier runs; `None` if unknown.
     pub cost_us: Option<u64>,
-    /// How that is known.
+    /// The source of the estimate.
     pub basis: Basis,
 }
 
-/// The file that `plan` writes and that every part reads.
+/// A work plan: the file that `plan` writes and that every part reads.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct WorkPlan {
     /// The version of this file's format.
     pub work_format: u32,
     /// The SHA-256, in hex digits, of the rest of the file.
     pub hash: String,
-    /// The build that made it: only the same one runs it.
+    /// The build that made the plan: only the same build runs it.
     pub build: Build,
-    /// How many parts there are.
+    /// The number of parts.
     pub parts: u32,
-    /// The SHA-256 of the expectations that rows are held against.
+    /// The SHA-256 of the expectations that rows are compared with.
     pub expected: String,
     /// The run folders whose costs were used.
     pub costs: Vec<String>,
     /// The share of each scene, in the order of the plan.
     pub shares: Vec<Share>,
-    /// What one machine would do by itself: its `plan.json`.
+    /// The `plan.json` of the same run on a single machine.
     pub plan: Plan,
 }
 
-/// A part was asked for of another number of parts than the plan has.
+/// An error: the requested number of parts is not that of the plan.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct WrongParts {
-    /// How many parts the plan has.
+    /// The number of parts of the plan.
     pub planned: u32,
-    /// Of how many parts one was asked for.
+    /// The requested number of parts.
     pub asked: u32,
 }
 
@@ -106,22 +107,22 @@ impl WorkPlan {
         WorkPlan { hash: work.sealed(), ..work }
     }
 
-    /// The hash that belongs to the rest.
+    /// The hash of the rest of the file.
     fn sealed(&self) -> String {
         let text = WorkPlan { hash: String::new(), ..self.clone() }.text();
         Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
     }
 
-    /// The file.
+    /// The text of the file.
     #[must_use]
     pub fn text(&self) -> String {
         serde_json::to_string_pretty(self).unwrap_or_default() + "\n"
     }
 
-    /// Reads the file, and refuses one in which a byte is not as it was written.
+    /// Reads the file, and refuses it if a byte has changed.
     ///
     /// # Errors
-    /// What is wrong with it.
+    /// If the file can't be read, has changed, or is not such a plan.
     pub fn read(path: &Path) -> Result<WorkPlan, Error> {
         let bytes = std::fs::read(path).map_err(Error::io(path))?;
         let work: WorkPlan = serde_json::from_slice(&bytes).map_err(|error| {
@@ -143,7 +144,7 @@ impl WorkPlan {
         Ok(work)
     }
 
-    /// What a part has to do; without one, what a single machine has to do.
+    /// The plan of a part, or of a single machine if `shard` is `None`.
     ///
     /// # Errors
     /// [`WrongParts`] if the plan has another number of parts.

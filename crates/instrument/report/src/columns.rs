@@ -1,10 +1,10 @@
-//! Columns of a page's data, as JSON.
+//! The columns of a page's data, as JSON.
 
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
 
-/// Words by their places in the list of those that there are.
+/// A list of distinct words, and each word as an index in it.
 pub(crate) fn dictionary(words: impl Iterator<Item = String>) -> Value {
     let (mut places, mut list): (BTreeMap<String, usize>, Vec<String>) = (BTreeMap::new(), Vec::new());
     let at: Vec<usize> = words
@@ -18,7 +18,7 @@ pub(crate) fn dictionary(words: impl Iterator<Item = String>) -> Value {
     json!({ "words": list, "at": at })
 }
 
-/// Numbers, `null` where there is none. What JSON has no number for is text: `-inf`, `inf` and `NaN`.
+/// Numbers, with `null` for missing ones. Numbers that JSON does not have are text: `-inf`, `inf` and `NaN`.
 pub(crate) fn numbers(values: impl Iterator<Item = Option<f64>>) -> Value {
     let value = |x: Option<f64>| match x {
         None => Value::Null,

@@ -1,9 +1,9 @@
-//! What is said about one backend: the one rule behind every figure.
+//! The rule for every figure about one backend.
 //!
-//! A figure about a backend depends on that backend and the scenes alone. Errors are counted over everything that the
-//! backend was asked, so each backend has its own denominator: a backend that declines what is hard shows it as "not
-//! done", and takes nothing from the others. Times are compared in pairs: a ratio to the reference is over the families
-//! that both were timed on, and no third backend decides which these are.
+//! A figure about a backend depends only on that backend and the scenes. Errors are counted over everything that the
+//! backend was asked, so each backend has its own denominator. A backend that declines hard scenes has them as "not
+//! done", and does not affect other backends. Times are compared in pairs: a ratio to the reference covers the families
+//! that both were timed on, and does not depend on a third backend.
 
 use std::collections::BTreeSet;
 
@@ -12,64 +12,64 @@ use predicament_records::{approximately, is_predicate, wilson};
 
 use crate::{Class, RunDir, SummaryRow};
 
-/// Everything that a backend was asked, by how it went.
+/// The results of everything that a backend was asked.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Standing {
-    /// Queries of tasks whose answers are judged one by one.
+    /// The queries of tasks whose answers are judged one by one.
     pub answers: Answers,
-    /// Scenes of tasks that ask for more than signs.
+    /// The scenes of tasks that ask for more than signs.
     pub scenes: Scenes,
-    /// Results that no expectation lists: pairs of scene and backend.
+    /// The number of results without an expectation: pairs of scene and backend.
     pub unexpected: u64,
 }
 
-/// Queries: the four shares add up to everything that was asked.
+/// The numbers of queries by result; their sum is the number of all queries.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Answers {
-    /// The exact answer, or a tie broken as promised.
+    /// Exact answers, and ties broken as promised.
     pub right: u64,
-    /// No decision: the value is within the band.
+    /// Queries without a decision: the value is within the band.
     pub undecided: u64,
-    /// A wrong answer, or none although the backend says that it is done.
+    /// Wrong answers, and missing answers of a backend that claims to be done.
     pub wrong: u64,
-    /// Declined, out of time, or crashed.
+    /// Queries that were declined, out of time, or crashed.
     pub not_done: u64,
 }
 
-/// Whole scenes: the four shares add up to everything that was asked.
+/// The numbers of whole scenes by result; their sum is the number of all scenes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Scenes {
-    /// Every law holds.
+    /// Scenes in which every law holds.
     pub held: u64,
-    /// Only the rounding of output coordinates shows.
+    /// Scenes in which only the rounding of output coordinates breaks a law.
     pub rounded: u64,
-    /// A law is broken.
+    /// Scenes with a broken law.
     pub broken: u64,
-    /// Declined, out of time, or crashed.
+    /// Scenes that were declined, out of time, or crashed.
     pub not_done: u64,
 }
 
 impl Answers {
-    /// All queries.
+    /// The number of all queries.
     pub fn asked(&self) -> u64 {
         self.right + self.undecided + self.wrong + self.not_done
     }
 }
 
 impl Scenes {
-    /// All scenes.
+    /// The number of all scenes.
     pub fn asked(&self) -> u64 {
         self.done() + self.not_done
     }
 
-    /// The scenes that the backend answered.
+    /// The number of scenes that the backend answered.
     pub fn done(&self) -> u64 {
         self.held + self.rounded + self.broken
     }
 }
 
 impl Standing {
-    /// Adds the result of one scene; `is_whole` says that its answer is judged as a whole.
+    /// Adds the result of one scene; `is_whole` is true if its answer is judged as a whole.
     pub fn add(&mut self, row: &SummaryRow, is_whole: bool) {
         self.unexpected += u64::from(row.status == crate::Status::Unexpected);
         let is_undone =
@@ -78,15 +78,16 @@ impl Standing {
             let answers = &mut self.answers;
             let right = row.agree + row.tie_broken;
             let counted = right + row.in_band + row.wrong();
-            // Axioms are violated by further orders of the arguments, too, which were not asked for themselves.
+            // Permuted arguments are additional queries, which can violate axioms too.
             let asked = row.queries.max(counted - counted.saturating_sub(row.queries).min(row.inconsistent));
             let rest = asked.saturating_sub(counted);
-            // Each failed check takes the place of the class of at most one query, so a query without a class is wrong where there
-            // are as many failed checks. Where there are not, there is nothing to say of it, as of a simplex that meets no other.
+            // Each failed check replaces the class of at most one query. So if there are at least as many failed checks
+            // as queries without a class, these queries are wrong. Otherwise nothing is known about them, as about a
+            // simplex that meets no other.
             let is_lost = row.topology > 0 && (counted == 0 || rest <= row.topology);
             let undone = if is_undone { rest } else { 0 };
             let lost = if is_lost && !is_undone { rest } else { 0 };
-            // Answers that contradict each other are not right, even where one of them is.
+            // Contradictory answers are wrong, even if one of them is right.
             let wrong = (row.wrong() + lost).min(asked - undone - row.in_band);
             answers.right += asked - undone - row.in_band - wrong;
             answers.undecided += row.in_band;
@@ -105,18 +106,18 @@ impl Standing {
         }
     }
 
-    /// Whether there was no mistake.
+    /// True if there was no error.
     pub fn is_right(&self) -> bool {
         self.answers.wrong == 0 && self.scenes.broken == 0
     }
 
-    /// Whether the backend decided everything that it was asked.
+    /// True if the backend decided everything that it was asked.
     pub fn is_complete(&self) -> bool {
         self.answers.undecided + self.answers.not_done + self.scenes.not_done == 0
     }
 }
 
-/// The errors of a backend, in all these runs, on the scenes for which `keep` holds.
+/// The results of a backend in all these runs, on the scenes for which `keep` is true.
 pub fn standing(runs: &[RunDir], backend: &str, keep: impl Fn(&SummaryRow) -> bool) -> Standing {
     let whole = judged_whole(runs);
     let mut standing = Standing::default();
@@ -131,7 +132,7 @@ pub fn judged_whole(runs: &[RunDir]) -> BTreeSet<&str> {
     runs.iter().flat_map(|run| &run.plan.judged_whole).map(String::as_str).collect()
 }
 
-/// A share with its denominator and Wilson's interval at 95 %.
+/// A share: a count, its denominator, and Wilson's interval at 95 %.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Share {
     pub count: u64,
@@ -139,22 +140,22 @@ pub struct Share {
 }
 
 impl Share {
-    /// The share itself; none of nothing.
+    /// The share as a number; `None` if the denominator is 0.
     pub fn value(self) -> Option<f64> {
         (self.of > 0).then(|| approximately(self.count) / approximately(self.of))
     }
 
-    /// The interval.
+    /// Wilson's interval.
     pub fn interval(self) -> [f64; 2] {
         wilson(self.count.min(self.of), self.of)
     }
 
-    /// In percent, short.
+    /// The share in percent, short.
     pub fn text(self) -> String {
         percent(self.count, self.of)
     }
 
-    /// The counts and the interval: `3 of 40; 95 %: 2.6 to 19.9 %`.
+    /// The counts and the interval in words: `3 of 40; 95 %: 2.6 to 19.9 %`.
     pub fn told(self, noun: &str) -> String {
         let [low, high] = self.interval().map(|share| significant(100.0 * share, 2));
         format!(
@@ -193,7 +194,7 @@ mod tests {
     #[test]
     fn four_shares_are_everything_that_was_asked() {
         let cases: [(&[(Class, u64)], Answers); 9] = [
-            // Two queries have other answers to their arguments in another order.
+            // Two queries have other answers for permuted arguments.
             (
                 &[(Class::Agree, 9), (Class::SignFlip, 1), (Class::Inconsistent, 2)],
                 Answers { right: 7, wrong: 3, ..Answers::default() },
@@ -202,10 +203,10 @@ mod tests {
             (&[(Class::Agree, 7), (Class::InBand, 3)], Answers { right: 7, undecided: 3, ..Answers::default() }),
             (&[(Class::Agree, 7), (Class::SignFlip, 3)], Answers { right: 7, wrong: 3, ..Answers::default() }),
             (&[(Class::Declined, 1)], Answers { not_done: 10, ..Answers::default() }),
-            // What a broken law took with it is not right.
+            // Queries without an answer because of a broken law are not right.
             (&[(Class::Agree, 9), (Class::Topology, 1)], Answers { right: 9, wrong: 1, ..Answers::default() }),
             (&[(Class::Topology, 1)], Answers { wrong: 10, ..Answers::default() }),
-            // A law of the whole scene, beside contacts of two of ten simplices.
+            // A broken law of the whole scene, besides contacts of two of ten simplices.
             (&[(Class::Agree, 2), (Class::Topology, 1)], Answers { right: 10, ..Answers::default() }),
             // Simplices that meet no other.
             (&[(Class::Agree, 2)], Answers { right: 10, ..Answers::default() }),

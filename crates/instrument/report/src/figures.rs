@@ -1,34 +1,34 @@
 //! The figures that pages, plots, headlines and `figures.csv` show: errors and times, backend by backend.
 //!
-//! What a figure is over is said in [`comparison`](crate::comparison).
+//! The scope of a figure is defined in [`comparison`](crate::comparison).
 
 use crate::comparison::{Share, Standing, standing};
 use crate::groups::{Pace, REFERENCE, Times, Way, backends};
 use crate::{Error, RunDir};
 use predicament_records::{Lined, is_predicate};
 
-/// The backends on one task, or on all.
+/// The results of all backends on one task, or on all tasks.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Panel<'r> {
-    /// The task, or none where the panel is about all tasks.
+    /// The task; `None` if the panel is about all tasks.
     pub task: Option<&'r str>,
-    /// Whether the answers are judged as a whole: then scenes are counted, and no single answers.
+    /// True if the answers are judged as a whole: then scenes are counted instead of single answers.
     pub is_whole: bool,
     pub marks: Vec<Mark<'r>>,
 }
 
-/// One backend: its errors over everything that it was asked, and its times beside the reference's.
+/// One backend: its errors over everything that it was asked, and its times relative to the reference.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Mark<'r> {
     pub backend: &'r str,
     /// The errors over everything that the backend was asked.
     pub standing: Standing,
-    /// The times beside the reference's, one for each interface; an interface without a common family has none.
+    /// The times relative to the reference, one for each interface with a common family.
     pub paces: Vec<Pace>,
 }
 
 impl Mark<'_> {
-    /// What the backend takes beside the reference, asked in this way.
+    /// The time relative to the reference by this interface, if both were timed.
     pub fn pace(&self, way: Way) -> Option<&Pace> {
         self.paces.iter().find(|pace| pace.way == way)
     }
@@ -43,7 +43,7 @@ impl Mark<'_> {
         Share { count: self.standing.scenes.broken, of: self.standing.scenes.done() }
     }
 
-    /// The share of queries that were not decided, and of scenes that were not done.
+    /// The share of undecided queries, and of scenes that were not done.
     pub fn not_done(&self) -> [Share; 2] {
         let (answers, scenes) = (&self.standing.answers, &self.standing.scenes);
         [
@@ -53,8 +53,8 @@ impl Mark<'_> {
     }
 }
 
-/// The backends on the tasks for which `keep` holds, in the order of the plans; those that were neither asked nor timed are
-/// left out.
+/// The backends on the tasks for which `keep` is true, in the order of the plans, without backends that were neither
+/// asked nor timed.
 pub fn marks<'r>(runs: &'r [RunDir], times: &Times<'r>, keep: impl Fn(&str) -> bool) -> Vec<Mark<'r>> {
     let mark = |backend: &'r str| Mark {
         backend,
@@ -66,7 +66,7 @@ pub fn marks<'r>(runs: &'r [RunDir], times: &Times<'r>, keep: impl Fn(&str) -> b
     backends(runs).into_iter().map(mark).filter(is_known).collect()
 }
 
-/// The panel of all tasks, which says what is said about a backend over everything.
+/// The panel of all tasks: the figures about a backend over everything.
 pub fn overall<'r>(runs: &'r [RunDir], times: &Times<'r>) -> Panel<'r> {
     Panel { task: None, is_whole: false, marks: marks(runs, times, |_| true) }
 }
@@ -82,8 +82,8 @@ pub fn panels<'r>(runs: &'r [RunDir], times: &Times<'r>) -> Vec<Panel<'r>> {
     times.tasks().into_iter().map(panel).collect()
 }
 
-/// The backends that answer everything they were asked, are never wrong and break no law, the cheapest first; a backend
-/// without a time has no price.
+/// The faultless backends: they answer everything they were asked, without a wrong answer or a broken law. The cheapest
+/// comes first; a backend without a time has no price.
 pub fn faultless<'r>(runs: &'r [RunDir], times: &Times<'r>, scope: Scope) -> Vec<Mark<'r>> {
     let mut right: Vec<Mark> = marks(runs, times, |task| scope.has(task));
     right.retain(|mark| mark.standing.is_right() && mark.standing.is_complete() && !mark.paces.is_empty());
@@ -91,12 +91,12 @@ pub fn faultless<'r>(runs: &'r [RunDir], times: &Times<'r>, scope: Scope) -> Vec
     right
 }
 
-/// What a headline is about.
+/// The scope of a headline.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Scope {
     /// All tasks.
     Everything,
-    /// The tasks that ask the signs of one predicate.
+    /// The tasks that ask only for the signs of one predicate.
     Predicates,
 }
 
@@ -106,7 +106,7 @@ impl Scope {
     }
 }
 
-/// The file that holds all figures.
+/// The name of the file with all figures.
 pub const FILE: &str = "figures.csv";
 
 const COLUMNS: [&str; 20] = [
@@ -132,15 +132,15 @@ const COLUMNS: [&str; 20] = [
     "ns_per_query_max",
 ];
 
-/// `figures.csv`: the panels of all tasks, and before them, as panel `all`, each backend over everything.
+/// The text of `figures.csv`: the panels of all tasks, and before them, as panel `all`, each backend over everything.
 ///
-/// A row is a backend on a panel, asked in one way (`interface`); where it was not timed with the reference that is empty,
-/// and so are the columns behind it. The counts are the same on each row of a backend on a panel: queries with their
-/// four shares, and scenes with theirs. `ratio` is the time over the reference's, over the `families` that both were timed
-/// on, of `reference_families`.
+/// A row is a backend on a panel, with one `interface`. If the backend was not timed with the reference, `interface`
+/// and the columns after it are empty. The counts are equal on each row of a backend on a panel: queries with their
+/// four shares, and scenes with theirs. `ratio` is the time relative to the reference's, over the `families` that both
+/// were timed on, of `reference_families`.
 ///
 /// # Errors
-/// If memory can't be written to, which does not happen.
+/// If writing to memory fails, which does not happen.
 pub fn csv(runs: &[RunDir]) -> Result<String, Error> {
     let fail = |error: csv::Error| Error::new(FILE.as_ref(), error.to_string());
     let mut writer = csv::Writer::from_writer(Vec::new());
@@ -179,7 +179,7 @@ pub fn lined(runs: &[RunDir]) -> Result<Lined, Error> {
     let text = csv(runs)?;
     let mut reader = csv::Reader::from_reader(text.as_bytes());
     let columns = reader.headers().map_err(fail)?.iter().map(str::to_owned).collect();
-    // No field has a line end: each row is a line, under the header.
+    // No field has a line end, so each row is one line, after the header.
     let rows =
         (2..).zip(reader.records()).map(|(line, record)| Ok((line, record?.iter().map(str::to_owned).collect())));
     Ok(Lined { columns, rows: rows.collect::<Result<_, _>>().map_err(fail)? })

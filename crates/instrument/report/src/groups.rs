@@ -5,11 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::{RunDir, Spread};
 use predicament_records::{Interface, ThroughputRow, geometric_mean};
 
-/// The control that every time is compared with: the plain determinant in doubles, so that a ratio is the price of what a
-/// backend does beyond it.
+/// The control that every time is compared with: the plain determinant in doubles. So a ratio is the price of the
+/// backend's extra work.
 pub const REFERENCE: &str = "naive";
 
-/// How backends are asked where their times are compared. A batch that is a loop is compared with batches.
+/// The interfaces by which times are compared. A batch that is a loop is compared with batches.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Way {
     Single,
@@ -18,7 +18,7 @@ pub enum Way {
 }
 
 impl Way {
-    /// All three, in the order of columns.
+    /// All three interfaces, in the order of columns.
     pub const ALL: [Way; 3] = [Way::Single, Way::Batch, Way::Whole];
 
     pub const fn of(interface: Interface) -> Way {
@@ -29,7 +29,7 @@ impl Way {
         }
     }
 
-    /// The name in `figures.csv`.
+    /// The interface's name in `figures.csv`.
     pub const fn name(self) -> &'static str {
         match self {
             Way::Single => "single",
@@ -38,7 +38,7 @@ impl Way {
         }
     }
 
-    /// What is timed, as a column's head.
+    /// The head of the column with the times.
     pub const fn head(self) -> &'static str {
         match self {
             Way::Single => "single query",
@@ -48,30 +48,32 @@ impl Way {
     }
 }
 
-/// Task, family, backend, and how the backend was asked.
+/// The key of a timing: task, family, backend, and interface.
 pub type Key<'r> = (&'r str, &'r str, &'r str, Way);
 
 /// The time of one query on one backend.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Timing<'r> {
-    /// Nanoseconds per query: the ends over all samples; in the middle the median of a scene's samples, or
-    /// of several scenes the geometric mean of their medians.
+    /// Nanoseconds per query. The ends are over all samples. The middle is the median of a scene's samples, or the
+    /// geometric mean of these medians for several scenes.
     pub spread: Spread,
-    /// How many scenes were timed.
+    /// The number of timed scenes.
     pub scenes: usize,
-    /// Whether the batches are loops over single queries.
+    /// True if the batches are loops over single queries.
     pub is_loop: bool,
     /// The engine's version, or versions.
     pub versions: BTreeSet<&'r str>,
 }
 
-/// The timings of one run. Scenes take different times and numbers of samples, so that a median over those of a family
-/// would be of one scene here and of another there.
+/// The timings of one run.
+///
+/// Scenes have different times and numbers of samples. So a median over all samples of a family could belong to
+/// different scenes on different backends.
 pub fn timings(run: &RunDir) -> BTreeMap<Key<'_>, Timing<'_>> {
     let mut scenes: BTreeMap<Key<'_>, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();
     for row in &run.throughput {
         let scenes = scenes.entry((&row.task, &row.family, &row.backend, Way::of(row.interface))).or_default();
-        // Samples are numbered from 0 for each scene.
+        // The numbers of samples start from 0 for each scene.
         match scenes.last_mut().filter(|scene| scene.last().is_some_and(|last| row.sample > last.sample)) {
             Some(scene) => scene.push(row),
             None => scenes.push(vec![row]),
@@ -94,27 +96,27 @@ fn timing<'r>(scenes: &[Vec<&'r ThroughputRow>]) -> Option<Timing<'r>> {
 /// The timings of several runs.
 pub struct Times<'r> {
     runs: Vec<BTreeMap<Key<'r>, Timing<'r>>>,
-    /// How many scenes a family has, by run, task and family.
+    /// The number of scenes of a family, by run, task and family.
     planned: Vec<BTreeMap<[&'r str; 2], usize>>,
 }
 
-/// What a backend takes beside a reference, asked in one way.
+/// The time of a backend relative to a reference, by one interface.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Pace {
     pub way: Way,
-    /// On how many pairs of task and family both were timed.
+    /// The number of families, as pairs of task and family, on which both were timed.
     pub families: usize,
-    /// On how many the reference was.
+    /// The number of families on which the reference was timed.
     pub of: usize,
-    /// The geometric means of the times over these, in nanoseconds per query.
+    /// The geometric mean of the backend's times over these families, in nanoseconds per query.
     pub ns: f64,
-    /// The same of the shortest and of the longest sample of each family.
+    /// The geometric means of the shortest and of the longest sample of each family.
     pub range: [f64; 2],
-    /// The same of the reference.
+    /// The geometric mean of the reference's times.
     pub reference: f64,
     /// The geometric mean of the ratios.
     pub ratio: f64,
-    /// Whether its batches are loops over single queries.
+    /// True if the backend's batches are loops over single queries.
     pub is_loop: bool,
 }
 
@@ -130,13 +132,13 @@ impl<'r> Times<'r> {
         Times { runs: runs.iter().map(timings).collect(), planned: runs.iter().map(planned).collect() }
     }
 
-    /// The tasks that a backend was timed on.
+    /// The tasks with timings.
     pub fn tasks(&self) -> BTreeSet<&'r str> {
         self.runs.iter().flat_map(|run| run.keys()).map(|(task, ..)| *task).collect()
     }
 
-    /// What a backend takes beside a reference on the tasks for which `keep` holds: over the families that both were timed
-    /// on in one run, scene by scene. None where there is no such family.
+    /// The time of a backend relative to a reference on the tasks for which `keep` is true: over the families that both
+    /// were timed on in one run, scene by scene. `None` if there is no such family.
     pub fn pace(&self, backend: &str, reference: &str, way: Way, keep: impl Fn(&str) -> bool) -> Option<Pace> {
         let mut of: BTreeSet<[&str; 2]> = BTreeSet::new();
         let mut pairs: BTreeMap<[&str; 2], Vec<[f64; 4]>> = BTreeMap::new();
@@ -159,7 +161,7 @@ impl<'r> Times<'r> {
                 }
             }
         }
-        // A family that was timed in several runs is one pair.
+        // A family that was timed in several runs counts as one pair.
         let mean = |of: &dyn Fn(&[f64; 4]) -> f64| {
             geometric_mean(pairs.values().filter_map(|again| geometric_mean(again.iter().map(of))))
         };
@@ -175,7 +177,8 @@ impl<'r> Times<'r> {
         })
     }
 
-    /// What a backend takes on a task beside a reference, by the first way in which both were timed; batches last.
+    /// The time of a backend relative to a reference on a task, by the first interface with times of both; batches come
+    /// last.
     pub fn pace_on(&self, backend: &str, reference: &str, task: &str) -> Option<Pace> {
         let ways = [Way::Single, Way::Whole, Way::Batch];
         ways.into_iter().find_map(|way| self.pace(backend, reference, way, |of| of == task))

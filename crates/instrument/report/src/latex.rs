@@ -6,9 +6,9 @@ use crate::sections::sections;
 use crate::table::{Block, Section, Table};
 use crate::{Error, RunDir};
 
-/// The name of the file.
+/// The name of the LaTeX file.
 pub const FILE: &str = "tables.tex";
-/// Longer tables are left to the CSV files; where one is left out, a comment says so.
+/// The maximum number of rows of a table; longer tables are replaced by a comment and stay in the CSV files.
 const MOST_ROWS: usize = 60;
 
 /// All tables that are not too long, each as a `table` with a caption and a label, `tab:section-number`.
@@ -34,7 +34,7 @@ pub fn latex(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> {
     Ok(text)
 }
 
-/// Writes one table. A String takes everything.
+/// Writes one table. Writing to a String does not fail.
 fn write(text: &mut String, title: &str, label: &str, table: &Table) {
     let aligned: String = table.columns().map(|(_, numeric)| if numeric { 'r' } else { 'l' }).collect();
     let line = |cells: &mut dyn Iterator<Item = String>| format!("{} \\\\\n", cells.collect::<Vec<_>>().join(" & "));
@@ -57,7 +57,7 @@ fn write(text: &mut String, title: &str, label: &str, table: &Table) {
     *text += "\\bottomrule\n\\end{tabular}\n\\end{table}\n";
 }
 
-/// Text that LaTeX prints as it stands.
+/// The text escaped for LaTeX.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

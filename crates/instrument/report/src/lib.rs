@@ -1,23 +1,22 @@
 //! Pages, plots and pixel maps of runs.
 //!
-//! Everything here is made from run folders (the crate `records`), so every
-//! number can be traced to a row. The crate knows no geometry, no backend and
-//! no task: a task hands in a [`Section`] of its own (the crate `tasks`).
+//! Everything here is made from run folders (the crate `records`), so every number can be traced to a row. The crate
+//! does not depend on geometry, backends or tasks: a task provides its own [`Section`] (the crate `tasks`).
 //!
 //! * [`markdown`], [`html`] and [`write_pages`] make the report.
-//! * [`Section`], [`Table`], [`Block`] and [`Cell`] are a page as data;
-//!   [`layout`] has what sections about runs share.
-//! * [`tradeoff`], [`curves`], [`histogram`] and [`ranges`] are plots as SVG and PDF, a [`Picture`] each.
-//! * [`picture`] draws the points of a finding; [`Detail`] is what a page says about one.
-//! * [`drawing`]: scenes and results as pictures, in the plane and in space.
+//! * [`Section`], [`Table`], [`Block`] and [`Cell`] are a page as data; [`layout`] has the shared parts of sections
+//!   about runs.
+//! * [`tradeoff`], [`curves`], [`histogram`] and [`ranges`] make plots as SVG and PDF, each a [`Picture`].
+//! * [`picture`] draws the points of a finding; [`Detail`] is the text and pictures of a page about one finding.
+//! * [`drawing`] makes pictures of scenes and results, in the plane and in space.
 //! * [`PixelMap`] shows the signs of a predicate over a raster.
 //!
-//! Runs are read together by [`RunDir::open_all`](predicament_records::RunDir::open_all), so that each scene on each
-//! backend counts once. A figure about a backend depends on that backend and the scenes alone: the module `comparison` has
-//! the rule.
+//! [`RunDir::open_all`](predicament_records::RunDir::open_all) reads several runs together, so that each scene on each
+//! backend counts once. A figure about a backend depends only on that backend and the scenes: the module `comparison`
+//! has the rule.
 //!
-//! The same folder gives the same bytes: rows are sorted before they are
-//! printed, and nothing asks for the time.
+//! The same folder gives the same bytes: rows are sorted before they are printed, and the code does not use the current
+//! time.
 
 mod columns;
 mod comparison;

@@ -1,6 +1,6 @@
-//! Licence notices of the libraries that a page has within it.
+//! Licence notices of the libraries that are embedded in a page.
 //!
-//! Tabulator and uPlot are under the MIT licence, which asks for the notice in every copy. A written page is a copy.
+//! Tabulator and uPlot are under the MIT licence, which requires the notice in every copy. A written page is a copy.
 
 /// A library in `web/vendor`: its name, its files and the text of its licence.
 struct Library {
@@ -18,7 +18,7 @@ const LIBRARIES: [Library; 3] = [
 
 /// The notices of all libraries, as one HTML comment.
 ///
-/// Every page gets all of them: a notice too many does no harm, a missing one breaks a licence.
+/// Every page gets all of them: an unnecessary notice does no harm, a missing one breaks a licence.
 pub(crate) fn comment() -> String {
     let notices = LIBRARIES.iter().map(|library| {
         format!("\n{} ({}):\n\n{}\n", library.name, library.files.join(", "), library.licence.trim_end())
@@ -38,7 +38,7 @@ mod tests {
     use crate::drawing::{self, Drawing};
     use crate::web;
 
-    /// The files of code in `web/vendor`, with their texts.
+    /// The code files in `web/vendor`, with their texts.
     fn vendored() -> Vec<(String, String)> {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("web/vendor");
         let paths = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
@@ -49,7 +49,7 @@ mod tests {
         .collect()
     }
 
-    /// The vendored files that this code contains and of which the page has no licence.
+    /// The vendored files that this code contains and whose licence is missing from the page.
     fn unnoticed(code: &str, page: &str) -> BTreeSet<String> {
         let has_notice = |file: &str| {
             let library = LIBRARIES.iter().find(|library| library.files.contains(&file));
@@ -62,7 +62,7 @@ mod tests {
     #[test]
     fn every_vendored_file_has_its_notice_in_the_report_and_in_a_view() {
         let report = crate::html(&[], &[], &[]).unwrap();
-        // The libraries of a report are compressed within it.
+        // The libraries of a report are embedded in compressed form.
         let code = [&web::LIBRARIES.concat(), web::STYLE].concat();
         assert!(vendored().len() >= 4 && vendored().iter().all(|(_, text)| code.contains(text)), "all are in a report");
         assert_eq!(unnoticed(&code, &report), BTreeSet::new());

@@ -1,8 +1,8 @@
-//! Where the numbers of a table are from.
+//! The sources of a table's numbers.
 //!
-//! A number that can't be traced is not believed. A table names its CSV file and says which of its words are in which column
-//! there; a browser looks up the rows, and tells their lines. The page itself has only these names and, once for all tables, the
-//! columns that they ask about: a table of ten thousand cells needs no more than one of ten.
+//! Readers trust only numbers that they can trace. A table names its CSV file and the columns that contain its words; a
+//! browser finds the rows, and shows their lines. The page contains only these names and, once for all tables, the
+//! columns that they use: a table of ten thousand cells needs no more than one of ten.
 
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -15,77 +15,78 @@ use crate::table::{Block, Section};
 use crate::{Error, RunDir, figures};
 use predicament_records::Lined;
 
-/// The rows of a CSV file that a cell of a table is from: those that have the words of the cell's row, and of its column's head.
+/// The source rows of a table's cells in a CSV file: rows with the words of the cell's row and of its column's head.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Origin {
     file: Cow<'static, str>,
     path: Option<PathBuf>,
-    /// Heads with the columns of the file that have their words.
+    /// Heads, each with the column of the file that has their words.
     keys: Vec<(String, String)>,
-    /// The same for the small second lines under the words.
+    /// Heads, each with the column that has the small second lines under the words.
     under: Vec<(String, String)>,
     across: Option<String>,
-    /// What some heads are called in that column; where there are any, other heads are no words of it.
+    /// The words of some heads in that column; if there are any, other heads are not words of the column.
     named: Vec<(String, String)>,
     only: Vec<(String, String)>,
 }
 
 impl Origin {
-    /// Rows of a table of the run folders, such as `summary.csv`.
+    /// An origin in a table of the run folders, such as `summary.csv`.
     #[must_use]
     pub fn of(file: &'static str) -> Origin {
         Origin { file: file.into(), path: None, keys: vec![], under: vec![], across: None, named: vec![], only: vec![] }
     }
 
-    /// Rows of another file, such as one that a study has written.
+    /// An origin in another file, such as one that a study has written.
     #[must_use]
     pub fn at(path: impl Into<PathBuf>) -> Origin {
         let path = path.into();
         Origin { file: path.display().to_string().into(), path: Some(path), ..Origin::of("") }
     }
 
-    /// The words under these heads are those of columns with the same names.
+    /// Maps these heads to columns with the same names.
     #[must_use]
     pub fn keys<'h>(mut self, heads: impl IntoIterator<Item = &'h str>) -> Origin {
         self.keys.extend(heads.into_iter().map(|head| (head.to_owned(), head.to_owned())));
         self
     }
 
-    /// The words under this head are those of this column.
+    /// Maps this head to this column.
     #[must_use]
     pub fn key(mut self, head: &str, column: &str) -> Origin {
         self.keys.push((head.to_owned(), column.to_owned()));
         self
     }
 
-    /// The small second lines under this head are the words of this column.
+    /// Maps the small second lines under this head to this column.
     #[must_use]
     pub fn under(mut self, head: &str, column: &str) -> Origin {
         self.under.push((head.to_owned(), column.to_owned()));
         self
     }
 
-    /// The heads of the numbers are words of this column.
+    /// Maps the heads of the numbers to words of this column.
     #[must_use]
     pub fn across(self, column: &str) -> Origin {
         Origin { across: Some(column.to_owned()), ..self }
     }
 
-    /// Numbers under these heads are from rows with these words in this column; those under others from rows with any.
+    /// Maps the numbers under these heads to rows with these words in this column; numbers under other heads match any
+    /// row.
     #[must_use]
     pub fn named<'h>(self, column: &str, heads: impl IntoIterator<Item = (&'h str, &'h str)>) -> Origin {
         let named = heads.into_iter().map(|(head, word)| (head.to_owned(), word.to_owned())).collect();
         Origin { named, ..self.across(column) }
     }
 
-    /// Only rows with this word in this column.
+    /// Limits the origin to rows with this word in this column.
     #[must_use]
     pub fn only(mut self, column: &str, word: &str) -> Origin {
         self.only.push((column.to_owned(), word.to_owned()));
         self
     }
 
-    /// What the page has beside its table.
+    /// The data of the origin beside its table in the page.
     pub(crate) fn json(&self) -> Value {
         let pairs = |of: &[(String, String)]| -> Map<String, Value> {
             of.iter().map(|(name, other)| (name.clone(), json!(other))).collect()
@@ -111,10 +112,10 @@ impl Origin {
     }
 }
 
-/// What tables of these sections are from: the columns that they ask about, with the lines of the rows, by file.
+/// The source data of these sections' tables: the columns that they use, with the lines of the rows, by file.
 ///
 /// # Errors
-/// If a file of a study can't be read any more.
+/// If the file of a study can't be read any more.
 pub(crate) fn sources(runs: &[RunDir], sections: &[Section]) -> Result<Value, Error> {
     let mut asked: BTreeMap<&str, (&Origin, BTreeSet<&str>)> = BTreeMap::new();
     for block in sections.iter().flat_map(|section| &section.blocks) {
@@ -143,7 +144,7 @@ pub(crate) fn sources(runs: &[RunDir], sections: &[Section]) -> Result<Value, Er
     Ok(sources.into())
 }
 
-/// The rows of one file: their lines as steps from one to the next, and the columns that are asked about.
+/// The rows of one file: their lines as differences between consecutive rows, and the used columns.
 fn part(run: usize, path: &str, lined: &Lined, columns: &BTreeSet<&str>) -> Value {
     let mut rows: Vec<&(u64, Vec<String>)> = lined.rows.iter().collect();
     rows.sort_by_key(|(line, _)| *line);

@@ -1,4 +1,4 @@
-//! The two pages: one for browsers and printers, one for terminals and forges.
+//! The two pages of a report: HTML for browsers and printers, Markdown for terminals and forges.
 
 use std::borrow::Cow;
 use std::io::Write as _;
@@ -17,9 +17,10 @@ const MORE: &str = "more.html";
 const MARKDOWN: &str = "page.md";
 const MARKDOWN_SECTION: &str = "section.md";
 
-/// One HTML page that needs nothing else: style, pictures, scripts and the rows of its tables are inside. Without scripts it shows
-/// the same but for the search in the findings.
-/// `of_tasks` are the sections of single tasks, `details` what is known of single findings.
+/// The report as one self-contained HTML page: style, pictures, scripts and the rows of its tables are inside.
+///
+/// Without scripts it shows the same, except the search in the findings. `of_tasks` are the sections of single tasks,
+/// `details` the details of single findings.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
@@ -27,7 +28,8 @@ pub fn html(runs: &[RunDir], of_tasks: &[Section], details: &[Detail]) -> Result
     render(HTML, runs, of_tasks, details)
 }
 
-/// The report as one page of Markdown. Plots are files beside it; pixel maps, and all but the first rows of long tables, are left out.
+/// The report as one page of Markdown. Plots are files beside it; pixel maps and the later rows of long tables are left
+/// out.
 ///
 /// # Errors
 /// If the plot can't be drawn or the page can't be filled in.
@@ -35,9 +37,11 @@ pub fn markdown(runs: &[RunDir], of_tasks: &[Section]) -> Result<String, Error> 
     render(MARKDOWN, runs, of_tasks, &[])
 }
 
-/// Writes `report.html`, `report.md`, `figures.csv`, `tables.tex` and the plots, each where there is something to
-/// plot and as SVG and PDF (`overall.svg`, `overall.pdf`), into a folder, which is made if need be. All are written beside their place first
-/// and then renamed: what fails leaves the files of an earlier report as they were.
+/// Writes `report.html`, `report.md`, `figures.csv`, `tables.tex` and the plots into a folder, which is made if
+/// necessary.
+///
+/// A plot is written as SVG and PDF (`overall.svg`, `overall.pdf`), if it has data. All files are written beside their
+/// place first and then renamed: if writing fails, the files of an earlier report stay as they were.
 ///
 /// # Errors
 /// If a page can't be made or written.
@@ -96,7 +100,7 @@ fn render(template: &str, runs: &[RunDir], of_tasks: &[Section], details: &[Deta
     fill(template, page)
 }
 
-/// A page from one of the templates.
+/// A page made from one of the templates.
 pub(crate) fn fill(template: &str, context: Value) -> Result<String, Error> {
     let filled = environment().and_then(|env| env.get_template(template)?.render(context));
     filled.map_err(|error| Error::new(template.as_ref(), error.to_string()))
@@ -128,12 +132,12 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     Ok(env)
 }
 
-/// A name that a narrow column may break after an underscore; a zero-width space needs no escaping.
+/// A name that a narrow column may break after underscores; a zero-width space needs no escaping.
 fn breakable(text: String) -> String {
     text.replace('_', "_\u{200b}")
 }
 
-/// Text that Markdown prints as it stands, also within a table.
+/// The text escaped for Markdown, also within a table.
 fn plain(text: String) -> String {
     let mut escaped = String::with_capacity(text.len());
     for c in text.chars() {

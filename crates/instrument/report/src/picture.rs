@@ -1,7 +1,7 @@
-//! Pictures of a finding: its points to scale, and once more with what nearly coincides pulled apart.
+//! Pictures of a finding: its points to scale, and once more with nearly coincident points pulled apart.
 //!
-//! Near a degeneracy a picture to scale shows nothing: three points on a line. The second picture has a scale of its own across the
-//! line, or across the circle, so that the side of each point can be seen; both scales are in it as bars.
+//! Near a degeneracy a picture to scale shows only three points on a line. The second picture has a separate scale
+//! across the line, or across the circle, so that the side of each point is visible. Bars show both scales.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -11,12 +11,12 @@ use crate::plot::{Area, Drawn, INK, Recording, failed};
 use predicament_records::format::significant;
 
 const SIZE: (u32, u32) = (360, 240);
-/// Room around a picture, in pixels.
+/// The margin around a picture, in pixels.
 const ROOM: f64 = 34.0;
-/// How long a bar of a scale is, in pixels.
+/// The length of a scale bar, in pixels.
 const BAR: i32 = 60;
 
-/// The colours of points: of the last one, which is asked about, and of the others.
+/// The colours of points: of the last point, which is the query's, and of the others.
 const LAST: RGBColor = RGBColor(213, 94, 0);
 const OTHERS: RGBColor = RGBColor(46, 134, 204);
 
@@ -25,11 +25,11 @@ const OTHERS: RGBColor = RGBColor(46, 134, 204);
 pub struct Named {
     /// The name.
     pub name: String,
-    /// Where it is.
+    /// The place of the point.
     pub at: [f64; 2],
 }
 
-/// Points to scale, in the order in which they are asked about, with a circle by its centre and its radius, if there is one.
+/// Draws points to scale, in the order of the query, with a circle by its centre and its radius, if there is one.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -54,7 +54,8 @@ pub fn to_scale(points: &[Named], circle: Option<([f64; 2], f64)>) -> Result<Str
     })
 }
 
-/// Points by how far they are along a line or a circle and across it, each with a scale of its own; what is at zero across is on it.
+/// Draws points by their positions along a line or a circle and across it, each with a separate scale; a point at zero
+/// across is on it.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -88,11 +89,12 @@ fn draw(content: impl FnOnce(&Area) -> Drawn) -> Result<String, Error> {
 fn marks(root: &Area, view: &View, points: &[Named]) -> Drawn {
     let mut taken: Vec<(i32, i32)> = Vec::new();
     for (at, point) in points.iter().enumerate() {
-        // What is asked about, the last point, stands out.
+        // The last point, which is the query's, is highlighted.
         let colour = if at + 1 == points.len() { LAST } else { OTHERS };
         let place = view.place(point.at);
         root.draw(&Circle::new(place, 4, colour.filled()))?;
-        // Names of points at one place go below each other, those at the right edge to the left of theirs.
+        // Names of points at one place are put below each other; names at the right edge go to the left of their
+        // points.
         let is_left = place.0 + 60 > i32::try_from(SIZE.0).unwrap_or(i32::MAX);
         let mut name = (if is_left { place.0 - 7 } else { place.0 + 7 }, place.1 - 7);
         while taken.iter().any(|other| (other.0 - name.0).abs() < 60 && (other.1 - name.1).abs() < 13) {
@@ -106,10 +108,10 @@ fn marks(root: &Area, view: &View, points: &[Named]) -> Drawn {
     Ok(())
 }
 
-/// From coordinates to pixels.
+/// The map from coordinates to pixels.
 struct View {
     middle: [f64; 2],
-    /// Pixels to a unit.
+    /// The scale in pixels per unit.
     scale: [f64; 2],
 }
 
@@ -137,7 +139,7 @@ impl View {
         (pixel(f64::from(SIZE.0) / 2.0 + along(0)), pixel(f64::from(SIZE.1) / 2.0 - along(1)))
     }
 
-    /// A bar and how much it stands for along an axis.
+    /// Draws a scale bar and its length along an axis.
     fn bar(&self, root: &Area, axis: usize, what: &str) -> Drawn {
         let bottom = i32::try_from(SIZE.1).unwrap_or(i32::MAX) - 8;
         let text = format!("{}{what}", length(f64::from(BAR) / self.scale[axis]));
@@ -152,7 +154,7 @@ impl View {
     }
 }
 
-/// A length in two digits.
+/// A length with two significant digits.
 fn length(x: f64) -> String {
     if (1e-3..1e6).contains(&x) { significant(x, 2) } else { format!("{x:.1e}") }
 }

@@ -1,15 +1,14 @@
 //! The sign of a predicate over a raster, one pixel for each query.
 //!
-//! Kettner, Mehlhorn, Pion, Schirra and Yap made these pictures famous: one
-//! point of an orientation walks over neighbouring doubles, and what should be
-//! a line between two half planes is a coastline. Red for negative, yellow for
-//! zero and blue for positive are theirs, in shades that stay apart for every kind
-//! of colour vision; wrong answers are darker, so that they stand out even in grey.
+//! Kettner, Mehlhorn, Pion, Schirra and Yap made these pictures famous. One point of an orientation query moves over
+//! neighbouring doubles, and the line between two half planes turns into a coastline. Red for negative, yellow for zero
+//! and blue for positive are their colours, in shades that every kind of colour vision can distinguish. Wrong answers
+//! are darker, so that they are visible even in grey.
 
 use std::fmt;
 
-/// The palette: index 0 is the gap between maps, then negative, zero and
-/// positive, right, then wrong; then what is the same, what differs and may, and what is wrong.
+/// The palette: the gap between maps; negative, zero and positive, first right, then wrong; then equal, legally
+/// different, and wrong answers.
 const PALETTE: [[u8; 3]; 10] = [
     [255, 255, 255],
     [230, 120, 90],
@@ -26,7 +25,7 @@ const GAP: u8 = 0;
 /// The first colour of differences.
 const SAME: u8 = 7;
 
-/// The largest picture: what a browser still shows, and memory still holds.
+/// The maximum number of pixels: browsers can show such a picture, and memory can hold it.
 const MAX_PIXELS: usize = 1 << 28;
 
 /// Signs over a raster, rows from top to bottom.
@@ -34,29 +33,29 @@ const MAX_PIXELS: usize = 1 << 28;
 pub struct PixelMap {
     width: usize,
     height: usize,
-    /// Palette indices.
+    /// The pixels as palette indices.
     pixels: Vec<u8>,
 }
 
-/// How an answer stands to the truth.
+/// The relation of an answer to the truth.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Standing {
     /// The exact sign.
     Same,
-    /// Another sign, as the backend's promise allows.
+    /// Another sign, which the backend's promise allows.
     Legal,
-    /// Not what the promise allows.
+    /// A sign that the promise does not allow.
     Wrong,
 }
 
-/// Why there is no picture.
+/// An error in making a picture.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PixelMapError {
-    /// There must be width × height signs, and as many marks.
+    /// The number of signs or marks is not width × height.
     WrongLength,
-    /// A sign is -1, 0 or 1.
+    /// The value is not a sign: -1, 0 or 1.
     NotASign(i8),
-    /// No pixels, no zoom, no maps, or more than 2^28 pixels.
+    /// There are no pixels, no zoom, no maps, or more than 2^28 pixels.
     BadSize,
 }
 
@@ -73,11 +72,11 @@ impl fmt::Display for PixelMapError {
 impl std::error::Error for PixelMapError {}
 
 impl PixelMap {
-    /// A map from `width` × `height` signs (-1, 0 or 1), row by row from the
-    /// top, and a mark for each that is wrong: not what the backend's promise allows.
+    /// A map from `width` × `height` signs (-1, 0 or 1), row by row from the top. `wrong` marks the signs that the
+    /// backend's promise does not allow.
     ///
     /// # Errors
-    /// If the lengths don't fit or a value is no sign.
+    /// If the lengths don't fit or a value is not a sign.
     pub fn new(width: usize, height: usize, signs: &[i8], wrong: &[bool]) -> Result<PixelMap, PixelMapError> {
         let size = width.checked_mul(height).filter(|&size| size > 0).ok_or(PixelMapError::BadSize)?;
         if signs.len() != size || wrong.len() != size {
@@ -93,7 +92,7 @@ impl PixelMap {
         Ok(PixelMap { width, height, pixels })
     }
 
-    /// A map of where answers differ from the truth, row by row from the top.
+    /// A map of the differences between answers and truth, row by row from the top.
     ///
     /// # Errors
     /// If the length doesn't fit.
@@ -110,7 +109,7 @@ impl PixelMap {
         Ok(PixelMap { width, height, pixels: standings.iter().map(colour).collect() })
     }
 
-    /// Its width and its height, in queries.
+    /// The width and the height, in queries.
     pub(crate) fn extent(&self) -> (usize, usize) {
         (self.width, self.height)
     }
@@ -141,7 +140,7 @@ pub fn side_by_side(maps: &[PixelMap], zoom: usize, gap: usize) -> Result<Vec<u8
         return Err(PixelMapError::BadSize);
     };
 
-    // A palette entry takes four bits: two pixels share a byte.
+    // A palette index takes four bits: two pixels share a byte.
     let mut packed = Vec::with_capacity(width.div_ceil(2) * height);
     for y in 0..height {
         let mut row = Vec::with_capacity(width + 1);
@@ -162,25 +161,25 @@ pub fn side_by_side(maps: &[PixelMap], zoom: usize, gap: usize) -> Result<Vec<u8
     let mut encoder = png::Encoder::new(&mut bytes, png_width, png_height);
     encoder.set_color(png::ColorType::Indexed);
     encoder.set_depth(png::BitDepth::Four);
-    // Only colours that may be there: the bytes of a map do not depend on those of other kinds.
+    // Only possible colours are listed: the bytes of a map do not depend on the colours of other kinds of map.
     let colours = maps.iter().flat_map(|map| &map.pixels).any(|&pixel| pixel >= SAME);
     encoder.set_palette(PALETTE[..if colours { PALETTE.len() } else { usize::from(SAME) }].as_flattened());
     let written = encoder.write_header().and_then(|mut png| {
         png.write_image_data(&packed)?;
         png.finish()
     });
-    // Writing to memory fails only where the format can't hold the picture.
+    // Writing to memory fails only if the format can't represent the picture.
     written.map_err(|_| PixelMapError::BadSize)?;
     Ok(bytes)
 }
 
-/// A PNG as the address of an image, to be put into a page.
+/// A PNG as a data URI, for embedding in a page.
 #[must_use]
 pub fn data_uri(png: &[u8]) -> String {
     format!("data:image/png;base64,{}", base64(png))
 }
 
-/// RFC 4648, section 4, with padding.
+/// The base 64 of bytes: RFC 4648, section 4, with padding.
 pub(crate) fn base64(bytes: &[u8]) -> String {
     const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
@@ -216,7 +215,7 @@ mod tests {
         PALETTE[usize::try_from(sign + 2).unwrap() + if wrong { 3 } else { 0 }]
     }
 
-    /// What README, `map --help` and the report's section say.
+    /// The colours that README, `map --help` and the report's section describe.
     #[test]
     fn red_is_negative_yellow_zero_and_blue_positive_and_wrong_is_dark() {
         let map = PixelMap::new(3, 2, &[-1, 0, 1, -1, 0, 1], &[false, false, false, true, true, true]).unwrap();

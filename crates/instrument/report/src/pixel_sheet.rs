@@ -5,25 +5,25 @@ use std::fmt::Write as _;
 use crate::pixel_map::{PixelMap, PixelMapError, data_uri};
 use crate::plot::page;
 
-/// One backend on a sheet.
+/// The column of one backend on a sheet.
 pub struct Column {
-    /// Its name.
+    /// The backend's name.
     pub name: String,
-    /// Its answers.
+    /// The backend's answers.
     pub answers: PixelMap,
-    /// Where they differ from the truth.
+    /// The differences between the backend's answers and the truth.
     pub difference: PixelMap,
-    /// What is counted, in short lines.
+    /// The backend's counts, in short lines.
     pub lines: Vec<String>,
 }
 
-/// So many columns stand side by side.
+/// The maximum number of columns side by side.
 const ACROSS: usize = 6;
 /// The height of a line of text, in pixels.
 const LINE: usize = 15;
-/// Between columns, in pixels.
+/// The gap between columns, in pixels.
 const GAP: usize = 14;
-/// Columns are no narrower.
+/// The minimum width of a column, in pixels.
 const LEAST: usize = 100;
 /// The width of a letter, in pixels.
 const LETTER: usize = 7;
@@ -45,7 +45,7 @@ pub fn sheet(title: &str, columns: &[Column], zoom: usize) -> Result<String, Pix
     let width = map_width.max(longest.unwrap_or(0) * LETTER).max(LEAST) + GAP;
     let height = 2 * (map_height + GAP) + (lines + 2) * LINE;
     let mut text = String::new();
-    // A String takes everything.
+    // Writing to a String does not fail.
     let words = |text: &mut String, x: usize, y: usize, weight: &str, words: &str| {
         let words = words.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
         let _ =

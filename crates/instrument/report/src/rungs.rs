@@ -2,15 +2,16 @@
 
 use crate::RunDir;
 
-/// The rung of a stage, and its number there: `term 12` is of the rung `term`, the twelfth.
+/// The rung of a stage, and its number there: `term 12` is number 12 of the rung `term`.
 pub fn rung(stage: &str) -> (&str, Option<u64>) {
     let numbered = stage.rsplit_once(' ').and_then(|(rung, n)| Some((rung, Some(n.parse().ok()?))));
     numbered.unwrap_or((stage, None))
 }
 
-/// All rungs that occur, cheapest first: those of the plans' ladders, then the
-/// others as the files have them. (A scene lists only what settled something, so
-/// the files alone can't say how the rungs of different scenes compare.)
+/// All rungs that occur, cheapest first: the rungs of the plans' ladders, then the others in the order of the files.
+///
+/// A scene lists only rungs that settled a query, so the files alone do not determine the order of rungs of different
+/// scenes.
 pub fn rungs(runs: &[RunDir]) -> Vec<&str> {
     let mut seen: Vec<&str> = Vec::new();
     for row in runs.iter().flat_map(|run| &run.stages) {
@@ -57,7 +58,7 @@ mod tests {
         };
         let known = runs(&["compare", "double", "filter", "integer", "dyadic"]);
         assert_eq!(rungs(&known), ["double", "filter", "integer", "dyadic", "term", "float"]);
-        // A plan without a ladder, as older folders have it.
+        // A plan without a ladder, as in older folders.
         assert_eq!(rungs(&runs(&[])), ["filter", "dyadic", "term", "integer", "double", "float"]);
     }
 }

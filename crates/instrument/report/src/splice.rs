@@ -1,7 +1,7 @@
-//! Parts of a report in a page of your own: what stands between two marks is replaced.
+//! Splicing parts of a report into the user's own page: the text between two marks is replaced.
 //!
-//! `<!-- predicament: glance -->` and `<!-- /predicament -->` hold the section `glance`; `glance tables` only its tables. Whoever splices
-//! may have parts of its own, such as the tables and sentences of a study.
+//! `<!-- predicament: glance -->` and `<!-- /predicament -->` enclose the section `glance`; `glance tables` means only
+//! its tables. The caller may provide its own parts, such as the tables and sentences of a study.
 
 use crate::page::section_markdown;
 use crate::sections::sections;
@@ -12,15 +12,18 @@ const OPEN: &str = "<!-- predicament: ";
 const CLOSE: &str = "<!-- /predicament -->";
 const END: &str = " -->";
 
-/// What makes a part by its name, in Markdown: none for a name that it does not know, an error in one line for a part that can't be made.
+/// A function from the name of a part to its Markdown: `None` for an unknown name, a one-line error for a part that
+/// can't be made.
 pub type Part<'a> = dyn Fn(&str) -> Option<Result<String, String>> + 'a;
 
-/// The page with what stands between its marks replaced by the sections or parts that they name, in Markdown, and how many there were.
+/// The page with the text between its marks replaced by the named sections or parts, in Markdown, and the number of
+/// replacements.
 ///
-/// A page whose lines all end by CR LF stays one.
+/// A page whose lines all end with CR LF keeps these line ends.
 ///
 /// # Errors
-/// If a mark names no section and no part, names one that can't be made, has no end, is not closed before the next one, or there is none.
+/// If there is no mark, or a mark has no end or is not closed before the next one. Also if a mark names an unknown
+/// section or part, or one that can't be made.
 pub fn splice(page: &str, runs: &[RunDir], of_tasks: &[Section], part: &Part<'_>) -> Result<(String, usize), Error> {
     let all = sections(runs, of_tasks)?;
     let (mut text, mut rest, mut count) = (String::new(), page, 0);
@@ -45,18 +48,18 @@ fn fail(line: usize, message: &str) -> Error {
     Error::new("page".as_ref(), format!("line {line}: {message}"))
 }
 
-/// What the mark in this line names, where a text begins by it, and what comes after its closing mark.
+/// The name in the mark at the start of a text, and the text after its closing mark.
 fn held(marked: &str, line: usize) -> Result<(&str, &str), Error> {
     let (name, after) =
         marked[OPEN.len()..].split_once(END).ok_or_else(|| fail(line, &format!("`{OPEN}` has no `{END}` after it")))?;
-    // What is not closed may go on for lines.
+    // An unclosed mark may span many lines.
     let shown = name.lines().next().unwrap_or_default();
     let open = |before: &str| {
         fail(line, &format!("`{OPEN}{shown}{END}` is not closed{before}; write `{CLOSE}` where its part ends"))
     };
     let (part, after) = after.split_once(CLOSE).ok_or_else(|| open(""))?;
     match part.find(OPEN) {
-        // All up to there is the user's own text.
+        // All text up to there is the user's own.
         Some(next) => {
             let lines = name.matches('\n').count() + part[..next].matches('\n').count();
             Err(open(&format!(" before line {}, where the next mark is", line + lines)))
@@ -81,7 +84,7 @@ fn named(name: &str, all: &[Section], line: usize) -> Result<Section, Error> {
     Ok(section)
 }
 
-/// A text with CR LF at the end of each line where all lines of the page end so.
+/// The text with CR LF line ends, if all lines of the page have them.
 fn with_line_ends_of(page: &str, text: String) -> String {
     let [all, windows] = ["\n", "\r\n"].map(|end| page.matches(end).count());
     if all > 0 && all == windows { text.replace("\r\n", "\n").replace('\n', "\r\n") } else { text }

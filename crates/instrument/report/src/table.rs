@@ -1,7 +1,7 @@
 //! A page as data: sections of tables, pictures and sentences.
 //!
-//! Both kinds of page are made from the same data, so that they can't
-//! disagree; a template decides only what a table looks like.
+//! Both kinds of page are made from the same data, so that they can't disagree; a template decides only the appearance
+//! of a table.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -13,31 +13,31 @@ use predicament_records::format::{length, thousands};
 
 use crate::{Origin, Picture};
 
-/// A table with more rows is long: a page shows the first [`FEW`], and the others when it is asked.
+/// The number of rows above which a table is long: a page shows the first [`FEW`] rows, and the others on demand.
 const LONG: usize = 60;
 const FEW: usize = 30;
 
-/// How much a cell is emphasised.
+/// The emphasis of a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum Tone {
-    /// Nothing special.
+    /// No emphasis.
     #[default]
     Plain,
-    /// Of no interest: printed pale.
+    /// Unimportant: printed pale.
     Muted,
-    /// As it should be.
+    /// Right.
     Good,
     /// Expected, but worth a look.
     Notable,
     /// Wrong.
     Bad,
-    /// What a backend promises and may: a tie broken, a value within a tolerance.
+    /// Allowed by the backend's promise: a tie broken, a value within a tolerance.
     Legal,
-    /// Little is wrong.
+    /// A small share of errors.
     Heat1,
-    /// More is wrong.
+    /// A medium share of errors.
     Heat2,
-    /// Much is wrong.
+    /// A large share of errors.
     Heat3,
 }
 
@@ -57,7 +57,7 @@ impl Tone {
     }
 }
 
-/// One cell.
+/// A cell of a table.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Cell {
     text: String,
@@ -65,20 +65,20 @@ pub struct Cell {
     detail: String,
     tone: Tone,
     code: bool,
-    /// What a browser says about it when asked.
+    /// The explanation that a browser shows on demand.
     title: String,
-    /// The anchor that it leads to in a browser; empty for none.
+    /// The anchor that it links to in a browser; empty for none.
     link: String,
     framed: bool,
 }
 
 impl Cell {
-    /// A count; zero is printed pale.
+    /// A cell with a count; zero is printed pale.
     pub fn count(n: u64) -> Cell {
         Cell::from(thousands(n)).tone(if n == 0 { Tone::Muted } else { Tone::Plain })
     }
 
-    /// Text in a fixed-width font: names and ids.
+    /// A cell with text in a fixed-width font, for names and ids.
     pub fn code(text: impl Into<String>) -> Cell {
         Cell { code: true, ..Cell::from(text.into()) }
     }
@@ -95,7 +95,7 @@ impl Cell {
         Cell { detail: detail.into(), ..self }
     }
 
-    /// The cell with an explanation, which a browser shows when asked.
+    /// The cell with an explanation, which a browser shows on demand.
     #[must_use]
     pub fn title(self, title: impl Into<String>) -> Cell {
         Cell { title: title.into(), ..self }
@@ -135,8 +135,8 @@ impl Cell {
         }
     }
 
-    /// The attribute `class` of the cell, with a blank before it; empty where there is none. Tables of a page have a hundred thousand
-    /// cells, so it is as short as it can be.
+    /// The attribute `class` of the cell, with a blank before it; empty if there is none. It is as short as possible,
+    /// as the tables of a page have a hundred thousand cells.
     fn class(&self, numeric: bool) -> Value {
         let classes = [if numeric { "n" } else { "" }, self.tone.class(), if self.framed { "framed" } else { "" }];
         let classes: Vec<&str> = classes.into_iter().filter(|class| !class.is_empty()).collect();
@@ -167,13 +167,13 @@ pub struct Table {
     columns: Vec<String>,
     numeric: Vec<bool>,
     rows: Vec<Vec<Cell>>,
-    /// What the columns from this one on are from.
+    /// The origins of columns; each applies from its column on.
     origins: Vec<(usize, Origin)>,
-    /// Rows that are from elsewhere.
+    /// The rows with other origins.
     rows_from: BTreeMap<usize, Origin>,
-    /// Whether cells are small and coloured, and heads stand upright.
+    /// True if cells are small and coloured, and heads are vertical.
     heat: bool,
-    /// What shares and means are over, for readers who see the table alone.
+    /// The scope of shares and means, for readers who see only the table.
     basis: String,
 }
 
@@ -189,13 +189,13 @@ impl Table {
         Table { heat: true, ..self }
     }
 
-    /// Says what shares and means are over: a table in a paper has it in its caption.
+    /// Sets the scope of shares and means: a table in a paper has it in its caption.
     #[must_use]
     pub fn basis(self, basis: impl Into<String>) -> Table {
         Table { basis: basis.into(), ..self }
     }
 
-    /// Says what the columns are from that are added from here on, up to where another origin is given.
+    /// Sets the origin of the columns that are added from here on, up to the next origin.
     #[must_use]
     pub fn of(mut self, origin: Origin) -> Table {
         self.origins.push((self.columns.len(), origin));
@@ -206,14 +206,14 @@ impl Table {
         self.origins.iter().map(|(_, origin)| origin).chain(self.rows_from.values())
     }
 
-    /// Adds columns of words, to be aligned on the left.
+    /// Adds columns of words, aligned on the left.
     pub fn words<S: Into<String>>(mut self, heads: impl IntoIterator<Item = S>) -> Table {
         self.columns.extend(heads.into_iter().map(Into::into));
         self.numeric.resize(self.columns.len(), false);
         self
     }
 
-    /// Adds columns of numbers, to be aligned on the right.
+    /// Adds columns of numbers, aligned on the right.
     pub fn numbers<S: Into<String>>(mut self, heads: impl IntoIterator<Item = S>) -> Table {
         self.columns.extend(heads.into_iter().map(Into::into));
         self.numeric.resize(self.columns.len(), true);
@@ -223,13 +223,13 @@ impl Table {
     /// Adds a row: a cell for each column.
     ///
     /// # Panics
-    /// If there are more or fewer.
+    /// If the number of cells is not that of the columns.
     pub fn push(&mut self, row: Vec<Cell>) {
         assert_eq!(row.len(), self.columns.len(), "a cell for each column");
         self.rows.push(row);
     }
 
-    /// Adds a row whose cells are from elsewhere than the table's others.
+    /// Adds a row with a different origin than the table's other rows.
     pub fn push_from(&mut self, origin: Origin, row: Vec<Cell>) {
         self.rows_from.insert(self.rows.len(), origin);
         self.push(row);
@@ -243,7 +243,7 @@ impl Table {
         &self.basis
     }
 
-    /// Heads, and whether there are numbers below.
+    /// The heads, each with true if its column has numbers.
     pub(crate) fn columns(&self) -> impl Iterator<Item = (&str, bool)> {
         self.columns.iter().map(String::as_str).zip(self.numeric.iter().copied())
     }
@@ -252,13 +252,13 @@ impl Table {
         &self.rows
     }
 
-    /// Whether there are no rows.
+    /// True if there are no rows.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
     }
 
-    /// The table for a template. Of a long table the rows after the first few go to `rest`, where there is one.
+    /// The table for a template. The later rows of a long table go to `rest`, if it is given.
     fn value(&self, rest: Option<&mut Vec<Value>>) -> Value {
         let columns = self.columns.iter().zip(&self.numeric);
         let columns: Vec<Value> =
@@ -287,32 +287,32 @@ impl Table {
 /// A part of a section.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Block {
-    /// Rows and columns.
+    /// A table.
     Table(Table),
-    /// A sentence.
+    /// A sentence, with its emphasis.
     Note(String, Tone),
-    /// A command to be typed.
+    /// A command to type.
     Command(String),
-    /// A plot; Markdown, which can't hold it, refers to the file instead.
+    /// A plot; Markdown, which can't contain it, refers to the file instead.
     Plot {
         /// The picture.
         picture: Picture,
-        /// The name of the file that [`write_pages`](crate::write_pages) puts its SVG in; its PDF goes beside it.
+        /// The name of its SVG file, which [`write_pages`](crate::write_pages) writes; its PDF goes beside it.
         file: Cow<'static, str>,
-        /// What there is to see.
+        /// The alternative text.
         alt: Cow<'static, str>,
     },
-    /// A PNG as a data address; not in Markdown.
+    /// A PNG as a data URI; not in Markdown.
     Image {
         /// The name.
         name: String,
-        /// The address.
+        /// The data URI.
         uri: String,
     },
 }
 
 impl Block {
-    /// A table, or, where it has no rows, a note that says so.
+    /// A table or, if it has no rows, a note that says so.
     pub fn table_or(table: Table, nothing: &str) -> Block {
         if table.is_empty() { Block::Note(nothing.to_owned(), Tone::Notable) } else { Block::Table(table) }
     }
@@ -332,37 +332,37 @@ impl Block {
     }
 }
 
-/// A heading and what stands under it.
+/// A heading with its content.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Section {
     /// The anchor.
     pub id: &'static str,
     /// The heading.
     pub title: &'static str,
-    /// What the section shows and how to read it.
+    /// An introduction: the content of the section and how to read it.
     pub lead: String,
-    /// The rest.
+    /// The content.
     pub blocks: Vec<Block>,
 }
 
 impl Section {
-    /// The section for a template; rows of long tables go to `rest`, where there is one.
+    /// The section for a template; the later rows of long tables go to `rest`, if it is given.
     pub(crate) fn value(&self, mut rest: Option<&mut Vec<Value>>) -> Value {
         let blocks: Vec<Value> = self.blocks.iter().map(|block| block.value(rest.as_deref_mut())).collect();
         context! { id => self.id, title => self.title, lead => &self.lead, blocks => blocks }
     }
 }
 
-/// A number in large print.
+/// A number in large print on top of a report.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Headline {
     /// The number.
     pub number: String,
-    /// What it counts.
+    /// The label of the number.
     pub label: &'static str,
-    /// The total, the backend it is about, or why there is no number.
+    /// The total, the backend, or the reason why there is no number.
     pub detail: String,
-    /// How to look at it.
+    /// The emphasis.
     pub tone: Tone,
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 
-/// Every value once, in the order of first appearance.
+/// The distinct values, in the order of first appearance.
 pub fn in_order<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     values.fold(Vec::new(), |mut seen, value| {
         if !seen.contains(&value) {
@@ -12,7 +12,7 @@ pub fn in_order<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     })
 }
 
-/// One table, its first columns words and the others numbers. Nothing if it has no rows.
+/// Appends a table as Markdown, its first columns words and the others numbers; nothing if it has no rows.
 pub fn markdown(text: &mut String, title: &str, words: usize, heads: Vec<String>, rows: Vec<Vec<String>>) {
     if rows.is_empty() {
         return;
@@ -23,7 +23,7 @@ pub fn markdown(text: &mut String, title: &str, words: usize, heads: Vec<String>
         if column < words { "-".repeat(width) } else { format!("{}:", "-".repeat(width.max(2) - 1)) }
     });
     let rule: Vec<String> = rule.collect();
-    // A String takes everything.
+    // Writing to a String does not fail.
     let _ = writeln!(text, "\n{title}\n");
     for row in [&heads, &rule].into_iter().chain(&rows) {
         let cells = row.iter().zip(&widths).enumerate().map(|(column, (cell, &width))| {

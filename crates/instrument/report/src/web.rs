@@ -1,8 +1,9 @@
-//! What a page in a browser has beside its text: scripts, and rows as compressed columns.
+//! The data of a page in a browser: scripts, and rows as compressed columns.
 //!
-//! A row of a table costs a browser far more than a row of data: a page with all findings as a table would be tens of megabytes
-//! and take minutes to open. So rows are columns here, words by their numbers in a dictionary, compressed, and the table makes
-//! those that are in sight. Everything is inside of the page: it works from a disk without a network.
+//! A row of a table is far more expensive for a browser than a row of data. A page with all findings as a table would
+//! be tens of megabytes and take minutes to open. So rows are stored as compressed columns, words as indices in a
+//! dictionary, and the table creates only the visible rows. Everything is inside the page: it works from a disk without
+//! a network.
 
 use std::io::Write as _;
 
@@ -17,10 +18,11 @@ use crate::pixel_map::base64;
 use crate::table::Section;
 use crate::{Error, RunDir};
 
-/// The libraries of a page, in this order. They are compressed within it: a page has a few megabytes, and they are a third of one.
+/// The libraries of a page, in this order. They are embedded in compressed form, as they are a third of a page of a few
+/// megabytes.
 pub(crate) const LIBRARIES: [&str; 3] =
     [include_str!("../web/vendor/tabulator.js"), include_str!("../web/vendor/uplot.js"), drawing::SCRIPTS[0]];
-/// What the page does with them, in this order.
+/// The page's own scripts, in this order.
 pub const SCRIPTS: [&str; 5] = [
     include_str!("../web/libraries.js"),
     drawing::SCRIPTS[1],
@@ -28,37 +30,41 @@ pub const SCRIPTS: [&str; 5] = [
     include_str!("../web/sources.js"),
     include_str!("../web/app.js"),
 ];
-/// The style of a page.
+/// The style sheet of a page.
 pub const STYLE: &str = concat!(include_str!("../web/style.css"), include_str!("../web/vendor/uplot.css"));
 
-/// What a page says about one finding when it is asked.
+/// The text and pictures about one finding, which a page shows on demand.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Detail {
     /// The finding's id.
     pub finding: String,
-    /// The points, the truth and all answers, in lines.
+    /// The points, the truth and all answers, line by line.
     pub lines: Vec<String>,
-    /// Pictures as SVG, each with what there is to see.
+    /// Pictures as SVG, each with its alternative text.
     pub pictures: Vec<(String, String)>,
-    /// Drawings in space as data ([`Drawing::json`](crate::drawing::Drawing::json)), each with what there is to see, for a view that turns.
+    /// Drawings in space as data ([`Drawing::json`](crate::drawing::Drawing::json)) for a view that turns, each with
+    /// its alternative text.
     pub views: Vec<(String, Value)>,
-    /// Strips of signs: those of one question about the vertices in all orders.
+    /// Strips of signs: the signs of one query for all orders of its vertices.
     pub strips: Vec<Strip>,
 }
 
-/// The signs of one question about the vertices in all orders, a row for the truth and for each backend.
+/// The signs of one query for all orders of its vertices, with a row for the truth and for each backend.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Strip {
-    /// The names of the vertices, in the order of the question.
+    /// The names of the vertices, in the order of the query.
     pub vertices: Vec<String>,
     /// A name and its signs, `+`, `0` or `-`, in the lexicographic order of permutations.
     pub rows: Vec<(String, String)>,
 }
 
-/// The findings of all runs, the details of some, what tables are from, and the rows of long tables that are not in sight, as JSON in columns that is compressed (raw DEFLATE) and written in base 64.
+/// The data of a page: the findings of all runs, the details of some, the origins of tables, and the hidden rows of
+/// long tables.
+///
+/// The format is JSON in columns, compressed (raw DEFLATE) and in base 64.
 ///
 /// # Errors
-/// If memory can't be written to, which does not happen.
+/// If writing to memory fails, which does not happen.
 pub fn rows(runs: &[RunDir], sections: &[Section], details: &[Detail], rest: &[String]) -> Result<String, Error> {
     let sources = sources(runs, sections)?;
     packed(
@@ -66,10 +72,10 @@ pub fn rows(runs: &[RunDir], sections: &[Section], details: &[Detail], rest: &[S
     )
 }
 
-/// The libraries, as [`rows`] are.
+/// The libraries, compressed like [`rows`].
 ///
 /// # Errors
-/// If memory can't be written to, which does not happen.
+/// If writing to memory fails, which does not happen.
 pub fn libraries() -> Result<String, Error> {
     packed(&LIBRARIES.concat())
 }
@@ -81,7 +87,7 @@ fn packed(text: &str) -> Result<String, Error> {
     Ok(base64(&encoder.finish().map_err(failed)?))
 }
 
-/// The columns of `findings.csv` that a reader looks at, with the number of the run.
+/// The relevant columns of `findings.csv`, with the number of the run.
 fn findings(runs: &[RunDir]) -> Value {
     let mut rows: Vec<(usize, &crate::FindingRow, Option<u64>)> = Vec::new();
     for (run, folder) in runs.iter().enumerate() {

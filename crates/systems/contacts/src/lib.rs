@@ -1,10 +1,10 @@
-//! Which simplices of two complexes meet, and how are they merged? (Wang et al.)
+//! Contacts of two simplicial complexes, and merging by them (Wang et al.)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`answer`]: what is registered and merged, for all of these.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`answer`]: the types of contacts and merged complexes that these modules share.
+//! * [`truth`]: the truth about a scene, computed without the algorithm.
+//! * [`checks`]: the properties that the answers must have, decided exactly.
+//! * [`task`]: the tasks: their suites, judgement, drawing and report.
 
 pub mod algorithm;
 pub mod answer;

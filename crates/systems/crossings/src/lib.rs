@@ -1,8 +1,8 @@
-//! Which segments cross, and in which order along each other?
+//! Crossings of segments, and their order along each segment.
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`truth`]: the truth about a scene, computed without the algorithm.
+//! * [`task`]: the task: its suites, judgement, drawing and report.
 
 pub mod algorithm;
 pub mod task;

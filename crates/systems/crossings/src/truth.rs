@@ -1,11 +1,10 @@
 //! The crossings by linear equations in rationals, segment by segment.
 //!
-//! Every pair of segments is solved for the two fractions at which they meet,
-//! and the crossings of a segment are sorted by these fractions: no predicate,
-//! no constructed vertex, no broad phase.
+//! Every pair of segments is solved for the two fractions at which they meet. The crossings of a segment are sorted by
+//! these fractions. The computation uses no predicate, no constructed vertex and no broad phase.
 //!
-//! Of a perturbed scene there are signs only. There, too, every pair is looked
-//! at, and a crossing's place along its segment is the number of crossings before it.
+//! A perturbed scene has only signs. There, too, every pair is checked, and a crossing's rank along its segment is the
+//! number of crossings before it.
 
 use predicament_judge::{Judged, TieJudge, rational, sign};
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Question, Scene, Sign, Vertex};
@@ -20,7 +19,7 @@ pub type Along = Vec<Vec<u32>>;
 /// The crossings of each segment.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so.
+/// [`Stop`] if the watch stops the computation.
 ///
 /// # Panics
 /// If there are 2^32 segments.
@@ -54,7 +53,7 @@ fn extent(scene: &Scene, [a, b]: [Vertex; 2]) -> [[f64; 2]; 2] {
     [0, 1].map(|axis: usize| [a[axis].min(b[axis]), a[axis].max(b[axis])])
 }
 
-/// Whether two boxes have a common point: comparing doubles is exact.
+/// True if two boxes have a common point: comparing doubles is exact.
 fn overlap(a: [[f64; 2]; 2], b: [[f64; 2]; 2]) -> bool {
     a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
 }
@@ -75,10 +74,10 @@ fn crossing([a, b]: &[[Rational; 2]; 2], [p, q]: &[[Rational; 2]; 2]) -> Option<
     (inside(&t) && inside(&s)).then_some(t)
 }
 
-/// The same of a scene whose ties are broken; `None` where the judge constructs no crossing.
+/// The crossings of each segment in a scene with broken ties; `None` if the judge does not construct a crossing.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so.
+/// [`Stop`] if the watch stops the computation.
 ///
 /// # Panics
 /// If there are 2^32 segments.
@@ -102,7 +101,7 @@ pub fn perturbed(
     let along = |at: usize| -> Result<Along, Stop> {
         watch.done(0)?;
         let [a, b] = segments[at];
-        // Along an axis on which the ends differ, and they do on one at least: they are two vertices.
+        // The axis is one on which the ends differ. The ends differ on at least one axis, as they are two vertices.
         let axes = [Axis::X, Axis::Y].map(|axis| (axis, judged.compare(axis, a, b)));
         let (axis, ahead) = axes.into_iter().find(|(_, sign)| *sign != Sign::Zero).unwrap_or((Axis::X, Sign::Zero));
         let before = |p: &&Vertex, q: Vertex| ahead != Sign::Zero && judged.compare(axis, **p, q) == ahead;
@@ -118,7 +117,7 @@ pub fn perturbed(
     (0..segments.len()).into_par_iter().map(along).collect::<Result<_, _>>().map(Some)
 }
 
-/// Whether the ends of each segment are on different sides of the other one.
+/// True if the ends of each segment are on different sides of the other one.
 fn cross(judged: &Judged<'_>, one: [Vertex; 2], other: [Vertex; 2]) -> bool {
     let parts = |[a, b]: [Vertex; 2], ends: [Vertex; 2]| {
         let [p, q] = ends.map(|end| judged.orient2d(Plane::Xy, a, b, end));
@@ -127,7 +126,7 @@ fn cross(judged: &Judged<'_>, one: [Vertex; 2], other: [Vertex; 2]) -> bool {
     parts(one, other) && parts(other, one)
 }
 
-/// Whether an end of one segment is on the line of the other.
+/// True if an end of one segment is on the line of the other.
 #[must_use]
 pub fn touches(scene: &Scene, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
     let on = |u, v, w| sign(scene, Question::Orient2d(Plane::Xy), &[u, v, w]).is_zero();

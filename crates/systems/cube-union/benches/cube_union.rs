@@ -1,5 +1,5 @@
-//! Unions of 10³ to 10⁶ random cubes, one of which covers a point on average,
-//! on one thread; and of 10⁵ at other densities.
+//! A benchmark of unions of random cubes on one thread: 10³ to 10⁶ cubes, one of which covers a point on average, and
+//! 10⁵ at other densities.
 
 #[path = "../examples/cube_union/random.rs"]
 mod random;

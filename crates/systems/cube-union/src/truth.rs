@@ -1,4 +1,4 @@
-//! What is true about a union: measured in sections, which know no vertices, and by the judge's cells.
+//! The truth about a union: measured in sections, which do not use vertices, and by the judge's cells.
 
 use crate::checks::{Measures, measured};
 use predicament_judge::cubes::{self as exact, Cubes as Judged};
@@ -7,19 +7,19 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 use predicament_tasks::{Stop, Watch};
 use rug::{Integer, Rational};
 
-/// What is true about a union.
+/// The truth about a union.
 pub struct Truth {
-    /// The whole union, in units of a power of two.
+    /// The measures of the whole union, in units of a power of two.
     pub measures: Measures,
-    /// The vertices of the perturbed union, where the judge has measured all of it.
+    /// The vertices of the perturbed union, if the judge has measured all of it.
     pub vertices: Option<exact::Vertices>,
-    /// Lengths are multiples of 2 to this.
+    /// The exponent of the unit: lengths are multiples of 2^`exponent`.
     pub exponent: i32,
-    /// A part of the cubes that the judge has measured, where all are too many.
+    /// The part of the cubes that the judge has measured, if it has not measured all.
     pub(crate) part: Option<Part>,
 }
 
-/// Some of the cubes as a union of their own.
+/// Some of the cubes as a separate union.
 pub(crate) struct Part {
     pub(crate) scene: Scene,
     pub(crate) cubes: usize,
@@ -31,11 +31,11 @@ impl Truth {
     /// Measures the union.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     ///
     /// # Panics
-    /// If the scene is not of congruent cubes that exact sums can hold (readers
-    /// of scenes see to that), or the two measurements differ.
+    /// If the scene does not consist of congruent cubes that exact sums can hold (readers of scenes check this), or the
+    /// two measurements differ.
     pub fn new(scene: &Scene, watch: &Watch) -> Result<Truth, Stop> {
         let judged = Judged::of_scene(scene).unwrap_or_else(|error| panic!("no scene of cubes: {error}"));
         let (lowers, edge, exponent) = integers(scene);
@@ -59,18 +59,18 @@ impl Truth {
         Ok(truth)
     }
 
-    /// How many of the cubes the judge has measured, if not all.
+    /// The number of cubes that the judge has measured, in words, if it is not all.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         let part = self.part.as_ref()?;
         Some(format!("{} of {} cubes measured from the definition, all in sections", part.cubes, part.of))
     }
 
-    /// A sum of products of so many lengths, in the scene's units: rounded once.
+    /// A sum of products of this many lengths, in the scene's units: rounded once.
     #[allow(clippy::cast_precision_loss)]
     fn in_scene_units(&self, sum: i128, lengths: i32) -> f64 {
         let exponent = lengths * self.exponent;
-        // Two steps, as a power of two may be no double where the product is one.
+        // Two steps, as a power of two may not be a double even if the product is.
         sum as f64 * 2.0_f64.powi(exponent / 2) * 2.0_f64.powi(exponent - exponent / 2)
     }
 
@@ -90,8 +90,8 @@ pub(crate) fn in_units(of: &Measures, exponent: i32) -> [Rational; 3] {
     [scaled(of.volume, 3), scaled(of.area, 2), scaled(of.edge_length, 1)]
 }
 
-/// The lower corners and the edge in the coarsest power of two that all coordinates are multiples of, and its exponent.
-/// No cubes have the edge 1; if all coordinates are zero the exponent is 0.
+/// The lower corners and the edge in units of the coarsest power of two that divides all coordinates, and its exponent.
+/// Without cubes the edge is 1; if all coordinates are zero, the exponent is 0.
 fn integers(scene: &Scene) -> (Vec<[i64; 3]>, i64, i32) {
     let points: Vec<[Rational; 3]> = scene.vertices().map(|v| scene.point3(v).map(rational)).collect();
     // A double is an odd integer times a power of two, or zero.

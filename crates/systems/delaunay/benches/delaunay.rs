@@ -1,12 +1,13 @@
-//! Delaunay triangulations of a million points on one thread; with the feature `peers` beside `spade` and `delaunator`. All
-//! take turns, and medians and their ratios are printed. Ours are timed up to the last edge of the canonical rule; to list
-//! the triangles sorted, as the task does, is timed by itself.
+//! A benchmark of Delaunay triangulations of a million points on one thread; with the feature `peers` against `spade`
+//! and `delaunator`.
 //!
-//! A program of another language takes its turn where `DELAUNAY_PROGRAMS` names it: `name=path` with semicolons between. It
-//! is called with a file of coordinates (doubles, little-endian, two a point) and prints seconds and the number of
-//! triangles.
+//! All contestants take turns; the medians and their ratios are printed. Our time ends at the last edge of the
+//! canonical rule. The task also lists the triangles sorted: that is timed separately.
 //!
-//! Arguments: the families to run, of `uniform`, `grid`, `rings`, `clusters` and `sliver`, without any, all.
+//! `DELAUNAY_PROGRAMS` adds programs in other languages: `name=path`, separated by semicolons. A program gets a file of
+//! coordinates (doubles, little-endian, two a point) and prints the seconds and the number of triangles.
+//!
+//! Arguments: the families to run, of `uniform`, `grid`, `rings`, `clusters` and `sliver`; all by default.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -32,7 +33,7 @@ fn timed(work: impl FnOnce() -> usize) -> Run {
     (start.elapsed().as_secs_f64(), triangles)
 }
 
-/// Times a structure up to where it is done; counting its triangles is not in the time.
+/// Times the construction of a structure, without counting its triangles.
 fn built<T>(work: impl FnOnce() -> T, count: impl FnOnce(&T) -> usize) -> Run {
     let start = Instant::now();
     let structure = black_box(work());
@@ -40,13 +41,13 @@ fn built<T>(work: impl FnOnce() -> T, count: impl FnOnce(&T) -> usize) -> Run {
     (time, count(&structure))
 }
 
-/// The middle of some times.
+/// The median of some times.
 fn median(times: &mut [f64]) -> f64 {
     times.sort_unstable_by(f64::total_cmp);
     times[times.len() / 2]
 }
 
-/// Times all in turns; prints medians, and ratios to the first.
+/// Times all contestants in turns; prints medians, and ratios to the first.
 fn compare(what: &str, contestants: &[Contestant<'_>]) {
     let mut times = vec![Vec::new(); contestants.len()];
     let mut triangles = vec![0; contestants.len()];
@@ -73,7 +74,7 @@ fn points(family: &str, n: usize) -> Scene {
     suite.expect("a suite").scenes[0].load(Level::Quick, &Cache::new("nowhere")).expect("points").scene
 }
 
-/// What a program of another language prints.
+/// The result that a program in another language prints.
 fn program(path: &str, points: &Path) -> Run {
     let output = Command::new(path).arg(points).output().unwrap_or_else(|why| panic!("{path}: {why}"));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

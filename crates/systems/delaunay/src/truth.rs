@@ -1,24 +1,26 @@
-//! What is true about a Delaunay triangulation is said by its [checks](crate::checks), which look at the points and the
-//! triangles by the judge's signs. Here is how much of a scene they look at.
+//! The extent of the checks on a scene.
+//!
+//! The [checks](crate::checks) themselves are the truth about a Delaunay triangulation: they test the points and the
+//! triangles by the judge's signs.
 
 use predicament_predicates::Scene;
 
-/// How many triangles and how many edges are held against exact signs, at level quick and at level full.
+/// The number of triangles and of edges that are checked by exact signs, at level quick and at level full.
 pub(crate) const PAIRS: [usize; 2] = [20_000, 1 << 18];
 
-/// How much of a scene the checks are about.
+/// The part of a scene that the checks cover.
 pub struct Truth {
     points: usize,
 }
 
 impl Truth {
-    /// Of a scene: all of its points.
+    /// The truth of a scene, which covers all of its points.
     #[must_use]
     pub fn new(scene: &Scene) -> Truth {
         Truth { points: scene.len() }
     }
 
-    /// What is judged, where it is not all.
+    /// The judged part of the scene, if it is not the whole.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         let [most, _] = PAIRS;

@@ -1,22 +1,20 @@
-//! An index of boxes by a two-level grid: which boxes are near a box.
+//! An index of boxes by a nested grid, for finding the boxes near a box.
 //!
-//! A uniform grid is hard to beat where boxes are alike and evenly spread, and
-//! useless where they are not. Two remedies keep it good:
-//! * Boxes that would reach many cells are left to a coarser grid of their own.
-//!   Cells are not smaller than the mean box, so those are few.
-//! * A cell that holds many boxes is cut once more, by an index of its own.
+//! A uniform grid is efficient if boxes are of similar size and evenly spread, and useless if they are not. Two
+//! remedies keep it efficient:
+//! * Boxes that would reach many cells go to a separate coarser grid. Cells are not smaller than the mean box, so such
+//!   boxes are few.
+//! * A cell that holds many boxes gets a nested index.
 //!
 //! # Each pair once
-//! Two boxes can share many cells, and are reported in the first that they
-//! share: the one where along each axis one of them starts. An entry knows
-//! along which axes its box starts in the cell, and a query knows where it has
-//! started itself, so that is one comparison of bits. It holds within nested
-//! grids too, if a box that started in an earlier cell has started before the
-//! first of the nested ones.
+//! Two boxes can share many cells. They are reported in the first cell that they share: the cell where along each axis
+//! one of them starts. An entry knows the axes along which its box starts in the cell, and a query knows the same for
+//! itself, so the test is one comparison of bits. The rule also holds within nested grids, if a box that started in an
+//! earlier cell counts as started before the first nested cell.
 //!
 //! # Memory
-//! A box has at most 4^D entries in a grid, and on the average no more than
-//! about 2^D; a nested grid must be worth it, and nesting ends at a fixed depth.
+//! A box has at most 4^D entries in a grid, and on average at most about 2^D. A nested grid must pass a cost test, and
+//! nesting ends at a fixed depth.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -25,21 +23,21 @@ use rayon::prelude::*;
 use crate::Bounds;
 use crate::steps::Steps;
 
-/// Boxes that reach more cells are left to a coarser grid.
+/// The number of cells above which a box goes to a coarser grid.
 const fn most_cells(dimension: usize) -> usize {
     1 << (2 * dimension)
 }
 
-/// A cell with more entries may be cut once more.
+/// The number of entries above which a cell may get a nested grid.
 const CROWD: usize = 32;
 
-/// How deep grids are nested, whether within cells or for larger boxes.
+/// The maximum depth of nested grids, both within cells and for larger boxes.
 const DEPTH: u32 = 5;
 
-/// Fewer boxes than this are entered by one thread.
+/// The number of boxes below which one thread enters them all.
 const ALONE: usize = 1 << 12;
 
-/// An index of boxes, known by their places 0, 1, 2 …, in two or three dimensions.
+/// An index of boxes in two or three dimensions; a box is identified by its index 0, 1, 2 …
 #[derive(Debug)]
 pub struct BoxIndex<const D: usize> {
     boxes: Vec<Bounds<D>>,
@@ -72,14 +70,13 @@ impl<const D: usize> BoxIndex<D> {
         &self.boxes
     }
 
-    /// The number of entries in all cells: what the index takes in memory.
+    /// The number of entries in all cells, as a measure of memory.
     #[must_use]
     pub fn entries(&self) -> usize {
         self.grid.as_ref().map_or(0, Grid::count)
     }
 
-    /// Puts the places of all boxes [near](Bounds::is_near) the query into
-    /// `found`, in ascending order, and nothing else.
+    /// Writes the indices of all boxes [near](Bounds::is_near) the query to `found`, in ascending order.
     ///
     /// # Panics
     /// If the reach is negative or NaN.
@@ -93,10 +90,10 @@ impl<const D: usize> BoxIndex<D> {
     }
 }
 
-/// A bit for each axis.
+/// A set of axes, one bit each.
 type Axes = u32;
 const ALL_AXES: Axes = (1 << AXES) - 1;
-/// The most axes.
+/// The maximum number of axes.
 const AXES: u32 = 3;
 
 struct Query<const D: usize> {
@@ -105,12 +102,12 @@ struct Query<const D: usize> {
     reach: f64,
 }
 
-/// A box in a cell: its place, and the axes along which the cell is the first that it reaches.
+/// A box in a cell: its index, and the axes along which the cell is the first that it reaches.
 #[derive(Clone, Copy, Debug)]
 struct Entry(u32);
 
 impl Entry {
-    /// Of a box in all that there is.
+    /// The entry of a box in all of space.
     fn new(place: u32) -> Entry {
         Entry(place << AXES | ALL_AXES)
     }
@@ -120,13 +117,13 @@ impl Entry {
         (self.0 >> AXES) as usize
     }
 
-    /// The same box in a cell that is the first of a part along these axes.
+    /// The entry of the same box in a cell that is the first of a part along these axes.
     #[inline]
     fn within(self, first: Axes) -> Entry {
         Entry(self.0 & (first | !ALL_AXES))
     }
 
-    /// Whether the cell is the first along all these axes.
+    /// True if the cell is the box's first along all these axes.
     #[inline]
     fn starts(self, axes: Axes) -> bool {
         self.0 & axes == axes
@@ -136,24 +133,24 @@ impl Entry {
 #[derive(Debug)]
 struct Grid<const D: usize> {
     cells: Cells<D>,
-    /// The place of each cell's first entry, and the number of entries.
+    /// The index of each cell's first entry, and at the end the number of entries.
     starts: Vec<u32>,
-    /// Cell after cell.
+    /// The entries, cell after cell.
     entries: Vec<Entry>,
-    /// The crowded cells that are cut once more, in ascending order.
+    /// The crowded cells with a nested grid, in ascending order.
     nested: Vec<(usize, Grid<D>)>,
-    /// Those that would reach too many cells here.
+    /// The boxes that would reach too many cells here.
     larger: Option<Box<Grid<D>>>,
 }
 
 impl<const D: usize> Grid<D> {
-    /// A grid over a part of space, of entries of which the part is a cell.
+    /// A grid over a part of space, for the entries of a cell with that extent.
     fn of_part(given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, depth: u32) -> Grid<D> {
         let extent = hull(given.par_iter().map(|entry| boxes[entry.place()].clipped(part)));
         Grid::new(given, boxes, part, &extent, depth)
     }
 
-    /// The same, of entries that extend so far within the part.
+    /// A grid over a part of space, for entries with this extent within the part.
     fn new(mut given: Vec<Entry>, boxes: &[Bounds<D>], part: &Bounds<D>, extent: &Bounds<D>, depth: u32) -> Grid<D> {
         let mut cells = Cells::new(extent, given.len(), mean_extents(&given, boxes, part, extent));
         let reach = |cells: &Cells<D>, entry: &Entry| cells.reach(&boxes[entry.place()]);
@@ -179,7 +176,7 @@ impl<const D: usize> Grid<D> {
         grid
     }
 
-    /// Cuts crowded cells once more, if that spreads their entries.
+    /// Adds nested grids to crowded cells, if they spread the entries.
     fn nest(&mut self, boxes: &[Bounds<D>], depth: u32) {
         let cut = |cell: usize| {
             let entries = self.of(cell);
@@ -192,8 +189,7 @@ impl<const D: usize> Grid<D> {
         self.nested = (0..self.cells.len()).into_par_iter().filter_map(cut).collect();
     }
 
-    /// Whether a point of a random box meets at most half of the entries that
-    /// it would meet without the grid.
+    /// True if a point of a random box meets at most half of the entries that it would meet without the grid.
     fn is_worth_it(&self, without: usize) -> bool {
         let larger = self.larger.as_ref().map_or(0, |larger| larger.entries.len());
         let squares: usize = self.starts.windows(2).map(|w| ((w[1] - w[0]) as usize).pow(2)).sum();
@@ -209,8 +205,8 @@ impl<const D: usize> Grid<D> {
         self.entries.len() + nested + self.larger.as_ref().map_or(0, |larger| larger.count())
     }
 
-    /// Visits the cells that the query reaches; along the axes `before` it has
-    /// started before the first of them.
+    /// Visits the cells that the query reaches. Along the axes `before`, the query has started before the first of
+    /// them.
     fn near(&self, query: &Query<D>, before: Axes, boxes: &[Bounds<D>], found: &mut Vec<u32>) {
         let [first, last] = self.cells.range(&query.inflated);
         each_place([first, last], |place| {
@@ -234,10 +230,10 @@ impl<const D: usize> Grid<D> {
     }
 }
 
-/// Counting sort by cells. Threads share the counters, so entries of one cell
-/// can come in any order, which nothing depends on.
+/// Counting sort by cells. Threads share the counters, so entries of one cell can come in any order; the result does
+/// not depend on it.
 fn enter<const D: usize>(given: &[Entry], boxes: &[Bounds<D>], cells: &Cells<D>) -> (Vec<u32>, Vec<Entry>) {
-    // A thread that is alone needs no operation that others wait for.
+    // A single thread does not need atomic operations.
     let is_alone = given.len() < ALONE || rayon::current_num_threads() == 1;
     let each = |visit: &(dyn Fn(&Entry) + Sync)| {
         if is_alone {
@@ -287,9 +283,8 @@ fn hull<const D: usize>(boxes: impl IndexedParallelIterator<Item = Bounds<D>>) -
     boxes.with_min_len(ALONE).reduce(|| Bounds::NOTHING, |a, b| a.union(&b))
 }
 
-/// The mean extent of the boxes along each axis, as parts of the whole extent;
-/// one where there is no extent.
-/// Summed up in chunks of a fixed size: the same whatever the threads.
+/// The mean extent of the boxes along each axis, as a fraction of the whole extent; 1 if the whole extent is 0. Sums
+/// use chunks of a fixed size, so they do not depend on the number of threads.
 #[allow(clippy::cast_precision_loss)] // a size to aim at
 fn mean_extents<const D: usize>(
     given: &[Entry],
@@ -301,7 +296,7 @@ fn mean_extents<const D: usize>(
     let sum = |entries: &[Entry]| {
         let clipped = entries.iter().map(|entry| boxes[entry.place()].clipped(part));
         clipped.fold([0.0; D], |sum, bounds| {
-            // the minimum of NaN and one is one
+            // the minimum of NaN and 1 is 1
             std::array::from_fn(|axis| sum[axis] + (half(&bounds, axis) / half(extent, axis)).min(1.0))
         })
     };
@@ -309,7 +304,7 @@ fn mean_extents<const D: usize>(
     std::array::from_fn(|axis| sums.iter().map(|sum| sum[axis]).sum::<f64>() / given.len() as f64)
 }
 
-/// Visits all places from the first to the last.
+/// Visits all index tuples from the first to the last.
 #[inline]
 fn each_place<const D: usize>([first, last]: [[usize; D]; 2], mut visit: impl FnMut([usize; D])) {
     let mut place = first;
@@ -321,14 +316,14 @@ fn each_place<const D: usize>([first, last]: [[usize; D]; 2], mut visit: impl Fn
     }
 }
 
-/// Where the cells are.
+/// The geometry of a grid's cells.
 #[derive(Clone, Copy, Debug)]
 struct Cells<const D: usize> {
     steps: [Steps; D],
 }
 
 impl<const D: usize> Cells<D> {
-    /// About as many cells as boxes, none smaller than the mean box.
+    /// About as many cells as boxes, each at least as large as the mean box.
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a size to aim at
     fn new(extent: &Bounds<D>, boxes: usize, mean: [f64; D]) -> Cells<D> {
         let mut axes: [usize; D] = std::array::from_fn(|axis| axis);
@@ -348,7 +343,7 @@ impl<const D: usize> Cells<D> {
         self.steps.iter().map(Steps::count).product()
     }
 
-    /// Halves the number of steps along the axis that has most.
+    /// Halves the number of steps along the axis with the most steps.
     fn coarsen(&mut self) {
         let most = self.steps.iter_mut().max_by_key(|steps| steps.count()).expect("there are axes");
         *most = most.coarser();
@@ -359,19 +354,19 @@ impl<const D: usize> Cells<D> {
         (0..D).rev().fold(0, |cell, axis| cell * self.steps[axis].count() + place[axis])
     }
 
-    /// The first and the last place along each axis that a box reaches.
+    /// The first and the last step along each axis that a box reaches.
     #[inline]
     fn range(&self, bounds: &Bounds<D>) -> [[usize; D]; 2] {
         [bounds.low, bounds.high].map(|corner| std::array::from_fn(|axis| self.steps[axis].of(corner[axis])))
     }
 
-    /// How many cells a box reaches.
+    /// The number of cells that a box reaches.
     fn reach(&self, bounds: &Bounds<D>) -> usize {
         let [first, last] = self.range(bounds);
         (0..D).map(|axis| last[axis] - first[axis] + 1).fold(1, usize::saturating_mul)
     }
 
-    /// About where a cell is.
+    /// The approximate bounds of a cell.
     fn bounds(&self, mut cell: usize) -> Bounds<D> {
         let sides: [[f64; 2]; D] = std::array::from_fn(|axis| {
             let place = cell % self.steps[axis].count();

@@ -1,52 +1,46 @@
 //! Cells of the plane with the segments near them and the sum of the labels above them.
 //!
-//! The segments bound things: each has a label, a set, and at every vertex
-//! every member is in the labels of an even number of segments, as it must be
-//! where boundaries are closed. Asked is the *cover* of a point, the sum
-//! modulo 2 of the labels of all segments that an upward ray from it crosses.
-//! The ray crosses a segment iff the point is below it and is *past* exactly
-//! one of its ends; past an end is one bit, here whether the point's x is
-//! larger.
+//! The segments are boundaries: each has a label, a set. At every vertex, each member is in the labels of an even
+//! number of segments, as for closed boundaries. A query asks for the *cover* of a point: the sum modulo 2 of the
+//! labels of all segments that an upward ray from it crosses. The ray crosses a segment iff the point is below it and
+//! is *past* exactly one of its ends. Past an end is one bit, here whether the point's x is larger.
 //!
 //! # One row at a time
-//! A ray from a cell is long and most of what it crosses is the same from
-//! everywhere in the cell. Segments that lie above the row are crossed
-//! wherever the point is past one end only, so their labels sum up to
+//! A ray from a cell is long, and most crossings are the same for all points of the cell. The ray crosses a segment
+//! above the row iff the point is past one end only. So the labels of these segments sum up to
 //!
 //! > Σ over vertices v: past(v) · Σ of the labels of segments above the row at v.
 //!
-//! The inner sum is zero unless a segment at v isn't above the row, and then
-//! it is the sum of the labels of just those segments, because all at v sum
-//! up to zero. Such a segment leaves the row through its top and v is its
-//! upper end. So what is above a row needs only the segments that leave it
-//! upward, each at its upper end: those ends in columns to the left are past
-//! for every point of the cell and are summed up beforehand, those in columns
-//! to the right are not past, and those in the cell's own column are the
-//! *pivots* of the cell, to be looked at for each point. A segment with a
-//! pivot in a cell reaches that cell and is listed there anyway.
+//! If all segments at v are above the row, the inner sum is zero, because all labels at v sum up to zero. Otherwise it
+//! is the sum of the labels of the other segments at v. Such a segment leaves the row through its top, and v is its
+//! upper end. So the sum above a row needs only the segments that leave the row upward, each at its upper end. There
+//! are three kinds of upper ends:
+//! * Ends in columns to the left are past for every point of the cell; they are summed up beforehand.
+//! * Ends in columns to the right are not past.
+//! * Ends in the cell's own column are the *pivots* of the cell; they are tested for each point. A segment with a pivot
+//!   in a cell reaches that cell, so it is already listed there.
 //!
-//! Nothing in this asks which way a tie at x is broken, as long as past(v) is
-//! one bit per vertex and point: the caller may ask whom he likes.
+//! The method does not depend on how a tie at x is broken, as long as past(v) is one bit per vertex and point: the
+//! caller may use any predicate.
 //!
 //! # How many cells
-//! The rows and columns are equal, and there are about four times as many
-//! cells as segments; fewer where segments are long, so that there are never
-//! more than four entries to a segment.
+//! Rows and columns are equally spaced, and there are about four times as many cells as segments. If segments are long,
+//! there are fewer cells, so that there are never more than four entries per segment.
 
 use crate::steps::{Steps, extent};
 
 type Segment = [[f64; 2]; 2];
 
-/// Cells (and entries) per segment.
+/// The maximum number of cells, and of entries, per segment.
 const PER_SEGMENT: usize = 4;
 
 /// A running sum of labels modulo 2.
 pub trait Labels {
-    /// Back to the empty set.
+    /// Resets the sum to the empty set.
     fn clear(&mut self);
     /// Adds the label of a segment.
     fn toggle(&mut self, segment: u32);
-    /// A number for the sum, by which the caller knows it again.
+    /// A number that identifies the sum to the caller.
     fn number(&mut self) -> u32;
 }
 
@@ -55,24 +49,23 @@ pub trait Labels {
 pub enum End {
     /// The end that was given first.
     First,
-    /// The other.
+    /// The other end.
     Second,
 }
 
 /// A segment that reaches a cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Entry {
-    /// Both ends, as they were given.
+    /// Both ends, as the caller gave them.
     pub ends: Segment,
-    /// The place of the segment.
+    /// The index of the segment.
     pub segment: u32,
-    /// The end that lies above the cell's row and in its column: for points
-    /// past it the label counts once more.
+    /// The end that is above the cell's row and in its column: the label counts once more for points past it.
     pub pivot: Option<End>,
 }
 
 impl Entry {
-    /// The lowest and the highest y.
+    /// The lowest and the highest y of the segment.
     #[inline]
     #[must_use]
     pub fn y_range(&self) -> [f64; 2] {
@@ -81,37 +74,36 @@ impl Entry {
     }
 }
 
-/// What is known in a cell.
+/// The data of a cell.
 ///
-/// The cover of a point of the cell is the sum of `above`, of the labels of
-/// entries with a pivot that the point is past, and of the labels of entries
-/// that the ray crosses.
+/// The cover of a point of the cell is the sum of three parts: `above`, the labels of entries with a pivot that the
+/// point is past, and the labels of entries that the ray crosses.
 #[derive(Clone, Copy, Debug)]
 pub struct Cell<'a> {
     /// The number of the sum of all labels that count once for every point of the cell.
     pub above: u32,
-    /// The segments whose boxes reach the cell, by their places.
+    /// The segments whose boxes reach the cell, by ascending index.
     pub entries: &'a [Entry],
 }
 
 #[derive(Clone, Copy, Default, Debug)]
 struct Head {
-    /// The place of the first entry.
+    /// The index of the first entry.
     start: u32,
     above: u32,
 }
 
-/// Equal cells over closed boundaries in the plane.
+/// A grid of equal cells over closed boundaries in the plane.
 #[derive(Clone, Debug)]
 pub struct Cells {
     grid: Grid,
-    /// Row after row, and one more that ends the last.
+    /// The cells, row after row, and one more that ends the last.
     heads: Vec<Head>,
     entries: Vec<Entry>,
 }
 
 impl Cells {
-    /// Cells over these segments, given by both ends.
+    /// A grid over these segments, given by both ends.
     ///
     /// # Panics
     /// If there are 2^32 segments or more, or a coordinate is not finite.
@@ -137,9 +129,8 @@ impl Cells {
         self.entries.len()
     }
 
-    /// The cell of all points with this x and a y from `low` to `high`, unless
-    /// they are in several. Segments that it doesn't list and that hold x are
-    /// strictly above `high` or strictly below `low`.
+    /// The cell of all points with this x and a y from `low` to `high`; `None` if they are in several cells. A segment
+    /// whose x-range contains x and that the cell does not list is strictly above `high` or strictly below `low`.
     #[inline]
     #[must_use]
     pub fn at(&self, x: f64, [low, high]: [f64; 2]) -> Option<Cell<'_>> {
@@ -178,7 +169,7 @@ impl Cells {
         }
     }
 
-    /// Goes along each row and adds what is past from the next column on.
+    /// Sums up along each row the labels of ends that are past from the next column on.
     fn sum_up(&mut self, segments: &[Segment], labels: &mut impl Labels) {
         let mut past: Vec<(usize, u32)> = Vec::new();
         for (segment, number) in segments.iter().zip(numbers(segments)) {
@@ -209,13 +200,12 @@ fn numbers(segments: &[Segment]) -> std::ops::Range<u32> {
     0..u32::try_from(segments.len()).expect("a grid holds fewer than 2^32 segments")
 }
 
-/// The higher end. Where both are equally high no row lies between them, and
-/// which is named doesn't matter.
+/// The higher end of a segment. If both ends are equally high, no row lies between them, and either is correct.
 fn upper_end(&[a, b]: &Segment) -> ([f64; 2], End) {
     if a[1] > b[1] { (a, End::First) } else { (b, End::Second) }
 }
 
-/// Where the cells are.
+/// The geometry of the cells.
 #[derive(Clone, Copy, Debug)]
 struct Grid {
     columns: Steps,
@@ -223,8 +213,8 @@ struct Grid {
 }
 
 impl Grid {
-    /// As many cells as there may be, and as long as that makes too many
-    /// entries, half the columns or half the rows, whichever cut more.
+    /// A grid with the maximum number of cells, or fewer if these have too many entries: it halves the columns or the
+    /// rows, whichever are crossed more.
     fn over(segments: &[Segment]) -> Grid {
         let x = extent(segments.as_flattened().iter().map(|end| end[0]));
         let y = extent(segments.as_flattened().iter().map(|end| end[1]));

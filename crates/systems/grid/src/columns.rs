@@ -1,17 +1,13 @@
-//! Vertical strips of the plane, to find the segments that a vertical ray can meet.
+//! Vertical strips of the plane, for finding the segments that a vertical ray can meet.
 //!
-//! A ray upward from a point meets only segments whose x-range holds the
-//! point's x, and of those only the ones that reach up to the point. So the
-//! plane is cut into columns, each segment is entered in every column that it
-//! reaches, and a column lists its segments from the highest down: a query
-//! reads one column and stops at the first segment that ends below it.
+//! An upward ray from a point meets only segments whose x-range contains the point's x and that reach up to the point.
+//! So the plane is cut into columns, and each segment is entered in every column that it reaches. A column lists its
+//! segments from the highest down: a query reads one column and stops at the first segment that ends below it.
 //!
 //! # How many columns
-//! With w the width of a column and m the mean x-extent of n segments there
-//! are about n(1 + m/w) entries, and a column holds about 1 + w/m times the
-//! segments that a vertical line meets. At w = m/2 both overheads are small:
-//! 3n entries, half as many again per query as there must be. There are never
-//! more columns than segments.
+//! Let w be the width of a column and m the mean x-extent of n segments. There are about n(1 + m/w) entries, and a
+//! column holds about 1 + w/m times the segments that a vertical line meets. At w = m/2 both overheads are small: 3n
+//! entries, and 1.5 times the necessary entries per query. There are never more columns than segments.
 
 use crate::steps::{Steps, extent};
 
@@ -31,13 +27,13 @@ impl Entry {
     }
 }
 
-/// A column index over segments of the plane, known by their places 0, 1, 2 …
+/// A column index over segments of the plane; a segment is identified by its index 0, 1, 2 …
 #[derive(Clone, Debug)]
 pub struct Columns {
     steps: Steps,
-    /// The place of each column's first entry, and the number of entries.
+    /// The index of each column's first entry, and at the end the number of entries.
     starts: Vec<usize>,
-    /// Column after column, in each from the highest `top` down, ties by place.
+    /// The entries, column after column; in each from the highest `top` down, ties by index.
     entries: Vec<Entry>,
     /// The lowest y of each segment.
     bottoms: Vec<f64>,
@@ -76,7 +72,7 @@ impl Columns {
             columns.starts[column + 1] += columns.starts[column];
         }
 
-        // Entered from the highest down, every column comes out sorted.
+        // The segments are entered from the highest down, so every column is sorted.
         let entry_of = |(segment, place): (&[[f64; 2]; 2], u32)| {
             let top = segment[0][1].max(segment[1][1]);
             Entry { low: low(segment), high: high(segment), top, segment: place }
@@ -101,18 +97,16 @@ impl Columns {
         self.starts.len() - 1
     }
 
-    /// The number of entries in all columns: what the index takes in memory.
+    /// The number of entries in all columns, as a measure of memory.
     #[must_use]
     pub fn entries(&self) -> usize {
         self.entries.len()
     }
 
-    /// The segments that an upward ray from `point` can meet: those whose
-    /// closed x-range holds the point's x and whose highest y is not below the
-    /// point's by more than `reach`. Each comes once, from the highest down.
+    /// The segments that an upward ray from `point` can meet, each once, from the highest down.
     ///
-    /// The rule is about coordinates and not about columns, except that a
-    /// positive `reach` is rounded up.
+    /// These are the segments whose closed x-range contains the point's x and whose highest y is not below the point's
+    /// by more than `reach`. The rule does not depend on the columns, except that a positive `reach` is rounded up.
     #[inline]
     pub fn above(&self, point: [f64; 2], reach: f64) -> impl Iterator<Item = u32> + '_ {
         let [x, _] = point;
@@ -120,7 +114,7 @@ impl Columns {
         entries.filter(move |entry| entry.holds(x)).map(|entry| entry.segment)
     }
 
-    /// The entries of the point's column that don't end too far below it.
+    /// The entries of the point's column, without those that end too far below it.
     #[inline]
     fn reaching_up_to(&self, [x, y]: [f64; 2], reach: f64) -> &[Entry] {
         let floor = if reach == 0.0 { y } else { (y - reach).next_down() };
@@ -129,8 +123,8 @@ impl Columns {
         &entries[..end]
     }
 
-    /// The pairs of segments whose closed boxes meet, smaller place first:
-    /// every such pair comes in exactly one of the columns.
+    /// The pairs of segments whose closed boxes meet, smaller index first. Every such pair comes in exactly one of the
+    /// columns.
     pub fn overlaps(&self, column: usize) -> impl Iterator<Item = [u32; 2]> + '_ {
         let entries = self.of(column);
         entries.iter().enumerate().flat_map(move |(at, a)| {
@@ -138,7 +132,7 @@ impl Columns {
             entries[at + 1..]
                 .iter()
                 .take_while(move |b| b.top >= bottom)
-                // the home of a pair is the first column that both reach
+                // a pair belongs to the first column that both reach
                 .filter(move |b| a.low <= b.high && b.low <= a.high && self.column(a.low.max(b.low)) == column)
                 .map(|b| [a.segment.min(b.segment), a.segment.max(b.segment)])
         })
@@ -154,8 +148,8 @@ impl Columns {
     }
 }
 
-/// As many columns as make one half as wide as the mean segment; `covered` is
-/// the sum of the segments' extents as parts of the whole extent.
+/// The number of columns: each about half as wide as the mean segment. `covered` is the sum of the segments' extents as
+/// fractions of the whole extent.
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)] // a size to aim at
 fn column_count(segments: usize, half_extent: f64, covered: f64) -> usize {
     if half_extent == 0.0 {

@@ -1,19 +1,17 @@
-//! Broad phases: from raw coordinates alone, the few features that predicates have to be
-//! asked about.
+//! Broad phases: the selection, from raw coordinates alone, of the few features that predicates have to test.
 //!
-//! A broad phase may keep too much and must never drop what matters. The ones
-//! here go further: what their users conclude is stated in terms of the raw
-//! coordinates, without reference to cells, so an answer can't depend on how
-//! the space was cut.
+//! A broad phase may keep too much and must never drop a relevant feature. The broad phases here guarantee more: their
+//! results are specified in terms of the raw coordinates, without reference to cells. So an answer can't depend on the
+//! grid.
 //!
 //! * [`Columns`]: the segments above a point, one by one.
-//! * [`Cells`]: the segments near a point, and the sum of those far above.
+//! * [`Cells`]: the segments near a point, and the sum of the labels far above.
 //! * [`BoxIndex`]: the boxes near a box.
 //! * [`Raster`]: the segments through each cell of a grid.
-//! * [`shared()`]: the boxes of two sets that may meet one of the other set.
+//! * [`shared()`]: the boxes of each of two sets that may meet a box of the other set.
 //! * [`parallel`]: loops over pieces of work, compiled once. [`sort`]: sorting by signs that may contradict each other.
-//!   [`status`]: what a sweep line crosses.
-//! * [`two_level`]: the boxes in each cell of a grid in space, whose full cells have grids of their own.
+//!   [`status`]: the sequence of items that a sweep line crosses.
+//! * [`two_level`]: the boxes in each cell of a grid in space, whose crowded cells have nested grids.
 
 mod bounds;
 mod box_index;

@@ -1,35 +1,36 @@
 //! Cells of the plane with the segments that pass through them.
 //!
-//! A segment is in the cells that it passes through, not in all of its box: a long diagonal is in as many cells as a level
-//! one of the same length.
+//! A segment is entered only in the cells that it passes through, not in all cells of its box: a long diagonal is in as
+//! many cells as a horizontal segment of the same length.
 //!
 //! # Why no common point is missed
-//! Coordinates are mapped to units of cells, in doubles: a halving, a subtraction and a multiplication, so each is within
-//! 2^-50 of its own size, and so within 2^-38, of the exact image. Where a segment passes a row is interpolated from
-//! there: a segment that rises by less than a quarter of a row is taken with its whole width; else the quotient's error
-//! is below 2^-35 and that of the width times it below 2^-22. Every bound is moved outward by [`MARGIN`], which is more. So
-//! the cell that has a point of a segment lists the segment, and two segments with a point in common are in one cell together.
+//! Coordinates are mapped to units of cells, in doubles: a halving, a subtraction and a multiplication. So each is
+//! within 2^-50 of its own size, and so within 2^-38, of the exact image. The place where a segment passes a row is
+//! interpolated from these. A segment that rises by less than a quarter of a row is taken with its whole width.
+//! Otherwise the quotient's error is below 2^-35 and the error of the width times it below 2^-22. Every bound is moved
+//! outward by [`MARGIN`], which is more. So the cell of a segment's point lists the segment, and two segments with a
+//! common point are in one cell together.
 //!
 //! # How many cells
-//! About two for each segment, and fewer where segments are long: no more than about four entries a segment.
+//! About two for each segment. If segments are long, there are fewer: at most about four entries per segment.
 
 use crate::steps::extent;
 
 /// A segment by its ends.
 type Segment = [[f64; 2]; 2];
 
-/// What bounds are moved outward by, in units of a cell.
+/// The distance by which bounds are moved outward, in units of a cell.
 const MARGIN: f64 = 1.0 / 1024.0;
-/// The most rows and columns.
+/// The maximum number of rows, and of columns.
 const MOST: f64 = 4096.0;
 /// Cells per segment.
 const CELLS: f64 = 2.0;
 /// Entries per segment beyond the first, along each axis.
 const CROSSED: f64 = 1.5;
-/// Below this no halving is exact: such an extent is one cell.
+/// The extent below which halving is not exact: such an extent is one cell.
 const SMALLEST: f64 = 1e-290;
 
-/// Coordinates along an axis in units of cells.
+/// The map of coordinates along an axis to units of cells.
 #[derive(Clone, Copy, Debug)]
 struct Axis {
     origin: f64,
@@ -62,12 +63,12 @@ impl Axis {
     }
 }
 
-/// A uniform grid over segments, which are known by their places 0, 1, 2 ….
+/// A uniform grid over segments; a segment is identified by its index 0, 1, 2 ….
 #[derive(Clone, Debug)]
 pub struct Raster {
     columns: Axis,
     rows: Axis,
-    /// The place of each cell's first entry, row after row, and the number of entries.
+    /// The index of each cell's first entry, row after row, and at the end the number of entries.
     starts: Vec<u32>,
     entries: Vec<u32>,
 }
@@ -125,7 +126,7 @@ impl Raster {
         &self.entries[self.starts[cell] as usize..self.starts[cell + 1] as usize]
     }
 
-    /// The ends of a segment in units of cells, seen from a cell's lower left corner.
+    /// The ends of a segment in units of cells, relative to a cell's lower left corner.
     #[inline]
     #[must_use]
     #[allow(clippy::cast_precision_loss)] // fewer than 2^12 rows and columns
@@ -134,14 +135,14 @@ impl Raster {
         segment.map(|[x, y]| [self.columns.place(x) - corner[0], self.rows.place(y) - corner[1]])
     }
 
-    /// Visits, row by row from `y` upward, the segments in the columns in which an x from `low` to `high` can be, each maybe
-    /// several times; ends where `visit` says of a row and its number that it has seen enough.
+    /// Visits, row by row from `y` upward, the segments in the columns that may contain an x from `low` to `high`. A
+    /// segment may be visited several times. Ends when `visit`, given a row's segments and number, returns true.
     pub fn upward(&self, [low, high]: [f64; 2], y: f64, mut visit: impl FnMut(&[u32], usize) -> bool) {
         let [first, last] = self.columns.cells(self.columns.place(low), self.columns.place(high));
         let [lowest, _] = self.rows.cells(self.rows.place(y), self.rows.place(y));
         for row in lowest..self.rows.count {
             let start = row * self.columns.count;
-            // The cells of a row follow each other.
+            // The cells of a row are contiguous.
             let [from, to] = [self.starts[start + first], self.starts[start + last + 1]];
             if visit(&self.entries[from as usize..to as usize], row) {
                 return;
@@ -149,13 +150,13 @@ impl Raster {
         }
     }
 
-    /// The last row in which a y can be.
+    /// The last row that may contain a y.
     #[must_use]
     pub fn last_row(&self, y: f64) -> usize {
         self.rows.cells(self.rows.place(y), self.rows.place(y))[1]
     }
 
-    /// The first and last cell, row by row, of those that a segment passes through.
+    /// Visits for each row the first and the last cell that a segment passes through.
     #[inline]
     #[allow(clippy::cast_precision_loss)] // fewer than 2^12 rows
     fn pass(&self, segment: &Segment, mut visit: impl FnMut(usize, usize)) {
@@ -191,7 +192,7 @@ impl Raster {
 fn axes(segments: &[Segment]) -> [Axis; 2] {
     let extents = [0, 1].map(|axis| extent(segments.as_flattened().iter().map(|end| end[axis])));
     let all = segments.len() as f64;
-    // How many cells a segment crosses along each axis where that is one cell long, on the average.
+    // The mean number of cells that a segment crosses along each axis, at one cell per segment length.
     let crossed = [0, 1].map(|axis: usize| {
         let [low, high] = extents[axis];
         let half = (high / 2.0 - low / 2.0).max(f64::MIN_POSITIVE);
@@ -201,7 +202,7 @@ fn axes(segments: &[Segment]) -> [Axis; 2] {
     let cells = counts[0] * counts[1];
     let most = (CELLS * all).max(1.0);
     if cells > most {
-        // Fewer along both; where one axis has one step already, all along the other.
+        // Fewer along both axes; if one axis already has one step, all of the reduction along the other.
         let factor = (most / cells).sqrt();
         counts = counts.map(|count| (count * factor).max(1.0));
         let excess = (counts[0] * counts[1] / most).max(1.0);

@@ -1,11 +1,12 @@
-//! The boxes of two sets that may meet boxes of the other set.
+//! The boxes of each of two sets that may meet a box of the other set.
 //!
-//! Of two large meshes that cross, nearly all triangles are far from the other mesh. A bit for each cell of a fine grid, over what both sets have in
-//! common, tells most of them apart in two passes over either set, without a list of what is in a cell.
+//! If two large meshes cross, nearly all triangles are far from the other mesh. A fine grid over the common box of both
+//! sets has one bit for each cell. It rejects most of these triangles in two passes over either set, without a list of
+//! each cell's content.
 //!
 //! # Why nothing is missed
-//! Cells are found by monotone steps (`steps.rs`): if two boxes have a point in common, the cell of that point is between the steps of either
-//! box, clamped or not. So the one marks it, and the other finds it marked.
+//! Cells are found by monotone steps (`steps.rs`). If two boxes have a common point, the cell of that point is between
+//! the steps of either box, clamped or not. So the one box marks the cell, and the other box finds it marked.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
@@ -14,27 +15,27 @@ use rayon::prelude::*;
 use crate::Bounds;
 use crate::steps::Steps;
 
-/// Boxes that one thread takes at a time.
+/// The number of boxes that one thread takes at a time.
 const PART: usize = 8192;
-/// The most cells along an axis.
+/// The maximum number of cells along an axis.
 const MOST_STEPS: usize = 256;
-/// So many boxes are looked at to choose the number of cells.
+/// The number of boxes in the sample that determines the number of cells.
 const SAMPLE: usize = 4096;
-/// The cells of a box, on average, are at most so many.
+/// The maximum mean number of cells per box.
 const MOST_CELLS: u64 = 16;
 
-/// Boxes of a set by their places.
+/// A set of boxes, as a function from index to box.
 pub type BoxOf<'a> = &'a (dyn Fn(usize) -> Bounds<3> + Sync);
 
-/// What both sets have in common, if anything, and a bit for each of its cells.
+/// The common box of both sets, and a bit for each of its cells.
 struct Marks {
     common: Bounds<3>,
     steps: [Steps; 3],
     bits: Vec<AtomicU64>,
 }
 
-/// The places of the boxes of two sets that may meet one of the other set, ascending: all that do, and some that do not. And the
-/// boxes that hold all of either set.
+/// The indices of the boxes of each set that may meet a box of the other set, ascending, and the bounding box of each
+/// set. All boxes that do meet are included, and some that do not.
 ///
 /// # Panics
 /// If a set has 2^32 boxes.
@@ -59,7 +60,7 @@ fn around(count: usize, box_of: BoxOf<'_>) -> Bounds<3> {
     (0..count.div_ceil(PART)).into_par_iter().map(of).reduce(|| Bounds::NOTHING, |all, one| all.union(&one))
 }
 
-/// The box of all points that are in both.
+/// The intersection of two boxes, if it is not empty.
 fn common([a, b]: &[Bounds<3>; 2]) -> Option<Bounds<3>> {
     let low = [0, 1, 2].map(|axis: usize| a.low[axis].max(b.low[axis]));
     let high = [0, 1, 2].map(|axis: usize| a.high[axis].min(b.high[axis]));
@@ -93,7 +94,7 @@ impl Marks {
         }
     }
 
-    /// The steps from where to where a box goes; none if it is outside of what both have in common.
+    /// The first and the last steps that a box reaches; `None` if it is outside of the common box.
     #[inline]
     fn range(&self, one: &Bounds<3>) -> Option<[[u32; 3]; 2]> {
         if !self.common.is_near(one, 0.0) {
@@ -103,7 +104,7 @@ impl Marks {
         Some([steps(one.low), steps(one.high)])
     }
 
-    /// Visits the cells of a range, those along z in words, until `visit` says that it has seen enough: the word and its bits.
+    /// Visits the cells of a range, those along z in words, as a word and its bits; ends when `visit` returns true.
     #[inline]
     fn each(&self, [low, high]: [[u32; 3]; 2], mut visit: impl FnMut(&AtomicU64, u64) -> bool) {
         let [_, ny, nz] = [0, 1, 2].map(|axis: usize| self.steps[axis].count());
@@ -127,7 +128,7 @@ impl Marks {
         places.for_each(|place| {
             let Some(range) = self.range(&box_of(place)) else { return };
             self.each(range, |word, bits| {
-                // Most are set already; a store of what is there would take the line from other threads.
+                // Most bits are set already; an unnecessary store would take the cache line from other threads.
                 if word.load(Relaxed) & bits != bits {
                     word.fetch_or(bits, Relaxed);
                 }

@@ -1,8 +1,8 @@
 //! Sorting by signs that may contradict each other.
 //!
-//! The sorts of the standard library may panic where an order is none, and the signs of a tolerance or of plain floating
-//! point are none at times. This one ends after the same number of steps whatever it is told. It takes runs that are in order
-//! already as they are: items that were put in order by rounded coordinates first cost one question each.
+//! The sorts of the standard library may panic if a comparison is not an order, and the signs of a tolerance or of
+//! plain floating point are sometimes not an order. The number of steps of this sort is bounded for any answers. It
+//! keeps runs that are already in order: if items are first sorted by rounded coordinates, each costs one comparison.
 
 use predicament_predicates::Sign;
 
@@ -10,7 +10,7 @@ use predicament_predicates::Sign;
 ///
 /// At most n·(1 + ⌈log₂ n⌉) comparisons, and n − 1 where the items are in order.
 pub fn sort_by_sign<T: Copy>(items: &mut [T], mut compare: impl FnMut(T, T) -> Sign) {
-    // The ends of the runs, each the start of the next.
+    // The ends of the runs; each is the start of the next run.
     let mut ends: Vec<usize> =
         (1..items.len()).filter(|&i| compare(items[i], items[i - 1]) == Sign::Negative).collect();
     if ends.is_empty() {
@@ -35,7 +35,7 @@ pub fn sort_by_sign<T: Copy>(items: &mut [T], mut compare: impl FnMut(T, T) -> S
     items.copy_from_slice(&from);
 }
 
-/// Appends both runs in order; of equal items, those of the first come first.
+/// Appends both runs in order; of equal items, those of the first run come first.
 fn merge<T: Copy>(mut first: &[T], mut second: &[T], to: &mut Vec<T>, compare: &mut impl FnMut(T, T) -> Sign) {
     while let (Some((&a, after_a)), Some((&b, after_b))) = (first.split_first(), second.split_first()) {
         if compare(b, a) == Sign::Negative {

@@ -1,32 +1,32 @@
-//! What the sweep line crosses, from below to above: numbers in blocks of bounded size.
+//! The status of a sweep line: the items that it crosses, from below to above, in blocks of bounded size.
 //!
-//! Nothing here asks a predicate by itself. A search takes ⌈log₂⌉ questions, the rest none.
+//! Only searches call a predicate: ⌈log₂⌉ times.
 
-/// The number that names nothing.
+/// The mark of a missing number.
 const NONE: u32 = u32::MAX;
 
-/// The most items of a block.
+/// The maximum number of items of a block.
 const MOST: usize = 256;
 
-/// A sequence of items, each a small number that is in it at most once.
+/// A sequence of different items; an item is a small number.
 #[derive(Default)]
 pub struct Status {
-    /// By their numbers, which are not their order.
+    /// The blocks by their numbers; the numbers do not give their order.
     blocks: Vec<Vec<u32>>,
     /// The numbers of the blocks that are not empty, in order.
     order: Vec<u32>,
-    /// Empty blocks, to be used again.
+    /// Empty blocks, for reuse.
     free: Vec<u32>,
     /// The block of each item.
     home: Vec<u32>,
 }
 
 impl Status {
-    /// The last item of which `is_below` says so, if those that it says so of come first; else any of them or none.
+    /// The last item for which `is_below` is true, if such items come first; otherwise any of these items or `None`.
     pub fn last_below(&self, mut is_below: impl FnMut(u32) -> bool) -> Option<u32> {
         let block = self.order.partition_point(|&block| is_below(self.blocks[block as usize][0])).checked_sub(1)?;
         let items = &self.blocks[self.order[block] as usize];
-        // The first one is known to be below.
+        // The first item is known to be below.
         let at = items[1..].partition_point(|&item| is_below(item));
         Some(items[at])
     }
@@ -36,7 +36,7 @@ impl Status {
         self.order.first().map(|&block| self.blocks[block as usize][0])
     }
 
-    /// The item right above another one.
+    /// The item directly above another one.
     pub fn above(&self, item: u32) -> Option<u32> {
         let home = self.home[item as usize];
         let own = &self.blocks[home as usize];
@@ -47,7 +47,7 @@ impl Status {
         self.order.get(block + 1).map(|&block| self.blocks[block as usize][0])
     }
 
-    /// Inserts an item right above another one, or below all.
+    /// Inserts an item directly above another one, or below all.
     pub fn insert_above(&mut self, other: Option<u32>, item: u32) {
         let (block, at) = match other {
             Some(other) => {
@@ -81,14 +81,14 @@ impl Status {
         }
     }
 
-    /// How many items are below this one.
+    /// The number of items below this one.
     pub fn count_below(&self, item: u32) -> usize {
         let home = self.home[item as usize];
         let before = self.order.iter().take_while(|&&block| block != home);
         before.map(|&block| self.blocks[block as usize].len()).sum::<usize>() + self.place(home, item)
     }
 
-    /// Where an item is in its block.
+    /// The position of an item in its block.
     fn place(&self, block: u32, item: u32) -> usize {
         self.blocks[block as usize].iter().position(|&other| other == item).unwrap_or_default()
     }
@@ -118,7 +118,7 @@ impl Status {
     }
 }
 
-/// A place in a list as it is stored: there are fewer than 2^32 of anything here.
+/// A position as it is stored: all lists here have fewer than 2^32 items.
 fn number(place: usize) -> u32 {
     u32::try_from(place).unwrap_or(NONE)
 }

@@ -1,12 +1,10 @@
 //! Equal steps along one axis of a grid.
 //!
 //! # Why nothing is missed
-//! One function maps coordinates to steps. It is a subtraction, a
-//! multiplication and a truncation, all rounded monotonically, so it is
-//! monotone, whatever the rounding: low ≤ x ≤ high implies
-//! step(low) ≤ step(x) ≤ step(high), and step(x) < step(y) implies x < y.
-//! Neither a border that is hit exactly nor an extent near the ends of the
-//! exponent range can break that; at worst everything shares a step.
+//! One function maps coordinates to steps. It is a subtraction, a multiplication and a truncation. All are rounded
+//! monotonically, so the function is monotone for any rounding: low ≤ x ≤ high implies step(low) ≤ step(x) ≤
+//! step(high), and step(x) < step(y) implies x < y. A coordinate exactly on a border or an extent near the ends of the
+//! exponent range can't break that; at worst all coordinates share a step.
 
 /// A monotone map from coordinates to 0, 1, 2 … count − 1.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -19,7 +17,7 @@ pub(crate) struct Steps {
 }
 
 impl Steps {
-    /// Steps over an extent; what has no extent has one step.
+    /// Steps over an extent; an extent of 0 has one step.
     #[allow(clippy::cast_precision_loss)] // any monotone map will do
     pub(crate) fn new([low, high]: [f64; 2], count: usize) -> Steps {
         let half_extent = high / 2.0 - low / 2.0;
@@ -34,7 +32,7 @@ impl Steps {
         self.count
     }
 
-    /// The same extent in half as many steps.
+    /// Half as many steps over the same extent.
     pub(crate) fn coarser(&self) -> Steps {
         let count = self.count.div_ceil(2);
         #[allow(clippy::cast_precision_loss)] // any monotone map will do
@@ -42,8 +40,7 @@ impl Steps {
         Steps { scale, count, ..*self }
     }
 
-    /// About from where to where a step goes: near enough to choose a finer
-    /// grid by, not to decide anything.
+    /// The approximate bounds of a step: good enough for choosing a finer grid, not for decisions.
     #[allow(clippy::cast_precision_loss)] // about
     pub(crate) fn about(&self, step: usize) -> [f64; 2] {
         if self.scale == 0.0 {
@@ -53,14 +50,14 @@ impl Steps {
         [start(step), start(step + 1)]
     }
 
-    /// A coordinate of the steps from `first` to `last`, about in the middle of them; none where no double is in them.
+    /// A coordinate about in the middle of the steps from `first` to `last`; `None` if they do not contain a double.
     pub(crate) fn middle(&self, first: usize, last: usize) -> Option<f64> {
         let [low, high] = [self.about(first)[0], self.about(last)[1]];
         let middle = low / 2.0 + high / 2.0;
         if (first..=last).contains(&self.of(middle)) {
             return Some(middle);
         }
-        // By halves: doubles and their bits have the same order, on each side of zero.
+        // Bisection: doubles and their bits have the same order, on each side of zero.
         let double = |key: i64| f64::from_bits((key ^ ((key >> 63) & i64::MAX)).cast_unsigned());
         let [mut below, mut above] =
             [f64::MIN, f64::MAX].map(|x| x.to_bits().cast_signed()).map(|bits| bits ^ ((bits >> 63) & i64::MAX));
@@ -76,7 +73,7 @@ impl Steps {
         None
     }
 
-    /// The step of a coordinate; what lies outside goes to the nearest one.
+    /// The step of a coordinate; a coordinate outside of the extent goes to the nearest step.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
     pub(crate) fn of(&self, x: f64) -> usize {
@@ -85,7 +82,7 @@ impl Steps {
 }
 
 impl Steps {
-    /// [`Steps::of`] of fewer than 2^32 steps, in the time of a conversion to 32 bits.
+    /// A faster [`Steps::of`] for fewer than 2^32 steps, by a conversion to 32 bits.
     #[inline]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // `as` saturates, which is the clamp we want
     pub(crate) fn short(&self, x: f64) -> u32 {
@@ -93,7 +90,7 @@ impl Steps {
     }
 }
 
-/// The smallest and the largest of some coordinates; nothing has no extent.
+/// The smallest and the largest of some coordinates; (∞, −∞) if there are none.
 pub(crate) fn extent(coordinates: impl Iterator<Item = f64>) -> [f64; 2] {
     coordinates.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
 }

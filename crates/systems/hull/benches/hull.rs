@@ -1,9 +1,10 @@
-//! Convex hulls on one thread: of a million points of a square, beside `geo`; of 10^5 points on a sphere and of 10^6 in a
-//! cube, with the feature `peers` beside `parry3d`. All take turns, and medians and their ratios are printed.
+//! A benchmark of convex hulls on one thread, against other libraries.
 //!
-//! A program of another language takes its turn where `HULL_PROGRAMS` names it: `name=path` with semicolons between. It
-//! is called with a file of coordinates (doubles, little-endian, three a point) and prints seconds and the number of
-//! vertices.
+//! A million points of a square run against `geo`; 10^5 points on a sphere and 10^6 in a cube against `parry3d`, with
+//! the feature `peers`. All contestants take turns; the medians and their ratios are printed.
+//!
+//! `HULL_PROGRAMS` adds programs in other languages: `name=path`, separated by semicolons. A program gets a file of
+//! coordinates (doubles, little-endian, three a point) and prints the seconds and the number of vertices.
 
 use std::hint::black_box;
 use std::path::{Path, PathBuf};
@@ -29,13 +30,13 @@ fn timed(work: impl FnOnce() -> usize) -> Run {
     (start.elapsed().as_secs_f64(), vertices)
 }
 
-/// The middle of some times.
+/// The median of some times.
 fn median(times: &mut [f64]) -> f64 {
     times.sort_unstable_by(f64::total_cmp);
     times[times.len() / 2]
 }
 
-/// Times all in turns; prints medians, and ratios to the first.
+/// Times all contestants in turns; prints medians, and ratios to the first.
 fn compare(what: &str, contestants: &[Contestant<'_>]) {
     let mut times = vec![Vec::new(); contestants.len()];
     let mut vertices = vec![0; contestants.len()];
@@ -73,7 +74,7 @@ fn plane(n: usize) {
     compare(&format!("hull2d, {n} points of a square"), &contestants);
 }
 
-/// What a program of another language prints.
+/// The result that a program in another language prints.
 fn program(path: &str, points: &Path) -> Run {
     let output = Command::new(path).arg(points).output().unwrap_or_else(|why| panic!("{path}: {why}"));
     let text = String::from_utf8_lossy(&output.stdout).into_owned();

@@ -1,9 +1,9 @@
 //! Convex hulls in the plane and in space (Rhodes)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`truth`]: the truth about a scene, computed without the algorithm.
+//! * [`checks`]: the properties that the answers must have, decided exactly.
+//! * [`task`]: the task: its suites, judgement, drawing and report.
 
 pub mod algorithm;
 pub mod checks;

@@ -1,23 +1,23 @@
-//! The vertices of small hulls by definition. About the others the [checks](crate::checks) hold the truth.
+//! The vertices of small hulls by definition. Larger hulls are judged by the [checks](crate::checks) alone.
 
 use crate::checks::{Flaw, Signs};
 use predicament_judge::{Judged, hull as definition};
 use predicament_predicates::{Scene, Vertex};
 
-/// The most points of a scene whose perturbed hull is found by definition: each sign may be a tie.
+/// The maximum number of points for which the perturbed hull is computed by definition: each sign may be a tie.
 const FEW: usize = 9;
-/// Pairs of a point and a face that are judged, at level quick and at level full.
+/// The number of pairs of a point and a face that are judged, at level quick and at level full.
 pub(crate) const PAIRS: [usize; 2] = [20_000, 1 << 18];
 
-/// What is true about a hull.
+/// The truth about a hull.
 pub struct Truth {
-    /// Its vertices, by definition, where there are few points.
+    /// The hull's vertices by definition, if there are few points.
     extreme: Option<Vec<Vertex>>,
     points: usize,
 }
 
 impl Truth {
-    /// By definition, if there are few points.
+    /// The truth of a scene: by definition, if there are few points.
     #[must_use]
     pub fn new(scene: &Scene) -> Truth {
         let is_small = scene.len() <= definition::most(scene.dimension());
@@ -25,7 +25,7 @@ impl Truth {
         Truth { extreme, points: scene.len() }
     }
 
-    /// In a few words.
+    /// The source of the truth, in a few words.
     #[must_use]
     pub fn described(&self) -> String {
         match &self.extreme {
@@ -34,7 +34,7 @@ impl Truth {
         }
     }
 
-    /// What is judged, where it is not all.
+    /// The judged part of the hull, if it is not the whole.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         let [most, _] = PAIRS;
@@ -42,8 +42,8 @@ impl Truth {
             .then(|| "convex at every edge and wound once; points inside: an even sample".to_owned())
     }
 
-    /// `extreme vertices`: those of the definition. Where ties are broken there may be more: all of them by the perturbed
-    /// signs where there are very few points, else one at least in each place of the definition's.
+    /// Checks `extreme vertices`: the vertices by definition. With broken ties there may be more: with very few points,
+    /// exactly the vertices by the perturbed signs, otherwise at least one in each place of the definition's vertices.
     #[must_use]
     pub fn not_extreme(&self, scene: &Scene, signs: Signs<'_>, vertices: &[Vertex]) -> Option<Flaw> {
         const CHECK: &str = "extreme vertices";

@@ -1,13 +1,13 @@
-//! Where a probe is: what the algorithm, the checks and the truth speak of.
+//! The place of a probe, as the algorithm, the checks and the truth represent it.
 
-/// Where a point is, seen from a cell.
+/// The place of a point relative to a cell.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum Place {
-    /// Left or right of it.
+    /// The point is left or right of the cell.
     Outside,
-    /// As far along the line as one of the ends, and not outside.
+    /// The point is at an end of the cell, and not outside.
     AtEnd,
-    /// Between the ends.
+    /// The point is between the ends.
     Inside,
 }
 

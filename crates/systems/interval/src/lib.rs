@@ -1,10 +1,10 @@
-//! In which cell of a line does a point lie? (Franklin and Magalhães, 4.1)
+//! Locating points in the cells of a line (Franklin and Magalhães, 4.1)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`answer`]: what all of these call an answer.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`answer`]: the type of answers that these modules share.
+//! * [`truth`]: the truth about a scene, computed without the algorithm.
+//! * [`checks`]: the properties that the answers must have, decided exactly.
+//! * [`task`]: the task: its suites, judgement, drawing and report.
 
 pub mod algorithm;
 pub mod answer;

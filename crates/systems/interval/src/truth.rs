@@ -1,4 +1,4 @@
-//! The cells of each probe by the definition: coordinates compared as numbers, cell by cell.
+//! The cells of each probe by definition: coordinates compared as numbers, cell by cell.
 
 use predicament_judge::interval as judge;
 use predicament_predicates::{Axis, Scene, Vertex};
@@ -8,13 +8,13 @@ use rayon::prelude::*;
 use crate::answer::{Found, Place};
 use crate::task::content::Cells;
 
-/// Probes between two looks at the watch.
+/// The number of probes between two checks of the watch.
 const CHUNK: usize = 1024;
 
-/// What is true about each probe, by the coordinates of cells and probe.
+/// The true cells of each probe, by the coordinates of cells and probe.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so.
+/// [`Stop`] if the watch stops the computation.
 pub fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>, Stop> {
     let chunks: Result<Vec<Vec<Found>>, Stop> = content
         .probes
@@ -27,13 +27,13 @@ pub fn truth(scene: &Scene, content: &Cells, watch: &Watch) -> Result<Vec<Found>
     Ok(chunks?.into_iter().flatten().collect())
 }
 
-/// The cells of a probe that is moved further to the right than all ends: the half-open rule.
+/// The cells of a probe that is displaced further to the right than all ends: the half-open rule.
 #[must_use]
 pub fn perturbed(scene: &Scene, content: &Cells, probe: Vertex) -> Found {
     by_rule(scene, content, judge::perturbed_place, probe)
 }
 
-/// The answer by a rule of the judge, about coordinates and numbers.
+/// The cells of a probe by one of the judge's rules for coordinates and indices.
 fn by_rule(
     scene: &Scene,
     content: &Cells,

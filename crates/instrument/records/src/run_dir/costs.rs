@@ -1,8 +1,9 @@
 //! `costs.csv`: how long each scene took on each backend.
 //!
-//! Times differ from run to run, so the file is no part of what is compared byte for byte, and `state.json` does not know it. Its rows
-//! are appended without a commit, and a run that was killed leaves more of them than its state tells of, so no digest covers the file. It
-//! serves one end: to spread a later run evenly. A wrong time in it makes the parts of that run uneven, and changes no answer.
+//! Times differ from run to run, so the file is not compared byte for byte, and `state.json` does not list it. Rows are
+//! appended without a commit: after a kill, the file may have more rows than the state lists. So no digest covers the
+//! file. The file serves only to distribute a later run evenly. A wrong time in it makes the parts of that run uneven,
+//! and does not change an answer.
 
 use std::fs::{File, OpenOptions};
 use std::io::Write as _;
@@ -37,7 +38,7 @@ crate::table! {
 }
 
 impl CostRow {
-    /// In the place of a backend: reading the scene and finding out what is true, once for all backends.
+    /// The name in the backend column for work that all backends share: reading the scene and computing the truth.
     pub const TRUTH: &'static str = "truth";
 
     /// The cost of a scene on a backend.
@@ -48,11 +49,11 @@ impl CostRow {
         CostRow { suite, scene: name, scene_id, task, family, backend, queries: scene.queries, wall_us, cpu_us }
     }
 
-    /// The costs in a run folder, in the order in which they were measured; none where there is no such file. A last line that was cut
-    /// off is left out.
+    /// The costs in a run folder, in the order of measurement; empty if the file is missing. An incomplete last line is
+    /// left out.
     ///
     /// # Errors
-    /// The line that is no cost.
+    /// If a line is not a cost; the error names the line.
     pub fn read(folder: &Path) -> Result<Vec<CostRow>, Error> {
         let path = folder.join(CostRow::FILE);
         if !path.exists() {
@@ -77,7 +78,7 @@ fn whole_lines(bytes: &[u8]) -> usize {
     bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1)
 }
 
-/// The file under way. It is made with its first row.
+/// The open file of costs. The first row creates it.
 #[derive(Default)]
 pub(super) struct CostLog {
     file: Option<File>,
@@ -110,7 +111,7 @@ impl CostLog {
     }
 }
 
-/// The file, cut back to whole lines, and whether it is empty.
+/// The file, cut back to whole lines, and true if it is empty.
 fn open(path: &PathBuf) -> Result<(File, bool), Error> {
     let length = match std::fs::read(path) {
         Ok(bytes) => whole_lines(&bytes),

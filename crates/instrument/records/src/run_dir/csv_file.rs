@@ -1,4 +1,4 @@
-//! One CSV table of a run folder, appended to and cut back to a valid length.
+//! A CSV table of a run folder, appended to and cut back to a valid length.
 
 use std::collections::HashMap;
 use std::fs::OpenOptions;
@@ -13,14 +13,14 @@ use super::tables::{Record, TableSpec};
 use crate::error::with_cure;
 use crate::{Error, Row, Rows};
 
-/// A table that is appended to.
+/// An open CSV table, for appending.
 pub(super) struct CsvFile {
     path: PathBuf,
     writer: csv::Writer<Hashed>,
 }
 
 impl CsvFile {
-    /// A new table with nothing but its header.
+    /// A new table with only its header.
     pub fn create(path: PathBuf, columns: &[&str]) -> Result<CsvFile, Error> {
         let file = OpenOptions::new().append(true).create_new(true).open(&path).map_err(Error::io(&path))?;
         let mut table = CsvFile::over(path, Hashed::new(file));
@@ -28,7 +28,7 @@ impl CsvFile {
         Ok(table)
     }
 
-    /// An existing table, cut back to the length that it had when all was well, and refused where its bytes are not those of then.
+    /// An existing table, cut back to its committed length; refused if its bytes differ from the committed ones.
     pub fn reopen(path: PathBuf, length: u64, written: Option<&String>) -> Result<CsvFile, Error> {
         let mut bytes = read_regular(&path)?;
         if (bytes.len() as u64) < length {
@@ -52,29 +52,29 @@ impl CsvFile {
         self.writer.serialize(row).map_err(|e| failed(&self.path, &e))
     }
 
-    /// Appends a row that is text already.
+    /// Appends a row that is already text.
     pub fn append_fields(&mut self, fields: &[String]) -> Result<(), Error> {
         self.writer.write_record(fields).map_err(|e| failed(&self.path, &e))
     }
 
-    /// Appends rows as they were written.
+    /// Appends rows byte for byte.
     pub fn append_bytes(&mut self, rows: &[u8]) -> Result<(), Error> {
         self.writer.flush().map_err(Error::io(&self.path))?;
         self.writer.get_ref().append(rows).map_err(Error::io(&self.path))
     }
 
-    /// Hands everything to the operating system and returns the table's length.
+    /// Flushes everything to the operating system and returns the table's length.
     pub fn flush(&mut self) -> Result<u64, Error> {
         self.writer.flush().map_err(Error::io(&self.path))?;
         Ok(self.writer.get_ref().length())
     }
 
-    /// Asks the disk to keep all that the last [`flush`](CsvFile::flush) has handed over.
+    /// Asks the disk to keep all that the last [`flush`](CsvFile::flush) has written.
     pub fn sync(&self) -> Result<(), Error> {
         self.writer.get_ref().sync().map_err(Error::io(&self.path))
     }
 
-    /// Refuses a file that is no longer the one that is written, or has other bytes.
+    /// Refuses a table whose file was replaced or changed.
     pub fn check(&self) -> Result<(), Error> {
         let bytes = read_regular(&self.path)?;
         if bytes.len() as u64 == self.writer.get_ref().length() && digest(&bytes) == self.digest() {
@@ -84,19 +84,19 @@ impl CsvFile {
         Err(Error::new(&self.path, format!("somebody has changed it while the run was writing it: {cure}")))
     }
 
-    /// Takes back what was appended beyond this length. Nothing can be appended after that.
+    /// Removes the bytes beyond this length. Nothing can be appended after that.
     pub fn cut(&mut self, length: u64) -> Result<(), Error> {
         self.flush()?;
         self.writer.get_ref().cut(length).map_err(Error::io(&self.path))
     }
 
-    /// The SHA-256, in hex digits, of all that the last [`flush`](CsvFile::flush) has handed over.
+    /// The SHA-256, in hex digits, of all that the last [`flush`](CsvFile::flush) has written.
     pub fn digest(&self) -> String {
         self.writer.get_ref().digest()
     }
 }
 
-/// What is said of a file that is not as the run has left it.
+/// The message about a file that is not as the run has left it.
 pub(super) const CHANGED: &str =
     "its bytes are not those that the run has written, by state.json; restore the two from a copy, or start a new run";
 
@@ -112,12 +112,12 @@ pub(super) struct Text {
     pub header: StringRecord,
     /// Each row with its line.
     pub rows: Vec<(u64, StringRecord)>,
-    /// Whether the file has rows that are not here.
+    /// True if the file has rows that are missing here.
     pub is_part: bool,
 }
 
 impl Text {
-    /// The rows by their type.
+    /// The rows, parsed into their type.
     pub fn typed<R: Row>(&self) -> Result<Rows<R>, Error> {
         let Text { path, header, rows, is_part } = self;
         if *header != *R::COLUMNS {
@@ -134,7 +134,7 @@ impl Text {
 }
 
 impl Text {
-    /// Refuses two rows that have these columns alike.
+    /// Refuses two rows with equal cells in these columns.
     pub fn check_unique(&self, columns: &[&str]) -> Result<(), Error> {
         let places: Option<Vec<usize>> =
             columns.iter().map(|column| self.header.iter().position(|head| head == *column)).collect();
@@ -151,26 +151,26 @@ impl Text {
         Ok(())
     }
 
-    /// The rows as text, if these are the columns.
+    /// The rows as text, if the table has these columns.
     pub fn records(&self, table: TableSpec) -> Vec<Record> {
         let rows = self.rows.iter().filter(|_| self.header == *table.columns);
         rows.map(|(_, row)| Record { file: table.file, fields: row.iter().map(str::to_owned).collect() }).collect()
     }
 }
 
-/// How much of a table is to be read.
+/// The extent of a table that is to be read.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Extent {
-    /// So many bytes, and the file has to end there: the run is complete.
+    /// This number of bytes, and the file has to end there: the run is complete.
     All(u64),
-    /// So many bytes: what comes after belongs to a scene that was not finished.
+    /// The first bytes, by number: the rest belongs to an unfinished scene.
     First(u64),
-    /// Everything but a last line that is cut off: nobody wrote down how much there is.
+    /// All whole lines; an incomplete last line is left out. The length is not recorded.
     Lines,
 }
 
 impl Extent {
-    /// How much of a table the run has written.
+    /// The extent of a table that the run has written.
     pub fn of(state: &State, file: &str) -> Extent {
         match state.committed.get(file) {
             Some(&length) if state.outcome == Outcome::Complete => Extent::All(length),
@@ -195,7 +195,7 @@ impl Extent {
     }
 }
 
-/// Reads a table, which has this digest if one is given. What was left out of it is told in a sentence.
+/// Reads a table and checks its digest if one is given. The second value describes what was left out.
 pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Result<(Text, Option<String>), Error> {
     let mut bytes = read_regular(path)?;
     let found = bytes.len() as u64;
@@ -238,8 +238,8 @@ pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Res
     Ok((Text { path: path.to_owned(), header, rows, is_part: false }, warning))
 }
 
-/// Lines as an editor counts them. The CSV reader starts a record where the one before has ended, which is before the line feed
-/// of a line that ends in two characters, and before lines that are empty.
+/// Line numbers as an editor counts them. The CSV reader starts a record at the end of the previous one: before the
+/// line feed of a two-character line end, and before empty lines.
 struct Lines<'b> {
     bytes: &'b [u8],
     at: usize,
@@ -247,7 +247,8 @@ struct Lines<'b> {
 }
 
 impl Lines<'_> {
-    /// The line of a record that starts here or after line ends that are here; it is not before the last one that was asked for.
+    /// The line of a record that starts here, or after line ends that are here. Starts must be given in ascending
+    /// order.
     fn of(&mut self, start: u64) -> u64 {
         let start = usize::try_from(start).unwrap_or(usize::MAX);
         while let Some(byte) = self.bytes.get(self.at)

@@ -1,7 +1,7 @@
-//! A file that is appended to, and the SHA-256 of all that is in it.
+//! A file for appending, with the SHA-256 of its whole content.
 //!
-//! Each commit of a run writes down the length and the digest of every table. To read a table again for each would cost more than
-//! the run, so the digest grows with the file.
+//! Each commit of a run records the length and the digest of every table. Reading a table again for each commit would
+//! cost more than the run, so the digest grows with the file.
 
 use std::cell::{Cell, RefCell};
 use std::fs::File;
@@ -19,37 +19,37 @@ pub(super) fn hex(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
-/// A file with the digest of what was written to it.
+/// A file with the digest of its bytes.
 pub(super) struct Hashed {
     file: File,
     so_far: RefCell<(Sha256, u64)>,
-    /// How much of it the disk has.
+    /// The number of bytes that the disk has.
     synced: Cell<u64>,
 }
 
 impl Hashed {
-    /// A file that is empty.
+    /// An empty file.
     pub fn new(file: File) -> Hashed {
         Hashed::after(file, &[])
     }
 
-    /// A file that has these bytes and is opened for appending.
+    /// A file with these bytes, opened for appending.
     pub fn after(file: File, bytes: &[u8]) -> Hashed {
         let so_far = RefCell::new((Sha256::new_with_prefix(bytes), bytes.len() as u64));
         Hashed { file, so_far, synced: Cell::new(0) }
     }
 
-    /// How many bytes are in the file.
+    /// The number of bytes in the file.
     pub fn length(&self) -> u64 {
         self.so_far.borrow().1
     }
 
-    /// Their SHA-256 in hex digits.
+    /// The SHA-256 of the file in hex digits.
     pub fn digest(&self) -> String {
         hex(&self.so_far.borrow().0.clone().finalize())
     }
 
-    /// Asks the disk for all that is in the file, if it has not got it already.
+    /// Asks the disk to keep the file, unless the disk already has all of it.
     pub fn sync(&self) -> io::Result<()> {
         if self.synced.get() != self.length() {
             self.file.sync_data()?;
@@ -58,7 +58,7 @@ impl Hashed {
         Ok(())
     }
 
-    /// Cuts the file to this length. What is known of its bytes is that of before.
+    /// Cuts the file to this length. The digest and the length stay those of the uncut file.
     pub fn cut(&self, length: u64) -> io::Result<()> {
         self.file.set_len(length)?;
         self.file.sync_data()
@@ -78,7 +78,7 @@ impl Hashed {
         Ok(())
     }
 
-    /// Appends some of these bytes, and counts as many as the system has taken.
+    /// Appends some of these bytes, and returns the number of bytes that the system has taken.
     fn some(&self, bytes: &[u8]) -> io::Result<usize> {
         let count = (&self.file).write(bytes)?;
         let (digest, length) = &mut *self.so_far.borrow_mut();

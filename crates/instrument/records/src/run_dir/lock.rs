@@ -1,8 +1,7 @@
 //! The lock of a run folder: one process writes it at a time.
 //!
-//! The system drops the lock with the process, however that ends, so a killed
-//! run leaves no lock behind. The file stays: to remove it would let two
-//! processes lock two files of one name.
+//! The system drops the lock when its process ends, however it ends, so a killed run does not leave a lock. The file
+//! stays: if it were removed, two processes could lock two files of one name.
 
 use std::fs::{self, File, OpenOptions, TryLockError};
 use std::path::Path;
@@ -10,10 +9,10 @@ use std::path::Path;
 use crate::Error;
 use crate::replace::is_beside;
 
-/// The file that is locked.
+/// The name of the locked file.
 pub(super) const FILE: &str = "run.lock";
 
-/// A run folder that this process writes.
+/// The lock of a run folder, held by this process.
 pub(super) struct Lock(#[allow(dead_code, reason = "held, not read: the lock goes with the file")] File);
 
 impl Lock {
@@ -23,7 +22,7 @@ impl Lock {
         let file = OpenOptions::new().create(true).append(true).open(&path).map_err(Error::io(&path))?;
         match file.try_lock() {
             Ok(()) => {
-                // It holds nothing; what somebody else has put there does not stay.
+                // The file is kept empty; foreign content is removed.
                 file.set_len(0).map_err(Error::io(&path))?;
                 Ok(Lock(file))
             }
@@ -34,7 +33,7 @@ impl Lock {
         }
     }
 
-    /// Whether a process is writing a folder; a folder without the file is written by nobody.
+    /// True if a process is writing the folder; false if the folder has no lock file.
     pub fn is_taken(folder: &Path) -> Result<bool, Error> {
         let path = folder.join(FILE);
         let file = match File::open(&path) {
@@ -44,13 +43,13 @@ impl Lock {
         match file.try_lock_shared() {
             Ok(()) => Ok(false),
             Err(TryLockError::WouldBlock) => Ok(true),
-            // Where there are no locks nobody writes: no run begins there.
+            // Without support for locks, runs do not start, so nobody writes.
             Err(TryLockError::Error(error)) if error.kind() == std::io::ErrorKind::Unsupported => Ok(false),
             Err(TryLockError::Error(error)) => Err(Error::io(&path)(error)),
         }
     }
 
-    /// Whether a folder holds anything but a lock, and the plan of a run that was ended while it was written.
+    /// True if a folder holds more than a lock and a partly written plan of a run that was ended early.
     pub fn others(folder: &Path) -> Result<bool, Error> {
         for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
             let name = entry.map_err(Error::io(folder))?.file_name();

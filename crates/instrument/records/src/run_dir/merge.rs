@@ -1,7 +1,7 @@
-//! The parts of a run put together: byte for byte what one machine would have written.
+//! Merging the parts of a run: the result is byte for byte that of one machine.
 //!
-//! A part that is missing, there twice, incomplete or of another plan is refused with its name: a report of less than all must not look
-//! like one of all.
+//! A part that is missing, repeated, incomplete or of another plan is refused by name. Otherwise a report on a part of
+//! the work would look like a report on all of it.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -16,12 +16,12 @@ use super::{RunDir, RunWriter, TableSpec};
 use crate::replace::{folder_of, sync_folder};
 use crate::{Env, Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
 
-/// Why parts were not put together.
+/// An error of a merge.
 #[derive(Clone, PartialEq, Debug)]
 pub struct NotMerged {
-    /// The folder, and what is wrong with it.
+    /// The folder, and the message about it.
     pub error: Error,
-    /// Whether a part is missing or has not come to its end, and nothing else is wrong.
+    /// True if the only error is a part that is missing or incomplete.
     pub is_incomplete: bool,
 }
 
@@ -31,30 +31,31 @@ impl From<Error> for NotMerged {
     }
 }
 
-/// A part that was read, with the places of its rows.
+/// A part as read from its folder, with the places of its rows.
 struct Part {
     run: RunDir,
     pieces: BTreeMap<(u64, String), Vec<Piece>>,
-    /// Its tables, whole.
+    /// The bytes of its tables.
     tables: BTreeMap<String, Vec<u8>>,
     costs: Vec<CostRow>,
 }
 
-/// Puts the parts of a run into a new folder: those that `run --shard k/N` has left. `tables` are those of a run besides the ones
-/// that every run has.
+/// Merges the parts of a run into a new folder: the folders that `run --shard k/N` has written. `tables` are the tables
+/// of a run besides the tables that every run has.
 ///
-/// The folder is whole or not there: it is made beside its place, as `NAME.merging`, and moved there at the end. What a merge that was
-/// killed has left there, the next one takes away.
+/// The new folder is complete or absent: it is made beside its place, as `NAME.merging`, and moved there at the end. If
+/// a merge was killed, the next merge removes its `NAME.merging`.
 ///
 /// # Errors
-/// [`NotMerged`] with the folder of the first part that does not fit, and why; nothing is written then. If the new folder can't be written.
+/// [`NotMerged`] with the folder of the first part that does not fit, and the reason; nothing is written then. Also if
+/// the new folder can't be written.
 pub fn merge(
     folders: &[PathBuf],
     out: &Path,
     tables: &[TableSpec],
     env: impl FnOnce(&[RunDir]) -> Env,
 ) -> Result<RunDir, NotMerged> {
-    // The folder that a link leads to is replaced, and not the link.
+    // If `out` is a link, its target is replaced, and the link stays.
     let led = out.is_symlink().then(|| out.canonicalize().ok()).flatten();
     let out = led.as_deref().unwrap_or(out);
     let open = |folder: &PathBuf| {
@@ -106,7 +107,7 @@ pub fn merge(
     Ok(RunDir::open(out)?)
 }
 
-/// The one part of a run, which is all of it, in a new folder.
+/// The only part of a run, which is the whole run, copied to a new folder.
 fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &Env) -> Result<RunDir, NotMerged> {
     if !run.is_complete() {
         return Err(not_complete(run));
@@ -129,7 +130,7 @@ fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &Env) -> Result<R
     Ok(RunDir::open(out)?)
 }
 
-/// The folder in which parts are put together. It goes away with its value, unless it was moved.
+/// The folder in which the parts are merged. It is removed when the value is dropped, unless it was moved.
 struct Site {
     folder: PathBuf,
     is_moved: bool,
@@ -145,7 +146,7 @@ impl Site {
         name.push(".merging");
         let folder = out.with_file_name(name);
         if folder.join(LOCK).exists() {
-            // Not while another process is at it.
+            // Refuse while another process uses the folder.
             drop(Lock::take(&folder)?);
             fs::remove_dir_all(&folder).map_err(Error::io(&folder))?;
         }
@@ -153,7 +154,7 @@ impl Site {
     }
 
     fn move_to(mut self, out: &Path) -> Result<(), Error> {
-        // In its place there may be an empty folder.
+        // An empty folder may be in its place.
         if out.exists() {
             let _ = fs::remove_file(out.join(LOCK));
             fs::remove_dir(out).map_err(Error::io(out))?;
@@ -166,7 +167,7 @@ impl Site {
 
 impl Drop for Site {
     fn drop(&mut self) {
-        // If another process writes there, its lock is what this one has failed of.
+        // If another process writes there, this process failed because of that lock.
         if !self.is_moved && self.folder.join(LOCK).exists() && Lock::take(&self.folder).is_ok() {
             let _ = fs::remove_dir_all(&self.folder);
         }
@@ -193,10 +194,10 @@ impl Part {
     }
 }
 
-/// Missing parts that are named.
+/// The maximum number of missing parts that the message names.
 const NAMED: usize = 100;
 
-/// Why a part that has not come to its end is not merged.
+/// The error about a part that is not complete.
 fn not_complete(run: &RunDir) -> NotMerged {
     let why = match run.outcome {
         Outcome::Timeout => "ran out of time; run it anew in another folder, with a longer --timeout",
@@ -205,7 +206,7 @@ fn not_complete(run: &RunDir) -> NotMerged {
     NotMerged { error: Error::new(&run.path, format!("part {} {why}", run.plan.shard)), is_incomplete: true }
 }
 
-/// The plan of the whole that these are the parts of.
+/// The plan of the whole run that these are the parts of.
 fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
     let Some(first) = runs.first() else {
         return Err(Error::new("merge".as_ref(), "name the folders of all parts").into());
@@ -267,12 +268,12 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         let message = format!("the parts have {} scenes of {expected}", scenes.len());
         return Err(Error::new(&first.path, message).into());
     }
-    // Where a file was is told as by the first part, in whatever order the folders are named.
+    // The paths of files are those of the first part, independently of the order of the folders.
     let first = seen.first_key_value().map_or(first, |(_, run)| run);
     Ok(Plan { scenes: scenes.into_values().collect(), shard: Shard::WHOLE, whole: None, ..first.plan.clone() })
 }
 
-/// The first library or engine of which two runs have different versions, if there is one.
+/// The first library or engine with different versions in two runs, if any.
 fn other_version(one: &Env, other: &Env) -> Option<String> {
     let names = one.peers.keys().chain(other.peers.keys());
     let version = |env: &Env, name: &str| {
@@ -282,7 +283,7 @@ fn other_version(one: &Env, other: &Env) -> Option<String> {
     names.filter(differs).min().map(|name| format!("{name} is {} and not {}", version(other, name), version(one, name)))
 }
 
-/// What distinguishes the plans of two parts, but for which part each is; none if nothing does.
+/// The difference between the plans of two parts, apart from the part's number; `None` if they agree.
 fn difference(one: &Plan, other: &Plan) -> Option<String> {
     let digest = |plan: &Plan| plan.whole.as_ref().map(|whole| whole.digest.clone()).unwrap_or_default();
     let expected = |plan: &Plan| plan.whole.as_ref().and_then(|whole| whole.expected.clone());

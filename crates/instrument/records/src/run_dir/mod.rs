@@ -10,13 +10,12 @@
 //! costs.csv        how long each scene took on each backend; no digest covers it: see `CostRow`
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
-//! ```
-//! A table that `state.json` doesn't name and that isn't there is younger than the
-//! tool that made the folder: it is read as empty, and started when the run is resumed.
+//! ``` If a table is missing and `state.json` does not list it, the folder was made by an older version of the tool.
+//! The table is then read as empty, and started when the run is resumed.
 //!
-//! The folder says that the run is incomplete until somebody says otherwise. JSON files and pictures are whole or not there; a table
-//! counts as far as the state says, and only if it has the digest that the state says; a JSON file has a digest of itself, its seal. So a run can be ended at any moment, and what
-//! is left of it is gone on with or refused.
+//! A folder counts as incomplete until the run records its end. JSON files and pictures are complete or absent. A table
+//! counts up to the length in the state, and only with the digest in the state. Each JSON file has a digest of itself,
+//! its seal. So a run can be ended at any moment: its folder is then resumed or refused.
 
 mod costs;
 mod csv_file;

@@ -1,8 +1,8 @@
-//! The run folders of one report, where each scene on each backend counts once.
+//! The run folders of one report, in which each scene on each backend counts once.
 //!
-//! A bench keeps the judgement of the answers that it times, and folders may overlap in other ways. What is said of a scene
-//! on a backend is what the first folder says that has it; later folders lose their rows. Timings belong to a folder
-//! and stay where they are.
+//! A bench copies the judgement of the answers that it times, and folders may overlap in other ways. For each scene on
+//! each backend, the first folder that has it counts; later folders lose their rows. Timings belong to a folder and
+//! stay there.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -14,15 +14,16 @@ use super::reader::Pair;
 use super::{Outcome, RunDir};
 use crate::{Error, PhaseRow, PrecisionRow, Row, StageRow, SummaryRow};
 
-/// Task, family, backend: what rows of stages go by.
+/// The key of rows of stages: task, family, backend.
 type Group = [String; 3];
 
-/// The columns by which tables of tasks tell scenes and backends apart.
+/// The columns that identify scene and backend in the tables of tasks.
 const KEY: [&str; 5] = ["suite", "scene", "scene_id", "task", "backend"];
 
 impl RunDir {
-    /// Reads folders that are looked at together: each scene on each backend counts once, in the first folder that has
-    /// it, and a folder that is named twice is read once. Warnings tell what was left out where that is not the same.
+    /// Reads the folders of one report: each scene on each backend counts once, in the first folder that has it.
+    ///
+    /// A folder that is named twice is read once. Warnings list the rows that were left out and differed.
     ///
     /// # Errors
     /// If a folder can't be read, or two folders of one level disagree about a scene on a backend.
@@ -48,7 +49,7 @@ impl RunDir {
     }
 }
 
-/// Takes from each folder what an earlier one has.
+/// Removes from each folder the rows that an earlier folder has.
 fn count_once(runs: &mut [RunDir]) -> Result<(), Error> {
     let judged: Vec<BTreeSet<Pair>> = runs.iter().map(|run| run.summary.iter().map(pair_of).collect()).collect();
     let planned: Vec<BTreeSet<Pair>> = runs.iter().map(planned).collect();
@@ -117,7 +118,7 @@ fn drop_rows(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     Ok(())
 }
 
-/// Drops rows of `precision.csv` that an earlier folder has. They depend on the scene alone.
+/// Drops rows of `precision.csv` that an earlier folder has. These rows depend only on the scene.
 fn drop_precision(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     let scene = |row: &PrecisionRow| [&row.suite, &row.scene, &row.scene_id].map(String::clone);
     let mut repeated = BTreeSet::new();
@@ -138,7 +139,7 @@ fn drop_precision(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The scenes that were judged, by what rows of stages go by.
+/// The judged scenes, by task, family and backend.
 fn scenes(run: &RunDir) -> BTreeMap<Group, BTreeSet<[String; 3]>> {
     let families = run.plan.families();
     let mut scenes: BTreeMap<Group, BTreeSet<_>> = BTreeMap::new();
@@ -151,8 +152,8 @@ fn scenes(run: &RunDir) -> BTreeMap<Group, BTreeSet<[String; 3]>> {
     scenes
 }
 
-/// Drops the counts of stages that earlier folders have, and gives the groups that are left. A row is about all scenes of a
-/// family, so counts that are partly repeated can't be told apart: they are left out, and a warning says so.
+/// Drops the counts of stages that earlier folders have, and returns the remaining groups. A row covers all scenes of a
+/// family, so partly repeated counts can't be separated: they are left out with a warning.
 fn drop_stages(
     run: &mut RunDir,
     scenes: &[BTreeMap<Group, BTreeSet<[String; 3]>>],
@@ -185,7 +186,8 @@ fn drop_stages(
     left
 }
 
-/// Drops rows of the tables of tasks that an earlier folder has. A table that names no scene stays as it is, and so do timings.
+/// Drops rows of the tasks' tables that an earlier folder has. A table without the name of a scene stays as it is, and
+/// so do timings.
 fn drop_of_tasks(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     let mut tables = std::mem::take(&mut run.tables);
     for (file, table) in tables.iter_mut().filter(|(file, _)| *file != PhaseRow::FILE) {
@@ -208,7 +210,7 @@ fn drop_of_tasks(run: &mut RunDir, earlier: &[RunDir]) -> Result<(), Error> {
     Ok(())
 }
 
-/// The places of the key's columns that a table has.
+/// The indices of the key's columns that a table has.
 fn key_columns(table: &Text) -> Vec<usize> {
     KEY.iter().filter_map(|name| table.header.iter().position(|column| column == *name)).collect()
 }
@@ -217,7 +219,7 @@ fn key(row: &StringRecord, places: &[usize]) -> Vec<String> {
     places.iter().map(|&place| row.get(place).unwrap_or_default().to_owned()).collect()
 }
 
-/// The rows of a table by scene and backend; none where it names no scene.
+/// The rows of a table by scene and backend; empty if the table does not name scenes.
 fn by_key(table: &Text) -> BTreeMap<Vec<String>, Vec<&StringRecord>> {
     let mut rows: BTreeMap<_, Vec<_>> = BTreeMap::new();
     if table.header.iter().any(|column| column == "scene_id") {
@@ -229,7 +231,7 @@ fn by_key(table: &Text) -> BTreeMap<Vec<String>, Vec<&StringRecord>> {
     rows
 }
 
-/// What is wrong where two folders say different things about one scene.
+/// The error about two folders that contradict each other about one scene.
 fn disagree(run: &RunDir, before: &RunDir, file: &str, what: &str) -> Error {
     let cure = "report one of the two; `bench --judged RUN` times what a run has judged";
     Error::new(&run.path.join(file), format!("{what} than in {}; {cure}", before.path.join(file).display()))

@@ -1,4 +1,4 @@
-//! Reading a run folder, whatever state it was left in.
+//! Reading a run folder in any state.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::ffi::OsStr;
@@ -19,19 +19,19 @@ use crate::{
     ThroughputRow,
 };
 
-/// Suite, scene, id, task, backend.
+/// The key of a pair of scene and backend: suite, scene, id, task, backend.
 pub(super) type Pair = [String; 5];
 
-/// A run that was read back. Rows stand in the order of their files.
+/// A run that was read from its folder. Rows are in the order of their files.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RunDir {
-    /// The folder, as it was named.
+    /// The folder, as the caller named it.
     pub path: PathBuf,
-    /// What was going to be done.
+    /// The planned work.
     pub plan: Plan,
-    /// Where.
+    /// The machine.
     pub env: Env,
-    /// How it ended.
+    /// The end of the run.
     pub outcome: Outcome,
     /// `summary.csv`.
     pub summary: Rows<SummaryRow>,
@@ -41,19 +41,19 @@ pub struct RunDir {
     pub throughput: Rows<ThroughputRow>,
     /// `stages.csv`.
     pub stages: Rows<StageRow>,
-    /// `precision.csv`; empty if the folder was made before there was such a table.
+    /// `precision.csv`; empty in folders of versions that did not write it.
     pub precision: Rows<PrecisionRow>,
     /// The PNG pictures in `maps/` with their names, sorted.
     pub maps: Vec<(String, Vec<u8>)>,
     /// The tables of single tasks, as text.
     pub(super) tables: BTreeMap<String, csv_file::Text>,
-    /// Planned pairs of which other folders tell, where folders are read together.
+    /// Planned pairs that other folders contain, if folders are read together.
     pub(super) elsewhere: BTreeSet<Pair>,
-    /// What was wrong with the files without making them unreadable.
+    /// Problems of the files that do not prevent reading.
     pub warnings: Vec<String>,
 }
 
-/// A scene that was planned for a backend and of which there is no trace.
+/// A planned pair of scene and backend without any result.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct NotRun {
     /// The suite's name.
@@ -62,7 +62,7 @@ pub struct NotRun {
     pub scene: String,
     /// The scene's content id.
     pub scene_id: String,
-    /// What would have been asked.
+    /// The task.
     pub task: String,
     /// The backend's name.
     pub backend: String,
@@ -71,11 +71,11 @@ pub struct NotRun {
 impl RunDir {
     /// The run in a folder.
     ///
-    /// What a run that is not complete has written after its last finished scene is left out,
-    /// with a warning. Rows that are there twice, and tables of other sizes than the run has written, are refused.
+    /// Rows that an incomplete run has written after its last finished scene are left out, with a warning. Repeated
+    /// rows, and tables of other sizes than the run has written, are refused.
     ///
     /// # Errors
-    /// The file and line of the first thing that can't be read.
+    /// If a file can't be read; the error names the file and line.
     pub fn open(path: impl AsRef<Path>) -> Result<RunDir, Error> {
         let path = path.as_ref();
         let plan = RunDir::plan(path)?;
@@ -100,8 +100,8 @@ impl RunDir {
         Ok(run)
     }
 
-    /// The plan of the run in a folder: what it was going to do, and nothing of what it has done. Of a run that was ended before it
-    /// had begun there may be nothing else.
+    /// The plan of the run in a folder, without its results. A run that ended before its first commit may have only a
+    /// plan.
     ///
     /// # Errors
     /// If the plan can't be read, is not as the run has written it, or has another format.
@@ -114,7 +114,7 @@ impl RunDir {
             let message = format!("the run has format {}, and this tool reads format {FORMAT}; {cure}", plan.format);
             return Err(Error::new(folder, message));
         }
-        // Names are printed, and stand in files of other programs.
+        // Names are printed and copied to files of other programs.
         let scenes = plan.scenes.iter().flat_map(|scene| [&scene.suite, &scene.scene, &scene.task, &scene.family]);
         if let Some(name) =
             plan.backends.iter().chain(&plan.suites).chain(scenes).find(|name| name.chars().any(char::is_control))
@@ -129,8 +129,8 @@ impl RunDir {
         Ok(plan)
     }
 
-    /// The name of the file of a picture of a scene on a backend. It goes by the scene's id, as names of scenes may be those of
-    /// several suites, and need not be names of files.
+    /// The file name of a picture of a scene on a backend. It contains the scene's id, as several suites may use one
+    /// name, and a name need not be a valid file name.
     #[must_use]
     pub fn map_name(scene_id: &str, backend: &str) -> String {
         let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_.+".contains(c);
@@ -139,7 +139,7 @@ impl RunDir {
         format!("{scene_id} {plain}{digest}")
     }
 
-    /// What a picture is of: its suite, scene and backend; the name of its file where the plan has no such scene.
+    /// The title of a picture: suite, scene and backend; the picture's file name if the scene is not in the plan.
     #[must_use]
     pub fn map_title(&self, name: &str) -> String {
         let id = name.split_once(' ').map_or(name, |(id, _)| id);
@@ -151,14 +151,14 @@ impl RunDir {
         }
     }
 
-    /// Whether a folder has the plan of a run and nothing that it has done: the run was ended before it had begun, and can be resumed.
+    /// True if a folder has a plan and no results: the run ended before its first commit, and can be resumed.
     #[must_use]
     pub fn is_unbegun(path: impl AsRef<Path>) -> bool {
         let path = path.as_ref();
         State::is_missing(path) && RunDir::plan(path).is_ok() && State::lost(path) == Ok(None)
     }
 
-    /// Refuses rows about scenes that the plan does not have, and scenes that no run can have.
+    /// Refuses rows about scenes that are not in the plan, and scenes with impossible counts.
     fn check_planned(&self) -> Result<(), Error> {
         if let Some(scene) = self.plan.scenes.iter().find(|scene| scene.queries > MOST) {
             let message = format!("{}/{} has {} queries: {NO_COUNT}", scene.suite, scene.scene, scene.queries);
@@ -173,22 +173,22 @@ impl RunDir {
         })
     }
 
-    /// The rows of a task's table; none where the folder has no such table.
+    /// The rows of a task's table; empty if the folder does not have the table.
     ///
     /// # Errors
-    /// The file and line of the first row that is not of this type.
+    /// If a row is not of this type; the error names the file and line.
     pub fn rows<R: Row>(&self) -> Result<Rows<R>, Error> {
         self.tables.get(R::FILE).map_or(Ok(Rows::default()), csv_file::Text::typed)
     }
 
-    /// The rows of a task's table as text; none where the folder has no such table, or it has other columns.
+    /// The rows of a task's table as text; empty if the folder does not have the table, or the table has other columns.
     #[must_use]
     pub fn records(&self, table: TableSpec) -> Vec<Record> {
         self.tables.get(table.file).map_or_else(Vec::new, |text| text.records(table))
     }
 
-    /// The rows of `throughput.csv` of each scene, by task, family and backend: of single queries or whole answers. A backend that was
-    /// timed on a family in batches only has those.
+    /// The rows of `throughput.csv` of each scene, by task, family and backend, for single queries or whole answers. A
+    /// backend that was timed on a family only in batches has only batch rows.
     #[must_use]
     pub fn timed_scenes(&self) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
         let mut timed = self.timed_scenes_by(&[Interface::Batch, Interface::Loop]);
@@ -196,9 +196,10 @@ impl RunDir {
         timed
     }
 
-    /// The rows of `throughput.csv` of each scene that were timed by one of these interfaces, by task, family and backend. They stand in
-    /// the order in which they were measured: where the number of the sample starts again, a family has another scene. So no backend
-    /// may have been timed on a task by two of the interfaces.
+    /// The rows of `throughput.csv` of each scene for these interfaces, by task, family and backend.
+    ///
+    /// Rows are in the order of measurement: where the sample number starts again, the next scene of the family begins.
+    /// So a backend must not have been timed on a task by two of the interfaces.
     #[must_use]
     pub fn timed_scenes_by(&self, interfaces: &[Interface]) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
         let mut timed: BTreeMap<_, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();
@@ -212,15 +213,15 @@ impl RunDir {
         timed
     }
 
-    /// Whether everything that was planned was done, and the run said so.
+    /// True if all planned work was done, and the run recorded that.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.outcome == Outcome::Complete && self.not_run().is_empty()
     }
 
-    /// The planned pairs of scene and backend that left no summary row, and
-    /// whose task and family were not timed on that backend either; sorted. Of folders that
-    /// were read together, each pair is named at most once, and only if none of them has it.
+    /// The planned pairs of scene and backend without a summary row, whose task and family were not timed on that
+    /// backend either; sorted. If folders were read together, each pair is named at most once, and only if no folder
+    /// has it.
     #[must_use]
     pub fn not_run(&self) -> Vec<NotRun> {
         let checked: BTreeSet<[&str; 5]> =
@@ -257,7 +258,7 @@ fn read_table<R: Row>(folder: &Path, state: &State, warnings: &mut Vec<String>) 
     read_text(folder, R::FILE, state, warnings)?.typed()
 }
 
-/// Reads as much of a table as the run has written, and refuses rows that are there twice.
+/// Reads the part of a table that the run has committed, and refuses repeated rows.
 fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String>) -> Result<csv_file::Text, Error> {
     let (mut text, warning) = csv_file::read(&folder.join(file), Extent::of(state, file), state.digests.get(file))?;
     text.is_part = warning.is_some();
@@ -268,20 +269,20 @@ fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String
     Ok(text)
 }
 
-/// The tables in which a scene and backend, or a scene, has at most one row.
+/// The tables with at most one row per scene and backend, or per scene.
 const UNIQUE: [(&str, &[&str]); 3] = [
     (SummaryRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
     (SampledRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
     (PrecisionRow::FILE, &["suite", "scene", "scene_id"]),
 ];
 
-/// The tables beside those of every run.
+/// The tables besides the tables that every run has.
 fn read_others(
     folder: &Path,
     state: &State,
     warnings: &mut Vec<String>,
 ) -> Result<BTreeMap<String, csv_file::Text>, Error> {
-    // Those that were written, even where they are gone, and those that are there.
+    // Tables in the state, even if their files are missing, and tables in the folder.
     let mut files: BTreeSet<String> = state.committed.keys().cloned().collect();
     for entry in fs::read_dir(folder).map_err(Error::io(folder))? {
         let name = entry.map_err(Error::io(folder))?.file_name();
@@ -290,7 +291,7 @@ fn read_others(
     if let Some(strange) = files.iter().find(|file| file.contains(['/', '\\'])) {
         return Err(Error::new(folder, format!("state.json names `{strange}`, which is no table of the folder")));
     }
-    // Times are read by whoever asks for them: `CostRow::read`.
+    // Times are read separately: `CostRow::read`.
     files.remove(CostRow::FILE);
     let mut tables = BTreeMap::new();
     for file in files.into_iter().filter(|file| TABLES.iter().all(|table| table.file != file)) {
@@ -300,7 +301,7 @@ fn read_others(
     Ok(tables)
 }
 
-/// Refuses bytes that have another digest than was written down, if one was.
+/// Refuses bytes whose digest differs from the recorded one, if there is one.
 fn check(path: &Path, bytes: &[u8], written: Option<&String>) -> Result<(), Error> {
     match written {
         Some(written) if *written != digest(bytes) => Err(Error::new(path, CHANGED)),
@@ -308,7 +309,7 @@ fn check(path: &Path, bytes: &[u8], written: Option<&String>) -> Result<(), Erro
     }
 }
 
-/// The pictures of a folder. Those that a commit has told of have to be there as they were.
+/// The pictures of a folder. Committed pictures must exist unchanged.
 fn read_maps(folder: &Path, state: &State) -> Result<Vec<(String, Vec<u8>)>, Error> {
     let folder = folder.join(MAPS);
     let mut files: BTreeSet<PathBuf> = state

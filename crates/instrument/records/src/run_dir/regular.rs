@@ -1,4 +1,4 @@
-//! The bytes of a folder's files, whatever is in them.
+//! Reading a folder's regular files.
 
 use std::fs;
 use std::io::ErrorKind;
@@ -6,7 +6,7 @@ use std::path::Path;
 
 use crate::Error;
 
-/// The bytes of a regular file: to open a pipe is to wait for it, and a device may never end.
+/// The bytes of a regular file; other kinds are refused, as opening a pipe blocks and a device may never end.
 pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
     let metadata = fs::metadata(path).map_err(|error| match error.kind() {
         ErrorKind::NotFound => {
@@ -21,7 +21,7 @@ pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
     }
 }
 
-/// How many bytes the line of the columns has, with its end.
+/// The length in bytes of the header line, with its line end.
 pub(super) fn header_length(bytes: &[u8]) -> u64 {
     bytes.iter().position(|&byte| byte == b'\n').map_or(bytes.len(), |end| end + 1) as u64
 }

@@ -1,8 +1,9 @@
 //! The JSON files of a run folder, each with the digest of itself.
 //!
-//! `state.json` has the digests of what must not change; it cannot have its own, nor that of `env.json`, as runs that do the same
-//! leave the same `state.json` on every machine. So each JSON file begins with the line `"seal"`, the SHA-256 of the file without that line:
-//! `grep -v '^  "seal"' state.json | sha256sum`. A folder that was made before there were seals has none.
+//! `state.json` has the digests of all that must not change. It can't have its own digest. It does not have that of
+//! `env.json` either, as equal runs leave the same `state.json` on every machine. So each JSON file begins with the
+//! line `"seal"`, the SHA-256 of the file without that line: `grep -v '^  "seal"' state.json | sha256sum`. Folders of
+//! versions without seals have none.
 
 use std::path::Path;
 
@@ -13,12 +14,12 @@ use super::hashed::digest;
 use super::regular::read_regular;
 use crate::{Error, replace};
 
-/// What the line of the seal begins with, and ends in.
+/// The beginning and the end of the line with the seal.
 const LINE: [&str; 2] = ["  \"seal\": \"", "\",\n"];
-/// The first line of the file, before that of the seal.
+/// The first line of the file, before the line with the seal.
 const FIRST: &str = "{\n";
 
-/// Writes a JSON file that is whole or not there.
+/// Writes a JSON file with its seal; the file is complete or absent.
 pub(super) fn write_json(path: &Path, value: &impl Serialize) -> Result<(), Error> {
     let json = serde_json::to_string_pretty(value).map_err(Error::json(path))? + "\n";
     let rest = json.strip_prefix(FIRST).unwrap_or_default();
@@ -30,12 +31,12 @@ pub(super) fn read_json<T: DeserializeOwned>(path: &Path) -> Result<T, Error> {
     of_json(path, &read_regular(path)?)
 }
 
-/// The value in a file of these bytes. A file without a seal is taken as it is.
+/// The value in a file with these bytes. A file without a seal is accepted as it is.
 pub(super) fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, Error> {
     const CURE: &str = "restore the file from a copy, or start a new run";
     let unsealed = match sealed(bytes) {
         Some((seal, json)) if digest(&json).as_bytes() == seal => Some(json),
-        // A seal that is elsewhere in the file is none that a run has written.
+        // A seal elsewhere in the file was not written by a run.
         None if !has_seal(bytes) => None,
         _ => {
             return Err(Error::new(
@@ -51,7 +52,7 @@ pub(super) fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<
     })
 }
 
-/// Whether a JSON object has a member `seal`, wherever it stands.
+/// True if a JSON object has a member `seal`, at any place.
 fn has_seal(bytes: &[u8]) -> bool {
     #[derive(serde::Deserialize)]
     struct Object {
@@ -60,7 +61,7 @@ fn has_seal(bytes: &[u8]) -> bool {
     serde_json::from_slice::<Object>(bytes).is_ok_and(|object| object.seal.is_some())
 }
 
-/// The seal of a file, and the file without its line, if it has one.
+/// The seal of a file, and the file without the seal's line, if it has one.
 fn sealed(bytes: &[u8]) -> Option<(&[u8], Vec<u8>)> {
     let [before, after] = LINE.map(str::as_bytes);
     let rest = bytes.strip_prefix(FIRST.as_bytes())?.strip_prefix(before)?;
@@ -94,7 +95,8 @@ mod tests {
             let error = of_json::<serde_json::Value>(&path, moved.as_bytes()).expect_err("it is not as it was written");
             assert!(error.to_string().contains("by its seal"), "{error}");
         }
-        // The seal is that of the file without its line, which alone is as good as it was before there were seals.
+        // The seal is the digest of the file without the seal's line. The file without that line is as valid as before
+        // seals existed.
         let (seal, json) = sealed(&written).unwrap();
         assert_eq!(seal, digest(&json).as_bytes());
         assert_eq!(of_json::<crate::Env>(&path, &json).unwrap(), env);

@@ -1,7 +1,8 @@
-//! `segments.csv`: which bytes of each table one scene on one backend has written.
+//! `segments.csv`: the bytes of each table that one scene on one backend has written.
 //!
-//! The parts of a run are put together scene by scene, in the order of the whole. Some tables name no scene, and what a later version of
-//! the tool adds is not known here: so a part says how far each table has grown when a backend was done with a scene.
+//! The parts of a run are merged scene by scene, in the order of the whole selection. Some tables do not name scenes,
+//! and later versions of the tool may add tables that this code does not know. So a part records the length of each
+//! table after each backend and scene.
 
 use std::collections::BTreeMap;
 
@@ -19,17 +20,17 @@ crate::table! {
     }
 }
 
-/// What a table holds of one scene on one backend: its name, and the bytes from here up to there.
+/// The bytes in a table for one scene on one backend: the table's name, the start, and the end.
 pub(super) type Piece = (String, u64, u64);
 
-/// How the segments of a folder do not fit its tables.
+/// An error of segments that do not fit the folder's tables.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum SegmentError {
-    /// The folder has no such table.
+    /// The folder does not have the table.
     NoTable(String),
-    /// The table ends here no later than before.
+    /// The table does not grow in this segment.
     NotGrown(SegmentRow),
-    /// The table has bytes of no scene.
+    /// The table has bytes that belong to no scene.
     NoScene(String),
 }
 
@@ -48,7 +49,7 @@ impl std::fmt::Display for SegmentError {
 /// The pieces of tables by scene and backend.
 ///
 /// # Errors
-/// The table that has shrunk or gone beyond its length: the rows are not those of this folder.
+/// If a table has shrunk or exceeds its length: the rows are not those of this folder.
 pub(super) fn pieces(
     rows: &[SegmentRow],
     headers: &BTreeMap<String, u64>,

@@ -1,4 +1,4 @@
-//! `state.json`: whether a run is complete, and the valid length of each table.
+//! `state.json`: the outcome of a run, and the valid length of each table.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -10,22 +10,22 @@ use super::MAPS;
 use super::regular::{header_length, read_regular};
 use crate::Error;
 
-/// How a run ended.
+/// The end of a run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Outcome {
-    /// It did all that was planned.
+    /// All planned work was done.
     Complete,
-    /// It is still running, or was killed without a chance to say so.
+    /// The run is still going, or was killed.
     Unfinished,
-    /// Somebody interrupted it.
+    /// The user interrupted the run.
     Interrupted,
-    /// It ran out of time.
+    /// The run reached its time limit.
     Timeout,
 }
 
 impl Outcome {
-    /// What a report says about it.
+    /// The outcome in a report's words.
     #[must_use]
     pub const fn describe(self) -> &'static str {
         match self {
@@ -36,7 +36,7 @@ impl Outcome {
         }
     }
 
-    /// Its name in files.
+    /// The outcome's name in files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -48,17 +48,17 @@ impl Outcome {
     }
 }
 
-/// The file itself. It is replaced as a whole, never edited in place.
+/// The content of `state.json`. The file is replaced as a whole, never edited in place.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct State {
-    /// How the run ended.
+    /// The outcome of the run.
     pub outcome: Outcome,
-    /// The length of each table in bytes when the last scene was done: what
-    /// comes after belongs to a scene that was not.
+    /// The length of each table in bytes when the last scene was done. Later bytes belong to an unfinished scene.
     pub committed: BTreeMap<String, u64>,
-    /// The SHA-256, in hex digits, of as much of each table, of the plan, and of the pictures by `maps/NAME.png`: a run goes on with
-    /// no other bytes than its own. None in folders made before it was written down.
+    /// The SHA-256, in hex digits, of the valid part of each table, of the plan, and of the pictures by
+    /// `maps/NAME.png`. A run is resumed only if the digests match. Empty in folders of versions that did not record
+    /// it.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub digests: BTreeMap<String, String>,
 }
@@ -66,7 +66,7 @@ pub(super) struct State {
 impl State {
     const FILE: &str = "state.json";
 
-    /// The state of a run; what to do is said where the folder has a plan and no state.
+    /// The state of a run; if the folder has a plan and no state, the error says what to do.
     pub fn read(folder: &Path) -> Result<State, Error> {
         let path = folder.join(State::FILE);
         if State::is_missing(folder) {
@@ -92,8 +92,8 @@ impl State {
         }
     }
 
-    /// Refuses a name that is neither the plan, nor one of the `tables` of the run, nor a file in its folder: nobody wrote it, and a run
-    /// that goes on would keep it.
+    /// Refuses a name that is not the plan, one of the run's `tables` or a file in its folder: the run did not write
+    /// it, and a resumed run would keep it.
     pub fn refuse_strangers<'a>(
         &self,
         folder: &Path,
@@ -118,7 +118,7 @@ impl State {
         Ok(())
     }
 
-    /// A table with rows in a folder without a state, if there is one: the state was lost. It is the first one by name.
+    /// The first table by name that has rows in a folder without a state, if any: the state was lost.
     pub fn lost(folder: &Path) -> Result<Option<String>, Error> {
         let mut with_rows = None;
         for path in tables(folder)? {
@@ -131,7 +131,7 @@ impl State {
         Ok(with_rows)
     }
 
-    /// Whether a folder has no state: it is no run, or one that was ended while its folder was made.
+    /// True if a folder has no state: it is not a run, or the run ended while its folder was made.
     pub fn is_missing(folder: &Path) -> bool {
         !folder.join(State::FILE).exists()
     }
@@ -141,14 +141,14 @@ impl State {
     }
 }
 
-/// The files of a folder that are named as tables are.
+/// The files of a folder whose names are those of tables.
 pub(super) fn tables(folder: &Path) -> Result<Vec<PathBuf>, Error> {
     let entries = fs::read_dir(folder).map_err(Error::io(folder))?;
     let paths = entries.map(|entry| Ok(entry.map_err(Error::io(folder))?.path())).collect::<Result<Vec<_>, Error>>()?;
     Ok(paths.into_iter().filter(|path| path.extension() == Some("csv".as_ref())).collect())
 }
 
-/// The name of a picture among the digests of a state.
+/// The key of a picture among the digests of a state.
 pub(super) fn map_key(file: &str) -> String {
     format!("{MAPS}/{file}")
 }

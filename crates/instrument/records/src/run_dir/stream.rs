@@ -1,7 +1,7 @@
 //! Reading a run folder row by row, so that a table may be larger than memory.
 //!
-//! [`RunDir`](super::RunDir) holds all of a folder, as a report needs it. What only copies rows takes them one at a time: as far as the folder's
-//! state vouches for them, and to the last byte of what a complete run has written.
+//! [`RunDir`](super::RunDir) holds all of a folder in memory, as a report needs it. Code that only copies rows reads
+//! them one at a time: up to the length in the folder's state, and for a complete run to the last byte.
 
 use std::collections::BTreeSet;
 use std::fs::{self, File};
@@ -19,31 +19,32 @@ use super::state::{Outcome, State};
 use super::{ENV, PLAN, TABLES};
 use crate::{Env, Error, FORMAT, Plan};
 
-/// A run folder of which the tables are still on the disk.
+/// A run folder whose tables stay on the disk.
 #[derive(Clone, PartialEq, Debug)]
 pub struct RunFolder {
-    /// The folder, as it was named.
+    /// The folder, as the caller named it.
     pub path: PathBuf,
-    /// What was going to be done.
+    /// The planned work.
     pub plan: Plan,
-    /// Where.
+    /// The machine.
     pub env: Env,
-    /// How it ended.
+    /// The end of the run.
     pub outcome: Outcome,
-    /// Whether a process is writing it now.
+    /// True if a process is writing the folder now.
     pub is_being_written: bool,
     state: State,
 }
 
 impl RunFolder {
-    /// Whether a folder is that of a run.
+    /// True if a folder is a run folder.
     #[must_use]
     pub fn is_one(folder: &Path) -> bool {
         folder.join(PLAN).is_file()
     }
 
-    /// Whether a folder is that of a run which has lost its `plan.json`: it has a state, or a table of every run with rows. A table of the
-    /// same name with other columns is something else, such as an export.
+    /// True if a folder is a run folder without its `plan.json`: it has a state, or a table of every run with rows.
+    ///
+    /// A table of the same name with other columns is not a run's table, but for example an export.
     ///
     /// # Errors
     /// If the folder has such a table that can't be read.
@@ -58,7 +59,7 @@ impl RunFolder {
         Ok(is_lost)
     }
 
-    /// The machine of a run, without the rest.
+    /// The machine of a run; the rest of the folder is not read.
     ///
     /// # Errors
     /// If `env.json` can't be read.
@@ -66,10 +67,10 @@ impl RunFolder {
         read_json(&folder.join(ENV))
     }
 
-    /// A run in a folder.
+    /// The run in a folder.
     ///
     /// # Errors
-    /// The file and line of the first thing that can't be read.
+    /// If a file can't be read; the error names the file and line.
     pub fn open(folder: &Path) -> Result<RunFolder, Error> {
         let plan: Plan = read_json(&folder.join(PLAN))?;
         if plan.format > FORMAT {
@@ -82,10 +83,11 @@ impl RunFolder {
         Ok(RunFolder { path: folder.to_owned(), plan, env: RunFolder::env(folder)?, outcome, is_being_written, state })
     }
 
-    /// The files of its tables, sorted: those that the run has written, even where they are gone, and those that are there.
+    /// The files of the run's tables, sorted: committed tables, even if their files are missing, and tables in the
+    /// folder.
     ///
     /// # Errors
-    /// If the folder can't be read, or its state names what can be no table.
+    /// If the folder can't be read, or its state lists a name that is not a table's.
     pub fn tables(&self) -> Result<BTreeSet<String>, Error> {
         let mut files: BTreeSet<String> = self.state.committed.keys().cloned().collect();
         for entry in fs::read_dir(&self.path).map_err(Error::io(&self.path))? {
@@ -100,12 +102,14 @@ impl RunFolder {
         }
     }
 
-    /// Goes through the records of a table with their lines: the header first, as line 1, then each row. What a run that is not complete has
-    /// written after its last finished scene is left out; the number of such bytes is returned.
+    /// Calls a function with each record of a table and its line: the header first, as line 1, then each row.
+    ///
+    /// Rows that an incomplete run has written after its last finished scene are left out; the number of their bytes is
+    /// returned.
     ///
     /// # Errors
-    /// What the caller says, a row with another number of fields, or a table of a complete run that is not as it was written. The last is
-    /// known at the end only: what the rows were used for has to be thrown away.
+    /// If the caller's function fails, a row has another number of fields, or a table of a complete run has changed. A
+    /// change is found only at the end: the caller then has to discard what it made of the rows.
     pub fn each_row(
         &self,
         file: &str,
@@ -139,7 +143,7 @@ impl RunFolder {
     }
 }
 
-/// A reader that sums up what is read.
+/// A reader that computes the digest of the bytes read.
 struct Digesting<R> {
     from: R,
     sum: Sha256,
@@ -153,7 +157,7 @@ impl<R: Read> Read for Digesting<R> {
     }
 }
 
-/// How many bytes there are up to the end of the last whole line; the file is at its start again.
+/// The number of bytes up to the end of the last whole line; rewinds the file to its start.
 fn last_line_end(file: &mut File, length: u64) -> io::Result<u64> {
     const BLOCK: u64 = 1 << 16;
     let mut end = length;
@@ -173,7 +177,7 @@ fn last_line_end(file: &mut File, length: u64) -> io::Result<u64> {
     Ok(end)
 }
 
-/// Whether a file is a table with these columns and something below them.
+/// True if a file is a table with these columns and at least one row.
 fn has_rows(path: &Path, columns: &[&str]) -> Result<bool, Error> {
     if !path.is_file() {
         return Ok(false);

@@ -1,8 +1,7 @@
-//! Tables by name: what a folder has beside the tables of every run.
+//! Tables by name: the tables of a folder besides the tables that every run has.
 //!
-//! A task that has something to tell of its own writes a table of its own. The
-//! folder's code knows no task, so such rows come as text, checked where their
-//! type is known.
+//! A task writes its own results to its own table. The folder's code does not know tasks, so such rows come as text.
+//! They are checked where their type is known.
 
 use std::path::Path;
 
@@ -15,16 +14,16 @@ use crate::{Column, Error, Row};
 pub struct TableSpec {
     /// The file's name.
     pub file: &'static str,
-    /// Its columns, in order.
+    /// The columns, in order.
     pub columns: &'static [&'static str],
-    /// What a row is.
+    /// A description of a row.
     pub about: &'static str,
-    /// What its columns are, in order; none where nobody has said it.
+    /// The schema of the columns, in order; empty if it is not given.
     pub schema: &'static [Column],
 }
 
 impl TableSpec {
-    /// The table of these rows.
+    /// The specification of the table with these rows.
     #[must_use]
     pub const fn of<R: Row>() -> TableSpec {
         TableSpec { file: R::FILE, columns: R::COLUMNS, about: R::ABOUT, schema: R::SCHEMA }

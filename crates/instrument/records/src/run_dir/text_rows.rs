@@ -1,7 +1,7 @@
-//! The rows of any CSV file with their lines, as text.
+//! The rows of any CSV file as text, with their lines.
 //!
-//! A reader of a report asks which rows a number is from. Rows of a run are those that count there; what a study has written
-//! is read from its file.
+//! A reader of a report asks for the rows behind a number. For a run, these are the rows that count; for a study, the
+//! rows of its file.
 
 use std::path::Path;
 
@@ -15,7 +15,7 @@ use crate::{Error, PrecisionRow, Row, Rows, StageRow, SummaryRow, ThroughputRow}
 pub struct Lined {
     /// The names of the columns.
     pub columns: Vec<String>,
-    /// Each row with its line as an editor counts, the header being line 1.
+    /// Each row with its line number; the header is line 1.
     pub rows: Vec<(u64, Vec<String>)>,
 }
 
@@ -23,7 +23,7 @@ impl Lined {
     /// All rows of a file.
     ///
     /// # Errors
-    /// If the file can't be read or is no CSV.
+    /// If the file can't be read or is not CSV.
     pub fn read(path: &Path) -> Result<Lined, Error> {
         let (text, _) = csv_file::read(path, Extent::Lines, None)?;
         Ok(Lined::of(&text))
@@ -46,11 +46,13 @@ impl Lined {
 }
 
 impl RunDir {
-    /// The rows of one of the folder's tables that count in this run: those of [`RunDir::open_all`] are not there that an
-    /// earlier folder has. None where there is no such table. Findings, of which there may be very many, are not given here.
+    /// The rows of one of the folder's tables, without repeated ones; `None` if the table does not exist.
+    ///
+    /// [`RunDir::open_all`] removes rows that an earlier folder has. Findings are not supported here, as there may be
+    /// very many.
     ///
     /// # Errors
-    /// If a row can't be written as text, which is not so for one that was read.
+    /// If a row can't be written as text, which does not happen for rows that were read.
     pub fn lined(&self, file: &str) -> Result<Option<Lined>, Error> {
         Ok(Some(match file {
             SummaryRow::FILE => Lined::typed(&self.summary)?,

@@ -1,4 +1,4 @@
-//! Making a run folder, scene by scene.
+//! Writing a run folder, scene by scene.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -18,29 +18,27 @@ use super::{ENV, MAPS, PLAN, TABLES};
 use crate::replace::{make_folder, sweep_all};
 use crate::{Env, Error, Plan, Row, RunDir, replace};
 
-/// Writes a run folder.
+/// A writer of a run folder.
 ///
-/// [`write`](RunWriter::write) the rows of a scene to as many tables as it
-/// takes, then [`commit_if_due`](RunWriter::commit_if_due): that is the unit in which a run
-/// survives being killed, and a power cut. What `state.json` tells of is on the disk before it. To wait for the disk costs time, so it is
-/// waited for at most a hundredth of the time. A folder whose writer was dropped without
-/// [`finish`](RunWriter::finish) says that it is incomplete.
+/// [`write`](RunWriter::write) the rows of a scene to all its tables, then call
+/// [`commit_if_due`](RunWriter::commit_if_due). A commit survives a kill and a power cut: all that `state.json` lists
+/// is on the disk before it. Waiting for the disk takes at most a hundredth of the time. If a writer is dropped without
+/// [`finish`](RunWriter::finish), its folder counts as incomplete.
 pub struct RunWriter {
     folder: PathBuf,
     tables: BTreeMap<&'static str, CsvFile>,
     state: State,
     pace: Pace,
     costs: CostLog,
-    /// Held as long as the folder is written.
+    /// The lock, held as long as the folder is written.
     _lock: Lock,
 }
 
 impl RunWriter {
-    /// Makes the folder, writes the plan first, and starts the tables: those of
-    /// every run, and `more`.
+    /// Makes the folder, writes the plan first, and starts the tables: those of every run, and `more`.
     ///
     /// # Errors
-    /// If the folder exists and is not empty: a run never overwrites another. If another process is writing it.
+    /// If the folder exists and is not empty (a run never overwrites another), or another process is writing it.
     pub fn create(folder: impl AsRef<Path>, plan: &Plan, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         let folder = folder.as_ref();
         make_folder(folder)?;
@@ -48,7 +46,8 @@ impl RunWriter {
             let message = "the folder is not empty; name another, or resume the run in it";
             if Lock::others(folder)? { Err(Error::new(folder, message)) } else { Ok(()) }
         };
-        // Once without a lock, as somebody else's folder gets none; and again, as a run may have come and gone since.
+        // First without a lock, as a foreign folder must not get a lock file; then again, as a run may have written it
+        // since.
         refuse_others()?;
         let lock = Lock::take(folder)?;
         refuse_others()?;
@@ -57,7 +56,7 @@ impl RunWriter {
         RunWriter::start(folder, lock, env, more)
     }
 
-    /// Starts the tables of a folder that has its plan.
+    /// Starts the tables of a folder that already has its plan.
     fn start(folder: &Path, lock: Lock, env: &Env, more: &[TableSpec]) -> Result<RunWriter, Error> {
         write_json(&folder.join(ENV), env)?;
         let mut tables = BTreeMap::new();
@@ -73,19 +72,21 @@ impl RunWriter {
         Ok(writer)
     }
 
-    /// Goes on with an incomplete run: drops what came after its last commit,
-    /// and returns what is left, so that the caller knows what to skip. A run that was ended before its first commit
-    /// has nothing but its plan, and is begun, on the machine that `env` tells of.
+    /// Resumes an incomplete run: drops what came after its last commit, and returns the remaining run, so that the
+    /// caller knows what to skip.
+    ///
+    /// A run that was ended before its first commit has only its plan. It is started, on the machine that `env`
+    /// describes.
     ///
     /// # Errors
-    /// If the run is complete or being written, or the folder is not a run or was tampered with.
+    /// If the run is complete or being written, the folder is not a run, or its files have changed.
     pub fn resume(
         folder: impl AsRef<Path>,
         env: impl FnOnce() -> Env,
         more: &[TableSpec],
     ) -> Result<(RunWriter, RunDir), Error> {
         let folder = folder.as_ref();
-        // A folder that is no run gets no lock.
+        // A folder that is not a run does not get a lock file.
         RunDir::plan(folder)?;
         let lock = Lock::take(folder)?;
         sweep_all(folder);
@@ -120,7 +121,7 @@ impl RunWriter {
         state.outcome = Outcome::Unfinished;
         let (pace, costs) = (Pace::default(), CostLog::default());
         let mut writer = RunWriter { folder: folder.to_owned(), tables, state, pace, costs, _lock: lock };
-        // New tables get their header, and the state is told of them.
+        // New tables get their header, and the state lists them.
         writer.commit()?;
         let done = RunDir::open(folder)?;
         Ok((writer, done))
@@ -137,10 +138,10 @@ impl RunWriter {
         rows.iter().try_for_each(|row| table.append(row))
     }
 
-    /// Appends rows of any tables that the folder was made with.
+    /// Appends rows to any of the tables that the folder was made with.
     ///
     /// # Errors
-    /// If the disk refuses, or the folder has no such table.
+    /// If the disk refuses, or the folder does not have the table.
     pub fn append(&mut self, records: &[Record]) -> Result<(), Error> {
         for record in records {
             let Some(table) = self.tables.get_mut(record.file) else {
@@ -151,7 +152,7 @@ impl RunWriter {
         Ok(())
     }
 
-    /// Makes what was written so far permanent.
+    /// Makes all that was written so far permanent.
     ///
     /// # Errors
     /// If the disk refuses.
@@ -160,7 +161,7 @@ impl RunWriter {
         self.save()
     }
 
-    /// The same where it costs at most a hundredth of the time: after each scene.
+    /// Commits if waiting for the disk costs at most a hundredth of the time; called after each scene.
     ///
     /// # Errors
     /// If the disk refuses.
@@ -169,7 +170,7 @@ impl RunWriter {
         if self.pace.is_due() { self.save() } else { Ok(()) }
     }
 
-    /// Notes that what was written so far belongs together.
+    /// Notes the present lengths of the tables as a consistent state.
     fn note(&mut self) -> Result<(), Error> {
         for (file, table) in &mut self.tables {
             self.state.committed.insert((*file).to_owned(), table.flush()?);
@@ -178,7 +179,7 @@ impl RunWriter {
         Ok(())
     }
 
-    /// Makes permanent what was noted: the tables first, and then the state that tells of them.
+    /// Makes the noted state permanent: first the tables, then the state that lists them.
     fn save(&mut self) -> Result<(), Error> {
         let start = Instant::now();
         self.tables.values().try_for_each(CsvFile::sync)?;
@@ -187,8 +188,8 @@ impl RunWriter {
         Ok(())
     }
 
-    /// Commits if it is due, where it is what a backend has to say of the scene in this place of the whole selection: the folder of a part, which
-    /// has the table `segments.csv`, writes it down.
+    /// Commits, if it is due, the rows of a backend on the scene at this place of the whole selection. The folder of a
+    /// part, which has the table `segments.csv`, records their place.
     ///
     /// # Errors
     /// If the disk refuses.
@@ -206,7 +207,8 @@ impl RunWriter {
         self.commit_if_due()
     }
 
-    /// Notes what a scene has cost. It is in no commit: a run that was killed may have noted a scene twice, and the last note counts.
+    /// Appends the cost of a scene. Costs are not part of a commit: a killed run may have noted a scene twice, and the
+    /// last note counts.
     ///
     /// # Errors
     /// If the disk refuses.
@@ -214,7 +216,7 @@ impl RunWriter {
         if rows.is_empty() { Ok(()) } else { self.costs.append(&self.folder, rows) }
     }
 
-    /// Appends rows of a table as they were written.
+    /// Appends rows of a table byte for byte.
     pub(super) fn append_bytes(&mut self, file: &str, rows: &[u8]) -> Result<(), Error> {
         match self.tables.get_mut(file) {
             Some(table) => table.append_bytes(rows),
@@ -222,7 +224,8 @@ impl RunWriter {
         }
     }
 
-    /// Keeps a PNG picture, such as a pixel map, for the HTML page; [`RunDir::map_name`] gives one to that of a scene on a backend.
+    /// Keeps a PNG picture, such as a pixel map, for the HTML page. [`RunDir::map_name`] gives the name for a scene on
+    /// a backend.
     ///
     /// # Errors
     /// If the disk refuses, or the name is not a plain file name.
@@ -239,8 +242,8 @@ impl RunWriter {
         Ok(())
     }
 
-    /// Says how the run ended, once and for all. What an interrupted one has written since its last commit is taken back, as if it had
-    /// been killed: it belongs to a scene that is not done.
+    /// Records the end of the run, and ends the writing. For an interrupted run, rows since the last commit are
+    /// removed, as after a kill: they belong to an unfinished scene.
     ///
     /// # Errors
     /// If the disk refuses.
@@ -259,16 +262,16 @@ impl RunWriter {
     }
 }
 
-/// When a commit is made permanent: the first one, and then as often as costs at most a hundredth of the time. A run that is killed, or
-/// loses its power, does again what came after.
+/// The schedule of commits: the first one is made permanent, and later ones as often as costs at most a hundredth of
+/// the time. After a kill or a power cut, the run repeats the work since the last permanent commit.
 #[derive(Default)]
 struct Pace {
-    /// When the last one ended, and how long it took.
+    /// The end of the last commit, and its duration.
     last: Option<(Instant, Duration)>,
 }
 
 impl Pace {
-    /// The time between two, as a multiple of what one takes.
+    /// The time between two commits, as a multiple of a commit's duration.
     const REST: u32 = 99;
 
     fn is_due(&self) -> bool {
@@ -280,7 +283,8 @@ impl Pace {
     }
 }
 
-/// Takes away the tables of a run that was ended before its first commit. Rows are not taken away: then the state was lost.
+/// Removes the tables of a run that was ended before its first commit. Tables with rows are not removed: there, the
+/// state was lost.
 fn clear(folder: &Path) -> Result<(), Error> {
     if let Some(table) = State::lost(folder)? {
         let message =

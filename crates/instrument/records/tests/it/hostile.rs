@@ -1,4 +1,4 @@
-//! Folders that were edited, or made to do harm: each is refused in a line.
+//! Folders that were edited or made maliciously: each is refused with a one-line error.
 
 use predicament_records::RunDir;
 use tempfile::tempdir;

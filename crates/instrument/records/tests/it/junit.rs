@@ -57,7 +57,7 @@ fn names_with_markup_stay_names() {
     let xml = junit("predicament", &run.summary, &[], &told).unwrap();
     let report = Report::deserialize_from_str(&xml).unwrap();
     assert_eq!(report.test_suites[0].test_cases[0].name.as_str(), "<a & \"b\"> [exact]");
-    // XML has no spelling for some characters.
+    // XML can't represent some characters.
     run.summary[0].scene = "a\u{FFFE}b\u{FFFF}c\u{1}d\u{1b}[0me\u{FFFD}\u{10FFFF}".to_owned();
     run.summary[0].suite = "s\u{FFFF}".to_owned();
     let xml = junit("predicament", &run.summary, &[], &told).unwrap();

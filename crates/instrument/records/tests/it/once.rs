@@ -7,7 +7,7 @@ use tempfile::{TempDir, tempdir};
 
 const CHECKED: &str = "../tasks/tests/data/checked";
 
-/// A copy of a run folder that was written by hand, with some text of its files replaced. Each replacement has to happen.
+/// A copy of a hand-written run folder, with some text of its files replaced. Each replacement has to match.
 pub(crate) fn copy(folder: &TempDir, name: &str, changes: &[(&str, &str, &str)]) -> PathBuf {
     let copy = folder.path().join(name);
     std::fs::create_dir(&copy).unwrap();
@@ -30,7 +30,7 @@ fn open(paths: &[&Path]) -> Result<Vec<RunDir>, Error> {
     RunDir::open_all(paths)
 }
 
-/// How many rows of each table there are in all of these folders, but for timings.
+/// The number of rows of each table, timings excepted, in all of these folders.
 fn rows(runs: &[RunDir]) -> [usize; 5] {
     let count = |of: fn(&RunDir) -> usize| runs.iter().map(of).sum();
     [
@@ -65,7 +65,7 @@ fn what_two_folders_have_counts_once() {
     assert_eq!([0, 1].map(|run| both[run].warnings.len()), [alone[0].warnings.len(); 2], "nothing is lost");
 }
 
-/// The tables of tasks, which the folder knows by their columns only.
+/// Rows of the tasks' tables, which the folder knows only by their columns, count once.
 #[test]
 fn rows_of_tasks_count_once() {
     let folder = tempdir().unwrap();
@@ -83,7 +83,7 @@ fn rows_of_tasks_count_once() {
     let both = open(&[&one, &more]).unwrap();
     assert_eq!(both.iter().map(|run| run.records(table).len()).collect::<Vec<_>>(), [2, 1]);
 
-    // Where both are complete, other rows of one scene are two truths.
+    // If both folders are complete, different rows of one scene are a contradiction.
     let complete = ("state.json", "interrupted", "complete");
     let whole = copy(&folder, "whole", &[complete]);
     let other = copy(&folder, "other", &[complete, ("masses.csv", "exact,3,-2.0", "exact,3,-3.0")]);
@@ -122,7 +122,7 @@ fn folders_that_disagree_are_an_error_that_names_both_and_the_row() {
     assert!(error.contains("near/uniform-1 has another row"), "{error}");
 }
 
-/// Another level samples more, and other expectations give another status: the first folder's rows are shown, and a
+/// Another level samples more, and other expectations give another status: the rows of the first folder count, and a
 /// warning says so.
 #[test]
 fn another_level_or_status_is_told() {
@@ -143,7 +143,7 @@ fn another_level_or_status_is_told() {
     assert_eq!(runs[0].summary.iter().filter(|row| !row.status.passes()).count(), 2);
 }
 
-/// A bench that took its judgements over has no stages: those of the run stay, whichever is named first.
+/// A bench with copied judgements has no stages: the stages of the run stay, in either order of the folders.
 #[test]
 fn stages_stay_with_the_folder_that_has_them() {
     let folder = tempdir().unwrap();
@@ -174,7 +174,7 @@ fn stages_that_are_partly_repeated_are_left_out_with_a_warning() {
     assert!(warning.contains("stages of 1 groups, first orient2d near exact"), "{warning}");
 }
 
-/// What one folder has planned and another has done is done.
+/// A pair that one folder has planned and another has run is not missing.
 #[test]
 fn what_another_folder_has_is_not_missing() {
     let folder = tempdir().unwrap();
@@ -187,12 +187,13 @@ fn what_another_folder_has_is_not_missing() {
     }
 }
 
-/// Each row that counts is found in the line of its file, however the lines end, and what an earlier folder has is not named.
+/// Each counting row is found in its line of the file, with all kinds of line ends; rows that an earlier folder has are
+/// not listed.
 #[test]
 fn rows_know_their_lines() {
     let folder = tempdir().unwrap();
     let (one, two) = (copy(&folder, "one", &[]), copy(&folder, "two", &[]));
-    // The first folder lacks two rows in the middle, and has line ends of two characters and an empty line.
+    // In the first folder, two rows in the middle are missing, line ends have two characters, and one line is empty.
     let path = one.join("summary.csv");
     let text = std::fs::read_to_string(&path).unwrap();
     let mut lines: Vec<&str> = text.lines().collect();

@@ -1,4 +1,4 @@
-//! Runs that are gone on with, and what of them is refused because it was changed.
+//! Resumed runs, and the refusal of changed files.
 
 use std::fs;
 use std::path::Path;
@@ -30,8 +30,8 @@ fn a_resumed_run_forgets_the_scene_that_was_not_committed() {
     assert!(error.to_string().contains("complete"), "{error}");
 }
 
-/// Takes a table away, and with `forgotten` the state's word for it, as if the
-/// folder had been made before there was such a table.
+/// Removes a table; with `forgotten` also from the state, as if the tool had not had the table when the folder was
+/// made.
 fn take_away(folder: &Path, file: &str, forgotten: bool) {
     fs::remove_file(folder.join(file)).unwrap();
     if forgotten {
@@ -80,7 +80,7 @@ fn tables_of_tasks_grow_and_shrink_with_the_others() {
     assert!(writer.append(&[Record::of(&pair()).unwrap()]).is_err());
     drop(writer);
 
-    // Resumed with a table that is younger than the folder: started, committed, and cut back like the others.
+    // Resumed with a table that is younger than the folder: it is started, committed, and cut back like the others.
     let (mut writer, _) = resume(folder.path()).unwrap();
     writer.write(&[pair()]).unwrap();
     writer.commit().unwrap();
@@ -105,7 +105,8 @@ fn a_run_that_lost_rows_can_t_be_resumed() {
     assert!(error.to_string().contains("bytes are left"), "{error}");
 }
 
-/// A part whose rows of a scene that was not done were kept had bytes of no scene when it was resumed, and could not be merged.
+/// Without this, an interrupted part kept rows of an unfinished scene; resumed, it had bytes that belong to no scene,
+/// and could not be merged.
 #[test]
 fn an_interrupted_run_takes_back_what_it_has_not_committed() {
     let folder = tempfile::tempdir().unwrap();
@@ -120,7 +121,7 @@ fn an_interrupted_run_takes_back_what_it_has_not_committed() {
     assert_eq!(resume(folder.path()).unwrap().1.summary, [summary("one")]);
 }
 
-/// A run that was killed while its folder was made has a plan, and no state; `resume` begins it.
+/// A run that was killed while its folder was made has a plan and no state; `resume` starts it.
 #[test]
 fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     let folder = tempfile::tempdir().unwrap();
@@ -142,11 +143,11 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     assert_eq!((done.plan, done.summary.len(), done.warnings.len()), (plan(), 0, 0));
     writer.write(&[summary("one")]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
-    // Where rows were written, the state was lost, and they are not thrown away.
+    // If rows were written, the state was lost, and the rows are kept.
     fs::remove_file(folder.path().join("state.json")).unwrap();
     let error = resume(folder.path()).err().unwrap().to_string();
     assert!(error.contains("summary.csv: it has rows, and there is no state.json"), "{error}");
-    // One that was killed while the plan was written is made anew.
+    // A run that was killed while its plan was written is made anew.
     let early = tempfile::tempdir().unwrap();
     let left = ".plan.json.1.next";
     for file in ["run.lock", left] {
@@ -156,8 +157,8 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     assert!(!early.path().join(left).exists());
 }
 
-/// A bit that was flipped in the state of an unfinished run is refused, wherever it is: one in a name would leave a file without its
-/// digest, and a name that nobody wrote.
+/// A flipped bit in the state of an unfinished run is refused at any place. In a name, it would leave a file without
+/// its digest, and add a name that the run did not write.
 #[test]
 fn flipped_bits_in_the_state_of_an_unfinished_run_are_refused() {
     let folder = tempfile::tempdir().unwrap();
@@ -178,7 +179,7 @@ fn flipped_bits_in_the_state_of_an_unfinished_run_are_refused() {
         let has_cure = ["restore", "start a new run"].iter().any(|cure| error.contains(cure));
         assert!(error.contains("state.json") && has_cure, "{error}, {about}");
     }
-    // Readers that know fewer tables see that a digest is missing.
+    // Readers that know fewer tables notice a missing digest.
     let mut lacking: serde_json::Value = serde_json::from_slice(&state).unwrap();
     assert!(lacking["digests"].as_object_mut().unwrap().remove("pairs.csv").is_some());
     lacking.as_object_mut().unwrap().remove("seal");
@@ -189,7 +190,7 @@ fn flipped_bits_in_the_state_of_an_unfinished_run_are_refused() {
     assert_eq!(resume(folder.path()).unwrap().1.summary, [summary("one")], "nothing else was changed");
 }
 
-/// The state of an unfinished run has digests, too: a changed byte is not gone on with.
+/// The state of an unfinished run has digests, too: a run with a changed byte is not resumed.
 #[test]
 fn changed_bytes_of_an_unfinished_run_are_refused() {
     for file in ["summary.csv", "findings.csv", "plan.json", "maps/map.png"] {

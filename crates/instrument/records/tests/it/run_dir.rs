@@ -33,7 +33,7 @@ impl Row for PairRow {
     }
 }
 
-/// The tables beside those of every run.
+/// The tables besides the tables that every run has.
 const MORE: [TableSpec; 1] = [TableSpec::of::<PairRow>()];
 
 pub fn create(folder: &Path, plan: &Plan, env: &Env) -> Result<RunWriter, predicament_records::Error> {
@@ -170,7 +170,7 @@ pub fn precision() -> PrecisionRow {
     }
 }
 
-/// A run folder with one scene done and committed, its writer gone.
+/// A run folder with one committed scene, whose writer is gone.
 pub fn killed(folder: &Path) {
     let mut writer = create(folder, &plan(), &Env::collect("0.1.0")).unwrap();
     writer.write(&[finding()]).unwrap();
@@ -183,7 +183,7 @@ pub fn append(folder: &Path, file: &str, text: &str) {
     file.write_all(text.as_bytes()).unwrap();
 }
 
-/// Appends to a table as the writer does: the state knows of it.
+/// Appends to a table as the writer does, and updates the state.
 fn append_known(folder: &Path, file: &str, text: &str) {
     append(folder, file, text);
     let path = folder.join("state.json");
@@ -245,7 +245,7 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&stage()), StageRow::COLUMNS);
     assert_eq!(header(&precision()), PrecisionRow::COLUMNS);
     assert_eq!(header(&phase()), PhaseRow::COLUMNS);
-    // The class columns hold the counts of their classes.
+    // The columns of classes hold the counts of their classes.
     let row = serde_json::to_value(summary("")).unwrap();
     for class in Class::ALL {
         assert_eq!(row[class.name()], summary("").count(class), "{class}");
@@ -385,7 +385,7 @@ fn a_complete_run_that_was_edited_is_refused() {
     RunDir::open(folder.path()).unwrap();
     let path = folder.path().join("summary.csv");
     let text = std::fs::read_to_string(&path).unwrap();
-    // As many bytes as before.
+    // The same number of bytes as before.
     let edited = text.replacen(",10,", ",11,", 1);
     assert_ne!(edited, text);
     std::fs::write(&path, edited).unwrap();

@@ -1,4 +1,4 @@
-//! The published schema is that of the rows.
+//! The published schema agrees with the rows.
 
 use predicament_records::{
     AnswerRow, FindingRow, ImportRow, Kind, PhaseRow, PlannedScene, Row, SampledRow, SegmentRow, TABLES, TableSpec,

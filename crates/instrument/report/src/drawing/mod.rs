@@ -1,8 +1,8 @@
 //! Scenes and results as drawings: points, lines and areas in named layers, in the plane or in space.
 //!
-//! Tasks say what there is to be seen; what a picture looks like is said here once. A drawing is a picture as SVG
-//! ([`Drawing::svg`]), or data for the view in a browser that turns ([`Drawing::json`], [`Drawing::page`]). Coordinates are offsets
-//! from an origin of the drawer's choice, so that what nearly coincides there is told apart however far it is from zero.
+//! Tasks provide the content; this module decides the appearance. A drawing becomes an SVG picture ([`Drawing::svg`]),
+//! or data for the turning view in a browser ([`Drawing::json`], [`Drawing::page`]). Coordinates are offsets from an
+//! origin that the task chooses, so that nearly coincident points there stay distinct at any distance from zero.
 
 mod projection;
 mod svg;
@@ -11,23 +11,23 @@ mod view;
 pub use projection::Look;
 pub use view::SCRIPTS;
 
-/// What a layer stands for, which decides its colour.
+/// The role of a layer, which decides its colour.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Role {
-    /// What was given.
+    /// Input.
     Given,
-    /// The second of two that were given.
+    /// The second of two inputs.
     Second,
-    /// What was found.
+    /// Output.
     Found,
-    /// What is to stand out.
+    /// A highlighted part.
     Mark,
-    /// What is there for orientation.
+    /// A pale part for orientation.
     Faint,
 }
 
 impl Role {
-    /// The name, as in JSON.
+    /// The role's name in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -39,7 +39,7 @@ impl Role {
         }
     }
 
-    /// Red, green and blue: colours of Okabe and Ito, as in plots.
+    /// The colour in red, green and blue, from the palette of Okabe and Ito as in plots.
     #[must_use]
     pub const fn colour(self) -> [u8; 3] {
         match self {
@@ -52,19 +52,20 @@ impl Role {
     }
 }
 
-/// What the parts of a layer are.
+/// The kind of a layer's parts.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Shape {
     /// Single points.
     Points,
     /// Paths from point to point.
     Lines,
-    /// What rings bound, by even and odd in the plane. In space a part has one ring, which is flat and convex.
+    /// Areas that rings bound, by the even-odd rule in the plane. In space a part has one ring, which is flat and
+    /// convex.
     Areas,
 }
 
 impl Shape {
-    /// The name, as in JSON.
+    /// The kind's name in JSON.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -75,31 +76,31 @@ impl Shape {
     }
 }
 
-/// The place of a point as its offset from the origin; the third is 0 in the plane.
+/// A point as its offset from the origin; the third component is 0 in the plane.
 pub type Offset = [f64; 3];
 
-/// Paths of one part of a layer: one point, one line, or the rings of an area.
+/// The paths of one part of a layer: one point, one line, or the rings of an area.
 pub type Part = Vec<Vec<Offset>>;
 
-/// Parts of one kind with a name.
+/// A named layer with parts of one kind.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Layer {
     /// The name.
     pub name: String,
-    /// The colour.
+    /// The role, which decides the colour.
     pub role: Role,
-    /// What the parts are.
+    /// The kind of the parts.
     pub shape: Shape,
     /// The parts.
     pub parts: Vec<Part>,
-    /// A name for each part, or none.
+    /// A name for each part, or empty.
     pub labels: Vec<String>,
-    /// Whether a picture has it, and a view at first.
+    /// True if pictures show the layer, and a view initially shows it.
     pub is_shown: bool,
 }
 
 impl Layer {
-    /// Leaves the layer out of pictures, and a view until it is asked for.
+    /// Hides the layer in pictures, and in a view until the user shows it.
     pub fn hide(&mut self) {
         self.is_shown = false;
     }
@@ -110,42 +111,43 @@ impl Layer {
     }
 }
 
-/// Layers, the later ones above the earlier ones.
+/// A drawing: layers, the later ones above the earlier ones.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Drawing {
-    /// Whether it is in space.
+    /// True if the drawing is in space.
     pub is_space: bool,
     /// The layers.
     pub layers: Vec<Layer>,
 }
 
-/// How much of a drawing is seen.
+/// The visible part of a drawing.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Window {
-    /// All of it.
+    /// The whole drawing.
     Whole,
-    /// What is nearer to the origin than this.
+    /// The part that is nearer to the origin than this distance.
     Around(f64),
 }
 
 impl Drawing {
-    /// The number of parts in all layers that are shown.
+    /// The number of parts in all visible layers.
     #[must_use]
     pub fn parts(&self) -> usize {
         self.shown().map(|layer| layer.parts.len()).sum()
     }
 
-    /// The layers that are shown.
+    /// The visible layers.
     fn shown(&self) -> impl Iterator<Item = &Layer> {
         self.layers.iter().filter(|layer| layer.is_shown)
     }
 
-    /// The points of all layers that are shown.
+    /// The points of all visible layers.
     fn points(&self) -> impl Iterator<Item = &Offset> {
         self.shown().flat_map(|layer| layer.parts.iter().flatten().flatten())
     }
 
-    /// The middle of the box around all points and half of its longest side, which is not 0; in a window those of the window.
+    /// The centre of the bounding box of all points and half of its longest side, which is not 0; for a window, those
+    /// of the window.
     fn extent(&self, window: Window) -> (Offset, f64) {
         if let Window::Around(radius) = window {
             return ([0.0; 3], if radius > 0.0 { radius } else { 1.0 });
@@ -156,7 +158,7 @@ impl Drawing {
         };
         let bounds = [0, 1, 2].map(bound);
         let middle = bounds.map(|[low, high]| if low <= high { f64::midpoint(low, high) } else { 0.0 });
-        // Halves first: a box may be wider than the largest double.
+        // Halved first: a box may be wider than the largest double.
         let half = bounds.iter().map(|[low, high]| high / 2.0 - low / 2.0).fold(0.0, f64::max);
         (middle, if half > 0.0 && half.is_finite() { half } else { 1.0 })
     }

@@ -1,8 +1,9 @@
-//! From space to the plane of a picture, without perspective: parallel lines stay parallel, and lengths can be compared.
+//! The parallel projection from space to the plane of a picture: parallel lines stay parallel, and lengths can be
+//! compared.
 
 use super::Offset;
 
-/// From where a drawing in space is looked at.
+/// The view direction of a drawing in space.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Look {
     /// Degrees around the vertical axis, from the direction of -y.
@@ -12,14 +13,14 @@ pub struct Look {
 }
 
 impl Default for Look {
-    /// From the front, the right and above.
+    /// The view from the front, the right and above.
     fn default() -> Look {
         Look { azimuth: 30.0, elevation: 25.0 }
     }
 }
 
 impl Look {
-    /// What is right, up and towards the eye, as unit vectors.
+    /// The unit vectors to the right, up and towards the eye.
     pub(super) fn axes(self) -> [Offset; 3] {
         let ((sa, ca), (se, ce)) = (self.azimuth.to_radians().sin_cos(), self.elevation.to_radians().sin_cos());
         let towards = [sa * ce, -ca * ce, se];
@@ -33,7 +34,7 @@ pub(super) fn dot(a: Offset, b: Offset) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-/// The unit normal of three points; none where they are in a line.
+/// The unit normal of three points; `None` if they are collinear.
 pub(super) fn normal([a, b, c]: [Offset; 3]) -> Option<Offset> {
     let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
     let n = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];

@@ -1,7 +1,7 @@
-//! Drawings as SVG: areas by even and odd, lines, points and their names, a legend and a bar of the scale.
+//! Drawings as SVG: areas by the even-odd rule, lines, points and their names, a legend and a scale bar.
 //!
-//! In space areas are drawn from the farthest to the nearest (Newell, Newell and Sancha call it the painter's way) and shaded by how
-//! they face the eye; where areas go through each other, one is drawn over the other.
+//! In space areas are drawn from the farthest to the nearest (the painter's algorithm of Newell, Newell and Sancha) and
+//! shaded by their angle to the view direction. If areas intersect, one is drawn over the other.
 
 use std::fmt::Write as _;
 
@@ -11,33 +11,33 @@ use super::projection::{dot, normal};
 use super::{Drawing, Layer, Look, Offset, Role, Shape, Window};
 use crate::plot::page;
 
-/// Sides of the picture, in pixels.
+/// The sides of the picture, in pixels.
 const SIZE: [f64; 2] = [760.0, 560.0];
-/// Room around the drawing, in pixels.
+/// The margin around the drawing, in pixels.
 const MARGIN: f64 = 28.0;
-/// Points of up to so many are circles that can be told apart.
+/// The maximum number of points that are drawn as large circles.
 const FEW_POINTS: usize = 500;
-/// So many layers have their names in the picture.
+/// The maximum number of layers with names in the picture.
 const MOST_NAMES: usize = 12;
 /// The height of a line of names, in pixels.
 const LINE: f64 = 16.0;
-/// How much light falls on what faces the eye edge on.
+/// The brightness of an area that is edge-on to the eye.
 const AMBIENT: f64 = 0.45;
 
-/// One thing to draw.
+/// An item to draw.
 struct Item {
-    /// How near to the eye.
+    /// The depth: larger is nearer to the eye.
     depth: f64,
     text: String,
 }
 
-/// From offsets to pixels.
+/// The map from offsets to pixels.
 struct View {
     middle: Offset,
     axes: [Offset; 3],
-    /// Pixels to a unit of [`View::unit`].
+    /// The scale in pixels per [`View::unit`].
     scale: f64,
-    /// Half of the longest side: offsets are divided by it first, so that none is too large or too small.
+    /// Half of the longest side. Offsets are divided by it first, to avoid overflow and underflow.
     unit: f64,
     /// The middle of the drawing, in pixels.
     centre: [f64; 2],
@@ -61,13 +61,13 @@ impl View {
         view
     }
 
-    /// Right, up and towards the eye, in units.
+    /// The point's components to the right, up and towards the eye, in units.
     fn turned(&self, point: Offset) -> Offset {
         let from_middle = [0, 1, 2].map(|axis: usize| point[axis] / self.unit - self.middle[axis] / self.unit);
         self.axes.map(|axis| dot(axis, from_middle))
     }
 
-    /// Right and down in pixels; what is far outside of the picture stays there.
+    /// The point's components to the right and down, in pixels; a point far outside of the picture stays outside.
     fn place(&self, point: Offset) -> [f64; 2] {
         let [right, up, _] = self.turned(point);
         let far = 1e6;
@@ -79,7 +79,7 @@ impl View {
         for path in paths {
             for (at, &point) in path.iter().enumerate() {
                 let [x, y] = self.place(point);
-                // A String takes everything.
+                // Writing to a String does not fail.
                 let _ = write!(text, "{}{x:.1} {y:.1}", if at == 0 { 'M' } else { 'L' });
             }
             text.push_str(if is_closed { "Z" } else { "" });
@@ -97,7 +97,7 @@ impl View {
 }
 
 impl Drawing {
-    /// The drawing as an SVG picture, seen from where `look` says if it is in space.
+    /// The drawing as an SVG picture; a drawing in space is seen from the direction `look`.
     #[must_use]
     pub fn svg(&self, look: Look, window: Window) -> String {
         let (names, top) = legend(self.shown());
@@ -107,7 +107,8 @@ impl Drawing {
         for (at, layer) in self.shown().enumerate() {
             for (part, paths) in layer.parts.iter().enumerate() {
                 let drawn = part_svg(&view, self.is_space, layer, part, paths);
-                // In the plane layers lie over each other; in space lines lie on what they bound, so they are a little nearer.
+                // In the plane, layers lie over each other. In space, lines lie on the areas that they bound, so they
+                // are put slightly nearer.
                 #[allow(clippy::cast_precision_loss)] // a few layers
                 let depth = match (self.is_space, layer.shape) {
                     (false, _) => at as f64,
@@ -171,7 +172,7 @@ fn part_svg(view: &View, is_space: bool, layer: &Layer, part: usize, paths: &[Ve
     text
 }
 
-/// The colour of an area by how it faces the eye.
+/// The colour of an area by its angle to the view direction.
 fn shaded(view: &View, role: Role, ring: &[Offset]) -> [u8; 3] {
     let facing = match ring {
         [a, b, c, ..] => {
@@ -192,7 +193,8 @@ fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
 
-/// The names of the layers and how many parts each has, in lines above the drawing, and the height of these lines.
+/// The legend: the names of the layers and their numbers of parts, in lines above the drawing, and the height of these
+/// lines.
 fn legend<'l>(layers: impl Iterator<Item = &'l Layer>) -> (String, f64) {
     let named: Vec<&Layer> = layers.filter(|layer| !layer.parts.is_empty()).collect();
     let (mut text, mut x, mut y) = (String::new(), 10.0, 18.0);
@@ -223,7 +225,7 @@ fn legend<'l>(layers: impl Iterator<Item = &'l Layer>) -> (String, f64) {
     (text, y)
 }
 
-/// A bar whose length is a digit times a power of ten, in the lower left corner.
+/// A scale bar in the lower left corner; its length is a digit times a power of ten.
 fn bar(view: &View) -> String {
     let most = 160.0 / view.scale * view.unit;
     let power = 10_f64.powf(most.log10().floor());

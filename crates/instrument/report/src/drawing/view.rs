@@ -1,4 +1,4 @@
-//! Drawings as data for the view in a browser, and as a page that shows one.
+//! Drawings as data for the view in a browser, and as a page with the view.
 
 use std::collections::BTreeMap;
 
@@ -8,14 +8,15 @@ use super::{Drawing, Layer, Offset, Window};
 use crate::Error;
 use crate::page::fill;
 
-/// The scripts of the view: a library for WebGL, then what the view does with it.
+/// The scripts of the view: a library for WebGL, then the view's own script.
 pub const SCRIPTS: [&str; 2] = [include_str!("../../web/vendor/ogl.js"), include_str!("../../web/view.js")];
 
-/// Places in the data are whole numbers up to this: finer than the pixels of any screen.
+/// The maximum of a coordinate in the data, a whole number: finer than the pixels of any screen.
 const STEPS: f64 = 1e6;
 
 impl Drawing {
-    /// The drawing as data for the view. Places are whole millionths of half the longest side, from the middle; `unit` is that half.
+    /// The drawing as data for the view. Coordinates are whole millionths of half the longest side, from the centre;
+    /// `unit` is that half side.
     ///
     /// ```text
     /// { "space": true, "unit": 0.5, "layers": [
@@ -29,12 +30,12 @@ impl Drawing {
         json!({ "space": self.is_space, "unit": unit, "layers": layers })
     }
 
-    /// A page with the view of the drawing that needs nothing else, under a title.
+    /// A self-contained page with the view of the drawing, under a title.
     ///
     /// # Errors
     /// If the page can't be filled in.
     pub fn page(&self, title: &str) -> Result<String, Error> {
-        // Nothing in the data may end the element that they are in.
+        // The data must not contain the end tag of their element.
         let data = self.json().to_string().replace('<', "\\u003c");
         fill(
             "view.html",
@@ -56,7 +57,7 @@ fn layer_json(layer: &Layer, middle: Offset, unit: f64) -> Value {
         lengths.push(path.len());
         for point in path {
             #[allow(clippy::cast_possible_truncation)]
-            // a layer that is not shown may be outside of the box, where the largest whole number will do
+            // a hidden layer may be outside of the box: the conversion then gives the largest whole number
             let place =
                 [0, 1, 2].map(|axis: usize| ((point[axis] / unit - middle[axis] / unit) * STEPS).round() as i32);
             let next = u32::try_from(places.len()).unwrap_or(u32::MAX);
@@ -66,7 +67,7 @@ fn layer_json(layer: &Layer, middle: Offset, unit: f64) -> Value {
             }));
         }
     }
-    // A drawing of triangles says so once.
+    // For a drawing of only triangles, the length is written once.
     lengths.dedup();
     let lengths = if lengths.len() == 1 { lengths } else { layer.parts.iter().flatten().map(Vec::len).collect() };
     json!({

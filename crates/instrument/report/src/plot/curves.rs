@@ -1,4 +1,4 @@
-//! One quantity over another, on logarithmic axes, a line for each of several.
+//! Plots of one quantity over another, on logarithmic axes, with a line for each series.
 
 use std::ops::Range;
 
@@ -11,31 +11,31 @@ use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 380);
 
-/// Of letters.
+/// The size of letters.
 const FONT: u32 = 12;
-/// Below the picture: where names start, the sample of a line before its name, a letter at most, between names, and a row.
+/// The sizes of the legend: left margin, line sample, maximum letter width, gap between names, and row height.
 const LEFT: u32 = 74;
 const SAMPLE: u32 = 24;
 const LETTER: u32 = 7;
 const GAP: u32 = 16;
 const ROW: u32 = 17;
 
-/// A line.
+/// A line of a plot.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Curve {
-    /// Its name.
+    /// The line's name.
     pub name: String,
-    /// Its points; those with a coordinate that has no logarithm are left out. A line without points is a name alone, which says
-    /// what there is nothing of.
+    /// The points; a point without logarithms is left out. A line without points appears only by its name, which says
+    /// that it has no data.
     pub points: Vec<(f64, f64)>,
-    /// Whether it is the upper end of a band, and all below it is shaded.
+    /// True if the line is the upper end of a band, and all below it is shaded.
     pub is_band: bool,
-    /// Vertical bars through points: the place, the lower end, the upper end.
+    /// Vertical bars through points, each as position, lower end and upper end.
     pub bars: Vec<(f64, f64, f64)>,
 }
 
 impl Curve {
-    /// A line with this name.
+    /// A line with this name and these points.
     pub fn new(name: impl Into<String>, points: impl Into<Vec<(f64, f64)>>) -> Curve {
         Curve { name: name.into(), points: points.into(), ..Curve::default() }
     }
@@ -46,38 +46,38 @@ impl Curve {
         Curve { is_band: true, ..self }
     }
 
-    /// The line with vertical bars through its points: the place, the lower end, the upper end of each.
+    /// The line with vertical bars through its points, each as position, lower end and upper end.
     #[must_use]
     pub fn bars(self, bars: impl IntoIterator<Item = (f64, f64, f64)>) -> Curve {
         Curve { bars: bars.into_iter().collect(), ..self }
     }
 }
 
-/// Lines with what their axes mean.
+/// Lines with the titles of their axes.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Curves {
-    /// The horizontal axis.
+    /// The title of the horizontal axis.
     pub x: String,
-    /// The vertical axis.
+    /// The title of the vertical axis.
     pub y: String,
     /// The lines.
     pub curves: Vec<Curve>,
-    /// How places are spread over the horizontal axis.
+    /// The scale of the horizontal axis.
     pub spread: XAxis,
 }
 
-/// How places are spread over a horizontal axis.
+/// The scale of a horizontal axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub enum XAxis {
-    /// Equal factors are equally far apart.
+    /// A logarithmic scale: equal factors have equal distances.
     #[default]
     Logarithmic,
-    /// Equal differences are equally far apart: for exponents, and for places below zero.
+    /// A linear scale: equal differences have equal distances; for exponents and for negative positions.
     Linear,
 }
 
 impl XAxis {
-    /// Where a number is, as decades or as itself, if it is anywhere.
+    /// The position of a number on the scale, if it has one: its decimal logarithm, or the number itself.
     fn place(self, x: f64) -> Option<f64> {
         let place = match self {
             XAxis::Logarithmic => x.log10(),
@@ -87,7 +87,7 @@ impl XAxis {
     }
 }
 
-/// Lines as a picture; none where no point has logarithms.
+/// Draws lines as a picture; `None` if no point has a logarithm.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -116,7 +116,7 @@ pub fn curves(curves: &Curves) -> Result<Option<Picture>, Error> {
     Ok(Some(picture))
 }
 
-/// Puts the numbers of the lines into the picture, as its metadata: a page makes a plot of them that answers to the pointer.
+/// Adds the numbers of the lines to the picture, as its metadata: a page makes an interactive plot of them.
 fn carry(svg: &mut String, curves: &Curves) {
     let colours = colours(curves.curves.iter().map(|curve| curve.name.as_str()));
     let line = |(curve, colour): (&Curve, RGBColor)| {
@@ -127,7 +127,7 @@ fn carry(svg: &mut String, curves: &Curves) {
     let lines: Vec<Value> = curves.curves.iter().zip(colours).map(line).collect();
     let data =
         json!({ "x": curves.x, "y": curves.y, "linear": curves.spread == XAxis::Linear, "curves": lines }).to_string();
-    // JSON as text of XML.
+    // Escape JSON as text of XML.
     let data = data.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;");
     if let Some(end) = svg.find('>') {
         svg.insert_str(end + 1, &format!("<metadata>{data}</metadata>"));
@@ -135,7 +135,7 @@ fn carry(svg: &mut String, curves: &Curves) {
 }
 
 impl Curves {
-    /// Where a point is in the plot; none for one with a coordinate that has no logarithm.
+    /// The position of a point in the plot; `None` if a coordinate has no logarithm.
     fn place(&self, &(x, y): &(f64, f64)) -> Option<(f64, f64)> {
         Some((self.spread.place(x)?, XAxis::Logarithmic.place(y)?))
     }
@@ -157,7 +157,7 @@ fn axis(spread: XAxis, range: Range<f64>) -> Decades {
     }
 }
 
-/// The names of lines in rows, as they fit side by side below the picture: the place of each line, and where it starts.
+/// The names of lines in rows, as they fit side by side below the picture: the index of each line, and its start.
 fn rows_of(curves: &[Curve]) -> Vec<Vec<(usize, u32)>> {
     let mut rows: Vec<Vec<(usize, u32)>> = vec![Vec::new()];
     let mut next = 0;
@@ -203,7 +203,7 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades)) 
         for bar in curves.bars(curve) {
             chart.draw_series(std::iter::once(PathElement::new(bar, colour(at).mix(0.5))))?;
         }
-        // A line of one point is not to be seen without a mark.
+        // A line of one point is invisible without a mark.
         chart.draw_series(points.iter().map(|&point| Circle::new(point, 3, colour(at).filled())))?;
         chart.draw_series(LineSeries::new(points, colour(at).stroke_width(2)))?;
     }
@@ -225,7 +225,7 @@ fn draw(recording: &mut Recording, curves: &Curves, (x, y): (Decades, Decades)) 
 mod tests {
     use super::*;
 
-    /// Names are below all marks, within the picture, and apart from each other, however many and long they are.
+    /// Any number of names of any length are below all marks, within the picture, and apart from each other.
     #[test]
     fn names_overlap_nothing() {
         let name = |at: usize| format!("backend {at} {}", "x".repeat(at * 7 % 60));

@@ -5,7 +5,7 @@ use super::recording::Recording;
 use crate::{Error, Picture};
 
 impl Recording {
-    /// The drawing as it goes into pages and files.
+    /// The drawing in the formats of pages and files.
     pub fn picture(&self) -> Result<Picture, Error> {
         Ok(Picture { svg: self.svg()?, pdf: Some(pdf::pdf(self)?) })
     }

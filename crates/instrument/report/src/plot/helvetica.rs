@@ -1,10 +1,11 @@
-//! Letters that every reader of PDF has: which font and code a character has there, and how wide it is.
+//! The fonts that every PDF reader has: the font, the code and the width of a character.
 //!
-//! A reader brings fourteen fonts along, so a file needs none. Text that ends or is centred at a place has to be measured, so widths are
-//! here: those of Adobe's Core 14 AFM files (1997), in thousandths of the size. Latin letters are Helvetica in the encoding WinAnsi; Greek
-//! ones and mathematics are those of Symbol, whose encoding is its own; for anything else there is a question mark.
+//! A PDF reader provides fourteen fonts, so a file does not embed any. Text that is right-aligned or centred has to be
+//! measured. The widths here are those of Adobe's Core 14 AFM files (1997), in thousandths of the size. Latin letters
+//! are Helvetica in the encoding WinAnsi. Greek letters and mathematics are Symbol, which has its own encoding. Any
+//! other character becomes a question mark.
 
-/// One of the fonts.
+/// A font.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Face {
     Regular,
@@ -13,7 +14,7 @@ pub enum Face {
 }
 
 impl Face {
-    /// The name that every reader knows.
+    /// The standard name of the font, which every PDF reader knows.
     pub const fn name(self) -> &'static [u8] {
         match self {
             Face::Regular => b"Helvetica",
@@ -22,7 +23,7 @@ impl Face {
         }
     }
 
-    /// The height of an x, in sizes.
+    /// The height of the letter x, as a fraction of the size.
     pub const fn x_height(self) -> f64 {
         match self {
             Face::Bold => 0.532,
@@ -31,14 +32,14 @@ impl Face {
     }
 }
 
-/// Text in one font.
+/// A run of text in one font.
 #[derive(PartialEq, Eq, Debug)]
 pub struct Run {
     pub face: Face,
     pub codes: Vec<u8>,
 }
 
-/// Text, font by font, and how wide it is, in sizes.
+/// The text as runs, and its width as a multiple of the size.
 pub fn set(text: &str, face: Face) -> (Vec<Run>, f64) {
     let mut runs: Vec<Run> = Vec::new();
     let mut width = 0;
@@ -81,7 +82,7 @@ fn symbol(letter: char) -> Option<(Face, u8, u16)> {
     })
 }
 
-/// The code of a letter among these, whose codes follow each other.
+/// The code of a letter in a list of letters with consecutive codes.
 fn code_in(from: u8, letters: &str, letter: char) -> Option<u8> {
     let place = letters.chars().position(|other| other == letter)?;
     from.checked_add(u8::try_from(place).ok()?)
@@ -91,13 +92,13 @@ fn widths(face: Face) -> &'static [u16; 224] {
     if face == Face::Bold { &BOLD } else { &REGULAR }
 }
 
-/// Where there is no letter that is not in Helvetica too.
+/// The mark of a code without a letter, or with one that Helvetica has too.
 const NONE: char = '·';
 
-/// WinAnsi from 0x80 on; from 0xa0 on it is Unicode.
+/// WinAnsi from 0x80 on; from 0xa0 on it equals Unicode.
 const BETWEEN: &str = "€·‚ƒ„…†‡ˆ‰Š‹Œ·Ž··‘’“”•–—˜™š›œ·žŸ";
 
-/// Helvetica from 0x20 on.
+/// The widths of Helvetica from 0x20 on.
 const REGULAR: [u16; 224] = [
     278, 278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833,
@@ -111,7 +112,7 @@ const REGULAR: [u16; 224] = [
     278, 278, 278, 556, 556, 556, 556, 556, 556, 556, 584, 611, 556, 556, 556, 556, 500, 556, 500,
 ];
 
-/// Helvetica-Bold from 0x20 on.
+/// The widths of Helvetica-Bold from 0x20 on.
 const BOLD: [u16; 224] = [
     278, 333, 474, 556, 556, 889, 722, 238, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556, 556,
     556, 556, 556, 333, 333, 584, 584, 584, 611, 975, 722, 722, 722, 722, 667, 611, 778, 722, 278, 556, 722, 611, 833,
@@ -133,7 +134,7 @@ struct Row {
     widths: [u16; 32],
 }
 
-/// What there is of letters and mathematics.
+/// The supported letters and mathematics of Symbol.
 const SYMBOL: [Row; 5] = [
     Row {
         from: 0x20,
@@ -187,7 +188,7 @@ mod tests {
         // 500 + 278 + 549 + 278 + 556.
         let expected = vec![run(Face::Regular, b"x "), run(Face::Symbol, b"\xa3"), run(Face::Regular, b" 2")];
         assert_eq!(set("x ≤ 2", Face::Regular), (expected, 2.161));
-        // 333 + 556 + 584: the sign is in WinAnsi; no other sign is.
+        // The sum is 333 + 556 + 584: this sign is in WinAnsi; other signs are not.
         assert_eq!(set("-2×", Face::Bold), (vec![run(Face::Bold, b"-2\xd7")], 1.473));
         assert_eq!(set("", Face::Bold), (vec![], 0.0));
     }
@@ -197,7 +198,7 @@ mod tests {
         let codes = |text: &str| set(text, Face::Regular).0.into_iter().flat_map(|run| run.codes).collect::<Vec<_>>();
         assert_eq!(codes("∞≤≥→√Δ−στγδε"), b"\xa5\xa3\xb3\xae\xd6\x44\x2d\x73\x74\x67\x64\x65");
         assert!(set("∞≤≥→√Δ∆−στγδε", Face::Bold).0.iter().all(|run| run.face == Face::Symbol));
-        // In Helvetica's encoding, though above Latin-1.
+        // These are in Helvetica's encoding, though above Latin-1.
         assert_eq!(codes("–—…€Ÿ·"), b"\x96\x97\x85\x80\x9f\xb7");
         assert_eq!(codes("日\u{81}\u{7f}"), b"???");
     }

@@ -8,25 +8,25 @@ use super::{Decades, Drawn, Recording, failed, power_of_ten, quiet, small};
 use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (760, 300);
-/// Of letters.
+/// The size of letters.
 const FONT: u32 = 12;
-/// The share of a place that its bars take.
+/// The share of a place's width that its bars take.
 const FILLED: f64 = 0.8;
 
-/// Counts by place, for each of several.
+/// The counts of several series by place.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Bars {
-    /// What the places are.
+    /// The title of the horizontal axis.
     pub x: String,
-    /// What is counted.
+    /// The title of the vertical axis.
     pub y: String,
     /// The names of the places.
     pub places: Vec<String>,
-    /// Names, and a count for each place; zeros get no bar.
+    /// The series: a name, and a count for each place; zeros get no bar.
     pub series: Vec<(String, Vec<f64>)>,
 }
 
-/// Bars as a picture; none where nothing was counted.
+/// Draws a histogram; `None` if all counts are zero.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -42,7 +42,7 @@ pub fn histogram(bars: &Bars) -> Result<Option<Picture>, Error> {
 
 fn draw(recording: &mut Recording, bars: &Bars, top: f64) -> Drawn {
     let number = |n: usize| f64::from(u32::try_from(n).unwrap_or(u32::MAX));
-    // A single count stands a little above the ground.
+    // A count of 1 is drawn a little above the ground.
     let ground = -0.3;
     let root = recording.area(SIZE);
     let mut chart = ChartBuilder::on(&root)
@@ -96,7 +96,7 @@ mod tests {
             assert!(svg.contains(text), "{text}");
         }
         let filled = |RGBColor(r, g, b): RGBColor| svg.matches(&format!("#{r:02X}{g:02X}{b:02X}")).count();
-        // With one more in the legend.
+        // Each has one more in the legend.
         assert_eq!(["one", "two"].map(super::super::colour_of).map(filled), [2, 3], "{svg}");
         let nothing = Bars { series: vec![("one".into(), vec![0.0, 0.0])], ..bars };
         assert_eq!(histogram(&nothing), Ok(None));

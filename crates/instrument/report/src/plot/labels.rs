@@ -1,4 +1,4 @@
-//! Names beside marks, none of which covers another.
+//! Names beside marks, placed without overlaps.
 
 use std::cmp::Reverse;
 use std::ops::Range;
@@ -8,27 +8,27 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::{Area, Drawn};
 
-/// The height of a label, and so the least distance between two.
+/// The height of a label, and so the minimum distance between two.
 const LINE: i32 = 14;
 
-/// The name beside a mark.
+/// A name beside a mark.
 pub struct Label {
     pub text: String,
-    /// Where the mark is, in pixels.
+    /// The place of the mark, in pixels.
     pub at: (i32, i32),
-    /// Where the name goes.
+    /// The height of the name, in pixels.
     pub y: i32,
     pub colour: RGBColor,
 }
 
 impl Label {
-    /// A name where its mark is.
+    /// A name at the height of its mark.
     pub fn new(text: String, at: (i32, i32), colour: RGBColor) -> Label {
         Label { text, at, y: at.1, colour }
     }
 }
 
-/// Draws all names in one column beside a plot, whose right edge and height these are, each with a line from its mark.
+/// Draws all names in one column beside a plot with this right edge and height, each with a line from its mark.
 pub fn names(area: &Area, mut labels: Vec<Label>, edge: i32, height: Range<i32>) -> Drawn {
     labels.sort_by_key(|label| (label.at.1, Reverse(label.at.0)));
     stack(&mut labels, (height.start, height.end - LINE / 2));
@@ -41,8 +41,8 @@ pub fn names(area: &Area, mut labels: Vec<Label>, edge: i32, height: Range<i32>)
     Ok(())
 }
 
-/// Moves labels of one column, in their order, up and down until none covers another: from the top each is pushed below the one
-/// before it, then what stuck out at the bottom is pushed back up.
+/// Moves the labels of a column, in their order, until they do not overlap. From the top, each label is pushed below
+/// the previous one. Then labels beyond the bottom are pushed back up.
 fn stack(labels: &mut [Label], (top, bottom): (i32, i32)) {
     let mut least = top;
     for label in labels.iter_mut() {

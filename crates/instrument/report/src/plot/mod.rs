@@ -1,11 +1,11 @@
-//! Plots, for files and for pages: as SVG, and as PDF for papers.
+//! Plots for pages, as SVG, and for papers, as PDF.
 //!
-//! Each draws into a [`Recording`], of which both are made.
+//! Each plot draws into a [`Recording`], from which both formats are made.
 //!
 //! * [`tradeoff`]: speed against error.
-//! * [`ranges`]: from where something is lost to where it is safe.
+//! * [`ranges`]: the ranges from the size of the first loss to the size that is safe.
 //! * [`curves`]: one quantity over another, on logarithmic axes.
-//! * [`histogram`]: how often, by place.
+//! * [`histogram`]: counts by place.
 
 mod curves;
 mod files;
@@ -35,21 +35,21 @@ pub use ranges::{Bar, ranges};
 pub(crate) use recording::{Recorder, Recording};
 pub use tradeoff::{Point, Tradeoff, tradeoff};
 
-/// Stands for the colour of the text around the picture, which no fixed
-/// colour can be on both light and dark pages.
+/// A placeholder for the colour of the text around the picture: a fixed colour can't be readable on both light and dark
+/// pages.
 pub(crate) const INK: RGBColor = RGBColor(1, 2, 3);
 const INK_IN_SVG: &str = "#010203";
 
 /// A plot for pages and files.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Picture {
-    /// As SVG, for pages and the web.
+    /// The plot as SVG, for pages and the web.
     pub svg: String,
-    /// As PDF, for papers, where there is one.
+    /// The plot as PDF, for papers, if there is one.
     pub pdf: Option<Vec<u8>>,
 }
 
-/// SVG alone.
+/// A picture with only SVG.
 impl From<String> for Picture {
     fn from(svg: String) -> Picture {
         Picture { svg, pdf: None }
@@ -64,12 +64,12 @@ pub(crate) fn failed(error: impl Display) -> Error {
     Error::new("plot".as_ref(), error.to_string())
 }
 
-/// Letters of so many pixels.
+/// A text style of this size in pixels.
 fn small(size: u32) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&INK)
 }
 
-/// Thin lines at the ticks only, and small letters.
+/// Sets thin lines at the ticks only, and small letters.
 fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X, Y, B>, size: u32) {
     mesh.axis_style(INK.mix(0.5))
         .bold_line_style(INK.mix(0.12))
@@ -78,11 +78,10 @@ fn quiet<X: Ranged, Y: Ranged, B: DrawingBackend>(mesh: &mut MeshStyle<'_, '_, X
         .axis_desc_style(small(size));
 }
 
-/// The drawn picture with the colours of the page around it, or of the
-/// system's scheme where it stands alone.
+/// The picture with the colours of the page around it or, in a separate file, of the system's colour scheme.
 pub(crate) fn page(svg: &str) -> String {
     let svg = svg.replace(INK_IN_SVG, "currentColor");
-    // Beside a page the file stands alone and has to look up the ground itself.
+    // As a separate file, the picture has to find out the background itself.
     let style = "<style>.scatter{color:#222;max-width:100%;height:auto}\
                  @media(prefers-color-scheme:dark){.scatter{color:#ddd}}\
                  .scatter text{font-variant-numeric:tabular-nums}</style>";
@@ -98,18 +97,18 @@ struct Decades {
     ticks: Ticks,
 }
 
-/// Where an axis has ticks.
+/// The ticks of an axis.
 enum Ticks {
     /// At each power of ten.
     Powers,
-    /// At 2 and 5 times each power of ten, too.
+    /// At 2 and 5 times each power of ten as well.
     Fine,
-    /// At multiples of a round number: the axis is no logarithm.
+    /// At multiples of a round number: the axis is linear.
     Multiples(f64),
 }
 
 impl Decades {
-    /// With more ticks where there are no two decades.
+    /// An axis with more ticks if it spans less than two decades.
     fn finely(range: Range<f64>) -> Decades {
         let ticks = if range.end - range.start < 2.0 { Ticks::Fine } else { Ticks::Powers };
         Decades { range, ticks }
@@ -117,7 +116,7 @@ impl Decades {
 }
 
 impl Decades {
-    /// An axis of numbers themselves, with about ten ticks.
+    /// A linear axis, with about ten ticks.
     fn linear(range: Range<f64>) -> Decades {
         let least = (range.end - range.start) / 10.0;
         let power = 10_f64.powf(least.log10().floor());
@@ -138,7 +137,7 @@ impl Ranged for Decades {
 
     fn map(&self, value: &f64, (from, to): (i32, i32)) -> i32 {
         let share = (value - self.range.start) / (self.range.end - self.range.start);
-        // A pixel near those that are given.
+        // The result is a pixel near the given ones.
         #[allow(clippy::cast_possible_truncation)]
         let offset = (share * f64::from(to - from)).round() as i32;
         from + offset

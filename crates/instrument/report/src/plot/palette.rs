@@ -2,8 +2,8 @@
 
 use plotters::prelude::RGBColor;
 
-/// The backends that come with the tool. The hues are those of Okabe and Ito, which every kind of colour vision tells
-/// apart; variants of a backend have its hue in another lightness.
+/// The colours of the tool's own backends. The hues are those of Okabe and Ito, which every kind of colour vision
+/// distinguishes. Variants of a backend have its hue with another lightness.
 const OWN: [(&str, RGBColor); 11] = [
     ("exact", RGBColor(46, 134, 204)),
     ("sos", RGBColor(0, 158, 115)),
@@ -18,7 +18,7 @@ const OWN: [(&str, RGBColor); 11] = [
     ("shewchuk", RGBColor(140, 140, 140)),
 ];
 
-/// Colours of everything else.
+/// The colours of all other names.
 const OTHER: [RGBColor; 8] = [
     RGBColor(86, 180, 233),
     RGBColor(150, 130, 60),
@@ -30,14 +30,16 @@ const OTHER: [RGBColor; 8] = [
     RGBColor(130, 160, 40),
 ];
 
-/// The colour of a backend or of another name: that of the longest beginning of the name, up to a colon, which has one;
-/// otherwise one by the hash of the name, whatever else is on the page.
+/// The colour of a backend or of another name, independent of other names on the page.
+///
+/// It is the colour of the longest prefix of the name, up to a colon, that has one; otherwise a colour by the hash of
+/// the name.
 #[must_use]
 pub fn colour_of(name: &str) -> RGBColor {
     own(name).unwrap_or_else(|| OTHER[place(name)])
 }
 
-/// The colours of names on one picture: [`colour_of`] each, or where another name has it, the next one that is free.
+/// The colours of names on one picture: [`colour_of`] for each or, if another name has it, the next free colour.
 pub(crate) fn colours<'n>(names: impl IntoIterator<Item = &'n str>) -> Vec<RGBColor> {
     let mut taken: Vec<RGBColor> = Vec::new();
     for name in names {
@@ -51,13 +53,13 @@ pub(crate) fn colours<'n>(names: impl IntoIterator<Item = &'n str>) -> Vec<RGBCo
     taken
 }
 
-/// The colour of a backend that comes with the tool.
+/// The colour of one of the tool's own backends.
 fn own(name: &str) -> Option<RGBColor> {
     let beginnings = std::iter::successors(Some(name), |name| name.rsplit_once(':').map(|(before, _)| before));
     beginnings.into_iter().find_map(|name| OWN.iter().find(|(own, _)| *own == name)).map(|(_, colour)| *colour)
 }
 
-/// FNV-1a, which gives the same place on every machine.
+/// The index by the hash FNV-1a, equal on every machine.
 fn place(name: &str) -> usize {
     let hash = name
         .bytes()
@@ -65,7 +67,7 @@ fn place(name: &str) -> usize {
     usize::try_from(hash % 8).unwrap_or(0)
 }
 
-/// The colour as pages write it.
+/// The colour in the notation of HTML.
 #[must_use]
 pub fn hex(RGBColor(r, g, b): RGBColor) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")

@@ -1,7 +1,8 @@
 //! A drawing as PDF: one page of its size, vectors and real text, for papers.
 //!
-//! It is PDF 1.4, the first with transparency, which no LaTeX warns about; a pixel is a unit. Nothing in it depends on when or where it
-//! was made. Coordinates within it are those of the drawing, downwards: what a test or an editor reads there is what SVG has.
+//! The format is PDF 1.4, the first with transparency; LaTeX accepts it without a warning. A pixel is a unit. The file
+//! does not depend on the time or the machine. Coordinates in the file are those of the drawing, downwards, so tests
+//! and editors see the same coordinates as in the SVG.
 
 use std::io::Write as _;
 
@@ -16,11 +17,11 @@ use super::helvetica::{Face, set};
 use super::recording::{Letters, Mark, Pen, Recording};
 use crate::Error;
 
-/// What the colour of the text around the picture is on paper.
+/// The colour on paper of the text around the picture.
 const INK_ON_PAPER: (u8, u8, u8) = (0x22, 0x22, 0x22);
-/// Lengths of SVG's letters in one of plotters.
+/// The ratio of a letter size in SVG to one in plotters.
 const UNIT: f64 = 1.24;
-/// How far a Bézier curve's handles are from its ends for a quarter of a circle, in radii.
+/// The distance of a Bézier curve's handles from its ends for a quarter of a circle, in radii.
 const QUARTER: f32 = 0.552_284_8;
 
 /// A drawing as the bytes of a file.
@@ -29,7 +30,7 @@ pub fn pdf(drawing: &Recording) -> Result<Vec<u8>, Error> {
     let mut page =
         Page { content: Content::with_settings(Settings { pretty: false }), opacities: Vec::new(), faces: Vec::new() };
     page.content.transform([1.0, 0.0, 0.0, -1.0, 0.0, height]);
-    // As in SVG, where corners are cut off at less.
+    // The limit of SVG, which cuts off sharper corners.
     page.content.set_miter_limit(4.0);
     for mark in &drawing.marks {
         page.mark(mark);
@@ -79,7 +80,7 @@ fn state_name(at: usize) -> String {
     format!("A{at}")
 }
 
-/// PDF has single precision, of which pixels take a part.
+/// A length in single precision, which PDF uses; it holds fractions of pixels.
 #[allow(clippy::cast_possible_truncation)]
 fn pixels(x: f64) -> f32 {
     x as f32
@@ -89,7 +90,7 @@ fn corner((x, y): BackendCoord) -> [f32; 2] {
     [x, y].map(|x| pixels(f64::from(x)))
 }
 
-/// What is drawn on the page, and the opacities and fonts that it needs.
+/// The page's content, and the opacities and fonts that it needs.
 struct Page {
     content: Content,
     opacities: Vec<f32>,
@@ -113,7 +114,7 @@ impl Page {
         }
     }
 
-    /// From now on in this colour.
+    /// Sets the colour for the following operations.
     fn ink(&mut self, pen: &Pen) {
         let BackendColor { rgb, alpha } = pen.colour;
         let alpha = pixels(alpha);
@@ -181,7 +182,7 @@ impl Page {
         if runs.is_empty() {
             return;
         }
-        // From the anchor to where the baseline starts, along it and down from it, as SVG has it.
+        // From the anchor to the start of the baseline, along it and down from it, as in SVG.
         let along = match letters.anchor.h_pos {
             HPos::Left => 0.0,
             HPos::Center => -width / 2.0,
@@ -192,7 +193,7 @@ impl Page {
             VPos::Center => face.x_height() / 2.0,
             VPos::Bottom => -face.x_height() / 2.0,
         };
-        // Where text goes; what is down from it is a quarter of a turn to the right.
+        // The direction of the text; down from it is a quarter turn to the right.
         let (x, y) = match letters.transform {
             FontTransform::None => (1.0, 0.0),
             FontTransform::Rotate90 => (0.0, 1.0),

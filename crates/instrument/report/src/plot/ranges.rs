@@ -1,5 +1,5 @@
-//! Bars from the size at which features are lost to the size from which on all survive, on
-//! a logarithmic axis.
+//! Plots of ranges: bars from the size at which features are lost to the size from which on all survive, on a
+//! logarithmic axis.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -10,28 +10,28 @@ use crate::{Error, Picture};
 
 const WIDTH: u32 = 760;
 const ROW: u32 = 16;
-/// Room for the names at the left.
+/// The width of the names at the left.
 const NAMES: u32 = 250;
-/// Room for the axis and the legend.
+/// The height of the axis and the legend.
 const FRAME: u32 = 80;
 
-/// Of letters.
+/// The size of letters.
 const FONT: u32 = 12;
 
-/// A bar.
+/// A bar of a plot of ranges.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Bar {
-    /// What it is about; bars in a row with one name stand together.
+    /// The bar's subject; consecutive bars with one name form a group.
     pub name: String,
-    /// Who: a colour each.
+    /// The backend, which gives the colour.
     pub backend: String,
-    /// Where the bar starts; at the left edge if nowhere.
+    /// The start of the bar; the left edge if `None`.
     pub from: Option<f64>,
-    /// Where it ends; at the right edge if nowhere.
+    /// The end of the bar; the right edge if `None`.
     pub to: Option<f64>,
 }
 
-/// Bars over `x`, from 10^`low` to 10^`high`, as a picture.
+/// Draws bars over `x`, from 10^`low` to 10^`high`.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -66,7 +66,7 @@ fn draw(recording: &mut Recording, bars: &[Bar], x: &str, [low, high]: [f64; 2])
     let place = |x: Option<f64>, edge: f64| x.map_or(edge, |x| x.log10().clamp(low, high));
     let mut row = 0.5;
     for group in groups {
-        // A bar that stands for the middle of its group: few rows, so nothing is rounded.
+        // The middle of the bar's group: there are few rows, so nothing is rounded.
         #[allow(clippy::cast_precision_loss)]
         let middle = row + group.len() as f64 / 2.0;
         let at = chart.backend_coord(&(low, middle));

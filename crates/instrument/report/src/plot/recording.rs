@@ -1,7 +1,7 @@
 //! A drawing as data, so that one plot becomes several kinds of file.
 //!
-//! Plots draw into a backend of plotters that only takes notes. [`Recording::svg`] plays them to the SVG backend of plotters, which
-//! writes what it would have written at once; the module `pdf` reads them itself.
+//! Plots draw into a backend of plotters that only records. [`Recording::svg`] replays the marks to the SVG backend of
+//! plotters, with the same result as direct drawing; the module `pdf` reads the marks itself.
 
 use std::convert::Infallible;
 
@@ -15,14 +15,14 @@ use plotters_backend::{
 use super::{failed, page};
 use crate::Error;
 
-/// What was drawn, in its order.
+/// The recorded marks of a drawing, in order.
 #[derive(Default)]
 pub struct Recording {
     pub size: (u32, u32),
     pub marks: Vec<Mark>,
 }
 
-/// A thing that was drawn.
+/// A recorded mark.
 pub enum Mark {
     Pixel { at: BackendCoord, colour: BackendColor },
     Line { ends: [BackendCoord; 2], pen: Pen },
@@ -33,17 +33,17 @@ pub enum Mark {
     Text { text: String, at: BackendCoord, letters: Letters },
 }
 
-/// How a line is drawn, or something filled.
+/// The style of a line or of a filled shape.
 #[derive(Clone, Copy)]
 pub struct Pen {
     pub colour: BackendColor,
     pub width: u32,
 }
 
-/// How text is drawn.
+/// The style of text.
 pub struct Letters {
     family: String,
-    /// In the unit of plotters, which is 1.24 pixels.
+    /// The size in the unit of plotters, which is 1.24 pixels.
     pub size: f64,
     pub colour: BackendColor,
     pub style: FontStyle,
@@ -52,13 +52,13 @@ pub struct Letters {
 }
 
 impl Recording {
-    /// An area to draw on, whose marks are kept here.
+    /// An area to draw on, which records its marks here.
     pub fn area(&mut self, size: (u32, u32)) -> DrawingArea<Recorder<'_>, Shift> {
         self.size = size;
         Recorder(self).into_drawing_area()
     }
 
-    /// The drawing as SVG, with the ink of the page around it.
+    /// The drawing as SVG, with the colour of the text around it.
     pub fn svg(&self) -> Result<String, Error> {
         let mut svg = String::new();
         {
@@ -112,7 +112,7 @@ impl BackendStyle for Pen {
     }
 }
 
-/// For backends that have letters of their own: there are none here to measure or to draw.
+/// For backends with their own fonts: this type does not measure or draw letters.
 impl BackendTextStyle for Letters {
     type FontError = Infallible;
 
@@ -156,13 +156,13 @@ impl BackendTextStyle for Letters {
 
 type Noted = Result<(), DrawingErrorKind<Infallible>>;
 
-/// The backend that takes notes. Sizes of text are guessed as plotters guesses them for SVG.
+/// The backend that records. It estimates sizes of text as plotters does for SVG.
 pub struct Recorder<'d>(&'d mut Recording);
 
 impl Recorder<'_> {
     #[allow(clippy::unnecessary_wraps)] // what plotters asks for
     fn note(&mut self, mark: Mark) -> Noted {
-        // What can't be seen is in no file.
+        // Invisible marks are not recorded.
         if mark.colour().alpha > 0.0 {
             self.0.marks.push(mark);
         }

@@ -1,8 +1,8 @@
-//! A plot of time against errors, a mark for each backend, and bars for the share that a backend left undone.
+//! A plot of time against errors, with a mark for each backend, and bars for the share that a backend left undone.
 //!
-//! Time is on the one axis, the rate of errors on the other. Zero has no logarithm: what is never wrong stands on a shelf at
-//! the bottom, with the upper end of its interval above it. A backend that left things undone looks better than it is, so
-//! a bar says how much that was. The picture is 400 pixels wide, to be read on a telephone.
+//! Time is on the one axis, the rate of errors on the other. Zero has no logarithm: backends without errors are on a
+//! shelf at the bottom, with the upper end of their interval above it. A backend that left queries undone looks better
+//! than it is, so a bar shows their share. The picture is 400 pixels wide, so that it is readable on a phone.
 
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -14,23 +14,23 @@ use super::{Area, Chart, Decades, Drawn, INK, Recording, colour_of, failed, powe
 use crate::{Error, Picture};
 
 const SIZE: (u32, u32) = (400, 270);
-/// A row of a bar.
+/// The height of a bar's row.
 const ROW: u32 = 15;
-/// Room for the names: of a mark at the right, of a bar at the left.
+/// The width of the names: of a mark at the right, of a bar at the left.
 const NAMES: u32 = 150;
-/// Of letters.
+/// The size of letters.
 const FONT: u32 = 11;
 
-/// A plot of costs and errors.
+/// The data of a plot of times and errors.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Tradeoff {
-    /// Above the plot.
+    /// The title above the plot.
     pub title: String,
-    /// The horizontal axis, such as `time over naive's`.
+    /// The title of the horizontal axis, such as `time over naive's`.
     pub x: String,
-    /// The vertical axis, such as `wrong answers per million`.
+    /// The title of the vertical axis, such as `wrong answers per million`.
     pub y: String,
-    /// In how many errors are counted: a million, or a thousand.
+    /// The denominator of the error rate: a million, or a thousand.
     pub per: f64,
     /// The backends.
     pub points: Vec<Point>,
@@ -39,29 +39,29 @@ pub struct Tradeoff {
 /// A backend on a plot.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Point {
-    /// Its name, which gives its colour.
+    /// The backend's name, which gives its colour.
     pub backend: String,
-    /// Its time beside the reference's; none where it was not timed: then it has a bar at most.
+    /// The time relative to the reference's; `None` if it was not timed: then it has at most a bar.
     pub time: Option<f64>,
-    /// How many answers or scenes are wrong, and of how many.
+    /// The number of wrong answers or scenes, and their total.
     pub errors: [u64; 2],
-    /// How many were left undone, and of how many.
+    /// The number of undone answers or scenes, and their total.
     pub not_done: [u64; 2],
-    /// Whether it breaks a law that the vertical axis does not count: a cross goes through its mark.
+    /// True if the backend breaks a law that the vertical axis does not count: its mark is crossed out.
     pub is_marked: bool,
-    /// The curve that it is on: the places of one backend whose parameter is turned, in their order.
+    /// The curve of the point: the points of one backend with different parameters, in their order.
     pub curve: Option<String>,
-    /// Where it was in an earlier run: time and errors.
+    /// The time and errors in an earlier run.
     pub before: Option<(f64, [u64; 2])>,
 }
 
-/// Where a point is, in logarithms.
+/// The position of a point, in logarithms.
 #[derive(Clone, Copy)]
 struct Place {
     time: f64,
-    /// None on the shelf.
+    /// The rate; `None` on the shelf.
     rate: Option<f64>,
-    /// From where to where the rate may be; from none on the shelf.
+    /// The interval of the rate; its lower end is `None` on the shelf.
     interval: (Option<f64>, f64),
 }
 
@@ -75,7 +75,7 @@ impl Tradeoff {
         Some(Place { time: time.log10(), rate, interval: (rate.is_some().then_some(low), high) })
     }
 
-    /// Where the points are, those that were timed.
+    /// The positions of the timed points.
     fn places(&self) -> impl Iterator<Item = (&Point, Place)> {
         self.points.iter().filter_map(|point| Some((point, self.place(point.time, point.errors)?)))
     }
@@ -86,7 +86,7 @@ impl Tradeoff {
     }
 }
 
-/// The plot as a picture; none where no backend was timed and asked.
+/// Draws the plot; `None` if no backend was timed and asked.
 ///
 /// # Errors
 /// If the picture can't be drawn.
@@ -160,7 +160,7 @@ fn marks(area: &Area, of: &Tradeoff) -> Drawn {
     names(area, labels, x_range.end, y_range)
 }
 
-/// The curves of backends whose parameter is turned, each a line through its points.
+/// Draws the curves of backends with several parameters, each as a line through its points.
 fn curves(chart: &mut Chart, of: &Tradeoff, at: impl Fn(Place) -> (f64, f64)) -> Drawn {
     let mut drawn: Vec<&str> = Vec::new();
     for name in of.points.iter().filter_map(|point| point.curve.as_deref()) {
@@ -174,7 +174,7 @@ fn curves(chart: &mut Chart, of: &Tradeoff, at: impl Fn(Place) -> (f64, f64)) ->
     Ok(())
 }
 
-/// A bar for each backend that left something undone.
+/// Draws a bar for each backend that left something undone.
 fn bars_of(area: &Area, undone: &[&Point]) -> Drawn {
     let pixel = |x: u32| i32::try_from(x).unwrap_or(i32::MAX);
     let (left, wide) = (pixel(NAMES), SIZE.0 - NAMES - 60);
@@ -185,7 +185,7 @@ fn bars_of(area: &Area, undone: &[&Point]) -> Drawn {
         let style = ("sans-serif", FONT).into_font().color(&colour).pos(Pos::new(HPos::Right, VPos::Center));
         area.draw(&Text::new(point.backend.clone(), (left - 6, middle), style))?;
         let [count, of] = point.not_done;
-        // A share of at most 184 pixels.
+        // The result is at most 184 pixels.
         let long = u32::try_from(u128::from(count.min(of)) * u128::from(wide) / u128::from(of.max(1))).unwrap_or(wide);
         let frame = [(left, middle - 5), (left + pixel(wide), middle + 5)];
         area.draw(&Rectangle::new(frame, INK.mix(0.08).filled()))?;
@@ -223,7 +223,7 @@ mod tests {
         let lazy = Point { not_done: [250_000, 1_000_000], ..point("tolerance", 1.2, 0) };
         let svg = drawn(vec![point("exact", 1.5, 0), lazy.clone()]);
         assert!(svg.contains("not done") && svg.contains("25.0 %"), "{svg}");
-        // Without a time it has no mark, but the bar stays.
+        // Without a time the backend has no mark, but the bar stays.
         let svg = drawn(vec![point("exact", 1.5, 0), Point { time: None, ..lazy }]);
         assert_eq!((svg.matches("<circle").count(), svg.contains("25.0 %")), (1, true), "{svg}");
     }

@@ -1,4 +1,4 @@
-//! Runs beside earlier ones: what came, what went, what changed, and what takes longer.
+//! The comparison of runs with earlier ones: new, missing and changed results, and longer times.
 
 use std::collections::BTreeMap;
 
@@ -12,12 +12,13 @@ use crate::{Class, Error, Origin, RunDir, SummaryRow};
 use predicament_records::Severity;
 use predicament_records::format::{factor, length, significant, thousands};
 
-/// How many changed pairs are named.
+/// The maximum number of changed pairs that are listed.
 const MANY: usize = 200;
-/// The normal quantile of 95 %, on both sides.
+/// The two-sided 95 % quantile of the normal distribution.
 const Z: f64 = 1.959_963_984_540_054;
 
-/// What distinguishes these runs from earlier ones: pairs of scene and backend by their classes, and times by task and backend.
+/// The section on the differences from earlier runs: pairs of scene and backend by their classes, and times by task and
+/// backend.
 ///
 /// # Errors
 /// If the plot can't be drawn.
@@ -83,7 +84,7 @@ fn classes(row: &SummaryRow) -> Vec<u64> {
     Class::ALL.into_iter().map(|class| row.count(class)).collect()
 }
 
-/// Whether a result is better or worse than an earlier one: less or more of the worst severity in which they differ.
+/// Compares a result with an earlier one, by the number of findings of the worst severity in which they differ.
 fn verdict(old: &SummaryRow, new: &SummaryRow) -> std::cmp::Ordering {
     let count = |row: &SummaryRow, severity: Severity| {
         Class::ALL.into_iter().filter(|class| class.severity() == severity).map(|class| row.count(class)).sum::<u64>()
@@ -93,7 +94,7 @@ fn verdict(old: &SummaryRow, new: &SummaryRow) -> std::cmp::Ordering {
     differing.map_or(std::cmp::Ordering::Equal, |severity| count(new, severity).cmp(&count(old, severity)))
 }
 
-/// What changed, first what is worse, then what is neither, then what is better.
+/// The table of changes: first worse results, then neutral ones, then better ones.
 fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
     changed.sort_by_key(|(key, old, new)| (verdict(old, new).reverse(), *key, rank(order, key[4])));
     let mut caption = "Changed".to_owned();
@@ -129,7 +130,7 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
     table
 }
 
-/// Times over those of earlier runs by task and backend.
+/// The table of times relative to those of earlier runs, by task and backend.
 fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     let [now, before] = [runs, earlier].map(medians);
     let mut ratios: BTreeMap<_, Vec<f64>> = BTreeMap::new();
@@ -165,7 +166,7 @@ fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     table
 }
 
-/// Nanoseconds per query by task, family, backend and how it was asked; of several runs the first that timed it.
+/// Nanoseconds per query by task, family, backend and interface; with several runs, from the first run that timed it.
 fn medians(runs: &[RunDir]) -> BTreeMap<Key<'_>, f64> {
     let mut all = BTreeMap::new();
     for (key, timing) in runs.iter().flat_map(timings) {
@@ -174,7 +175,7 @@ fn medians(runs: &[RunDir]) -> BTreeMap<Key<'_>, f64> {
     all
 }
 
-/// The mean of some numbers, and half of the width of its interval; none of fewer than three.
+/// The mean of some numbers, and half of the width of its interval, which is `None` for fewer than three numbers.
 fn mean_and_half(values: &[f64]) -> (f64, Option<f64>) {
     #[allow(clippy::cast_precision_loss)] // a few hundred
     let count = values.len() as f64;
@@ -191,7 +192,7 @@ mod tests {
     fn an_interval_takes_three() {
         assert_eq!(mean_and_half(&[1.0, 3.0]), (2.0, None));
         let (mean, half) = mean_and_half(&[1.0, 2.0, 3.0]);
-        // A deviation of 1, over the root of three.
+        // The standard deviation is 1, divided by the root of three.
         assert_eq!(mean, 2.0);
         assert!((half.unwrap() - 1.96 / 3_f64.sqrt()).abs() < 1e-4);
     }

@@ -1,4 +1,4 @@
-//! How many answers of each class: over everything, then suite by suite.
+//! The section on the numbers of answers by class: over everything, then suite by suite.
 
 use std::collections::BTreeMap;
 
@@ -8,7 +8,7 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, Origin, RunDir, Status, SummaryRow};
 use predicament_records::format::{length, per_million, significant, thousands};
 
-/// How many unexpected scenes are listed.
+/// The maximum number of unexpected scenes that are listed.
 const MANY: usize = 50;
 
 pub fn section(runs: &[RunDir]) -> Section {
@@ -62,7 +62,7 @@ pub fn section(runs: &[RunDir]) -> Section {
     }
 }
 
-/// The scenes that the gate doesn't let pass.
+/// The table of scenes that the gate rejects.
 fn alarming(runs: &[RunDir], order: &[&str]) -> Table {
     let failed = || runs.iter().flat_map(|run| &run.summary).filter(|row| !row.status.passes());
     let mut caption = "Not as expected".to_owned();
@@ -98,7 +98,7 @@ fn alarming(runs: &[RunDir], order: &[&str]) -> Table {
     table
 }
 
-/// A finding that nobody expected is bad, an expected one that is gone is not.
+/// The tone of a status: an unexpected finding is bad, an expected one that is gone is not.
 fn tone_of(status: Status) -> Tone {
     match status {
         Status::Unexpected => Tone::Bad,
@@ -124,12 +124,12 @@ struct Sums {
     scenes: usize,
     expected: usize,
     unexpected: usize,
-    /// Expected findings that are gone.
+    /// The number of expected findings that are gone.
     mended: usize,
     queries: u64,
     wrong: u64,
     classes: BTreeMap<Class, u64>,
-    /// The classes of scenes that the gate doesn't let pass.
+    /// The classes of scenes that the gate rejects.
     alarming: BTreeMap<Class, u64>,
 }
 
@@ -139,7 +139,7 @@ impl Sums {
         self.expected += usize::from(row.status == Status::Expected);
         self.unexpected += usize::from(row.status == Status::Unexpected);
         self.mended += usize::from(row.status == Status::UnexpectedPass);
-        // What was declined was not asked.
+        // Declined queries do not count as asked.
         self.queries += if row.has_answers() { row.queries } else { 0 };
         self.wrong += row.wrong();
         for class in Class::ALL {
@@ -172,7 +172,7 @@ impl Sums {
     }
 }
 
-/// A count of what should not be: expected or not.
+/// A count of errors, expected or not.
 fn alarm(count: u64, alarming: bool) -> Cell {
     Cell::count(count).tone(match count {
         0 => Tone::Muted,

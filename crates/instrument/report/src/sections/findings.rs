@@ -8,10 +8,10 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, FindingRow, Origin, RunDir};
 use predicament_records::format::{counted, length, significant, thousands};
 
-/// How many findings of a class are shown for each backend.
+/// The maximum number of findings of a class that are shown for each backend.
 const FEW: usize = 3;
 
-/// None where nothing was found.
+/// The section, or `None` if there are no findings.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let order = backends(runs);
     let mut blocks = Vec::new();

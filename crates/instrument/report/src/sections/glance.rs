@@ -1,4 +1,4 @@
-//! Which backend to use: each one over everything that it was asked. README shows this table.
+//! The section on which backend to use: each backend over everything that it was asked. README shows this table.
 
 use crate::comparison::Share;
 use crate::figures::{FILE, Mark, overall};
@@ -18,7 +18,7 @@ pub fn section(runs: &[RunDir], times: &Times) -> Section {
     Section { id: "glance", title: "Which backend to use", lead: LEAD.to_owned(), blocks }
 }
 
-/// The same as plots; none where nothing was timed.
+/// The table's figures as plots; `None` if nothing was timed.
 pub fn drawn(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let mut blocks = Vec::new();
     for (plot, file) in plots(&overall(runs, times).marks, &[]) {
@@ -37,7 +37,7 @@ pub fn drawn(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     }))
 }
 
-/// What the ranking goes by: broken laws and wrong answers, then what is not done, then the time.
+/// The key of the ranking: broken laws and wrong answers, then the share that is not done, then the time.
 fn rank(mark: &Mark) -> [f64; 4] {
     let share = |share: Share| share.value().unwrap_or(0.0);
     let [answers, scenes] = mark.not_done();
@@ -46,7 +46,7 @@ fn rank(mark: &Mark) -> [f64; 4] {
     [is_wrong, wrong, share(answers).max(share(scenes)), mark.paces.first().map_or(f64::INFINITY, |pace| pace.ratio)]
 }
 
-/// The two panels of what backends get wrong against what they cost: single answers, and whole scenes.
+/// The two panels of errors against time: for single answers, and for whole scenes.
 pub fn plots(marks: &[Mark], earlier: &[Mark]) -> [(Tradeoff, &'static str); 2] {
     // 0: answers, 1: scenes.
     let points = |way: Way, which: usize| {
@@ -120,7 +120,7 @@ fn table(marks: &[Mark]) -> Table {
     table
 }
 
-/// A share, in this tone unless it is zero, with its count; a share of errors also with its interval.
+/// A share with its count, in this tone unless it is zero; a share of errors also has its interval.
 fn told(share: Share, noun: &str, tone: Tone) -> Cell {
     if share.of == 0 {
         return Cell::from("—").tone(Tone::Muted);
@@ -136,7 +136,7 @@ fn told(share: Share, noun: &str, tone: Tone) -> Cell {
     }
 }
 
-/// A ratio with the number of families that it is over.
+/// A ratio with the number of families that it covers.
 pub fn time(pace: Option<&Pace>) -> Cell {
     let Some(pace) = pace else { return Cell::from("—").tone(Tone::Muted) };
     let families = format!("{} of {} families", pace.families, pace.of);
@@ -149,7 +149,7 @@ pub fn time(pace: Option<&Pace>) -> Cell {
 const LEAD: &str = "Best first: never wrong, then the least wrong, the least undecided or undone, then the fastest. What is said \
                     about a backend is over everything that it was asked, and does not depend on which others ran.";
 
-/// What the columns and the plots mean.
+/// The key to the columns and the plots.
 fn key(marks: &[Mark]) -> String {
     let mut key = "Answers are queries that are judged one by one: right (ties broken as promised are right), undecided (within \
                    a tolerance), wrong, or not done (declined, out of time, crashed). Scenes are whole answers: broken is a \

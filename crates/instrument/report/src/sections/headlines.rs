@@ -1,4 +1,4 @@
-//! The numbers on top of a report: what is worse than expected, what was not run, and the price of being right.
+//! The numbers on top of a report: unexpected findings, pairs that were not run, and the price of being right.
 
 use std::collections::BTreeSet;
 
@@ -13,7 +13,7 @@ pub fn headlines(runs: &[RunDir]) -> [Headline; 3] {
     [unexpected(runs), not_run(runs), price(runs)]
 }
 
-/// What is missing, so that it is not taken for a success.
+/// The number of missing pairs, so that a reader does not mistake them for successes.
 fn not_run(runs: &[RunDir]) -> Headline {
     let missing: usize = runs.iter().map(|run| run.not_run().len()).sum();
     let broken_off = runs.iter().filter(|run| run.outcome != Outcome::Complete).count();
@@ -38,7 +38,8 @@ fn not_run(runs: &[RunDir]) -> Headline {
     }
 }
 
-/// Findings that no expectation lists; an expected one that is gone is no fault of a backend, and is told apart.
+/// The number of findings without an expectation. An expected one that is gone is not an error of a backend, and is
+/// counted separately.
 fn unexpected(runs: &[RunDir]) -> Headline {
     let rows = || runs.iter().flat_map(|run| &run.summary);
     let of = |status: Status| rows().filter(|row| row.status == status).count();
@@ -61,10 +62,10 @@ fn unexpected(runs: &[RunDir]) -> Headline {
     }
 }
 
-/// The price of being right: what the cheapest backend without a fault takes beside the reference.
+/// The price of being right: the time of the cheapest faultless backend relative to the reference.
 ///
-/// Without a fault is who answers everything that it is asked, is never wrong and breaks no law. Where that is nobody, the
-/// same is asked of predicates alone.
+/// A faultless backend answers everything that it is asked, is never wrong and breaks no law. If there is no such
+/// backend, only predicates count.
 fn price(runs: &[RunDir]) -> Headline {
     const LABEL: &str = "the price of being right";
     let none = |detail: String| Headline { number: "—".to_owned(), label: LABEL, detail, tone: Tone::Muted };
@@ -105,7 +106,7 @@ fn found(best: &Mark, label: &'static str, rule: &str) -> Headline {
     }
 }
 
-/// The backend that is never wrong on answers and breaks the fewest laws, with what is against it.
+/// The backend without wrong answers and with the fewest broken laws, with its faults.
 fn nearest(runs: &[RunDir], times: &Times) -> String {
     let mut never_wrong = marks(runs, times, |_| true);
     never_wrong.retain(|mark| mark.standing.answers.wrong + mark.standing.answers.undecided == 0);

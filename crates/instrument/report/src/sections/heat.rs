@@ -1,5 +1,5 @@
-//! Where something is wrong: a cell for each backend and suite, or scene where there are few, in the tone of its share of
-//! wrong answers.
+//! The section on where errors are: a cell for each backend and suite, in the tone of its share of wrong answers; with
+//! few scenes, a cell for each scene.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,7 +10,7 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Origin, RunDir, Status, SummaryRow};
 use predicament_records::format::{counted, per_million, significant, thousands};
 
-/// With so many suites or fewer, and so many scenes or fewer, a column is a scene.
+/// The maximum numbers of suites and of scenes for which a column is a scene.
 const FEW: (usize, usize) = (2, 30);
 
 pub fn section(runs: &[RunDir]) -> Section {
@@ -57,14 +57,14 @@ pub fn section(runs: &[RunDir]) -> Section {
     }
 }
 
-/// A backend on the scenes of a column.
+/// The sums for a backend on the scenes of a column.
 #[derive(Default)]
 struct Sums<'r> {
     suites: BTreeSet<&'r str>,
     standing: Standing,
-    /// How many results there are.
+    /// The number of results.
     rows: u64,
-    /// Expected findings that are gone.
+    /// The number of expected findings that are gone.
     better: u64,
 }
 
@@ -130,7 +130,7 @@ impl Sums<'_> {
     }
 }
 
-/// A share that is given in millionths, short: as a percentage where that is not too small.
+/// A share, given in millionths, in a short form: a percentage unless it is too small.
 fn share(per_million: f64) -> String {
     match per_million {
         rate if rate >= 95_000.0 => format!("{:.0}\u{a0}%", rate / 1e4),
@@ -139,7 +139,7 @@ fn share(per_million: f64) -> String {
     }
 }
 
-/// The anchor that shows the findings of a backend on a suite.
+/// The anchor that filters the findings for a backend on a suite.
 fn filter(backend: &str, suite: &str) -> String {
     let escaped = |text: &str| {
         let safe = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);

@@ -1,6 +1,7 @@
-//! Broken invariants: what fails in whole algorithms, under which backend, on how many scenes; what only rounding fails is apart.
+//! The section on broken invariants of whole algorithms, by check and backend, in numbers of scenes. Checks that fail
+//! only by rounding are listed separately.
 //!
-//! The counts of findings tell little here, as one wrong sign can break one check a thousand times. Scenes are counted.
+//! Numbers of findings mean little here, as one wrong sign can break one check a thousand times. So scenes are counted.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,17 +11,17 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Class, FindingRow, Origin, RunDir};
 use predicament_records::format::{length, thousands};
 
-/// A scene, with the number of its queries first: the least is the smallest scene.
+/// A scene, with the number of its queries first, so that the minimum is the smallest scene.
 type Sized<'r> = (u64, &'r str, &'r str);
 
-/// The scenes on which a check failed, by check and by the place of the backend.
+/// The scenes on which a check failed, by check and by the index of the backend.
 type Checks<'r> = BTreeMap<&'r str, BTreeMap<usize, BTreeSet<Sized<'r>>>>;
 
-/// None where nothing was broken.
+/// The section, or `None` if nothing was broken.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let order = backends(runs);
     let mut sizes: BTreeMap<&str, u64> = BTreeMap::new();
-    // How many scenes each backend answered, by task.
+    // The scenes that each backend answered, by task.
     let mut answered: BTreeMap<(&str, usize), BTreeSet<&str>> = BTreeMap::new();
     for row in runs.iter().flat_map(|run| &run.summary) {
         sizes.insert(&row.scene_id, row.queries);

@@ -3,7 +3,7 @@
 use crate::table::{Block, Section};
 use crate::{RunDir, data_uri};
 
-/// None where there are no pictures.
+/// The section, or `None` if there are no pictures.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let mut maps: Vec<(String, &[u8])> =
         runs.iter().flat_map(|run| run.maps.iter().map(|(name, png)| (run.map_title(name), png.as_slice()))).collect();

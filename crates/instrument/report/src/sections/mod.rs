@@ -1,4 +1,4 @@
-//! What a report says, section by section; each is one file.
+//! The sections of a report; each is one file.
 
 mod against;
 mod counts;
@@ -31,8 +31,8 @@ pub const FIRST: [&str; 6] = ["against", "glance", "heat", "tradeoff", "which", 
 /// The other sections that are open at first.
 pub const UNFOLDED: [&str; 2] = ["findings", "speed"];
 
-/// All sections, in reading order; `of_tasks` are those of single tasks, and of the comparison of backends, which comes with the first.
-/// A section that has nothing to show is left out, and named at the end.
+/// All sections, in reading order. `of_tasks` are the sections of single tasks, and of the comparison of backends,
+/// which comes among the first. An empty section is left out, and listed at the end.
 pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, Error> {
     let times = Times::of(runs);
     let (mut first, of_tasks): (Vec<_>, Vec<_>) =
@@ -61,7 +61,7 @@ pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, E
         section
     })
     .collect();
-    // A task says in a note that it was not asked.
+    // A section with only notes says that its task was not asked.
     let (silent, of_tasks): (Vec<_>, Vec<_>) =
         of_tasks.into_iter().partition(|section| section.blocks.iter().all(|block| matches!(block, Block::Note(..))));
     empty.extend(silent.iter().map(|section| section.title));

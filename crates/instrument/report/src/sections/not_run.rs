@@ -1,4 +1,4 @@
-//! The section about what was not run, so that it is not taken for a success.
+//! The section on scenes that were not run, so that readers do not mistake them for successes.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,7 +9,7 @@ use crate::{Class, Error, Origin, RunDir};
 use predicament_records::format::{length, thousands};
 use predicament_records::{ImportRow, SampledRow};
 
-/// How many scenes are named.
+/// The maximum number of scenes that are listed.
 const FEW: usize = 5;
 
 pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
@@ -36,7 +36,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
             "Nothing: every suite was selected, every scene was run, and no backend declined or ran out of time.";
         blocks.push(Block::Note(note.to_owned(), Tone::Good));
     }
-    // Scenes that were run, and judged by a part: neither a success nor a failure of the rest.
+    // Scenes that were run and judged only in part: neither a success nor a failure of the rest.
     let sampled = sampled(runs)?;
     for table in [sampled, imported(runs)?] {
         if !table.is_empty() {
@@ -46,7 +46,7 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
     Ok(Section { id: "not-run", title: "What was not run", lead: String::new(), blocks })
 }
 
-/// Scenes that are too large for the whole truth, once for all backends.
+/// The table of scenes that are too large for the whole truth, once for all backends.
 fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
     let mut table =
         Table::new("Held against the truth of a part").words(run_head(runs)).words(["suite", "scene", "task", "part"]);
@@ -61,7 +61,7 @@ fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
     Ok(table)
 }
 
-/// Scenes that are not in every point what their files say.
+/// The table of scenes that differ from their files.
 fn imported(runs: &[RunDir]) -> Result<Table, Error> {
     let mut table = Table::new("Changed while they were read").words(run_head(runs)).words(["suite", "scene", "task"]);
     table = table.of(Origin::of("imports.csv").keys(["suite", "scene", "task"])).numbers([
@@ -93,7 +93,7 @@ fn not_selected(runs: &[RunDir]) -> Table {
     table
 }
 
-/// Backends of the tool that run only where they are named.
+/// The table of the tool's backends that run only if they are named.
 fn left_out(runs: &[RunDir]) -> Table {
     let mut table = Table::new("Backends that were not named").words(run_head(runs)).words(["not run", "to run them"]);
     for (index, run) in runs.iter().enumerate() {
@@ -106,7 +106,7 @@ fn left_out(runs: &[RunDir]) -> Table {
     table
 }
 
-/// Scenes by suite, task and backend; `list` gives suite, task, backend and scene.
+/// A table of scenes by suite, task and backend; `list` gives suite, task, backend and scene.
 fn scenes(runs: &[RunDir], caption: &str, list: impl Fn(&RunDir) -> Vec<[String; 4]>) -> Table {
     let order = backends(runs);
     let mut table = Table::new(caption)

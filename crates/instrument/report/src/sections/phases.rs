@@ -1,4 +1,4 @@
-//! The section about the parts of algorithms: their times one by one, and how these grow with the size of a scene.
+//! The section about the phases of algorithms: their times, and the growth of these with the size of a scene.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,12 +12,12 @@ use predicament_records::{PhaseRow, Spread, approximately};
 /// A phase of a scene on a number of threads, and its samples.
 struct Timed<'r> {
     first: &'r PhaseRow,
-    /// The row of the first.
+    /// The index of the first sample's row.
     at: usize,
     spread: Spread,
 }
 
-/// None where no phase was timed.
+/// The section, or `None` if no phase was timed.
 pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("")
@@ -81,7 +81,7 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     }))
 }
 
-/// The phases in the order of scenes, sizes and backends, each as it came first.
+/// The phases in the order of scenes, sizes and backends; within these, in the order of their first rows.
 fn timed<'r>(rows: &'r [PhaseRow], order: &[&str]) -> Vec<Timed<'r>> {
     let mut samples: BTreeMap<_, Vec<(usize, &PhaseRow)>> = BTreeMap::new();
     for (at, row) in rows.iter().enumerate() {
@@ -101,18 +101,18 @@ fn timed<'r>(rows: &'r [PhaseRow], order: &[&str]) -> Vec<Timed<'r>> {
     timed
 }
 
-/// Scenes that differ in size only have names that differ behind the last dash.
+/// The series of a scene: names of scenes that differ only in size differ only after the last dash.
 fn series(row: &PhaseRow) -> &str {
     row.scene.rsplit_once('-').map_or(&row.scene, |(stem, _)| stem)
 }
 
-/// So many sizes show how times grow.
+/// The minimum number of sizes for a plot of growth.
 const FEWEST: usize = 3;
 
 /// A line of a plot: the plot, the line's name, and its points.
 type Line = (String, String, Vec<(f64, f64)>);
 
-/// Times on one thread over sizes: the series of at least three sizes with its backend, the phase, and the points.
+/// Times on one thread by size, for each series of at least three sizes with its backend: the phases and their points.
 fn growth(timed: &[Timed<'_>]) -> Vec<Line> {
     let of = |row: &'_ PhaseRow| [row.suite.clone(), row.task.clone(), series(row).to_owned()];
     let mut sizes: BTreeMap<_, BTreeSet<u64>> = BTreeMap::new();

@@ -6,10 +6,10 @@ use super::{run_head, run_label, some_of};
 use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Origin, PrecisionRow, RunDir};
 
-/// How many families are named in a line.
+/// The maximum number of families that are listed in a line.
 const FEW: usize = 4;
 
-/// The scenes of a suite for which the same was chosen.
+/// The scenes of a suite with the same chosen arithmetic.
 struct Group<'r> {
     scenes: u64,
     bits: [i32; 2],
@@ -17,7 +17,7 @@ struct Group<'r> {
     families: BTreeSet<&'r str>,
 }
 
-/// None where no plan was written down.
+/// The section, or `None` if no arithmetic was recorded.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let mut table = Table::new("")
         .words(run_head(runs))
@@ -27,7 +27,7 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
         .words(["orient2d", "orient3d", "incircle", "insphere"]);
     for (index, run) in runs.iter().enumerate() {
         let mut groups: Vec<_> = groups(run).into_iter().collect();
-        // Within a suite the plane before space, then what needs the fewest bits.
+        // Within a suite the plane comes before space, then scenes with fewer bits first.
         groups.sort_by_key(|((suite, choices), group)| (*suite, !choices[1].is_empty(), group.bits, *choices));
         for ((suite, choices), group) in groups {
             let cells = [
@@ -56,7 +56,7 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     })
 }
 
-/// The scenes of a run by suite and by what was chosen for the four predicates.
+/// The scenes of a run by suite and by the arithmetic chosen for the four predicates.
 fn groups(run: &RunDir) -> BTreeMap<(&str, [&str; 4]), Group<'_>> {
     let families = run.plan.scenes.iter().map(|s| ([&*s.suite, &*s.scene, &*s.scene_id], &*s.family));
     let families: BTreeMap<[&str; 3], &str> = families.collect();
@@ -81,7 +81,7 @@ fn widened([least, most]: [i32; 2], with: i32) -> [i32; 2] {
     [least.min(with), most.max(with)]
 }
 
-/// `7`, `−52`, `7 to 61`.
+/// A range of numbers in words: `7`, `−52`, `7 to 61`.
 fn range([least, most]: [i32; 2]) -> String {
     let text = if least == most { least.to_string() } else { format!("{least} to {most}") };
     text.replace('-', "−")

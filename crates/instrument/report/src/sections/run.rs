@@ -1,4 +1,4 @@
-//! What was run, where, and whether it came to its end.
+//! The section on the run: its content, its machine, and its outcome.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -62,7 +62,7 @@ fn outcome(run: &RunDir) -> Cell {
     }
 }
 
-/// What was typed; of the program its name, wherever it is.
+/// The command line; the program by its name, without its folder.
 fn command(run: &RunDir) -> Cell {
     let mut words = run.env.command_line.clone();
     if let Some(program) = words.first_mut()

@@ -7,7 +7,7 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Error, Origin, RunDir};
 use predicament_records::format::{factor, nanoseconds, per_million, significant};
 
-/// None where nothing was timed.
+/// The section, or `None` if nothing was timed.
 pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let panels = panels(runs, times);
     if panels.is_empty() {
@@ -37,10 +37,10 @@ pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error>
     }))
 }
 
-/// How a panel's backends are asked: as most of them were timed.
+/// The interface of a panel: the one by which most of its backends were timed.
 fn way(panel: &Panel) -> Way {
     let timed = |way: Way| panel.marks.iter().filter(|mark| mark.pace(way).is_some()).count();
-    // Of two that are even the first, in this order.
+    // On a tie, the order of this list decides.
     let ways = [Way::Batch, Way::Whole, Way::Single];
     ways.into_iter().max_by_key(|&way| timed(way)).unwrap_or(Way::Single)
 }

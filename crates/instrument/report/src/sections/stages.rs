@@ -1,4 +1,4 @@
-//! Which rung of a backend's ladder settled how many queries.
+//! The section on the numbers of queries that each rung of a backend's ladder settled.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,21 +9,21 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Origin, RunDir};
 use predicament_records::format::percent;
 
-/// What a rung settled, and the deepest of its stages where they have numbers.
+/// The number of queries that a rung settled, and its deepest stage if stages are numbered.
 #[derive(Clone, Copy, Default)]
 struct Settled {
     queries: u64,
     deepest: Option<u64>,
 }
 
-/// None where no stage was counted.
+/// The section, or `None` if no stage was counted.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let order = backends(runs);
     let mut climbed: BTreeMap<usize, BTreeSet<&str>> = BTreeMap::new();
     for row in runs.iter().flat_map(|run| &run.stages).filter(|row| row.settled > 0) {
         climbed.entry(rank(&order, &row.backend)).or_default().insert(rung(&row.stage).0);
     }
-    // A backend that settles everything in one way has nothing to be shared out.
+    // A backend with only one rung has no shares.
     let (flat, ladders): (BTreeMap<_, _>, BTreeMap<_, _>) =
         climbed.into_iter().partition(|(_, rungs)| rungs.len() == 1);
     let columns: Vec<&str> =

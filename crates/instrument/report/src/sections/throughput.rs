@@ -8,7 +8,7 @@ use crate::table::{Block, Cell, Section, Table, Tone};
 use crate::{Origin, RunDir};
 use predicament_records::format::{factor, nanoseconds};
 
-/// None where nothing was timed.
+/// The section, or `None` if nothing was timed.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
     let timings: Vec<_> = runs.iter().map(timings).collect();
     let timed: BTreeSet<&str> = timings.iter().flat_map(|t| t.keys()).map(|(_, _, backend, _)| *backend).collect();
@@ -60,7 +60,7 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     })
 }
 
-/// The time of a backend on a family of so many scenes; as a multiple only where the same scenes were timed.
+/// The time of a backend on a family with this number of scenes; as a ratio only if the same scenes were timed.
 fn cell(timing: &Timing, reference: Option<&Timing>, scenes: usize) -> Cell {
     let spread = timing.spread;
     let mut detail = format!("{}–{}", nanoseconds(spread.min), nanoseconds(spread.max));

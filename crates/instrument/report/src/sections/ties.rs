@@ -1,4 +1,4 @@
-//! Ties that a perturbation broke: how many, how deep the term was that decided, and what it cost.
+//! The section on ties that a perturbation broke: their number, the depth of the deciding term, and the cost.
 
 use std::collections::BTreeMap;
 
@@ -12,23 +12,23 @@ use crate::{Error, Origin, RunDir};
 use predicament_records::approximately;
 use predicament_records::format::percent;
 
-/// What breaking ties is compared with.
+/// The backend that tie breaking is compared with.
 const UNPERTURBED: &str = "exact";
 
-/// The places of deciding terms that are told apart: up to each of these, and beyond.
+/// The ranges of positions of deciding terms: up to each of these, and beyond.
 const PLACES: [u64; 7] = [1, 2, 3, 4, 8, 16, u64::MAX];
 const PLACE_NAMES: [&str; 7] = ["1", "2", "3", "4", "5 to 8", "9 to 16", "17 on"];
-/// The degrees of deciding monomials, where vertices are constructed.
+/// The degrees of deciding monomials, for constructed vertices.
 const DEGREES: [&str; 4] = ["degree 1", "degree 2", "degree 3", "degree 4 or more"];
 
-/// Ties of one task on one backend.
+/// The ties of one task on one backend.
 #[derive(Clone, Default)]
 struct Ties {
     queries: u64,
     broken: u64,
-    /// Questions by the place of the term that decided.
+    /// The numbers of queries by the position of the deciding term.
     places: [u64; PLACES.len()],
-    /// Questions by the degree of the monomial that decided.
+    /// The numbers of queries by the degree of the deciding monomial.
     degrees: [u64; DEGREES.len()],
     deepest: u64,
 }
@@ -49,7 +49,7 @@ impl Ties {
     }
 }
 
-/// None where no tie was broken.
+/// The section, or `None` if no tie was broken.
 pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
@@ -66,7 +66,7 @@ pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error>
         .numbers(PLACE_NAMES.map(|place| format!("term {place}")))
         .numbers(DEGREES);
     let mut pictured: BTreeMap<usize, [u64; PLACES.len()]> = BTreeMap::new();
-    // Over all folders: one may hold the answers and another the stages that settled them.
+    // Over all folders: one may contain the answers and another the stages that settled them.
     let mut groups: BTreeMap<(&str, usize), Ties> = BTreeMap::new();
     for run in runs {
         for row in &run.summary {

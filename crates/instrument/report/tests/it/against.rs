@@ -1,4 +1,4 @@
-//! Runs beside earlier ones, sections in pages of one's own, and tables for papers.
+//! Comparisons with earlier runs, sections in the user's own pages, and tables for papers.
 
 use predicament_records::{Class, RunDir, Status};
 use predicament_report::{Section, against, html, markdown, splice, write_pages};
@@ -21,7 +21,7 @@ fn a_run_beside_itself_has_changed_in_nothing() {
     assert!(page.lines().filter(|line| line.contains("1.0×")).count() > 2, "{page}");
 }
 
-/// A planted regression: one scene has wrong answers that it had not, one takes twice as long, one is gone.
+/// A planted regression: one scene has new wrong answers, one takes twice as long, one is gone.
 #[test]
 fn what_changed_is_named() {
     let earlier = runs();
@@ -45,11 +45,11 @@ fn what_changed_is_named() {
     let slower: Vec<&str> =
         page.lines().filter(|line| line.contains(&format!("| `{timed}` |")) && line.contains("2.0×")).collect();
     assert!(!slower.is_empty(), "{page}");
-    // First on both pages.
+    // The section is first on both pages.
     let page = html(&now, &[against(&now, &earlier).unwrap()], &[]).unwrap();
     let place = |id: &str| page.find(&format!("<section id=\"{id}\">")).unwrap();
     assert!(place("against") < place("heat"));
-    // A ring for each backend beside its mark, which the plot of the run alone has not.
+    // Each backend has a ring beside its mark, which the plot of the run alone does not have.
     let plot = |id: &str| page[place(id)..].split("</svg>").next().unwrap().to_owned();
     let [both, alone] = ["against", "tradeoff"].map(|id| plot(id).matches("<circle").count());
     assert_eq!(both, 2 * alone, "{alone}");
@@ -68,7 +68,7 @@ fn sections_go_where_their_marks_are() {
     let whole = markdown(&runs(), &[]).unwrap();
     assert!(once.lines().filter(|line| line.starts_with("| `")).all(|line| whole.contains(line)));
     assert_eq!(splice(&once, &runs(), &[], &|_| None).unwrap().0, once, "and again");
-    // A page of an editor on Windows stays one.
+    // A page with Windows line ends keeps them.
     let windows = splice(&page.replace('\n', "\r\n"), &runs(), &[], &|_| None).unwrap().0;
     assert_eq!(windows, once.replace('\n', "\r\n"));
 }
@@ -81,12 +81,12 @@ fn marks_that_name_nothing_are_refused() {
     assert!(refused("<!-- predicament: glance -->\n").contains("<!-- /predicament -->"));
     assert!(refused("<!-- predicament: glance").contains("-->"));
     assert!(refused("x <!-- predicament: bogus --> y <!-- /predicament -->").starts_with("line 1: no section"));
-    // The text between a mark that is not closed and the next one is not replaced.
+    // The text between an unclosed mark and the next mark is not replaced.
     let forgotten =
         "\n<!-- predicament: glance -->\n\nMy text\n\n<!-- predicament: heat -->\nold\n<!-- /predicament -->\n";
     let why = refused(forgotten);
     assert!(why.starts_with("line 2: `<!-- predicament: glance -->` is not closed before line 6"), "{why}");
-    // A mark whose own end is missing goes on to the next one: a line of it is enough.
+    // A mark without its end continues to the next mark: the message shows only its first line.
     let spoiled = "<!-- predicament: glance tab>\nold\n<!-- /predicament -->\nmine\n<!-- predicament: heat -->\n";
     let why = refused(spoiled);
     assert!(why.starts_with("line 1: `<!-- predicament: glance tab> -->` is not closed"), "{why}");

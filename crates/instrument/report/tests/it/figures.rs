@@ -1,4 +1,4 @@
-//! What is said about a backend, in tables, headlines, plots and `figures.csv`.
+//! The figures about a backend in tables, headlines, plots and `figures.csv`.
 
 use std::collections::BTreeMap;
 
@@ -33,7 +33,7 @@ fn scene(task: &str, family: &str, queries: u64) -> PlannedScene {
     }
 }
 
-/// A result with these counts; where they are of no answers the others are right.
+/// A result with these counts; if they are not of answers, all answers are right.
 fn result(scene: &PlannedScene, backend: &str, counts: &[(Class, u64)]) -> SummaryRow {
     let mut row = SummaryRow::new(scene, backend, scene.queries, Status::Ok);
     counts.iter().for_each(|&(class, count)| *row.count_mut(class) = count);
@@ -63,7 +63,7 @@ fn figures(runs: &[RunDir]) -> Vec<BTreeMap<String, String>> {
     reader.deserialize().map(Result::unwrap).collect()
 }
 
-/// The row of a backend over everything, asked in this way.
+/// The row of a backend over everything, for this interface.
 fn overall(runs: &[RunDir], backend: &str, interface: &str) -> BTreeMap<String, String> {
     let row = |row: &BTreeMap<String, String>| {
         row["panel"] == "all" && row["backend"] == backend && row["interface"] == interface
@@ -78,7 +78,7 @@ fn glance(runs: &[RunDir], backend: &str) -> String {
     rest.lines().find(|line| line.starts_with(&format!("| `{backend}` |"))).expect("its row").to_owned()
 }
 
-/// The families of the audit: on five of seven everything is easy; on `wide` shewchuk is wrong 5,329 times, and tolerance
+/// The families of the audit: five of seven are easy for all; on `wide` shewchuk is wrong 5,329 times, and tolerance
 /// declines.
 fn with_wide(backends: &[&str]) -> Vec<RunDir> {
     let mut run = empty();
@@ -134,7 +134,8 @@ fn who_decides_nothing_has_no_price_of_being_right() {
     assert!(page.contains("- **—** the price of being right: no backend answers everything"), "{page}");
 }
 
-/// A task whose answers are judged as a whole: exact, tolerance breaks a law of one scene of four, naive rounds in one.
+/// A task whose answers are judged as a whole: exact is right, tolerance breaks a law in one scene of four, naive
+/// rounds in one.
 fn with_slices() -> Vec<RunDir> {
     let mut run = empty();
     run.plan.judged_whole = ["slice".to_owned()].into();
@@ -185,7 +186,7 @@ fn a_failed_check_is_in_every_figure() {
         assert_eq!(marks.len(), 3);
         assert!(marks[1] < marks[0] && marks[0] == marks[2], "tolerance is above the others: {marks:?}");
     }
-    // The fault that was there: a count of failed checks that is dropped.
+    // A former fault: the count of failed checks is dropped.
     let mut dropped = runs;
     dropped[0].summary.iter_mut().for_each(|row| row.topology = 0);
     assert_ne!(heights(&dropped)[0][1], heights(&with_slices())[0][1]);
@@ -217,7 +218,7 @@ fn single_queries_and_batches_are_apart() {
     assert!(page.contains(told), "{page}");
 }
 
-/// A page, a headline and the CSV tell one story.
+/// A page, a headline and the CSV agree.
 #[test]
 fn the_csv_has_the_figures_of_the_page() {
     let runs = runs();
@@ -225,7 +226,7 @@ fn the_csv_has_the_figures_of_the_page() {
     let exact = overall(&runs, "exact", "single");
     assert!((exact["ratio"].parse::<f64>().unwrap() - 37.8_f64.sqrt()).abs() < 1e-9);
     assert!(glance(&runs, "exact").ends_with("| 6.1× (2 of 2 families) |"));
-    // naive: 400 + 2000 + 100, 2 and 1 wrong, of what it was asked.
+    // naive has 400 + 2000 + 100 queries, 2 and 1 of them wrong.
     let naive = overall(&runs, "naive", "single");
     let counts = ["queries", "right", "undecided", "wrong", "not_done"].map(|key| &*naive[key]);
     assert_eq!(counts, ["1105012", "1102509", "0", "2503", "0"]);
@@ -244,7 +245,7 @@ fn the_csv_has_the_figures_of_the_page() {
     }
 }
 
-/// A family is one scene here and two there: what one backend did of it is not what another did.
+/// A family has one scene in one run and two in another: results of one scene must not be compared with those of two.
 #[test]
 fn a_part_of_a_family_is_not_the_family() {
     // A second scene of `near`, a hundred times as slow, timed with fewer samples than the first.
@@ -258,11 +259,11 @@ fn a_part_of_a_family_is_not_the_family() {
         runs[1].plan.scenes.push(scene);
         runs
     };
-    // The geometric mean of 21 and 2,200, the medians of the scenes; a median over all samples would be 24. Of naive it
-    // is that of 1.25 and 137.5.
+    // The geometric mean of 21 and 2,200, the medians of the scenes; a median over all samples would be 24. For naive
+    // it is that of 1.25 and 137.5.
     let page = markdown(&twice(&["exact", "sos", "naive", "shewchuk"]), &[]).unwrap();
     assert!(page.contains("| 2 | orient2d | near | single | 215 (20.0–2,400 · 16×) |"), "{page}");
-    // Timed on two backends only, `near` is a pair of these two, and of nobody else.
+    // `near` is timed on two backends only, so it is a pair of just these two.
     let runs = twice(&["exact", "naive"]);
     assert_eq!(overall(&runs, "exact", "single")["families"], "2");
     assert_eq!(overall(&runs, "shewchuk", "single")["families"], "1");
@@ -281,7 +282,7 @@ fn what_was_timed_twice_is_one_pair() {
     runs.push(again);
     let exact = overall(&runs, "exact", "single");
     assert_eq!(exact["families"], "2");
-    // Twice as long in the mean over both runs.
+    // The mean over both runs is twice as long.
     assert!((exact["ratio"].parse::<f64>().unwrap() - 2.0 * 37.8_f64.sqrt()).abs() < 1e-9, "{exact:?}");
 }
 
@@ -322,7 +323,7 @@ fn random_run() -> impl Strategy<Value = RunDir> {
     })
 }
 
-/// The run as it would be if this backend had not been there.
+/// The run without this backend.
 fn without(run: &RunDir, backend: &str) -> RunDir {
     let mut run = run.clone();
     run.plan.backends.retain(|name| name != backend);
@@ -334,21 +335,21 @@ fn without(run: &RunDir, backend: &str) -> RunDir {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(16))]
 
-    /// No figure about a backend depends on which others ran, but for the reference's time.
+    /// A figure about a backend does not depend on other backends, except for the reference's time.
     #[test]
     fn figures_about_a_backend_are_its_own(run in random_run(), gone in 1..5_usize) {
         let gone = ["naive", "exact", "tolerance", "shewchuk", "engine:mine"][gone];
         let said = |run: RunDir| {
             let mut rows = figures(&[run]);
             rows.retain(|row| row["backend"] != gone);
-            // A task that only the other was timed on has no panel.
+            // A task that only the other backend was timed on has no panel.
             rows.retain(|row| row["panel"] == "all" || !row["interface"].is_empty());
             rows
         };
         prop_assert_eq!(said(without(&run, gone)), said(run));
     }
 
-    /// The same of the colours of marks, and of rows of the table on the first screen.
+    /// The colours of marks, and the rows of the table on the first screen, do not depend on other backends either.
     #[test]
     fn rows_and_colours_of_a_backend_are_its_own(run in random_run(), gone in 1..5_usize) {
         let names = ["naive", "exact", "tolerance", "shewchuk", "engine:mine"];
@@ -378,7 +379,7 @@ fn a_page_that_can_t_be_written_leaves_the_earlier_one() {
     let at = |name: &str| folder.path().join(name);
     write_pages(&runs()[..1], &[], &[], folder.path()).unwrap();
     let before = std::fs::read_to_string(at("report.md")).unwrap();
-    // No file can be written where a folder is, as none can on a full disk.
+    // A file can't be written in the place of a folder, like on a full disk.
     std::fs::create_dir(at("overall.svg")).unwrap();
     let error = write_pages(&runs(), &[], &[], folder.path()).unwrap_err();
     assert_eq!(error.path, at("overall.svg"));

@@ -1,6 +1,6 @@
-//! Pages made from two small runs that were written by hand: one was
-//! interrupted while it checked answers, one timed them. The runs and the
-//! approved page lie with the tasks, whose sections are part of it; the sections
+//! Pages made from two small hand-written runs: one was interrupted while it checked answers, one timed them.
+//!
+//! The runs and the approved page are in the folder of the tasks, whose sections are part of the page; the sections
 //! here are made by hand.
 
 use predicament_records::{Class, Env, FindingRow, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
@@ -10,7 +10,7 @@ fn runs() -> Vec<RunDir> {
     ["../tasks/tests/data/checked", "../tasks/tests/data/timed"].map(|path| RunDir::open(path).unwrap()).into()
 }
 
-/// The section of a task, with everything that a section can hold and this text everywhere.
+/// The section of a task with every kind of content, and this text everywhere.
 fn of_a_task(text: &str) -> Section {
     let mut table = Table::new(text).words(["word", text]).numbers(["number"]);
     table.push(vec![Cell::from(text).detail(text), Cell::code(text), Cell::count(1234).tone(Tone::Bad)]);
@@ -36,7 +36,7 @@ fn of_a_task(text: &str) -> Section {
 fn without_sections_of_tasks_the_page_is_as_it_was_approved() {
     let page = markdown(&runs(), &[]).unwrap().replace("../tasks/", "");
     let golden = std::fs::read_to_string("../tasks/tests/data/report.md").unwrap().replace("\r\n", "\n");
-    // The tasks' sections stand between these two.
+    // The tasks' sections are between these two.
     let (before, rest) = golden.split_once("## Points in a map").unwrap();
     let (_, after) = rest.split_once("## What was not run").unwrap();
     let expected = format!("{before}## What was not run{after}");
@@ -63,7 +63,7 @@ fn a_section_of_a_task_stands_where_it_belongs_on_both_pages() {
     assert_balanced(&page);
 }
 
-/// The numbers of the page that take some arithmetic, worked out by hand from the rows.
+/// The numbers of the page that need arithmetic, computed by hand from the rows.
 #[test]
 fn numbers_trace_to_rows() {
     let page = markdown(&runs(), &[]).unwrap();
@@ -80,7 +80,7 @@ fn numbers_trace_to_rows() {
     // Ties: 1,000 of 1.1 million; √(30/21 · 2.6/2.25) = 1.285 of exact's time. Terms 1 and 3 decided.
     assert!(page.contains("| orient2d | sos | 1,100,000 | 1,000 | \\<0.1 % | 3 | 1.3× (2 of 2 families) |"), "{page}");
     assert!(page.contains("| orient2d | sos | 990 | 0 | 10 | 0 | 0 | 0 | 0 | 0 | 0 | 0 | 0 |"), "{page}");
-    // Two scenes of suite near got the same, one of 54 bits and one of 61.
+    // Two scenes of suite near got the same arithmetic, one of 54 bits and one of 61.
     assert!(page.contains("| 1 | near | near, uniform | 2 | 54 to 61 | −60 to −53 | integer | — | wide integer | — |"));
 }
 
@@ -106,7 +106,7 @@ fn broken_invariants_are_counted_by_scenes() {
     let (row, other) = (0, 1);
     let run = &runs[0];
     assert_eq!(run.summary[row].task, run.summary[other].task);
-    // Twice on one scene, once on another that is of the same task.
+    // Twice on one scene, once on another scene of the same task.
     let added = [(row, "loops do not cross", "a"), (row, "loops do not cross", "b"), (other, "area", "c")]
         .map(|(of, check, id)| broken(run, of, check, id));
     let names = [row, other].map(|of| (run.summary[of].scene.clone(), run.summary[of].backend.clone()));
@@ -125,7 +125,7 @@ fn broken_invariants_are_counted_by_scenes() {
         assert_eq!(cells.iter().filter(|cell| cell.starts_with("1 (")).count(), 1, "{line}");
     }
     assert!(line("scenes answered").contains(" 2 "), "{section}");
-    // What only rounding violates is not among what is broken.
+    // Checks that fail only by rounding are not among the broken ones.
     let (broken, rounded) = section.split_once(&format!("{task}, by rounding alone")).expect("a table of its own");
     assert!(!broken.contains("volumes") && rounded.contains("| volumes |") && !rounded.contains("area"), "{section}");
 }
@@ -191,12 +191,12 @@ fn names_can_t_smuggle_markup_into_a_page() {
     assert!(!without_scripts(&page).contains("<script"));
     assert!(page.contains("&lt;script&gt;"));
     assert_balanced(&page);
-    // Commands are typed and code is printed as it stands: neither is markup in Markdown.
+    // Commands and code are printed unchanged: neither is markup in Markdown.
     let page = markdown(&runs, &sections).unwrap().replace(&format!("`{}`", evil.replace('|', "\\|")), "");
     assert!(!page.replace("\\<", "").contains("<script"));
 }
 
-/// Scenes that were judged in part are named once, however many backends they ran on.
+/// Scenes that were judged in part are listed once, for any number of backends.
 #[test]
 fn a_scene_that_was_judged_in_part_is_named() {
     let plan = &runs()[0].plan;
@@ -221,7 +221,7 @@ fn the_order_of_rows_changes_nothing() {
     for run in &mut backward {
         run.summary.edit(|rows| rows.reverse());
         run.findings.edit(|rows| rows.reverse());
-        // Samples of one backend stand as they were measured.
+        // Samples of one backend keep the order of measurement.
         run.throughput.edit(|rows| rows.sort_by(|(_, a), (_, b)| b.backend.cmp(&a.backend)));
         run.precision.edit(|rows| rows.reverse());
     }
@@ -270,7 +270,8 @@ fn pages_are_written_beside_their_plot() {
     assert!(std::fs::read_to_string(out.join("report.html")).unwrap().contains("<svg class=\"scatter\""));
 }
 
-/// A page without the licences of its libraries and its own scripts, which are its last elements: libraries, rows, and what is done with them.
+/// A page without the licences of its libraries and without its last elements: the libraries, the rows, and its own
+/// scripts.
 fn without_scripts(page: &str) -> String {
     let [libraries, rows] =
         ["libraries", "rows"].map(|id| format!("<script type=\"application/octet-stream\" id=\"{id}\">"));
@@ -286,7 +287,7 @@ fn without_scripts(page: &str) -> String {
     format!("{text}{end}")
 }
 
-/// Every element that is opened is closed, in the right order.
+/// Asserts that every opened element is closed, in the right order.
 fn assert_balanced(page: &str) {
     const VOID: [&str; 3] = ["meta", "img", "!doctype"];
     let page = without_scripts(page);

@@ -1,8 +1,9 @@
-//! Contacts of two complexes of 10^3 to 10^6 primitives (edges in the plane,
-//! triangles in space), by backend; and crossing edges against an R-tree of the
-//! crate `rstar` with the same exact test, and against the sweep of `geo`. What takes how much of the time and
-//! what became of the pairs is printed first; contacts are compared before
-//! anything is timed.
+//! A benchmark of contacts of two complexes of 10^3 to 10^6 primitives (edges in the plane, triangles in space), by
+//! backend.
+//!
+//! Crossing edges are also found by an R-tree of the crate `rstar` with the same exact test, and by the sweep of `geo`.
+//! The time of each phase and the numbers of pairs by outcome are printed first; contacts are compared before anything
+//! is timed.
 
 mod scenes;
 
@@ -30,7 +31,7 @@ fn primitives(Pair { a, b, .. }: &Pair) -> usize {
     if a.triangles().is_empty() { a.edges().len() + b.edges().len() } else { a.triangles().len() + b.triangles().len() }
 }
 
-/// One line a backend, and one for each kind of pair.
+/// Prints one line for the backend, and one for each kind of pair.
 #[allow(clippy::cast_precision_loss)] // for people
 fn summary(name: &str, pair: &Pair, seconds: f64, found: &Contacts) {
     let count = primitives(pair);
@@ -77,7 +78,7 @@ fn backends(criterion: &mut Criterion, task: &str, pair: &Pair) {
     backend(criterion, &Tolerance::<f32>::new(), task, pair);
 }
 
-/// Crossing edges by an R-tree of boxes, bulk-loaded, and the sessions' test.
+/// The number of crossing edges, by a bulk-loaded R-tree of boxes and the session's test.
 fn crossings<S: Predicates>(session: &S, scene: &Scene, a: &Complex, b: &Complex) -> usize {
     let ends = |edge: &[predicament_predicates::Vertex; 2]| {
         edge.map(|v| [Axis::X, Axis::Y].map(|axis| scene.coordinate(axis, v)))
@@ -95,7 +96,7 @@ fn crossings<S: Predicates>(session: &S, scene: &Scene, a: &Complex, b: &Complex
     a.edges().iter().map(of).sum()
 }
 
-/// An edge as `geo` wants it, and whether it is of the second complex.
+/// An edge for `geo`, and true if it belongs to the second complex.
 #[derive(Clone, Copy, Debug)]
 struct Edge(Line, bool);
 
@@ -107,7 +108,7 @@ impl Cross for Edge {
     }
 }
 
-/// Crossing edges by the sweep of `geo` over all of both; crossings within one complex are dropped.
+/// The number of crossing edges, by the sweep of `geo` over both complexes; crossings within one complex are dropped.
 fn swept(scene: &Scene, a: &Complex, b: &Complex) -> usize {
     let end = |v| {
         let [x, y] = [Axis::X, Axis::Y].map(|axis| scene.coordinate(axis, v));

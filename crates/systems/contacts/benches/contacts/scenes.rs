@@ -1,7 +1,7 @@
-//! Two complexes that meet in many places, of any size.
+//! Scenes of any size: two complexes that meet in many places.
 
-// Numbers of parts are small and positive, noise has 53 bits, and coordinates
-// are meant to be rounded to single precision.
+// Numbers of parts are small and positive, noise has 53 bits, and coordinates are rounded to single precision on
+// purpose.
 #![allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 
 use predicament_mesh::{Complex, Simplices};
@@ -22,7 +22,7 @@ impl Pair {
     }
 }
 
-/// A number in [0, 1) that looks random: splitmix64.
+/// A pseudorandom number in [0, 1): splitmix64.
 fn noise(seed: u64) -> f64 {
     let mut z = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15);
     z = (z ^ z >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -34,9 +34,10 @@ fn turn(part: usize, of: usize) -> f64 {
     std::f64::consts::TAU * part as f64 / of as f64
 }
 
-/// About so many edges: half of them in star-shaped polygons of 20 edges side by
-/// side, half in another such field, shifted by a fraction of a polygon.
-/// Coordinates are single-precision numbers.
+/// A scene of about `edges` edges, with single-precision coordinates.
+///
+/// Half of the edges are in a field of star-shaped polygons of 20 edges, half in another such field, shifted by a
+/// fraction of a polygon.
 pub fn polygons(edges: usize) -> Pair {
     const CORNERS: usize = 20;
     let side = ((edges / (2 * CORNERS)) as f64).sqrt().ceil().max(1.0) as usize;
@@ -60,8 +61,7 @@ pub fn polygons(edges: usize) -> Pair {
     Pair::new(Scene::from_points2(&points).expect("finite"), field)
 }
 
-/// About so many triangles: two tori through each other.
-/// Coordinates are single-precision numbers.
+/// A scene of about `triangles` triangles, with single-precision coordinates: two tori that intersect.
 pub fn tori(triangles: usize) -> Pair {
     let around = ((triangles / 4) as f64 * 3.0).sqrt().ceil().max(3.0) as usize;
     let across = (around / 3).max(3);

@@ -1,8 +1,8 @@
-//! The algorithms.
+//! The contact algorithms.
 //!
 //! * [`pairs`]: the pairs of simplices of two complexes that meet.
-//! * [`arrangement`]: two complexes merged where they are in contact.
-//! * [`thick`]: vertices and edges with a radius, and what overlaps made to coincide.
+//! * [`arrangement`]: two complexes, merged at their contacts.
+//! * [`thick`]: vertices and edges with a radius; overlapping ones are made to coincide.
 
 pub mod arrangement;
 pub mod pairs;

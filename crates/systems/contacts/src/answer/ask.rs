@@ -1,17 +1,17 @@
-//! Asks a session whether one pair of simplices is in contact.
+//! The query of a session about one pair of simplices.
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::Predicates;
 
 use super::{Contact, Weights};
 
-/// A pair's contact, if the session registers it, whatever its sub-pairs are.
+/// The contact of a pair, if the session registers it; sub-pairs are not considered.
 ///
-/// Asks the question of the pair's ranks, the simplex of higher rank first; of
-/// two edges the one with the lower vertices.
+/// The query is the one for the pair's ranks, the simplex of higher rank first; of two edges, the one with the lower
+/// vertices first.
 ///
 /// # Panics
-/// If no hierarchy has pairs of these ranks.
+/// If the hierarchy does not have pairs of these ranks.
 pub fn ask<S: Predicates + ?Sized>(session: &S, [a, b]: [&Complex; 2], [s, t]: [Simplex; 2]) -> Option<Contact> {
     let (on_a, on_b) = match (a.vertices_of(s), b.vertices_of(t)) {
         (&[p], &[q]) => session.vertex_vertex(p.min(q), p.max(q)).then_some((pad([1.0]), pad([1.0])))?,

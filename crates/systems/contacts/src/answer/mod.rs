@@ -1,6 +1,6 @@
-//! What is answered about two complexes: the pairs that are registered, how each is asked about, and what is merged.
+//! The answers about two complexes: the registered pairs, the query for each, and the merged complexes.
 //!
-//! The algorithm, the checks and the truth speak of these.
+//! The algorithm, the checks and the truth share these types.
 
 mod ask;
 mod merged;

@@ -3,46 +3,45 @@
 use predicament_mesh::Simplex;
 use predicament_predicates::Dimension;
 
-/// Barycentric coordinates of a point in a simplex, one for each of its
-/// vertices in ascending order; those that the simplex lacks are zero.
+/// Barycentric coordinates of a point in a simplex, one for each vertex in ascending order; unused entries are zero.
 pub type Weights = [f64; 4];
 
-/// A registered pair: a simplex of each complex, and where on it they meet.
+/// A registered pair: a simplex of each complex, and the position of the contact on both.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Contact {
     /// The simplex of the first complex.
     pub a: Simplex,
     /// The simplex of the second complex.
     pub b: Simplex,
-    /// Where on the first.
+    /// The position on the first simplex.
     pub on_a: Weights,
-    /// Where on the second.
+    /// The position on the second simplex.
     pub on_b: Weights,
 }
 
-/// Counts of the pairs of two ranks: candidates, ended, asked, registered.
+/// The numbers of pairs of two ranks: candidates, ended, asked, registered.
 ///
-/// Every candidate either had ended or was asked about.
+/// Every candidate either had ended or was queried.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Level {
     /// The ranks of the simplices of the first and of the second complex.
     pub ranks: [u8; 2],
     /// Pairs whose boxes are within the session's reach of each other.
     pub candidates: u64,
-    /// Those that had ended: a sub-pair was registered.
+    /// Candidates that had ended: a sub-pair was registered.
     pub ended: u64,
-    /// Those that the session was asked about.
+    /// Candidates that the session was asked about.
     pub asked: u64,
-    /// Those that it registered.
+    /// Pairs that the session registered.
     pub registered: u64,
 }
 
-/// All registered pairs, and how many there were to look at.
+/// All registered pairs, and the numbers of tested pairs.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Contacts {
     /// The registered pairs, by level (the sum of the ranks), then by simplices.
     pub registered: Vec<Contact>,
-    /// Counts of the pairs, in the order of [`levels`].
+    /// The numbers of pairs, in the order of [`levels`].
     pub levels: Vec<Level>,
 }
 

@@ -1,31 +1,30 @@
-//! Where a merged point sits.
+//! The location of a merged point.
 
 use predicament_mesh::Simplex;
 use predicament_predicates::Vertex;
 
 use super::{MergedPoint, Side, Weights};
 
-/// Whose location a merged point takes.
+/// The rule for the location of a merged point.
 ///
-/// The registrations don't say. Cutting a mesh usually keeps the mesh and
-/// bends the cutting surface, or the other way round. For each complex a point
-/// has at most one [`Stand`]; a point with a stand in one complex only sits
-/// there under every rule.
+/// The registrations do not determine the location. Cutting a mesh usually keeps the mesh and bends the cutting
+/// surface, or the other way round. For each complex a point has at most one [`Stand`]. A point with a stand in only
+/// one complex is there under every rule.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Seat {
     /// The first complex stays, the second moves to it.
     A,
     /// The second complex stays, the first moves to it.
     B,
-    /// Half way between the two.
+    /// The point half way between the two complexes.
     Middle,
 }
 
 impl Seat {
-    /// All three.
+    /// All three rules.
     pub const ALL: [Seat; 3] = [Seat::A, Seat::B, Seat::Middle];
 
-    /// The name used in files and reports.
+    /// The rule's name in files and reports.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -42,19 +41,18 @@ impl std::fmt::Display for Seat {
     }
 }
 
-/// Where a merged point is on one complex.
+/// The location of a merged point on one complex.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Stand {
     /// At this vertex.
     Vertex(Vertex),
-    /// Between the vertices of this simplex, which sit where their own points
-    /// stand on the same complex.
+    /// Between the vertices of this simplex, at their own points' locations on the same complex.
     Inside(Simplex, Weights),
 }
 
 impl MergedPoint {
-    /// Where the point is on a complex, if it is there: at its lowest vertex,
-    /// else on the first simplex that it was registered inside of.
+    /// The location of the point on a complex, if it is there: at its lowest vertex, otherwise inside the first simplex
+    /// that it was registered in.
     #[must_use]
     pub fn stand(&self, side: Side) -> Option<Stand> {
         let vertex = self.vertices[side as usize].first().map(|&vertex| Stand::Vertex(vertex));

@@ -1,7 +1,7 @@
-//! What must hold for contacts.
+//! Checks of contacts.
 //!
 //! * [`pairs`]: registered pairs, and the curves and surfaces that they merge.
-//! * [`audit`]: contacts held to exact distances.
+//! * [`audit`]: contacts, compared with exact distances.
 
 pub mod audit;
 pub mod pairs;

@@ -1,26 +1,24 @@
-//! Backends with a band, held to it by exact distances.
+//! The judgement of backends with a band, by exact distances.
 //!
-//! Every registered pair is judged, and every pair that is near enough to have
-//! been registered. What breaks the guarantee has a class:
+//! Every registered pair is judged, and every pair that is near enough to be registered. The class depends on the
+//! violation of the guarantee:
 //!
 //! | verdict | degenerate pairs | pairs of full dimension | check |
 //! |---|---|---|---|
 //! | registered beyond T₊, or without a crossing | `overreach` | `sign_flip` | `band` |
 //! | not registered up to T₋, or in spite of a crossing | `missed_zero` | `sign_flip` | `band` |
-//! | a guarded quantity below its bound: a sub-pair should have been registered | `missed_zero` | `missed_zero` | `unguarded` |
+//! | a guarded quantity below its bound: a sub-pair was missed | `missed_zero` | `missed_zero` | `unguarded` |
 //! | a weight not in [0, 1] | `inconsistent` | `inconsistent` | `weights` |
-//! | the same, not a number | `nan` | `nan` | `weights` |
+//! | a weight that is not a number | `nan` | `nan` | `weights` |
 //! | registered although a sub-pair is | `inconsistent` | `inconsistent` | `unasked` |
-//! | registered, and never near | `overreach` | `overreach` | `unasked` |
+//! | registered although not near | `overreach` | `overreach` | `unasked` |
 //! | registered although a test of its algorithm had to fail | `overreach` | `overreach` | `reading` |
-//! | not registered although all had to pass | `missed_zero` | `missed_zero` | `reading` |
+//! | not registered although all tests had to pass | `missed_zero` | `missed_zero` | `reading` |
 //!
-//! The last two are of pairs that have ended as well: a sample of them is asked about
-//! by itself. The tolerances are those that the paper publishes, for the lengths in the
-//! scene, and not those that the backend says it has.
+//! The last two verdicts also apply to pairs that have ended: a sample of them is queried separately. The tolerances
+//! are those that the paper publishes, for the lengths in the scene, and not those that the backend claims.
 //!
-//! A backend that has no bands for contacts is held to exact contacts: nothing
-//! else could be what it promises.
+//! A backend without bands for contacts is judged by exact contacts, the only possible promise.
 
 use std::collections::{BTreeMap, BTreeSet};
 

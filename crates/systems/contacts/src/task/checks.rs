@@ -1,4 +1,4 @@
-//! What is reported about registered pairs.
+//! The checks of registered pairs that are reported.
 
 use predicament_predicates::Dimension;
 

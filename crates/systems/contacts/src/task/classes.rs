@@ -1,8 +1,7 @@
 //! The class of a pair of simplices.
 //!
-//! A pair is degenerate if its ranks add up to less than the dimension. A pair
-//! that one side registers and the other doesn't is the class of the first
-//! thing that went wrong:
+//! A pair is degenerate if its ranks add up to less than the dimension. If only one of backend and truth registers a
+//! pair, its class is that of the first error:
 //!
 //! | who registers it | because | class |
 //! |---|---|---|
@@ -13,13 +12,12 @@
 //! | backend only, degenerate | | `overreach` |
 //! | backend only, of full dimension | | `sign_flip` |
 //!
-//! Backends that break ties are held against the perturbed scene instead: what
-//! it registers has to be registered, and nothing else (`sign_flip`), never
-//! anything degenerate (`inconsistent`). Where that is not what the exact
-//! scene has, a tie was broken: `tie_broken`.
+//! Backends that break ties are compared with the perturbed scene instead. Its registered pairs have to be registered,
+//! and no others (`sign_flip`), and never a degenerate pair (`inconsistent`). If the result differs from the exact
+//! scene's, a tie was broken: `tie_broken`.
 //!
-//! Backends with a band are held to it by exact distances. What keeps the
-//! guarantee and is not what the exact scene has is `in_band`.
+//! Backends with a band are judged by exact distances. A pair that keeps the guarantee and differs from the exact scene
+//! is `in_band`.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -29,14 +27,14 @@ use super::pairs::{Pairs, is_degenerate};
 use crate::truth::Pair;
 use predicament_tasks::Class;
 
-/// A class with the check that led to it.
+/// A class with the check that gives it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) struct Judgement {
     pub class: Class,
     pub check: &'static str,
 }
 
-/// Registered pairs, and what they are held against.
+/// Registered pairs, and the references for their judgement.
 pub(crate) struct Judge<'p> {
     pub dimension: Dimension,
     pub zero: ZeroMeaning,

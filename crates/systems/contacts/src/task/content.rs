@@ -1,4 +1,4 @@
-//! `a` and `b`: two complexes in one scene, whose contacts are asked for.
+//! The keys `a` and `b`: two complexes in one scene, and the query for their contacts.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -35,10 +35,10 @@ static COMPLEX: TableKind = TableKind::new(
 
 /// The keys of simplices of each rank in the first complex.
 const KEYS_OF_A: [&str; 4] = ["a.vertices", "a.edges", "a.triangles", "a.tetrahedra"];
-/// The same in the second.
+/// The keys of simplices of each rank in the second complex.
 const KEYS_OF_B: [&str; 4] = ["b.vertices", "b.edges", "b.triangles", "b.tetrahedra"];
 
-/// Two complexes, which have no vertex in common.
+/// Two complexes without common vertices.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Complexes {
     /// The first complex.
@@ -48,14 +48,14 @@ pub struct Complexes {
 }
 
 impl Complexes {
-    /// Both.
+    /// Both complexes.
     #[must_use]
     pub fn both(&self) -> [&Complex; 2] {
         [&self.a, &self.b]
     }
 
-    /// The scene and its content: the scene learns how large the primitives are
-    /// and which vertices are of the second complex.
+    /// The scene and its content. The scene gets the size of the primitives and the list of the second complex'
+    /// vertices.
     #[must_use]
     pub fn in_scene(self, scene: Scene) -> (Scene, Complexes) {
         let lengths = self.both().map(|complex| complex.primitive_length(&scene));
@@ -65,7 +65,7 @@ impl Complexes {
 }
 
 impl Content for Complexes {
-    /// The simplices of both.
+    /// The number of simplices of both complexes.
     fn count(&self) -> usize {
         self.a.len() + self.b.len()
     }
@@ -80,13 +80,13 @@ impl Content for Complexes {
         }
     }
 
-    /// The lengths of primitives are other ones.
+    /// A moved scene has other lengths of primitives.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let (scene, complexes) = self.clone().in_scene(scene);
         (scene, Some(Arc::new(complexes)))
     }
 
-    /// Simplices that are faces of no other: these have all others as faces.
+    /// Spells only the maximal simplices: their faces give all others.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let mut spelled = spelled_points(scene);
         for (complex, name, keys) in [(&self.a, "a", KEYS_OF_A), (&self.b, "b", KEYS_OF_B)] {
@@ -118,7 +118,7 @@ pub(super) struct Written {
     round: bool,
 }
 
-/// One complex, and where the file speaks of it.
+/// A complex in a suite, with its line there.
 #[derive(Clone, Debug)]
 struct Side {
     line: usize,
@@ -137,7 +137,7 @@ enum Source {
     Topology { origin: Origin, object: String },
     /// The borders of polygons in the suite.
     Polygons(ImportedMap),
-    /// A copy of the first complex, moved by so many σ.
+    /// A copy of the first complex, moved by this many σ.
     Shifted(f64),
 }
 
@@ -163,24 +163,24 @@ impl Written {
         Ok(Written { file: fields.file().to_owned(), points, a, b, dimension, round: context.round() })
     }
 
-    /// Whether everything is written out in the suite.
+    /// True if everything is written out in the suite.
     fn is_inline(&self) -> bool {
         let written =
             |side: &Side| matches!(side.source, Source::Written(_) | Source::Polygons(_) | Source::Shifted(_));
         self.points.is_written() && written(&self.a) && written(&self.b)
     }
 
-    /// As the source of a scene.
+    /// The source of a scene with these complexes.
     pub(super) fn source(self) -> Result<SceneSource, CorpusError> {
         if !self.is_inline() {
             return Ok(SceneSource::elsewhere(self));
         }
-        // Nothing is read from a cache: everything is written out.
+        // Nothing comes from the cache: everything is written out.
         Ok(SceneSource::Written(self.assemble(&Cache::new(""))?))
     }
 
-    /// Reads what is in other files and puts both complexes into one scene:
-    /// the points first, then those of `a`, then those of `b`.
+    /// Reads the other files and puts both complexes into one scene: the points first, then those of `a`, then those of
+    /// `b`.
     fn assemble(&self, cache: &Cache) -> Result<Parts, CorpusError> {
         let file = self.file.as_str();
         let decimals = Decimals::new(self.round);
@@ -258,7 +258,7 @@ impl Elsewhere for Written {
     }
 }
 
-/// These vertices' points, moved.
+/// The points of these vertices, moved.
 pub(super) fn moved<'s>(scene: &'s Scene, vertices: &'s [Vertex], by: f64) -> impl Iterator<Item = f64> + 's {
     let along = direction(scene.dimension());
     vertices.iter().flat_map(move |&v| scene.point(v).iter().zip(along).map(move |(x, along)| x + by * along))
@@ -268,7 +268,7 @@ fn is_empty(field: &Field<'_, '_>) -> bool {
     field.is_array() && field.items("an array of points").is_ok_and(|points| points.len() == 0)
 }
 
-/// The coordinates of the scene's points, which have to be of the task's dimension, and what reading them changed.
+/// The coordinates of the scene's points, which must have the task's dimension, and the changes made in reading them.
 fn of_dimension(
     points: &PointSource,
     dimension: Dimension,
@@ -390,7 +390,7 @@ fn from_points(file: &str, simplices: &[(usize, Vec<Vertex>)], points: usize) ->
     Ok(given)
 }
 
-/// Every border of a map, once. Its points follow those that there are.
+/// Every border of a map, once. Its points are appended to the coordinates.
 fn borders(imported: &ImportedMap, start: usize, coordinates: &mut Vec<f64>, notes: &mut ImportNotes) -> Simplices {
     coordinates.extend(imported.points.as_flattened());
     notes.add(&imported.notes);
@@ -398,7 +398,7 @@ fn borders(imported: &ImportedMap, start: usize, coordinates: &mut Vec<f64>, not
     Simplices { edges, ..Simplices::default() }
 }
 
-/// The same simplices of other vertices.
+/// The same simplices with other vertices.
 pub(super) fn shifted(given: &Simplices, vertex: impl Fn(Vertex) -> Vertex) -> Simplices {
     Simplices {
         vertices: given.vertices.iter().map(|&v| vertex(v)).collect(),

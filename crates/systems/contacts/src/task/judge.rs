@@ -1,16 +1,13 @@
-//! Every registered pair of two complexes against the truth.
+//! The judgement of every registered pair of two complexes by the truth.
 //!
-//! The truth is found by linear equations in rationals, all pairs whose boxes
-//! meet; where that is too much, for every n-th simplex of the first complex. A
-//! pair that a backend registers is judged in any case: the sample limits the
-//! search for pairs that it has missed. What is judged are the pairs that the
-//! truth or the backend registers; that a pair is registered by neither is not
-//! counted as an answer, there are too many of those. For backends that break
-//! ties the truth is, besides, what crosses in the perturbed scene.
+//! The truth is computed by linear equations in rationals, for all pairs whose boxes meet; if these are too many, for
+//! every n-th simplex of the first complex. A pair that a backend registers is always judged: the sample limits only
+//! the search for missed pairs. The judged pairs are those that the truth or the backend registers. A pair that neither
+//! registers does not count as an answer, as there are too many. For backends that break ties, the truth also has the
+//! crossings in the perturbed scene.
 //!
-//! Whether a pair is registered depends on its faces alone. So one pair can be
-//! asked about again by itself, and some pairs of the truth are found twice, the
-//! second time by the hierarchy on the judge's signs.
+//! The registration of a pair depends only on its faces. So one pair can be queried again separately, and some pairs of
+//! the truth are computed twice, the second time by the hierarchy on the judge's signs.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,7 +22,7 @@ use super::section::ContactRow;
 use super::{Complexes, Contacts, band, order, query, topology, vertices_of};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
-/// Orders of a pair's vertices, at most: what a pair costs of the budget for permutations.
+/// The maximum number of orders of a pair's vertices: the cost of a pair in the budget for permutations.
 const ORDERS: usize = 24;
 
 /// The pairs that were registered.
@@ -34,7 +31,7 @@ fn pairs<'p>(truth: &'p Truth, content: &'p Complexes, contacts: &Registered) ->
     Pairs::new(content.both(), &truth.faces, pairs.collect())
 }
 
-/// The truth with everything that it takes to judge these pairs too, and their faces.
+/// The truth, extended by these pairs and their faces.
 fn about<'p>(truth: &'p Truth, scene: &Scene, content: &'p Complexes, pairs: impl Iterator<Item = Pair>) -> Pairs<'p> {
     let mut registered = truth.registered.clone();
     let [of_a, of_b] = &truth.faces;
@@ -85,7 +82,7 @@ pub(super) fn judge(
         if judgement.class == Class::Agree && weights.get(&pair).is_some_and(has_nan) {
             judgement = Judgement { class: Class::Nan, check: "weights" };
         }
-        // A band's edges are fuzzy: another order of the arguments may round to its other side.
+        // A band's limits are not sharp: another order of the arguments may round to the other side.
         let ask = orders > 0 && zero != ZeroMeaning::Band && at.is_multiple_of(step) && got.ended_by(pair).is_none();
         if judgement.class.is_legal() && ask {
             let [s, t] = vertices_of(content, pair);

@@ -1,8 +1,7 @@
-//! `contacts2d`, `contacts3d`: which simplices of two complexes meet.
+//! `contacts2d`, `contacts3d`: the pairs of simplices of two complexes that meet.
 //!
-//! The hierarchy of Wang, Jiang, Schroeder and Teran, driven by any backend: the
-//! most degenerate pairs first, and a pair is not asked about once a pair of its
-//! faces is registered.
+//! The hierarchy of Wang, Jiang, Schroeder and Teran, driven by any backend: the most degenerate pairs come first, and
+//! a pair is not queried once a pair of its faces is registered.
 
 mod band;
 mod checks;
@@ -50,9 +49,9 @@ pub struct Contacts {
 }
 
 impl Contacts {
-    /// Between two complexes in the plane.
+    /// The task `contacts2d`: two complexes in the plane.
     pub const IN_PLANE: Contacts = Contacts { dimension: Dimension::Two };
-    /// Between two complexes in space.
+    /// The task `contacts3d`: two complexes in space.
     pub const IN_SPACE: Contacts = Contacts { dimension: Dimension::Three };
 }
 
@@ -119,7 +118,7 @@ impl Task for Contacts {
     type Truth = Truth;
     type Answer = Registered;
 
-    // Coordinates are singles, so that single precision can take them.
+    // Coordinates are singles, so that single-precision backends accept them.
     fn compared(&self) -> &'static [Compared] {
         match self.dimension {
             Dimension::Two => {
@@ -163,7 +162,7 @@ impl Task for Contacts {
         Some(timed::primitives(scene, content))
     }
 
-    /// One table of both dimensions.
+    /// A table of both dimensions.
     fn timed(
         &self,
         run: &RunDir,
@@ -251,7 +250,7 @@ impl Task for Contacts {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// A JSON file of all registered pairs with their weights, and an OBJ file of both complexes.
+    /// Writes a JSON file of all registered pairs with their weights, and an OBJ file of both complexes.
     fn write(
         &self,
         scene: &Scene,
@@ -292,7 +291,7 @@ impl Task for Contacts {
             canvas.lines(scene, &format!("{name}: edges"), role, complex.edges())?;
         }
         let Some(answer) = answer else { return Ok(()) };
-        // Where on each simplex of the first complex a contact is registered.
+        // The position of a contact on the simplex of the first complex.
         let place = |contact: &Contact| {
             let [s, _] = vertices_of(content, [contact.a, contact.b]);
             vec![vec![weighted(scene, s, &contact.on_a)]]
@@ -330,7 +329,7 @@ fn object_file(scene: &Scene, content: &Complexes) -> String {
     text
 }
 
-/// A point of a simplex by its weights, in doubles: near enough for a picture.
+/// A point of a simplex by its weights, in doubles: accurate enough for a picture.
 fn weighted(scene: &Scene, simplex: &[Vertex], weights: &Weights) -> [f64; 3] {
     let mut place = [0.0; 3];
     for (&v, weight) in simplex.iter().zip(weights) {
@@ -343,17 +342,17 @@ fn vertices_of(content: &Complexes, [s, t]: Pair) -> [&[Vertex]; 2] {
     [content.a.vertices_of(s), content.b.vertices_of(t)]
 }
 
-/// A pair as a query: `contacts2d(0 1, 4 5)`.
+/// The query of a pair: `contacts2d(0 1, 4 5)`.
 fn query(scene: &Scene, content: &Complexes, pair: Pair) -> Query {
     let args = vertices_of(content, pair).map(<[Vertex]>::to_vec).to_vec();
     Query { what: format!("contacts{}d", scene.dimension().count()), detail: None, args }
 }
 
-/// The contacts of one pair's faces, as complexes of their own.
+/// The contacts of one pair's faces, as separate complexes.
 fn alone<S: Predicates + ?Sized>(scene: &Scene, content: &Complexes, session: &S, pair: Pair) -> Registered {
     let [s, t] = vertices_of(content, pair).map(|vertices| closure(scene, vertices));
     let mut found = contacts(session, &s, &t);
-    // From places in the two closures to places in the complexes.
+    // From indices in the two closures to indices in the complexes.
     let [a, b] = content.both();
     let find = |all: &Complex, one: &Complex, simplex: Simplex| all.find(one.vertices_of(simplex));
     found.registered.retain_mut(|contact| {
@@ -363,7 +362,7 @@ fn alone<S: Predicates + ?Sized>(scene: &Scene, content: &Complexes, session: &S
     found
 }
 
-/// What is registered of a pair and its faces, with the weights, in words.
+/// The registered pairs of a pair and its faces, with the weights, in words.
 fn tell(scene: &Scene, content: &Complexes, pair: Pair, contacts: &Registered) -> String {
     if contacts.registered.is_empty() {
         return "apart".to_owned();

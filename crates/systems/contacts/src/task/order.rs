@@ -1,13 +1,12 @@
-//! Whether a session answers about a pair the same in every order of its vertices.
+//! The check that a session's answer about a pair does not depend on the order of its vertices.
 
 use predicament_laws::axioms::each_order;
 use predicament_predicates::{Predicates, Vertex};
 
 use predicament_tasks::ids;
 
-/// Asks about a pair with its vertices in all orders, and, where both have the
-/// same rank, with the two changing places. In words, the first order whose
-/// answer is another one.
+/// Queries a pair with its vertices in all orders and, if both simplices have the same rank, with the two exchanged.
+/// Returns, in words, the first order with a different answer.
 pub(crate) fn contradiction<S: Predicates + ?Sized>(session: &S, s: &[Vertex], t: &[Vertex]) -> Option<String> {
     let expected = registers(session, s, t);
     let mut found = None;
@@ -31,7 +30,7 @@ pub(crate) fn contradiction<S: Predicates + ?Sized>(session: &S, s: &[Vertex], t
     })
 }
 
-/// Asks the question of the pair's ranks.
+/// True if the session registers the pair by the query for its ranks.
 fn registers<S: Predicates + ?Sized>(session: &S, s: &[Vertex], t: &[Vertex]) -> bool {
     match (s, t) {
         (&[p], &[q]) => session.vertex_vertex(p, q),

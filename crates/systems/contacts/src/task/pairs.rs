@@ -28,7 +28,7 @@ impl<'a> Pairs<'a> {
         self.set.iter().copied()
     }
 
-    /// A registered pair of faces that has ended this one, if any.
+    /// A registered pair of faces that ended this pair, if any.
     pub fn ended_by(&self, [s, t]: Pair) -> Option<Pair> {
         let [of_s, of_t] = self.faces;
         let mut pairs = of_s.of(s).flat_map(|s| of_t.of(t).map(move |t| [s, t]));
@@ -45,7 +45,7 @@ impl<'a> Pairs<'a> {
     }
 }
 
-/// A simplex and its faces, as a complex of its own.
+/// A simplex and its faces, as a separate complex.
 pub(crate) fn closure(scene: &Scene, simplex: &[Vertex]) -> Complex {
     let mut given = Simplices::default();
     match *simplex {
@@ -63,7 +63,8 @@ pub(crate) fn name([a, b]: [&Complex; 2], [s, t]: Pair) -> String {
     format!("{}, {}", ids(a.vertices_of(s)), ids(b.vertices_of(t)))
 }
 
-/// How far a pair is from the last level; zero for pairs that meet in general position.
+/// True if the ranks of a pair add up to less than the dimension; pairs in general position meet only on the last
+/// level.
 pub(crate) fn is_degenerate(dimension: Dimension, [s, t]: Pair) -> bool {
     usize::from(s.rank) + usize::from(t.rank) < dimension.count()
 }

@@ -1,5 +1,5 @@
-//! `contacts.csv` and what a report makes of it: on which level of the hierarchy
-//! pairs were registered, and how many had ended.
+//! `contacts.csv`, and its section of a report: the numbers of registered and of ended pairs on each level of the
+//! hierarchy.
 
 use std::collections::BTreeMap;
 
@@ -46,10 +46,11 @@ predicament_records::table! {
     }
 }
 
-/// Levels are sums of two ranks: 0 for two vertices, the dimension for pairs in general position.
+/// The number of levels; a level is the sum of two ranks: 0 for two vertices, the dimension for pairs in general
+/// position.
 const LEVELS: usize = 4;
 
-/// All kinds of pairs of one level.
+/// The sums over all kinds of pairs of one level.
 #[derive(Clone, Copy, Default)]
 struct Level {
     registered: u64,
@@ -70,7 +71,7 @@ impl Level {
     }
 }
 
-/// The section of a report.
+/// The section of a report about contacts.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Registered pairs, and the share of the candidates that had ended before")

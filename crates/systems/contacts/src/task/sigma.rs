@@ -1,18 +1,16 @@
-//! σ of the tolerance scheme of Wang, Jiang, Schroeder and Teran: the distance
-//! within which it takes two vertices for one, and the unit by which copies
-//! are moved.
+//! The tolerance σ of the scheme of Wang, Jiang, Schroeder and Teran: two vertices within this distance are registered
+//! as one. It is also the unit by which copies are moved.
 //!
-//! The formulas are those of Algorithms 1 and 6 with ε = 2^-52, the machine
-//! epsilon of double precision. They are written out here because scenes must
-//! not depend on a backend: what a scene is stays the same if a backend's
-//! tolerances change.
+//! The formulas are those of Algorithms 1 and 6 with ε = 2^-52, the machine epsilon of double precision. They are
+//! written out here because scenes must not depend on a backend: a scene stays the same if a backend's tolerances
+//! change.
 
 use predicament_predicates::Dimension;
 
-/// σ = 6.5·√ε·L in the plane, 6.5·ε^¼·L in space, with
-/// L = (1 + 5ε)/(1 − 7√ε)·(La + Lb), in space (1 + 5ε)/(1 − 7ε^¼)·(La + Lb).
-/// La and Lb are the largest bounding-box edges of a primitive of each
-/// complex. Rounded like any other coordinate of a generated scene.
+/// The tolerance σ = 6.5·√ε·L in the plane, 6.5·ε^¼·L in space, rounded like any other coordinate of a generated scene.
+///
+/// L = (1 + 5ε)/(1 − 7√ε)·(La + Lb) in the plane, (1 + 5ε)/(1 − 7ε^¼)·(La + Lb) in space. La and Lb are the largest
+/// bounding-box edges of a primitive of each complex.
 pub(super) fn sigma(dimension: Dimension, [la, lb]: [f64; 2]) -> f64 {
     let root = match dimension {
         Dimension::Two => f64::EPSILON.sqrt(),
@@ -22,9 +20,8 @@ pub(super) fn sigma(dimension: Dimension, [la, lb]: [f64; 2]) -> f64 {
     6.5 * (root * length)
 }
 
-/// A unit vector, exact but for the rounding of its decimals, that is parallel
-/// to no axis: so a copy moved along it is as far away as it should be and
-/// shares no coordinate with the original.
+/// A unit vector, exact up to the rounding of its decimals, that is not parallel to an axis. So a copy moved along it
+/// has the intended distance and shares no coordinate with the original.
 pub(super) fn direction(dimension: Dimension) -> &'static [f64] {
     match dimension {
         Dimension::Two => &[0.6, 0.8],

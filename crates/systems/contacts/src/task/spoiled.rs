@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults, which prove that the checks find faults that no backend has.
 
 use crate::algorithm::pairs::Contact;
 use predicament_mesh::Simplex;
@@ -105,7 +105,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
     all
 }
 
-/// Whether a pair is of full dimension, and of an edge or more on either side.
+/// True if a pair is of full dimension, with an edge or more on either side.
 fn is_full(scene: &Scene, contact: &Contact) -> bool {
     let ranks = [contact.a.rank, contact.b.rank];
     ranks.iter().all(|&rank| rank > 0) && ranks.map(usize::from).iter().sum::<usize>() == scene.dimension().count()

@@ -1,5 +1,5 @@
-//! A bench folder about contacts as two tables: times, and what became of the
-//! pairs. All but the number of primitives is read back from the folder.
+//! Two tables of a bench folder about contacts: times, and the numbers of pairs by outcome. Only the number of
+//! primitives does not come from the folder.
 
 use std::collections::BTreeMap;
 
@@ -28,10 +28,10 @@ impl Primitives<'_> {
     }
 }
 
-/// What a bench folder says about contacts, as Markdown; nothing where it has none.
+/// The tables about contacts of a bench folder, as Markdown; empty if it has none.
 ///
 /// # Errors
-/// That of a folder that cannot be read.
+/// If the folder can't be read.
 pub(super) fn tables(run: &RunDir, primitives: &BTreeMap<String, u64>, threads: &[usize]) -> Result<String, Error> {
     let primitives = Primitives(primitives);
     let mut text = String::new();
@@ -40,7 +40,7 @@ pub(super) fn tables(run: &RunDir, primitives: &BTreeMap<String, u64>, threads: 
     Ok(text)
 }
 
-/// Scenes that differ in size only have names that differ behind the last dash.
+/// The key of a series of scenes of different sizes: their names differ only after the last dash.
 fn series(scene: &PlannedScene) -> (&str, &str, &str) {
     (&scene.suite, &scene.task, scene.scene.rsplit_once('-').map_or(&*scene.scene, |(stem, _)| stem))
 }
@@ -62,7 +62,7 @@ fn times(text: &mut String, run: &RunDir, primitives: &Primitives<'_>, threads: 
     let backends = in_order(run.throughput.iter().map(|row| row.backend.as_str()));
     let mut rows = Vec::new();
     for scene in &scenes {
-        // the smallest that is like it, if there are different sizes
+        // the smallest scene of the series, if there are different sizes
         let alike = scenes.iter().filter(|other| series(other) == series(scene));
         let smallest = alike.min_by_key(|other| primitives.of(other)).filter(|other| {
             let sizes = in_order(scenes.iter().filter(|s| series(s) == series(other)).map(|s| primitives.of(s)));
@@ -89,7 +89,7 @@ fn times(text: &mut String, run: &RunDir, primitives: &Primitives<'_>, threads: 
     markdown(text, about, 1, heads, rows);
 }
 
-/// All kinds of pairs of one level.
+/// The sums over all kinds of pairs of one level.
 #[derive(Clone, Copy, Default)]
 struct Level {
     candidates: u64,

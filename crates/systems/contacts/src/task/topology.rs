@@ -1,10 +1,9 @@
-//! What must be true of all contacts together, checked by name.
+//! Laws of all contacts together, checked by name.
 //!
-//! In the plane, closed curves cross an even number of times once they are
-//! merged where they are in contact, wherever merged points sit. In space, the
-//! intersection curves of closed surfaces have no loose ends, and a closed
-//! curve pierces a closed surface as often inwards as outwards. What is not
-//! closed is not checked: there is no law about it.
+//! In the plane, closed curves cross an even number of times after merging at their contacts, for any locations of
+//! merged points. In space, the intersection curves of closed surfaces have no loose ends, and a closed curve pierces a
+//! closed surface as often inwards as outwards. Complexes that are not closed are not checked, as there are no laws
+//! about them.
 
 use crate::algorithm::arrangement::{Arrangement, Seat, Side};
 use crate::algorithm::pairs::Contacts;
@@ -12,12 +11,11 @@ use crate::checks::pairs::{crossings, loose_ends, piercings};
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Predicates};
 
-/// A violated law: the name of its check, and what is wrong in words.
+/// A violated law: the name of its check, and a description.
 pub(crate) type Violation = (&'static str, String);
 
-/// The laws that the contacts violate. `sides` decides on which side of a
-/// triangle an edge's end is: exact signs, or the perturbed ones where these
-/// made the contacts.
+/// The laws that the contacts violate. `sides` decides the side of a triangle that an edge's end is on: exact signs, or
+/// the perturbed ones if these made the contacts.
 pub(crate) fn violations<S: Predicates>(sides: &S, complexes: [&Complex; 2], contacts: &Contacts) -> Vec<Violation> {
     if contacts.registered.is_empty() {
         return Vec::new();

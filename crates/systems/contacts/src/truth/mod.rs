@@ -1,7 +1,7 @@
-//! The pairs of simplices that meet: by linear equations in rationals, pair by pair; where ties are broken, by signs of the
+//! The pairs of simplices that meet: by linear equations in rationals, pair by pair; with broken ties, by signs of the
 //! perturbed scene.
 //!
-//! A part of the pairs is found twice, the second time by the session's questions on the judge's signs.
+//! Some of the pairs are computed twice, the second time by the session's queries on the judge's signs.
 
 mod perturbed;
 
@@ -20,16 +20,16 @@ pub(crate) use perturbed::perturbed;
 /// A simplex of each complex.
 pub(crate) type Pair = [Simplex; 2];
 
-/// One registered pair in so many is found again, in another way.
+/// One of this many registered pairs is computed again, by another method.
 const TWICE: usize = 16;
 
 /// The pairs that meet, exactly.
 pub struct Truth {
-    /// Those of the sampled simplices of the first complex.
+    /// The pairs with the sampled simplices of the first complex.
     pub(crate) registered: BTreeSet<Pair>,
-    /// Which simplices of the first complex were looked at, by their place in [`simplices`].
+    /// The sample of simplices of the first complex, by their indices in [`simplices`].
     sample: Sample,
-    /// Those simplices.
+    /// The sampled simplices.
     pub(crate) sampled: BTreeSet<Simplex>,
     pub(crate) faces: [Faces; 2],
 }
@@ -47,10 +47,10 @@ fn simplices(complex: &Complex) -> Vec<(Simplex, &[Vertex])> {
 }
 
 impl Truth {
-    /// Finds the truth.
+    /// Computes the truth.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     ///
     /// # Panics
     /// If the judge contradicts itself.
@@ -72,7 +72,7 @@ impl Truth {
         Ok(Truth { registered, sample, sampled, faces })
     }
 
-    /// How many simplices of the first complex were looked at, if not all.
+    /// The number of sampled simplices of the first complex, in words, if it is not all.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
@@ -80,7 +80,7 @@ impl Truth {
     }
 }
 
-/// Whether a session registers a pair and none of its faces' pairs, each asked about by itself.
+/// True if a session registers a pair and none of its faces' pairs, each queried separately.
 fn is_registered(session: &Judged<'_>, content: &Complexes, [of_a, of_b]: &[Faces; 2], [s, t]: Pair) -> bool {
     let mut pairs = of_a.of(s).flat_map(|face| of_b.of(t).map(move |other| [face, other]));
     pairs.all(|pair| ask(session, content.both(), pair).is_some() == (pair == [s, t]))

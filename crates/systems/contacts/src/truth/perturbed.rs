@@ -1,10 +1,9 @@
-//! The pairs in contact in a perturbed scene: what general position leaves.
+//! The pairs in contact in a perturbed scene, which is in general position.
 //!
-//! Perturbed vertices are in general position. The interiors of two simplices then
-//! have a single common point only if their ranks add up to the dimension, and
-//! of larger ones that meet some faces do so. A vertex of both complexes stays one
-//! vertex however it moves. So the truth takes no hierarchy: every pair of such
-//! ranks is looked at whose boxes meet, and a few signs tell whether it crosses.
+//! Then the interiors of two simplices have a single common point only if their ranks add up to the dimension. If
+//! larger simplices meet, some of their faces do so. A vertex of both complexes stays one vertex however it moves. So
+//! the truth does not need a hierarchy: every pair of such ranks whose boxes meet is tested, and a few signs decide
+//! whether it crosses.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +16,7 @@ use super::{Pair, simplices, vertices_of};
 use crate::task::content::Complexes;
 use predicament_tasks::{Stop, Watch};
 
-/// Those of some simplices of the first complex, and those among the pairs `said`.
+/// The crossing pairs with these simplices of the first complex, and the crossing pairs among `said`.
 pub(crate) fn perturbed(
     scene: &Scene,
     ties: &TieJudge,
@@ -46,7 +45,7 @@ pub(crate) fn perturbed(
     Ok(found.into_iter().flatten().chain(said).collect())
 }
 
-/// The box of some vertices as they are given; a perturbation does not reach a box that is apart.
+/// The bounding box of unperturbed vertices; a perturbation does not reach a disjoint box.
 fn extent(scene: &Scene, vertices: &[Vertex]) -> [[f64; 2]; 3] {
     let axes = [Axis::X, Axis::Y, Axis::Z];
     std::array::from_fn(|axis| {
@@ -58,12 +57,12 @@ fn extent(scene: &Scene, vertices: &[Vertex]) -> [[f64; 2]; 3] {
     })
 }
 
-/// Whether two closed boxes meet: comparing doubles is exact.
+/// True if two closed boxes meet: comparing doubles is exact.
 fn overlap(a: &[[f64; 2]; 3], b: &[[f64; 2]; 3]) -> bool {
     a.iter().zip(b).all(|(a, b)| a[0] <= b[1] && b[0] <= a[1])
 }
 
-/// Whether the interiors have a single common point; two vertices, whether they are one.
+/// True if the interiors have a single common point; for two vertices, if they are equal.
 fn cross(session: &Judged<'_>, s: &[Vertex], t: &[Vertex]) -> bool {
     if s.iter().any(|v| t.contains(v)) {
         return s.len() == 1 && t.len() == 1;

@@ -1,5 +1,4 @@
-//! Contacts held to exact distances: whole sets of contacts, and distances by
-//! another method.
+//! The audit of contacts by exact distances: whole sets of contacts, and distances by another method.
 
 mod counts;
 mod oracle;

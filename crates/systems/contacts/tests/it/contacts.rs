@@ -1,4 +1,4 @@
-//! The hierarchy over backends, on pairs whose common points are known.
+//! The hierarchy with several backends, on pairs whose common points are known.
 
 use predicament_contacts::algorithm::pairs::{Contact, contacts};
 use predicament_exact::Exact;
@@ -10,7 +10,7 @@ fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
     indices.map(Vertex::input)
 }
 
-/// Ranks and vertices of the contacts between two complexes.
+/// The ranks and vertices of the contacts between two complexes.
 fn registered<B: Backend>(backend: &B, scene: &Scene, a: &Simplices, b: &Simplices) -> Vec<(Vec<usize>, Vec<usize>)> {
     let session = backend.prepare(scene, Off).unwrap();
     session.supports_contacts().unwrap();
@@ -30,8 +30,8 @@ fn triangle(triangle: [usize; 3]) -> Simplices {
 
 #[test]
 fn exact_finds_the_carriers_of_lowest_dimension() {
-    // A path through (0,0), (4,0), (4,4); the other starts on a vertex of it, passes through one of
-    // its edges and ends beside it.
+    // A path through (0,0), (4,0), (4,4); the other path starts on a vertex of it, passes through one of its edges and
+    // ends beside it.
     let scene = Scene::from_points2(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 0.0], [2.0, 0.0], [5.0, 3.0]]).unwrap();
     let (a, b) = (edges(&[[0, 1], [1, 2]]), edges(&[[3, 4], [4, 5]]));
     let expected = vec![(vec![0], vec![3]), (vec![0, 1], vec![4]), (vec![1, 2], vec![4, 5])];

@@ -1,16 +1,13 @@
-//! What the exact backend calls a contact, on every pair of simplices of small
-//! grids, against set theory.
+//! The contacts of the exact backend, on every pair of simplices of small grids, compared with set theory.
 //!
-//! The open simplex of some points is the set of their combinations with
-//! positive weights that add up to one; where the points are in special
-//! position it is still that set. The contacts of two simplices are to be those
-//! pairs of their faces whose open simplices meet while those of no sub-pair do.
+//! The open simplex of some points is the set of their combinations with positive weights that add up to one; this also
+//! holds for points in special position. The contacts of two simplices must be those pairs of their faces whose open
+//! simplices meet while those of no sub-pair do.
 //!
-//! Whether open simplices meet is decided by integers and without any notion
-//! of orientation: the weights of common points are a polytope, every vertex of
-//! which is the one solution of some independent columns of the equations. A
-//! common point with positive weights exists iff every weight is positive at
-//! some vertex: then it is at the mean of all.
+//! Integers decide whether open simplices meet, without any notion of orientation. The weights of common points are a
+//! polytope, and every vertex of it is the unique solution of some independent columns of the equations. A common point
+//! with positive weights exists iff every weight is positive at some vertex: then the mean of all vertices has positive
+//! weights.
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -20,8 +17,7 @@ use predicament_exact::Exact;
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Backend, Dimension, Off, Scene, Vertex};
 
-/// Solves for the weights of these columns only, by elimination without
-/// fractions; none unless there is exactly one solution.
+/// The weights of these columns only, by elimination without fractions; `None` unless there is exactly one solution.
 fn solve(mut rows: Vec<Vec<i64>>, unknowns: usize) -> Option<Vec<[i64; 2]>> {
     for column in 0..unknowns {
         let pivot = (column..rows.len()).find(|&row| rows[row][column] != 0)?;
@@ -44,7 +40,7 @@ fn gcd(a: i64, b: i64) -> i64 {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// Whether the open simplices of these points have a common point.
+/// True if the open simplices of these points have a common point.
 fn meet(a: &[&[i8]], b: &[&[i8]]) -> bool {
     let all = a.len() + b.len();
     let column = |i: usize| -> Vec<i64> {
@@ -80,7 +76,7 @@ fn grid(sides: &[i8]) -> Vec<Vec<i8>> {
     })
 }
 
-/// All ways to take so many of so many, the same one more than once too.
+/// All ways to choose `count` items from `from`, with repetition.
 fn choices(from: usize, count: usize) -> Vec<Vec<usize>> {
     (0..count).fold(vec![vec![]], |all: Vec<Vec<usize>>, _| {
         all.iter()
@@ -92,12 +88,12 @@ fn choices(from: usize, count: usize) -> Vec<Vec<usize>> {
     })
 }
 
-/// Every simplex of so many vertices against every one of as many others:
-/// how many pairs there were, and how many contacts.
+/// Checks every simplex of `of_a` vertices against every one of `of_b`; returns the number of pairs and the number of
+/// contacts.
 fn check(sides: &[i8], [of_a, of_b]: [usize; 2]) -> [usize; 2] {
     let points = grid(sides);
     let dimension = if sides.len() == 2 { Dimension::Two } else { Dimension::Three };
-    // so many copies of the grid that a point can be there more than once, in both simplices
+    // enough copies of the grid that a point can be used more than once, in both simplices
     let copies = of_a + of_b;
     let coordinates = points.iter().flatten().map(|&c| f64::from(c)).collect::<Vec<_>>().repeat(copies);
     let scene = Scene::new(dimension, coordinates).unwrap();
@@ -124,7 +120,7 @@ fn check(sides: &[i8], [of_a, of_b]: [usize; 2]) -> [usize; 2] {
     let (mut count, step) = (0, predicament_effort::some_or_all(3, 1));
     for (at_a, a) in firsts.iter().enumerate() {
         let of_a = faces(a.vertices());
-        // One pair of three by default: each simplex has others of all kinds.
+        // By default one pair of three: each simplex has partners of all kinds.
         for b in seconds.iter().skip(at_a % step).step_by(step) {
             let found: BTreeSet<_> = contacts(&session, a, b)
                 .registered

@@ -1,5 +1,4 @@
-//! The contacts driver against brute force over random complexes on small
-//! grids, where degeneracies abound.
+//! The contacts driver, compared with brute force over random complexes on small grids with many degeneracies.
 
 use crate::common::hierarchy::{Pair, brute_force};
 use crate::common::whim::Whim;
@@ -38,8 +37,7 @@ fn with_threads<T: Send>(threads: usize, f: impl FnOnce() -> T + Send) -> T {
     rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap().install(f)
 }
 
-/// All that must be true of the driver whatever the session answers, as long as
-/// that registers nothing beyond its reach.
+/// Checks the laws of the driver that hold for any session that registers nothing beyond its reach.
 fn check<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     let found = contacts(session, a, b);
     let (expected, counts) = brute_force(session, a, b);
@@ -66,12 +64,12 @@ fn check<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     found
 }
 
-/// Points on a small grid, twice over, and simplices on their places.
+/// Points on a small grid, repeated twice, and simplices by indices of points.
 #[derive(Clone, Debug)]
 struct Given {
     points: Vec<Vec<i8>>,
     cells: [Vec<Vec<usize>>; 2],
-    /// Whether the second complex uses the vertices of the first.
+    /// True if the second complex uses the vertices of the first.
     shared: bool,
 }
 
@@ -114,7 +112,7 @@ fn given(dimension: usize, side: i8, shared: bool) -> impl Strategy<Value = Give
     })
 }
 
-/// By signs they are parts of one, whatever the signs were decided by.
+/// Checks weights of backends that use signs: they add up to one, for any signs.
 fn check_weights(found: &Contacts) {
     for weights in found.registered.iter().flat_map(|c| [c.on_a, c.on_b]) {
         assert!(weights.iter().all(|w| (0.0..=1.0).contains(w)), "{weights:?}");
@@ -130,7 +128,7 @@ fn check_tolerance<F: predicament_tolerance::Float>(scene: &Scene, a: &Complex, 
     check(&session, a, b);
 }
 
-/// Exact, perturbed, with tolerances, and answers at random, on one scene.
+/// Checks exact, perturbed, tolerant and random answers on one scene.
 fn check_all(given: &Given, dimension: Dimension) {
     let scene = given.scene(dimension);
     let [a, b] = given.complexes(&scene);
@@ -191,7 +189,8 @@ fn more_than_one_piece_of_work() {
     assert_eq!(with_threads(1, || contacts2d(&Exact.prepare(&scene, Off).unwrap(), &a, &b)), found);
 }
 
-/// Where all boxes overlap there are more pairs than a piece of work keeps, and they are searched again for each level.
+/// If all boxes overlap, there are more pairs than a piece of work keeps, and the pairs are searched again for each
+/// level.
 #[test]
 fn more_pairs_than_are_kept() {
     const COUNT: u32 = 140;
@@ -201,7 +200,7 @@ fn more_pairs_than_are_kept() {
         points.extend([[i, 0.0], [side - i, side]]);
     }
     for i in (0..COUNT).map(f64::from) {
-        // Through a point of the first ones, from one of them, or from none.
+        // Edges through a point of the first edges, from a point of them, or from no point of them.
         points.extend([[0.0, if i % 2.0 == 0.0 { i } else { i + 0.5 }], [side, side - i]]);
     }
     points[COUNT as usize * 2] = points[0];

@@ -1,4 +1,4 @@
-//! Merged curves and surfaces under exact, perturbed and damaged contact sets.
+//! Merged curves and surfaces of exact, perturbed and damaged contact sets.
 
 mod degenerate;
 mod oriented;
@@ -97,7 +97,7 @@ fn a_chain_counts_once_if_sides_change_and_not_if_they_do_not() {
     for (leaves, count) in [([3.5, 2.0], 1), ([3.5, -2.0], 0)] {
         let pair = Pair::polygons(&SQUARE, &[[1.0, 0.0], [3.0, 0.0], leaves, [9.0, 1.0], [9.0, -3.0], [0.0, -3.0]]);
         let along = pair.contacts(&Exact);
-        // Without the crossing further on, which makes up for it.
+        // Without the later crossing, which compensates for it.
         let vertices: Vec<Contact> = along.registered.iter().filter(|contact| contact.b.rank == 0).copied().collect();
         for seat in Seat::ALL {
             let at_chain =
@@ -110,9 +110,9 @@ fn a_chain_counts_once_if_sides_change_and_not_if_they_do_not() {
 
 #[test]
 fn the_seat_decides_where_edges_go() {
-    // All of b is inside the square, and one corner of it is registered with the square's left side, from
-    // (0, 0) to (0, 8). At the side, it touches from within. Where the side moves to the corner, and half
-    // way already, it passes another corner of b, which is then outside.
+    // All of b is inside the square, and one corner of it is registered with the square's left side, from (0, 0) to (0,
+    // 8). If the point is on the side, b touches from within. If the side moves to the corner, even half way, the side
+    // passes another corner of b, which is then outside.
     let square = [[0.0, 0.0], [8.0, 0.0], [8.0, 8.0], [0.0, 8.0]];
     let pair = Pair::polygons(&square, &[[1.0, 2.0], [0.25, 4.0], [6.0, 3.0]]);
     let side = pair.a.find(&[0, 3].map(Vertex::input)).unwrap();
@@ -180,7 +180,8 @@ fn an_edge_passes_through_its_vertices_in_the_order_of_their_weights() {
     assert_eq!(names, [0, 3, 5, 4, 1], "from the edge's lower vertex at x = 8 to the other at x = 0");
 }
 
-/// Two vertices on an edge that are nearer to each other than doubles tell of its weights, in either order of their numbers.
+/// Two vertices on an edge that are so close that their weights do not determine the order, in either order of their
+/// indices.
 #[test]
 fn vertices_on_an_edge_are_in_the_order_of_their_places() {
     let diagonal = [[0.0, 4.0], [24.0, 24.0], [-12.0, -12.0]];
@@ -206,7 +207,8 @@ fn vertices_on_an_edge_are_in_the_order_of_their_places() {
     }
 }
 
-/// A vertex on an edge and a crossing so near behind it that their weights are one double, which is less than the vertex' place.
+/// A vertex on an edge and a crossing close behind it: their weights are one double, which is less than the vertex'
+/// position.
 #[test]
 fn a_vertex_stays_before_a_crossing_with_its_weight() {
     let beside = 1.0 + f64::EPSILON;
@@ -228,7 +230,7 @@ fn ring(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; 2]>> {
     prop::collection::vec([coordinate.clone(), coordinate], n)
 }
 
-/// Corners on six lines through the origin: far from it, a few ulps apart, and as near to it as there are doubles.
+/// Corners on six lines through the origin: far from it, a few ulps apart, and as close to it as doubles can be.
 fn along_lines(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; 2]>> {
     let far = prop_oneof![
         4 => (-6..=6_i8).prop_map(|at| f64::from(at) * 4.0),
@@ -245,8 +247,8 @@ fn along_lines(n: std::ops::Range<usize>) -> impl Strategy<Value = Vec<[f64; 2]>
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(3000)))]
 
-    /// On a small grid, where nearly everything is degenerate: curves through
-    /// themselves, edges without length, edges on edges.
+    /// Curves on a small grid, where nearly everything is degenerate: curves through themselves, edges without length,
+    /// edges on edges.
     #[test]
     fn exact_and_perturbed_contacts_of_closed_curves_are_even(a in ring(3..8), b in ring(3..8)) {
         let pair = Pair::polygons(&a, &b);
@@ -263,8 +265,8 @@ proptest! {
         }
     }
 
-    /// On a few lines through one point, where most edges lie on each other and many vertices on one edge are nearer to each
-    /// other than its weights tell.
+    /// Curves on a few lines through one point: most edges lie on each other, and weights do not determine the order of
+    /// many vertices on one edge.
     #[test]
     fn curves_along_few_lines_are_even(a in along_lines(3..8), b in along_lines(3..8)) {
         let pair = Pair::polygons(&a, &b);
@@ -279,7 +281,7 @@ proptest! {
         }
     }
 
-    /// Against the flaws of a map with this one region.
+    /// Compares with the flaws of a map with only this region.
     #[test]
     fn a_ring_is_embedded_if_it_is_a_map_without_flaws(ring in ring(3..7)) {
         let pair = Pair::polygons(&ring, &SQUARE);
@@ -290,8 +292,8 @@ proptest! {
         prop_assert_eq!(is_embedded(&exact, &pair.a), flaws.is_empty());
     }
 
-    /// Whatever was registered or lost: all crossings of closed curves are an
-    /// even number, so the registered ones are odd only with those that are not.
+    /// For any registrations: the number of all crossings of closed curves is even, so the registered number is odd
+    /// only together with the unregistered one.
     #[test]
     fn odd_counts_are_accounted_for(
         a in ring(3..8), b in ring(3..8), keep in any::<u64>(), merge in prop::collection::vec([0..8_u32, 0..8_u32], 0..4),
@@ -309,8 +311,8 @@ proptest! {
         }
     }
 
-    /// A second definition: around one common point, by angles. The one curve
-    /// changes sides of the other if its arcs leave in different sectors.
+    /// A second definition of a crossing at one common point, by angles: one curve changes sides of the other if its
+    /// arcs leave in different sectors.
     #[test]
     fn a_common_point_counts_as_the_cyclic_order_of_its_arcs(arcs in prop::array::uniform4([-4..=4_i8, -4..=4_i8])) {
         let angle = |[x, y]: [i8; 2]| f64::from(y).atan2(f64::from(x));
@@ -328,7 +330,7 @@ proptest! {
     }
 }
 
-/// The faces of an octahedron with these corners, opposite ones side by side.
+/// The faces of an octahedron with these corners; opposite corners are consecutive.
 fn octahedron(from: usize) -> Vec<[Vertex; 3]> {
     let corners = (0..8_usize).map(|octant| [0, 1, 2].map(|axis| from + 2 * axis + (octant >> axis & 1)));
     corners.map(|triangle| triangle.map(Vertex::input)).collect()
@@ -475,7 +477,7 @@ fn a_curve_leaves_a_surface_as_often_as_it_enters() {
         damaged.registered.remove(lost);
         assert!(through(&damaged)[&[0, 0]].is_violated());
     }
-    // A curve on a corner: the law doesn't apply, and says so.
+    // A curve on a corner: the law doesn't apply, and the result says so.
     let pair = wire_and_skin([[8.0, 0.0, 0.0], [20.0, 1.0, 0.0], [20.0, 9.0, 3.0], [11.0, 9.0, -5.0]]);
     let exact = Exact.prepare(&pair.scene, Off).unwrap();
     let touching = piercings(&exact, pair.complexes(), Side::B, &pair.contacts(&Exact)).unwrap();

@@ -1,9 +1,9 @@
-//! Thick primitives: three sides, and drawings in which nothing overlaps.
+//! Thick primitives: three sides, and drawings without overlaps.
 
 use predicament_contacts::algorithm::thick::{Disc, Drawing, Edge, MOST_ROUNDS, Settled, Side, settle, side};
 use rug::Rational;
 
-/// A stream of numbers (Steele, Lea and Flood's SplitMix).
+/// A stream of pseudorandom numbers (Steele, Lea and Flood's SplitMix).
 struct Random(u64);
 
 impl Random {
@@ -15,7 +15,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// In [0, 1).
+    /// A number in [0, 1).
     fn unit(&mut self) -> f64 {
         f64::from(u32::try_from(self.bits() >> 32).unwrap()) / 4_294_967_296.0
     }
@@ -127,7 +127,7 @@ fn tangle(count: u32, radius: f64, random: &mut Random) -> Drawing {
     drawing
 }
 
-/// How many times more each operand leaves a disc than it comes to it.
+/// For each disc and operand, the number of passes that leave the disc minus the number that arrive.
 fn balance(drawing: &Drawing) -> Vec<[i32; 2]> {
     let mut balance = vec![[0; 2]; drawing.discs.len()];
     for edge in &drawing.edges {
@@ -171,14 +171,14 @@ fn everything_is_covered_by_what_has_become_of_it() {
         let mut random = Random(seed);
         let radius = [0.0, 1e-9, 1e-4, 1e-3][usize::try_from(seed % 4).unwrap()];
         let mut before = tangle(24, radius, &mut random);
-        // No two of these are as many: no edge is left out because another one goes back.
+        // All numbers of passes differ, so an edge is never removed because another one goes back.
         for (at, edge) in before.edges.iter_mut().enumerate() {
             edge.passes = [1 << at, 0];
         }
         let settled = settle(before.clone());
         let Drawing { discs, edges } = &settled.drawing;
         if edges.is_empty() {
-            // All of it has become one disc, which has no edges and is left out.
+            // The whole drawing became one disc, which has no edges and is removed.
             swallowed += 1;
             continue;
         }
@@ -204,7 +204,7 @@ fn radii_as_large_as_everything_end_in_one_disc_or_none() {
     assert!(settled.is_settled && settled.drawing.edges.is_empty(), "{} rounds are enough", MOST_ROUNDS);
 }
 
-/// A drawing of discs and edges of no radius, each passed another number of times.
+/// A drawing of discs and edges of radius 0, each with a different number of passes.
 fn drawn(discs: Vec<Disc>, ends: &[[u32; 2]]) -> Drawing {
     let edges = (1..).zip(ends).map(|(times, &ends)| Edge { ends, radius: 0.0, passes: [times, 0] }).collect();
     Drawing { discs, edges }
@@ -212,7 +212,7 @@ fn drawn(discs: Vec<Disc>, ends: &[[u32; 2]]) -> Drawing {
 
 #[test]
 fn what_is_done_is_counted() {
-    // The first two become a disc that reaches the third: two rounds.
+    // The first two discs become one that reaches the third: two rounds.
     let far = disc(9.0, 0.0, 0.0);
     let settled = settle(drawn(
         vec![disc(0.0, 0.0, 1.0), disc(1.75, 0.0, 1.0), disc(0.875, 2.5, 0.75), far],
@@ -224,7 +224,7 @@ fn what_is_done_is_counted() {
         vec![disc(0.0, 0.0, 0.0), disc(8.0, 0.0, 0.0), disc(5.0, 0.0, 0.0), disc(2.0, 0.0, 0.0), disc(3.0, 4.0, 0.0)];
     let settled = settle(drawn(on, &[[0, 1], [2, 4], [3, 4]]));
     assert_eq!((settled.merged, settled.divided, settled.crossed, settled.drawing.edges.len()), (0, 2, 0, 5));
-    // Three edges across one, not in their order along it: the parts follow each other, and touch nothing else.
+    // Three edges across one, not in their order along it: the parts are consecutive, and touch nothing else.
     let mut across = vec![disc(0.0, 0.0, 0.0), disc(8.0, 0.0, 0.0)];
     across.extend([6.0, 1.0, 3.0].into_iter().flat_map(|x| [disc(x, -1.0, 0.0), disc(x, 5.0, 0.0)]));
     let settled = settle(drawn(across, &[[0, 1], [2, 3], [4, 5], [6, 7]]));
@@ -235,7 +235,7 @@ fn what_is_done_is_counted() {
 
 #[test]
 fn drawings_that_take_too_many_rounds_are_told() {
-    // A large disc and small ones: each touches the disc that covers those before it, and nothing else.
+    // A large disc and small ones: each touches the disc that covers the previous ones, and nothing else.
     let spiral = |count: u32| {
         let mut discs = vec![disc(0.0, 0.0, 16.0)];
         let ([mut x, mut y], mut radius) = ([0.0, 0.0], 16.0);
@@ -243,7 +243,7 @@ fn drawings_that_take_too_many_rounds_are_told() {
             let [u, v] = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]][at as usize % 4];
             let out = radius + 0.5;
             discs.push(disc(x + out * u, y + out * v, 1.0));
-            // What covers both goes 3/2 beyond the old one on this side.
+            // The cover of both goes 3/2 beyond the old one on this side.
             (x, y, radius) = (x + 0.75 * u, y + 0.75 * v, radius + 0.75);
         }
         discs.push(disc(1e4, 0.0, 0.0));
@@ -262,7 +262,7 @@ fn square(from: [&Rational; 2], to: [f64; 2]) -> Rational {
     minus(0).square() + minus(1).square()
 }
 
-/// Whether a disc covers another one, in rationals.
+/// True if a disc covers another one, in rationals.
 fn covers(disc: Disc, other: Disc) -> bool {
     let [x, y] = disc.centre.map(|x| Rational::from_f64(x).unwrap());
     let spare = Rational::from_f64(disc.radius).unwrap() - Rational::from_f64(other.radius).unwrap();
@@ -274,7 +274,7 @@ fn discs_cover_what_they_have_come_from_whatever_was_rounded() {
     let mut random = Random(7);
     let mut inside = 0;
     for round in 0..2_000 {
-        // Near the origin radii are what is rounded, farther away places are.
+        // Near the origin mostly radii are rounded, farther away positions.
         let origin = [0.0, 0.0, 1e3][round % 3];
         let mut one = || disc(origin + random.unit(), origin + random.unit(), random.between(0.0, 1.0));
         let [a, b] = [one(), one()];
@@ -286,7 +286,7 @@ fn discs_cover_what_they_have_come_from_whatever_was_rounded() {
         let merged = settled.drawing.discs[0];
         assert!(covers(merged, a) && covers(merged, b), "round {round}: {merged:?} of {a:?} and {b:?}");
         inside += usize::from(merged == a || merged == b);
-        // Nothing smaller would do, but for rounding.
+        // A smaller disc would not cover both, up to rounding.
         let least = ((a.centre[0] - b.centre[0]).hypot(a.centre[1] - b.centre[1]) + a.radius + b.radius) / 2.0;
         assert!(merged.radius <= least.max(a.radius).max(b.radius) * (1.0 + 1e-12) + 1e-12, "round {round}");
     }
@@ -306,7 +306,7 @@ fn edges_cover_what_they_have_come_from_whatever_was_rounded() {
         // A vertex beside an edge.
         let left = [0.0, -2.0, 1e3][round % 3];
         let [a, b] = [disc(left, random.unit(), 0.0), disc(left + 4.0, random.unit(), 0.0)];
-        // Of no radius at all: what is on the edge is so by rounding.
+        // With radius 0, a vertex is on the edge only by rounding.
         let radius = [0.25, 1e-12, 0.0][round / 3 % 3];
         let part = random.unit();
         let on = a.centre[1] + part * (b.centre[1] - a.centre[1]);

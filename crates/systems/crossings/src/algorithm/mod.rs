@@ -1,10 +1,9 @@
-//! All crossings of a set of segments, sorted along each: vertices constructed while it runs.
+//! All crossings of a set of segments, sorted along each segment, with vertices constructed at run time.
 //!
-//! Two segments cross where the ends of each are strictly on both sides of the
-//! other. All crossings are found first, in parallel; their points are then
-//! constructed in one call, in the order of the segments, so that ids do not
-//! depend on threads; then the crossings of each segment are sorted along it, by
-//! comparing constructed points. Nothing is rounded unless the session rounds.
+//! Two segments cross if the ends of each are strictly on both sides of the other. First, all crossings are found in
+//! parallel. Then their points are constructed in one call, in the order of the segments, so that ids do not depend on
+//! threads. Then the crossings of each segment are sorted along it by comparing constructed points. Nothing is rounded
+//! unless the session rounds.
 
 use predicament_grid::parallel;
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
@@ -16,7 +15,7 @@ pub type Along = Vec<Vec<u32>>;
 /// The crossings of all segments, sorted along each.
 ///
 /// # Errors
-/// [`Refused`] where the session does not construct a crossing.
+/// [`Refused`] if the session does not construct a crossing.
 ///
 /// # Panics
 /// If there are 2^32 segments.
@@ -34,12 +33,12 @@ pub fn crossings<P: Predicates + ?Sized>(session: &mut P, segments: &[[Vertex; 2
     Ok(parallel::each(segments.len(), &|at| sorted(session, segments[at], of[at].clone())))
 }
 
-/// The pairs of segments that cross, each by its places, ascending.
+/// The pairs of segments that cross, each by its indices, ascending.
 fn crossing_pairs<P: Predicates + ?Sized>(session: &P, segments: &[[Vertex; 2]]) -> Vec<[u32; 2]> {
     let scene = session.scene();
     let reach = |segment| reach(scene, segment);
-    // By left ends: what starts right of a segment's right end is past it. A
-    // perturbation can cross only what touches, so equal coordinates are kept.
+    // In the order of left ends, a segment that starts right of another's right end does not meet it. A perturbation
+    // can make only touching segments cross, so equal coordinates are kept.
     let order = by_left_ends(scene, segments);
     let of = |place: usize| -> Vec<[u32; 2]> {
         let i = order[place];
@@ -67,27 +66,27 @@ fn by_left_ends(scene: &Scene, segments: &[[Vertex; 2]]) -> Vec<usize> {
     order
 }
 
-/// Whether each segment's ends are strictly on both sides of the other.
+/// True if each segment's ends are strictly on both sides of the other.
 fn cross<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], [p, q]: [Vertex; 2]) -> bool {
     let side = |[u, v]: [Vertex; 2], w| session.orient2d(Plane::Xy, u, v, w);
     let opposite = |one: Sign, other: Sign| one != Sign::Zero && one == -other;
     opposite(side([a, b], p), side([a, b], q)) && opposite(side([p, q], a), side([p, q], b))
 }
 
-/// The crossings in their order along a segment, those in one point together.
+/// The crossings in their order along a segment; crossings in one point are one group.
 fn sorted<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], mut found: Vec<(Vertex, u32)>) -> Along {
     let axes = [Axis::X, Axis::Y];
     let forward = axes.map(|axis| session.compare(axis, b, a));
     let order = |u: Vertex, v: Vertex| {
         let along = |(axis, forward): (Axis, Sign)| match forward {
-            // A segment across this axis tells nothing by it.
+            // A segment perpendicular to this axis has no order along it.
             Sign::Zero => Sign::Zero,
             forward => session.compare(axis, u, v) * forward,
         };
         let signs = axes.into_iter().zip(forward).map(along);
         signs.into_iter().find(|sign| *sign != Sign::Zero).unwrap_or(Sign::Zero)
     };
-    // Signs of a session that contradicts itself are no order, which sorting has to survive.
+    // Signs of an inconsistent session are not an order; the sort must terminate anyway.
     insertion_sort(&mut found, |u, v| order(u.0, v.0) == Sign::Negative);
     let mut along: Along = Vec::new();
     for (at, &(point, other)) in found.iter().enumerate() {
@@ -100,7 +99,7 @@ fn sorted<P: Predicates + ?Sized>(session: &P, [a, b]: [Vertex; 2], mut found: V
     along
 }
 
-/// Binary insertion: ends after the same number of steps whatever `before` says.
+/// Binary insertion sort: its number of steps does not depend on `before`.
 fn insertion_sort<T: Copy>(items: &mut [T], before: impl Fn(T, T) -> bool) {
     for end in 1..items.len() {
         let item = items[end];

@@ -1,4 +1,4 @@
-//! What is reported about crossings along segments.
+//! The checks of crossings along segments that are reported.
 
 use predicament_tasks::{Check, Class};
 

@@ -1,4 +1,4 @@
-//! `segments`: pairs of points, and families of them.
+//! The key `segments`: pairs of points, and families of them.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Family, Items, Level, List, Making, Parts, Random, Recipe, Source, Spelled,
@@ -33,13 +33,13 @@ impl Content for Segments {
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
     let asked = Asked(SegmentSource::read(context, fields, "crossings")?);
     if asked.0.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // Nothing comes from the cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
 }
 
-/// The segments that are asked about.
+/// The source of a scene's segments.
 struct Asked(SegmentSource);
 
 impl Elsewhere for Asked {
@@ -89,12 +89,12 @@ fn recipe(points: fn(usize, &mut Random) -> Vec<[f64; 2]>) -> Recipe {
     )
 }
 
-/// Between points uniform in the unit square.
+/// Segments between points uniform in the unit square.
 pub fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     (0..2 * n).map(|_| [rng.unit(), rng.unit()]).collect()
 }
 
-/// The lines x = i, y = i, x + y = i and x − y = i in turn, through a square and half a unit beyond it.
+/// Segments of the lines x = i, y = i, x + y = i and x − y = i in turn, through a square and half a unit beyond it.
 pub fn lattice(n: usize, _: &mut Random) -> Vec<[f64; 2]> {
     let side = i64::try_from(n.div_ceil(4).max(1)).expect("scenes are smaller than memory");
     let (low, high) = (-0.5, integer(side) + 0.5);
@@ -111,7 +111,7 @@ pub fn lattice(n: usize, _: &mut Random) -> Vec<[f64; 2]> {
         .collect()
 }
 
-/// Through the centre up to the rounding of the second end.
+/// Segments through the centre, up to the rounding of the second end.
 pub fn near(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     let end = |rng: &mut Random| [rng.unit(), rng.unit()];
     (0..n)

@@ -1,4 +1,4 @@
-//! The crossings along each segment against the truth.
+//! The judgement of the crossings along each segment by the truth.
 
 use std::collections::BTreeSet;
 
@@ -17,7 +17,7 @@ pub(super) fn judge(
 ) -> Result<(), Stop> {
     let (scene, content) = (case.scene(), case.content);
     let zero = asked.contract(PredicateKind::Orient2d).zero;
-    // What a backend that breaks ties has to find: the crossings of the perturbed scene.
+    // A backend that breaks ties has to find the crossings of the perturbed scene.
     let perturbed = match (zero, asked.backend.tie_judge()) {
         (ZeroMeaning::Never, Some(ties)) => truth::perturbed(scene, ties, &content.0, asked.watch)?,
         _ => None,
@@ -35,7 +35,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// The class of the crossings of one segment, and the check that it is from.
+/// The class of the crossings of one segment, and the check that gives it.
 fn class(
     scene: &Scene,
     content: &Segments,
@@ -60,7 +60,7 @@ fn class(
             _ => (Class::SignFlip, "crossings"),
         };
     }
-    // The same crossings in another order, or told apart differently.
+    // The same crossings in another order, or grouped differently.
     let flat = |along: &Along| along.iter().flatten().copied().collect::<Vec<u32>>();
     match (got.len() > truth.len(), got.len() < truth.len()) {
         (true, _) => (Class::MissedZero, "order"),

@@ -1,9 +1,8 @@
 //! `crossings`: all crossings of a set of segments, sorted along each.
 //!
-//! The smallest algorithm that constructs vertices while it runs: what overlays,
-//! slices and unions do many times over. Exact arithmetic and Simulation of
-//! Simplicity keep the points where segments cross; controls round them, and
-//! sort rounded points.
+//! This is the smallest algorithm that constructs vertices at run time; overlays, slices and unions do so many times
+//! over. Exact arithmetic and Simulation of Simplicity keep the crossing points exact; the controls round them and sort
+//! rounded points.
 
 mod checks;
 pub mod content;
@@ -28,7 +27,7 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `crossings`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Crossings;
 
@@ -165,7 +164,7 @@ impl Task for Crossings {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>> {
         let point = |v| scene.point(v).to_vec();
-        // Where two segments cross, as the algorithm defines it.
+        // A crossing of two segments, as the algorithm defines it.
         let mut scene = scene.clone();
         let mut crossing = |i: usize, j: &u32| {
             let lines = [content.0[i], content.0[*j as usize]];
@@ -185,7 +184,7 @@ impl Task for Crossings {
         }
         let path = folder.join("crossings.json");
         std::fs::write(&path, format!("{}\n", serde_json::Value::Array(segments)))?;
-        // Segments that wrong signs make cross may be parallel: their lines have no point.
+        // Segments that cross only by wrong signs may be parallel: their lines do not meet in a point.
         crossings.retain(|&v| predicament_judge::point(&scene, v).is_some());
         let ends = content.0.iter().flatten().copied();
         let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
@@ -204,11 +203,11 @@ impl Task for Crossings {
         let mut scene = scene.clone();
         let mut crossings = Vec::new();
         for (at, along) in answer.0.iter().enumerate() {
-            // Each pair is in the lists of both.
+            // Each pair is in the lists of both segments.
             for &other in along.iter().flatten().filter(|&&other| other as usize > at) {
                 let lines = [content.0[at], content.0[other as usize]];
                 let v = scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)?;
-                // Segments that wrong signs make cross may be parallel: their lines have no point.
+                // Segments that cross only by wrong signs may be parallel: their lines do not meet in a point.
                 crossings.extend(predicament_judge::point(&scene, v).is_some().then_some(v));
             }
         }

@@ -1,5 +1,5 @@
-//! Cubes in a file: `# edge 5` in the first line, the names `x,y,z` in the
-//! second, then the lower corner of a cube in each, as integers.
+//! Cubes in a file: the first line is `# edge 5`, the second the names `x,y,z`; each further line is the lower corner
+//! of a cube, as integers.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader, BufWriter, Write};
@@ -7,7 +7,7 @@ use std::path::Path;
 
 const NAMES: &str = "x,y,z";
 
-/// Writes cubes.
+/// Writes cubes to a file.
 pub fn write(path: &Path, lowers: &[[i32; 3]], edge: i32) -> Result<(), String> {
     let all = || -> std::io::Result<()> {
         let mut file = BufWriter::new(File::create(path)?);
@@ -18,7 +18,7 @@ pub fn write(path: &Path, lowers: &[[i32; 3]], edge: i32) -> Result<(), String> 
     all().map_err(|error| format!("{}: {error}", path.display()))
 }
 
-/// Reads cubes: their lower corners and the length of their edges. Empty lines are passed over.
+/// Reads cubes: their lower corners and the length of their edges. Empty lines are skipped.
 pub fn read(path: &Path) -> Result<(Vec<[i64; 3]>, i64), String> {
     let failed = |error: std::io::Error| format!("{}: {error}", path.display());
     let mut lines = (1_u64..).zip(BufReader::new(File::open(path).map_err(failed)?).lines());

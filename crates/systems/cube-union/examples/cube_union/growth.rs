@@ -1,7 +1,7 @@
-//! How time and memory grow with the number of cubes.
+//! Growth of time and memory with the number of cubes.
 //!
-//! Each row is a process of its own, so that its peak memory is its own. Of
-//! three runs the one with the least CPU time counts.
+//! Each row is measured in a separate process, so that its peak memory is not affected by other rows. Of three runs,
+//! the one with the least CPU time counts.
 
 use std::path::Path;
 use std::process::Command;
@@ -9,27 +9,27 @@ use std::process::Command;
 use predicament_report::{Curve, Curves, curves};
 use serde::{Deserialize, Serialize};
 
-/// The first number of cubes; it grows by turns to threefold and ten thirds.
+/// The first number of cubes; its successors are alternately 3 and 10/3 times as large.
 const FIRST: usize = 1000;
-/// How many cubes cover a point.
+/// The mean numbers of cubes that cover a point.
 const DENSITIES: [f64; 2] = [1.0, 36.0];
 const RUNS: usize = 3;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
-/// One run.
+/// The measurements of one run.
 #[derive(Serialize, Deserialize, Clone, Copy)]
 pub struct Row {
     pub cubes: usize,
     pub density: f64,
     pub threads: usize,
-    /// That passed.
+    /// The elapsed time.
     pub seconds: f64,
-    /// Of all threads.
+    /// The CPU time of all threads.
     pub cpu_seconds: f64,
     /// Peak memory before the union.
     pub input_kib: u64,
-    /// Peak memory after it.
+    /// Peak memory after the union.
     pub peak_kib: u64,
 }
 
@@ -40,7 +40,7 @@ impl Row {
         self.cubes as f64 / self.cpu_seconds
     }
 
-    /// Peak memory for each cube, input included.
+    /// Peak memory per cube, input included.
     pub fn bytes(&self) -> f64 {
         self.peak_kib as f64 * 1024.0 / self.cubes as f64
     }
@@ -73,7 +73,7 @@ fn measured(cubes: usize, density: f64, threads: usize) -> Outcome<Row> {
     Ok(row.ok_or_else(|| format!("{cubes} cubes: no row"))??)
 }
 
-/// Measures, prints the table as Markdown and writes growth.csv and cubes.svg.
+/// Measures, prints the table as Markdown, and writes growth.csv and cubes.svg.
 pub fn run(folder: &Path, largest: usize, threads: usize) -> Outcome<()> {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     let path = folder.join("growth.csv");

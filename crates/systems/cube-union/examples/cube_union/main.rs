@@ -7,8 +7,8 @@
 //! cargo run --release -p predicament-algorithms --example cube_union -- --growth target/cubes
 //! ```
 //!
-//! Random lower corners are uniform on a grid of 2^30 points along each axis.
-//! Seconds are those of the union alone. What they are worth and what they mean: `docs/CUBES.md`.
+//! Random lower corners are uniform on a grid of 2^30 points along each axis. Seconds are those of the union alone. For
+//! their interpretation, see `docs/CUBES.md`.
 
 mod file;
 mod growth;
@@ -28,11 +28,11 @@ mod random;
 /// Volume, surface area and edge length of the union of many cubes
 #[derive(Parser)]
 struct Args {
-    /// How many random cubes
+    /// The number of random cubes
     #[arg(required_unless_present_any = ["read", "growth"], conflicts_with_all = ["read", "growth"])]
     cubes: Option<usize>,
 
-    /// How many random cubes cover a point on average
+    /// The mean number of random cubes that cover a point
     #[arg(long, default_value_t = 1.0, value_parser = density)]
     density: f64,
 
@@ -40,15 +40,15 @@ struct Args {
     #[arg(long, default_value_t = 2026)]
     seed: u64,
 
-    /// Threads
+    /// The number of threads
     #[arg(long, default_value_t = 1)]
     threads: usize,
 
-    /// Write the random cubes to a file as well
+    /// Also write the random cubes to a file
     #[arg(long, value_name = "FILE", requires = "cubes")]
     write: Option<PathBuf>,
 
-    /// Take the cubes from a file
+    /// Read the cubes from a file
     #[arg(long, value_name = "FILE")]
     read: Option<PathBuf>,
 
@@ -56,7 +56,7 @@ struct Args {
     #[arg(long, value_name = "DIR", conflicts_with = "read")]
     growth: Option<PathBuf>,
 
-    /// The most cubes of the growth table
+    /// The maximum number of cubes in the growth table
     #[arg(long, default_value_t = 10_000_000, requires = "growth")]
     largest: usize,
 
@@ -99,7 +99,7 @@ fn run(args: &Args) -> Result<(), Box<dyn std::error::Error>> {
 
 fn measure<C: Coordinate>(args: &Args, lowers: &[[C; 3]], edge: C) -> Result<(), Box<dyn std::error::Error>> {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(args.threads).build()?;
-    // What the threads' own start takes is no part of the union.
+    // The start of the threads is not part of the union.
     pool.broadcast(|_| ());
     let (input_kib, cpu) = (peak_kib()?, cpu_seconds()?);
     let start = Instant::now();

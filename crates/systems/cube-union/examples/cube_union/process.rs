@@ -1,8 +1,8 @@
-//! What the process has taken from the machine; Linux only.
+//! The memory and CPU time of the process; Linux only.
 
 use std::fs;
 
-/// The most memory that the process has had, in KiB.
+/// The peak memory of the process, in KiB.
 pub fn peak_kib() -> Result<u64, String> {
     let path = "/proc/self/status";
     let status = fs::read_to_string(path).map_err(|error| format!("{path}: {error}; peak memory is read there"))?;
@@ -11,7 +11,7 @@ pub fn peak_kib() -> Result<u64, String> {
     value.ok_or_else(|| format!("{path}: no line `VmHWM: … kB`"))
 }
 
-/// The CPU time of all threads that are alive, in seconds: on a busy machine worth more than the time that has passed.
+/// The CPU time of all living threads, in seconds: on a busy machine more reliable than elapsed time.
 pub fn cpu_seconds() -> Result<f64, String> {
     let folder = "/proc/self/task";
     let failed = |error: std::io::Error| format!("{folder}: {error}; CPU time is read there");

@@ -1,6 +1,6 @@
-//! Random cubes: the same for ever.
+//! Random cubes, the same in every version.
 
-/// SplitMix64, in a few lines.
+/// The SplitMix64 generator.
 struct Random(u64);
 
 impl Random {
@@ -13,8 +13,8 @@ impl Random {
     }
 }
 
-/// So many lower corners, uniform in [0, 2^30 − edge)³, and the edge of cubes
-/// of which `density` cover a point on average.
+/// `count` lower corners, uniform in [0, 2^30 − edge)³, and the edge for which `density` cubes cover a point on
+/// average.
 #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // below 2^30
 pub fn cubes(count: usize, density: f64, seed: u64) -> (Vec<[i32; 3]>, i32) {
     let size = f64::from(1 << 30);

@@ -1,61 +1,59 @@
 //! Cubes sorted into a uniform grid by their lower corners.
 //!
-//! A cube is stored once, in the cell of its lower corner. So memory is one
-//! entry for each cube and one number for each cell, of which there are at most
-//! [`PER_CUBE`] for each cube: where cubes are far apart a cell is larger than a
-//! cube, where they are dense it is a half, a quarter and so on of one.
+//! A cube is stored once, in the cell of its lower corner. So the memory is one entry for each cube and one number for
+//! each cell, and there are at most [`PER_CUBE`] cells for each cube. If cubes are far apart, a cell is larger than a
+//! cube; if they are dense, it is a half, a quarter and so on of a cube.
 //!
-//! A cell's neighbours below, one along each axis or as many as a cube is long,
-//! hold all that reaches it, in runs of the sorted list. Some of them are so
-//! placed that whatever is stored there covers the cell: then a look at where
-//! runs start and end tells that it is covered, without a look at any cube.
+//! All cubes that reach a cell are stored in the cell or in neighbours below it, up to a cube's length along each axis,
+//! in runs of the sorted list. For some of these neighbours, every cube that is stored there covers the cell. Then the
+//! starts and ends of runs show that the cell is covered, without a look at any cube.
 //!
-//! The list is sorted in two passes that both read and write in order: into
-//! blocks of consecutive cells, each part of the input into its own slice of
-//! every block, then each block by cell. Both keep the order of the input
-//! among equals, so the result does not depend on the number of threads.
+//! The list is sorted in two passes that both read and write in order. The first pass sorts into blocks of consecutive
+//! cells; each part of the input has its own slice of every block. The second pass sorts each block by cell. Both
+//! passes keep the order of the input among equals, so the result does not depend on the number of threads.
 
 use rayon::prelude::*;
 
 use super::coordinate::Coordinate;
 
-/// Cells per cube, at most (and [`MIN_CELLS`] in any case).
+/// The maximum number of cells per cube (but at least [`MIN_CELLS`] cells are allowed).
 const PER_CUBE: usize = 2;
 const MIN_CELLS: usize = 64;
-/// Cells that a cube is long, at most. Cells of half an edge are covered by an eighth of the cubes that touch them and
-/// cells of a quarter by nearly a half: with smaller ones it would be hardly more, while cubes that all are in few
-/// places would be gathered for more cells in vain.
+/// The maximum number of cells per edge of a cube. An eighth of the cubes that touch a cell of half an edge cover it,
+/// and nearly a half for cells of a quarter. With smaller cells the share would hardly grow. If all cubes are in few
+/// places, smaller cells would only gather them more often.
 const FINEST: u64 = 4;
-/// Blocks of cells, at most.
+/// The maximum number of blocks of cells.
 const BLOCKS: usize = 1024;
-/// Cubes that are sorted into blocks by one task.
+/// The number of cubes that one task sorts into blocks.
 const CHUNK: usize = 1 << 18;
 
 /// A cube in the sorted list.
 #[derive(Clone, Copy, Default, Debug)]
 pub(super) struct Entry<R> {
-    /// The lower corner, from the grid's.
+    /// The lower corner, relative to the grid's.
     pub(super) lower: [R; 3],
-    /// The place in the input.
+    /// The index in the input.
     pub(super) index: u32,
 }
 
-/// The grid.
+/// The grid of sorted cubes.
 pub(super) struct Bins<R> {
     /// The edge of a cell.
     pub(super) cell: u64,
-    /// How many cells along each axis.
+    /// The number of cells along each axis.
     counts: [usize; 3],
-    /// What reaches a cell is stored so many cells below it, at most.
+    /// The maximum distance in cells from a cell down to a cube that reaches it.
     reach: usize,
-    /// Cubes that are stored from one to so many cells below it along every axis cover a cell.
+    /// The maximum distance in cells from a cell down to a cube that covers it: cubes that are 1 to `covering` cells
+    /// below along every axis do.
     covering: usize,
-    /// Where the entries of each cell start, x fastest, and where the last one's end.
+    /// The start of each cell's entries, x fastest, and the end of the last cell's entries.
     starts: Vec<u32>,
     entries: Vec<Entry<R>>,
 }
 
-/// Which cell a point is in.
+/// The map from points to cells.
 #[derive(Clone, Copy)]
 struct Layout {
     cell: u64,
@@ -63,7 +61,8 @@ struct Layout {
 }
 
 impl Layout {
-    /// The smallest cells that are not too many: `edge` times a power of two, or `edge` halved, rounded up, and so on.
+    /// The layout with the smallest allowed cells: `edge` times a power of two, or `edge` halved, rounded up, and so
+    /// on.
     fn new(cubes: usize, extents: [u64; 3], edge: u64) -> Layout {
         let most = PER_CUBE.saturating_mul(cubes);
         let mut cell = edge;
@@ -82,10 +81,11 @@ impl Layout {
         layout
     }
 
-    /// Unless there are more cells.
+    /// The layout with cells of this size; `None` if there are more than `most` cells.
     fn with_cells(cell: u64, extents: [u64; 3], most: usize) -> Option<Layout> {
         let counts = extents.map(|extent| u128::from(extent / cell) + 1);
-        // Each is at most 2^62 + 1: two of them can't overflow, the third is looked at only then.
+        // Each count is at most 2^62 + 1: two of them can't overflow, and the third is used only if their product is
+        // small.
         let is_few = |count: u128| count <= most as u128;
         if !is_few(counts[0] * counts[1]) || !is_few(counts[0] * counts[1] * counts[2]) {
             return None;
@@ -119,7 +119,7 @@ fn cut<T>(mut list: &mut [T], lengths: impl Iterator<Item = usize>) -> Vec<&mut 
 }
 
 impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
-    /// Sorts the cubes. `extents` is from `least` to the largest upper corner.
+    /// Sorts the cubes. `extents` is the distance from `least` to the largest upper corner.
     pub(super) fn new<C: Coordinate<Offset = R>>(
         lowers: &[[C; 3]],
         least: [C; 3],
@@ -142,7 +142,7 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         let mut entries = vec![Entry::default(); lowers.len()];
         let chunks = per_chunk.len();
         let lengths = (0..blocks * chunks).map(|at| per_chunk[at % chunks][at / chunks] as usize);
-        // By block, then by chunk; turned into chunks, each with its slice of every block.
+        // By block, then by chunk; transposed to chunks, each with its slice of every block.
         let mut slices: Vec<Vec<&mut [Entry<R>]>> = (0..chunks).map(|_| Vec::with_capacity(blocks)).collect();
         for (at, slice) in cut(&mut entries, lengths).into_iter().enumerate() {
             slices[at % chunks].push(slice);
@@ -187,7 +187,7 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
                 entries[*start as usize] = *entry;
                 *start += 1;
             }
-            // Each start has moved to its end, which is the next one's start.
+            // Each start has moved to its end, which is the start of the next cell.
             starts[..cells].rotate_right(1);
             starts[0] = 0;
             starts[..cells].iter_mut().for_each(|start| *start += first);
@@ -196,29 +196,29 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         // (no more than there are indices)
         starts[last] = u32::try_from(lowers.len()).unwrap_or_else(|_| unreachable!("checked by the caller"));
         // A cube of cell q spans from q's coordinates to those plus its edge, both ends included. (The quotients are
-        // small: cells are halved only while they are no more than the cubes.)
+        // small: cells are halved only while there are at most as many cells per edge as cubes.)
         let [reach, covering] = [(edge - 1) / layout.cell + 1, (edge / layout.cell).max(1) - 1]
             .map(|cells| usize::try_from(cells).unwrap_or_else(|_| unreachable!("few cells")));
         Bins { cell: layout.cell, counts: layout.counts, reach, covering, starts, entries }
     }
 
-    /// How many cells there are.
+    /// The number of cells.
     pub(super) fn cells(&self) -> usize {
         self.starts.len() - 1
     }
 
-    /// The place of a cell along each axis.
+    /// The index of a cell along each axis.
     pub(super) fn place(&self, id: usize) -> [usize; 3] {
         let [x, y, _] = self.counts;
         [id % x, id / x % y, id / (x * y)]
     }
 
-    /// Whether all that is stored near a cell reaches it.
+    /// True if every cube that [`near`](Bins::near) finds reaches the cell.
     pub(super) fn is_tight(&self, edge: u64) -> bool {
         self.cell * self.reach as u64 == edge
     }
 
-    /// Whether the grid knows a cube that covers the cell; if not, there may be one.
+    /// True if the grid finds a cube that covers the cell; a covering cube may exist even if not.
     #[inline]
     pub(super) fn is_covered(&self, id: usize, place: [usize; 3]) -> bool {
         if self.covering == 0 || place.contains(&0) {
@@ -227,7 +227,8 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         self.rows(id, place, 1, self.covering).any(|row| row.start < row.end)
     }
 
-    /// Calls `take` with all cubes that reach the cell, and some that don't unless the grid is [tight](Bins::is_tight).
+    /// Calls `take` with all cubes that reach the cell. Unless the grid is [tight](Bins::is_tight), it also gets some
+    /// other cubes.
     #[inline]
     pub(super) fn near(&self, id: usize, place: [usize; 3], mut take: impl FnMut(&Entry<R>)) {
         for row in self.rows(id, place, 0, self.reach) {
@@ -235,8 +236,8 @@ impl<R: Copy + Default + Into<u64> + Send + Sync> Bins<R> {
         }
     }
 
-    /// The entries of the cells from `first` to `last` cells below this one along each axis, row by row. All of the
-    /// axes have `first` cells below it.
+    /// The entries of the cells from `first` to `last` cells below this one along each axis, row by row. There must be
+    /// at least `first` cells below it along each axis.
     #[inline]
     fn rows(
         &self,

@@ -1,45 +1,43 @@
 //! The vertices of the union in one cell of the grid.
 //!
-//! A cell that is no wider than a cube has at most one face of each cube for
-//! each axis. With the faces sorted along an axis, the cubes that a face's
-//! plane meets in the cell follow from those that came before: lower faces
-//! passed, upper faces not yet passed, and cubes without a face there. All of
-//! it fits in words of 64 bits, and a vertex is a triple of faces whose planes
-//! meet, all three together, exactly the faces' owners.
+//! A cell that is no wider than a cube contains at most one face of each cube for each axis. Let the faces be sorted
+//! along an axis. The cubes that a face's plane meets in the cell then follow from the previous faces. They are the
+//! cubes whose lower face was passed, the cubes whose upper face was not yet passed, and the cubes without a face
+//! there. All these sets fit in words of 64 bits. A vertex is a triple of faces such that the cubes that all three
+//! planes meet are exactly the faces' owners.
 
 use super::crowd::add_crowd;
 use super::cube::{Cube, Range, reaches};
 use super::mass::Mass;
 
-/// A cell with more cubes than this is divided, but no further than to a
-/// quarter of a cube's edge.
+/// The number of cubes above which a cell is divided, but no further than to a quarter of a cube's edge.
 const CROWD: usize = 40;
-/// The cubes that a word holds: a cell with more is divided as far as it goes.
+/// The number of cubes in a word: a cell with more is divided as far as possible.
 const WORD: usize = 64;
-/// Up to so many coordinates are compared by pairs, more are sorted.
+/// The maximum number of coordinates that are compared by pairs; more are sorted.
 const PAIRS: usize = 16;
 
-/// What is known along one axis: bit or row j belongs to cube j.
+/// The faces and cubes along one axis: bit or row j belongs to cube j.
 #[derive(Clone)]
 struct Along {
     /// Cubes with their lower or upper face in the cell.
     faces: u64,
-    /// Those of them that have the upper one there.
+    /// Cubes with their upper face in the cell.
     upper: u64,
-    /// Cubes without a face there.
+    /// Cubes without a face in the cell.
     through: u64,
     /// The faces' coordinates.
     at: [i64; WORD],
-    /// For each cube with a face the cubes that its plane meets, itself included.
+    /// For each cube with a face, the cubes that its plane meets, itself included.
     cubes: [u64; WORD],
-    /// For each cube the faces whose planes meet it, its own included.
+    /// For each cube, the faces whose planes meet it, its own included.
     met: [u64; WORD],
 }
 
-/// Memory for one cell after the other.
+/// Memory that is reused for each cell.
 pub(super) struct Scratch {
     along: Box<[Along; 3]>,
-    /// For each cube those before it.
+    /// For each cube, the cubes before it.
     before: Box<[u64; WORD]>,
     keys: Vec<u64>,
     copy: Vec<Cube>,
@@ -60,10 +58,9 @@ impl Scratch {
     }
 }
 
-/// Adds what the cell's vertices contribute.
+/// Adds the contribution of the cell's vertices.
 ///
-/// `cubes` from `first` on are all that reach the cell. They are put into
-/// another order.
+/// `cubes` from `first` on are all that reach the cell. The function reorders them.
 pub(super) fn add_cell(
     cubes: &mut Vec<Cube>,
     first: usize,
@@ -88,7 +85,7 @@ pub(super) fn add_cell(
     }
 }
 
-/// The smallest index last.
+/// Sorts by descending index.
 #[inline]
 fn sort(cubes: &mut [Cube], copy: &mut Vec<Cube>) {
     let count = cubes.len();
@@ -96,7 +93,7 @@ fn sort(cubes: &mut [Cube], copy: &mut Vec<Cube>) {
         cubes.sort_unstable_by_key(|cube| !cube.index);
         return;
     }
-    // Each goes where the number of larger indices says: comparisons of random numbers, but no branches on them.
+    // The number of larger indices gives a cube's position: random numbers are compared, but without branches.
     copy.clear();
     copy.extend_from_slice(cubes);
     let mut keys = [i32::MIN; WORD];
@@ -114,7 +111,7 @@ fn sort(cubes: &mut [Cube], copy: &mut Vec<Cube>) {
     }
 }
 
-/// Whether one of the cubes covers the cell.
+/// True if one of the cubes covers the cell.
 pub(super) fn is_covered(cubes: &[Cube], edge: i64, cell: Range) -> bool {
     let covers = |lower: [i64; 3]| {
         let along = |axis: usize| (lower[axis] < cell[axis][0]) & (lower[axis] + edge >= cell[axis][1]);
@@ -123,7 +120,7 @@ pub(super) fn is_covered(cubes: &[Cube], edge: i64, cell: Range) -> bool {
     cubes.iter().any(|cube| covers(cube.lower))
 }
 
-/// The box around the faces in the cell, which its vertices are in as well; none if it has no face of some axis.
+/// The bounding box of the faces in the cell, which contains its vertices too; `None` if some axis has no face.
 fn bounds(cubes: &[Cube], edge: i64, cell: Range) -> Option<Range> {
     let mut bounds = [[i64::MAX, i64::MIN]; 3];
     for cube in cubes {
@@ -139,11 +136,11 @@ fn bounds(cubes: &[Cube], edge: i64, cell: Range) -> Option<Range> {
     bounds.iter().all(|[from, to]| from < to).then_some(bounds)
 }
 
-/// Adds the cell part by part: its halves along each axis where they are not covered.
+/// Adds the cell part by part: its halves along each axis, without the covered ones.
 fn divide(cubes: &mut Vec<Cube>, first: usize, edge: i64, mut cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
     let end = cubes.len();
     if end - first > WORD && cell.iter().all(|[from, to]| 4 * (to - from) < edge) {
-        // Of what lies in few places, most of the cell is without faces.
+        // If cubes are in few places, most of the cell is without faces.
         match bounds(&cubes[first..], edge, cell) {
             Some(bounds) => cell = bounds,
             None => return,
@@ -185,10 +182,10 @@ fn divide(cubes: &mut Vec<Cube>, first: usize, edge: i64, mut cell: Range, scrat
 }
 
 impl Along {
-    /// Looks at the cubes along one axis; false if none has a face in the range.
+    /// Finds the cubes' faces along one axis; false if no cube has a face in the range.
     ///
-    /// Without branches on coordinates: those of random cubes can't be
-    /// predicted, and a wrong guess costs more than a cube.
+    /// The code has no branches on coordinates: those of random cubes can't be predicted, and a misprediction costs
+    /// more than a cube.
     #[inline]
     fn look(
         &mut self,
@@ -201,7 +198,7 @@ impl Along {
     ) -> bool {
         let (mut faces, mut upper) = (0, 0);
         for (j, Cube { lower, .. }) in cubes.iter().enumerate() {
-            // It reaches the cell: if its lower face is before it, its upper one isn't.
+            // The cube reaches the cell: if its lower face is before the cell, its upper face is not.
             let is_upper = lower[axis] < from;
             let at = lower[axis] + if is_upper { edge } else { 0 };
             self.at[j] = at;
@@ -228,8 +225,8 @@ impl Along {
     }
 }
 
-/// For each coordinate those before it: the smaller ones, and equal ones that
-/// come earlier in the list. None is less than `from`, nor more than 2^57 above it.
+/// For each coordinate, the coordinates before it: smaller ones, and equal ones that come earlier in the list. All are
+/// at least `from` and at most 2^57 above it.
 #[inline]
 fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>) {
     if at.len() <= PAIRS {
@@ -255,7 +252,7 @@ fn precede(at: &[i64], from: i64, before: &mut [u64; WORD], keys: &mut Vec<u64>)
     }
 }
 
-/// [`add_cell`] for cubes that fit in a word.
+/// Does the work of [`add_cell`] for cubes that fit in a word.
 fn add_few(cubes: &[Cube], edge: i64, cell: Range, scratch: &mut Scratch, mass: &mut Mass) {
     let Scratch { along, before, keys, vertices, .. } = scratch;
     let [x, y, z] = &mut **along;
@@ -293,7 +290,7 @@ fn add_few(cubes: &[Cube], edge: i64, cell: Range, scratch: &mut Scratch, mass: 
                 #[allow(clippy::cast_possible_truncation)] // below 64
                 let owners_of_faces = [a, b, c].map(|owner| owner as u8);
                 vertices[found] = owners_of_faces;
-                // On the faces of its owners, and in no other cube.
+                // A vertex is on the faces of its owners, and in no other cube.
                 found += usize::from(both & z.cubes[c] == owners | 1 << c);
             }
         }

@@ -1,12 +1,11 @@
-//! The integers that coordinates may be.
+//! The integer types of coordinates.
 
-/// A signed integer, and the unsigned one that differences fit in: what the
-/// grid stores for each cube.
+/// A signed integer type, with the unsigned type of differences that the grid stores for each cube.
 pub trait Coordinate: Copy + Ord + Into<i64> + Send + Sync {
     /// The distance from the least coordinate.
     type Offset: Copy + Default + Into<u64> + Send + Sync;
 
-    /// How far this is from `least`, which is not larger.
+    /// The distance of this coordinate from `least`, which is not larger.
     fn offset(self, least: Self) -> Self::Offset;
 }
 

@@ -1,9 +1,8 @@
-//! Why a union is refused.
+//! The errors of a union.
 
 use predicament_predicates::Declined;
 
-/// Why the input is not a set of congruent cubes, or not one that can be
-/// measured exactly.
+/// An error in the input: it is not a set of congruent cubes, or can't be measured exactly.
 #[derive(Clone, PartialEq, Debug)]
 pub enum CubesError {
     /// The edge length is zero, negative or not finite.
@@ -13,44 +12,44 @@ pub enum CubesError {
     },
     /// A coordinate is NaN or infinite.
     NotFinite {
-        /// The cube that has it.
+        /// The cube with the coordinate.
         cube: usize,
-        /// Which coordinate.
+        /// The axis of the coordinate.
         axis: usize,
         /// The value found.
         value: f64,
     },
     /// The scene has an odd number of vertices, or is in the plane.
     NoPairs {
-        /// How many vertices.
+        /// The number of vertices.
         vertices: usize,
-        /// Of how many coordinates.
+        /// The number of coordinates of a vertex.
         dimension: usize,
     },
-    /// Cube 0 has another extent along the first axis than this one along this axis.
+    /// This cube's extent along this axis differs from the extent of cube 0 along the first axis.
     Unequal {
         /// The cube.
         cube: usize,
-        /// Which of its extents.
+        /// The axis of the extent.
         axis: usize,
     },
-    /// The coordinates are no multiples of one power of two that leaves them within 62 bits.
+    /// The coordinates have no common unit, a power of two, in which they fit in 62 bits.
     TooFine {
-        /// The cube that needs the most bits before the point; none for the edge length.
+        /// The cube with the largest number; `None` for the edge length.
         largest: Option<usize>,
-        /// The cube that needs the most bits behind it; none for the edge length.
+        /// The cube that needs the finest unit; `None` for the edge length.
         finest: Option<usize>,
-        /// How many bits it would take.
+        /// The number of bits needed.
         bits: u32,
     },
-    /// The box around all cubes has a volume of 2^127 units or more, or an edge of 2^62.
+    /// The bounding box of all cubes has a volume of 2^127 units or more, or an edge of 2^62.
     TooLarge {
         /// The edges of the box, in units.
         extents: [u128; 3],
     },
-    /// More cubes than indices.
+    /// There are more cubes than indices.
     TooMany {
-        /// How many.
+        /// The number of cubes.
         cubes: usize,
     },
     /// The session doesn't compare coordinates.

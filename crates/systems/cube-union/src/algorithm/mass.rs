@@ -1,44 +1,43 @@
-//! What a vertex of the union adds to volume, area and edge length.
+//! The contribution of a vertex of the union to volume, area and edge length.
 
-/// Mass properties of a union of cubes, exactly, in units of the input's
-/// integers (their square for areas, their cube for volumes).
+/// The exact mass properties of a union of cubes, in units of the input's integers (their square for areas, their cube
+/// for volumes).
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Mass {
-    /// The volume. Ties play no part in it.
+    /// The volume, which does not depend on ties.
     pub volume: i128,
     /// The area of the boundary, as the perturbation goes to zero.
     pub area: i128,
     /// The length of the boundary's edges, as the perturbation goes to zero.
     pub edge_length: i128,
-    /// How many vertices the perturbed union has, by kind.
+    /// The numbers of vertices of the perturbed union, by kind.
     pub vertices: Vertices,
 }
 
-/// The vertices of the union, by what meets there.
+/// The numbers of vertices of the union, by kind.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Vertices {
     /// Corners of one cube.
     pub corners: u64,
-    /// Where an edge of one cube meets a face of another.
+    /// Points where an edge of one cube meets a face of another.
     pub edge_faces: u64,
-    /// Where the faces of three cubes meet.
+    /// Points where the faces of three cubes meet.
     pub three_faces: u64,
 }
 
 impl Vertices {
-    /// All of them.
+    /// The total number of vertices.
     #[must_use]
     pub fn total(&self) -> u64 {
         self.corners + self.edge_faces + self.three_faces
     }
 
-    /// The Euler characteristic of the boundary, 2 for each ball-like part.
+    /// The Euler characteristic of the boundary, 2 for each ball-like part; `None` if the numbers fit no closed
+    /// surface.
     ///
-    /// The boundary is flat but for its vertices, where the face angles add up
-    /// to 3π/2 at a corner, to 5π/2 at an edge and a face, and to 3π/2 at three
-    /// faces. What is missing to 2π adds up to 2πχ (Gauss-Bonnet), so χ is a
-    /// quarter of the sum of +1, −1 and +1. None where that is not an even
-    /// number, which no closed surface in space allows.
+    /// The boundary is flat except at its vertices. There the face angles add up to 3π/2 at a corner, to 5π/2 at an
+    /// edge and a face, and to 3π/2 at three faces. The differences from 2π add up to 2πχ (Gauss-Bonnet), so χ is a
+    /// quarter of the sum of +1, −1 and +1. A closed surface in space has an even χ, so any other number gives `None`.
     #[must_use]
     pub fn euler_characteristic(&self) -> Option<i128> {
         let [corners, edge_faces, three_faces] = [self.corners, self.edge_faces, self.three_faces].map(i128::from);
@@ -48,10 +47,9 @@ impl Vertices {
 }
 
 impl Mass {
-    /// Adds the vertex at `at`, where the x, y and z face of these owners meet, so many times.
+    /// Adds the vertex at `at`, the meeting point of the x, y and z face of these owners, `times` times.
     ///
-    /// Sums wrap: what is added and taken away again may exceed 128 bits as
-    /// long as the totals don't.
+    /// Sums wrap: intermediate sums may exceed 128 bits as long as the totals don't.
     #[inline]
     pub(super) fn add(&mut self, [a, b, c]: [usize; 3], at: [i64; 3], upper: [bool; 3], times: u64) {
         let signed = |positive: bool, value: i64| if positive { value } else { -value };
@@ -59,7 +57,7 @@ impl Mass {
         let [x, y, z] = along.map(i128::from);
         let volume = (x * y).wrapping_mul(z);
         let area = (x * y).wrapping_add(y * z).wrapping_add(z * x);
-        // An edge along an axis is convex if both faces that meet there are of one cube.
+        // An edge along an axis is convex if both faces that meet there belong to one cube.
         let convex = [b == c, c == a, a == b];
         let length: i128 = (0..3).map(|axis| i128::from(signed(convex[axis], along[axis]))).sum();
         let same = convex.map(u64::from).iter().sum::<u64>();

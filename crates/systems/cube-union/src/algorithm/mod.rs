@@ -1,95 +1,74 @@
-//! Volume, surface area and edge length of the union of congruent
-//! axis-parallel cubes (Franklin & Magalhães, 4.3; Franklin, "Mass properties
-//! of the union of millions of identical cubes", 2005).
+//! Volume, surface area and edge length of the union of congruent axis-parallel cubes (Franklin & Magalhães, 4.3;
+//! Franklin, "Mass properties of the union of millions of identical cubes", 2005).
 //!
-//! The union itself is never built. Its mass properties are sums over its
-//! vertices, each of which contributes what its coordinates and the directions
-//! of the faces there say, whatever is elsewhere.
+//! The union itself is never built. Its mass properties are sums over its vertices. The contribution of a vertex
+//! depends only on its coordinates and the directions of its faces.
 //!
 //! # Perturbation
-//! Cube i is moved by an infinitesimal, along all axes, that is larger than
-//! those of all cubes after it: of two equal coordinates that of the cube with
-//! the smaller index is larger. Both faces of a cube move alike, so a cube
-//! stays a cube. Then no two faces are in one plane, and the boundary has
-//! three kinds of vertices: corners of a cube; points where an edge of one
-//! meets a face of another; points where faces of three cubes meet; each
-//! outside all other cubes. The results are the limits for perturbations that
-//! go to zero:
-//! * the volume is that of the union; ties make no difference to it;
-//! * the area is that of the perturbed boundary. Where the upper face of one
-//!   cube lies on the lower face of another, they overlap by an infinitesimal
-//!   if the first one has the smaller index, and the common part is no
-//!   boundary; else there is a gap and it is boundary on both sides;
-//! * likewise the edge length. A seam between two faces in one plane counts,
-//!   twice: the one face is a step above the other, and a step has two edges.
+//! Cube i is moved by an infinitesimal, along all axes, that is larger than those of all cubes after it. So of two
+//! equal coordinates, that of the cube with the smaller index is larger. Both faces of a cube move alike, so a cube
+//! stays a cube. Then no two faces are in one plane, and the boundary has three kinds of vertices. They are the corners
+//! of a cube, the points where an edge of one cube meets a face of another, and the points where faces of three cubes
+//! meet. Each vertex is outside all other cubes. The results are the limits for perturbations that go to zero:
+//! * The volume is that of the union; ties do not affect it.
+//! * The area is that of the perturbed boundary. Suppose that the upper face of one cube lies on the lower face of
+//!   another. If the first cube has the smaller index, they overlap by an infinitesimal, and the common part is not
+//!   boundary. Otherwise there is a gap, and the common part is boundary on both sides.
+//! * The edge length is that of the perturbed boundary, too. A seam between two faces in one plane counts twice: one
+//!   face is a step above the other, and a step has two edges.
 //!
 //! # The formulas
-//! Let f be 1 in the union and 0 elsewhere, and c(v) the sum over the eight
-//! octants around the point v of f there, with the product of the octant's
-//! three directions (±1) as sign. It is the mixed derivative ∂x∂y∂z f, a sum
-//! of points with weights c(v). It vanishes but at vertices, as f doesn't
-//! depend on all three coordinates elsewhere. Integration by parts, once for
-//! each axis, gives
+//! Let f be 1 in the union and 0 elsewhere. Let c(v) be the sum of f over the eight octants around the point v, each
+//! with the product of the octant's three directions (±1) as sign. It is the mixed derivative ∂x∂y∂z f, a sum of points
+//! with weights c(v). It vanishes except at vertices, as f doesn't depend on all three coordinates elsewhere.
+//! Integration by parts, once for each axis, gives
 //!
 //! > volume = ∫ f = −Σ c(v) x y z.
 //!
-//! At a vertex let s = (s₁, s₂, s₃) be the directions in which its x, y and z
-//! face look, +1 for the upper face of a cube. Around a corner f is the
-//! product h₁h₂h₃ of three half-spaces, hᵢ on the side −sᵢ, and c = −s₁s₂s₃.
-//! Where an edge meets a face, f = 1 − (1 − h₁h₂)(1 − h₃), of which only −h₁h₂h₃
-//! depends on all coordinates: c has the other sign. Three faces have
-//! f = 1 − (1 − h₁)(1 − h₂)(1 − h₃) and c as at a corner. With t = −1 at an
-//! edge and a face, else 1, c = −t s₁s₂s₃ and
+//! At a vertex let s = (s₁, s₂, s₃) be the directions of its x, y and z face, +1 for the upper face of a cube. Around a
+//! corner f is the product h₁h₂h₃ of three half-spaces, hᵢ on the side −sᵢ, and c = −s₁s₂s₃. At an edge and a face,
+//! f = 1 − (1 − h₁h₂)(1 − h₃), of which only −h₁h₂h₃ depends on all coordinates: c has the other sign. Three faces have
+//! f = 1 − (1 − h₁)(1 − h₂)(1 − h₃) and c as at a corner. With t = −1 at an edge and a face, and t = 1 elsewhere,
+//! c = −t s₁s₂s₃ and
 //!
 //! > volume = Σ t (s₁x)(s₂y)(s₃z).
 //!
-//! **Area.** In a plane x = const there is one face, which looks along s₁
-//! everywhere, so it is boundary where f(x−) − f(x+) is s₁ and not where it is
-//! 0. Its area is Σ d(v) y z by parts in the plane, d(v) the sum over quadrants of
-//! s₁(f(x−) − f(x+)) with their signs, which is −s₁c(v) = t s₂s₃. So
+//! **Area.** In a plane x = const there is one face, and its direction is s₁ everywhere. So it is boundary where
+//! f(x−) − f(x+) is s₁, and not where it is 0. By parts in the plane, its area is Σ d(v) y z. Here d(v) is the sum over
+//! quadrants of s₁(f(x−) − f(x+)) with their signs, which is −s₁c(v) = t s₂s₃. So
 //!
 //! > area = Σ t ((s₁x)(s₂y) + (s₂y)(s₃z) + (s₃z)(s₁x)).
 //!
-//! **Edge length.** On a line along z through an x face and a y face the
-//! boundary has an edge wherever the sum over the four quadrants around the
-//! line doesn't vanish; where it does not, it is s₁s₂ if both faces are of one
-//! cube (a convex edge) and −s₁s₂ if they are of two (a reflex one). Call this
-//! sign κ₃. Crossing v along z the sum changes by c(v), so the length of the line's edges is
-//! −Σ κ₃s₁s₂ c(v) z = Σ t κ₃ s₃z. Over all axes,
+//! **Edge length.** On a line along z through an x face and a y face, the boundary has an edge wherever the sum over
+//! the four quadrants around the line doesn't vanish. The sum there is s₁s₂ if both faces are of one cube (a convex
+//! edge) and −s₁s₂ if they are of two (a reflex edge). Call this sign κ₃. Crossing v along z, the sum changes by c(v),
+//! so the length of the line's edges is −Σ κ₃s₁s₂ c(v) z = Σ t κ₃ s₃z. Over all axes,
 //!
 //! > length = Σ t (κ₁s₁x + κ₂s₂y + κ₃s₃z),
 //!
-//! where all κ are 1 at a corner and −1 at three faces; where an edge meets a
-//! face, κ is 1 along that edge and −1 along the other two axes.
+//! where all κ are 1 at a corner and −1 at three faces; where an edge meets a face, κ is 1 along that edge and −1 along
+//! the other two axes.
 //!
 //! # Finding the vertices
-//! Cubes are sorted into a uniform grid by their lower corners (`bins`), whose
-//! cells are the smaller the denser the cubes are. Each cell
-//! is looked at for itself, for the vertices in it. Franklin's covered cells are
-//! skipped: one that lies within a cube has no vertices. Of most of them the grid
-//! knows without a look at any cube. A crowded cell is divided
-//! into eight, and those into eight again, where the same is done; so cells get
-//! smaller where cubes are dense and stay few where they are not. In what is
-//! left, triples of faces come from bit sets (`cell`). No cell needs another:
-//! they are mapped in parallel and the sums reduced.
+//! Cubes are sorted into a uniform grid by their lower corners (`bins`); the denser the cubes, the smaller the cells.
+//! Each cell is searched separately for its vertices. Franklin's covered cells are skipped: a cell within a cube has no
+//! vertices. For most of them the grid shows this without a look at any cube. A crowded cell is divided into eight, and
+//! those into eight again, with the same steps. So cells get smaller where cubes are dense, and stay few elsewhere. In
+//! the remaining cells, triples of faces come from bit sets (`cell`). Cells do not depend on each other: they are
+//! mapped in parallel and the sums reduced.
 //!
-//! Time is linear for cubes spread evenly, and for any number of identical
-//! ones: of cubes that no grid tells apart, those that others hide and the
-//! inner ones of a run of equals are counted and not looked at (`crowd`). What is left at a
-//! point, n cubes that share a coordinate on each axis, in different corners and in an order
-//! that mixes them, is looked at by pairs, with n bits each: time grows with
-//! n³, slowly, and memory with n².
+//! The time is linear for evenly spread cubes, and for any number of identical cubes. If a grid can't separate cubes,
+//! hidden cubes and the inner cubes of a run of equal types are counted and not processed (`crowd`). The other n cubes
+//! at a point share a coordinate on each axis, in different corners and in an order that mixes them. They are processed
+//! by pairs, with n bits each: time grows with n³, with a small constant, and memory with n².
 //!
-//! # Who decides
-//! [`cube_union`] compares integers and breaks ties itself, which is all that
-//! it takes. [`cube_union_by`] asks a session instead, to see what other ways
-//! to treat ties make of the same algorithm; [`union_in_order`] takes any
-//! [`Order`]. Both look at every pair of cubes, as an order that is not
-//! consistent leaves nothing to sort by.
+//! # The source of comparisons
+//! [`cube_union`] compares integers and breaks ties itself. [`cube_union_by`] asks a session instead, which shows the
+//! effect of other treatments of ties on the same algorithm; [`union_in_order`] takes any [`Order`]. Both process every
+//! pair of cubes, as an inconsistent order does not allow sorting.
 //!
 //! # Exactness
-//! Coordinates are integers, or [scaled](ScaledCubes) to integers without
-//! rounding, and all sums are exact.
+//! Coordinates are integers, or [scaled](ScaledCubes) to integers without rounding, and all sums are exact.
 //!
 //! ```
 //! # use predicament_cube_union::algorithm::cube_union;
@@ -126,20 +105,17 @@ pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
 
-/// Cells that are looked at by one task.
+/// The number of cells that one task processes.
 const CELLS: usize = 1 << 12;
 
-/// The mass properties of the union of cubes, by their lower corners and the
-/// length of their edges, in parallel.
+/// The mass properties of the union of cubes, by their lower corners and the length of their edges, in parallel.
 ///
-/// Beside the input it takes 16 bytes for each cube if coordinates are `i32`,
-/// 32 if they are `i64`, and 4 for each cell, of which there are at most two
-/// for each cube. While cubes are sorted, those of a block of cells are in
-/// memory twice: few, unless all cubes are in few places.
+/// Besides the input it takes 16 bytes for each cube if coordinates are `i32`, 32 if they are `i64`, and 4 for each
+/// cell; there are at most two cells for each cube. During sorting, the cubes of a block of cells are in memory twice:
+/// few, unless all cubes are in few places.
 ///
 /// # Errors
-/// [`CubesError`] if the edge length is not positive, or the cubes are more,
-/// or further apart, than exact sums can hold.
+/// [`CubesError`] if the edge length is not positive, or exact sums can't hold the number or the distance of the cubes.
 pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, CubesError> {
     let length = positive(edge.into())?;
     if u32::try_from(lowers.len()).is_err() {
@@ -181,7 +157,7 @@ pub fn cube_union<C: Coordinate>(lowers: &[[C; 3]], edge: C) -> Result<Mass, Cub
     Ok(sums.reduce(Mass::default, Mass::merge))
 }
 
-/// (Extents are below 2^62.)
+/// The cube of an entry. (Extents are below 2^62.)
 #[inline]
 fn cube<R: Copy + Into<u64>>(entry: &Entry<R>) -> Cube {
     Cube { lower: entry.lower.map(|c| c.into().cast_signed()), index: entry.index }
@@ -192,7 +168,7 @@ fn positive(edge: i64) -> Result<i64, CubesError> {
     if edge > 0 { Ok(edge) } else { Err(CubesError::Edge { edge: edge as f64 }) }
 }
 
-/// The lower corner and the extents of the box around all cubes, of which there are some.
+/// The lower corner and the extents of the bounding box of all cubes; there is at least one cube.
 fn bounds<C: Coordinate>(lowers: &[[C; 3]], edge: i64) -> Result<([C; 3], [u64; 3]), CubesError> {
     let join = |[least, most]: [[C; 3]; 2], [a, b]: [[C; 3]; 2]| {
         let pick = |axis: usize| (least[axis].min(a[axis]), most[axis].max(b[axis]));
@@ -214,20 +190,18 @@ fn bounds<C: Coordinate>(lowers: &[[C; 3]], edge: i64) -> Result<([C; 3], [u64; 
     Ok((least, extents.map(|extent| u64::try_from(extent).unwrap_or_else(|_| unreachable!("checked")))))
 }
 
-/// The mass properties of the union of a scene's cubes as the session compares
-/// their coordinates, and the exponent of the unit that they are in: volumes
-/// are multiples of (2^exponent)³.
+/// The mass properties of the union of a scene's cubes, by the session's comparisons, and the exponent of their unit:
+/// volumes are multiples of (2^exponent)³.
 ///
-/// Vertex 2i of the scene is the lower corner of cube i and vertex 2i + 1 its
-/// upper corner. A zero puts a face within the other cube. Sessions with
-/// perfect signs for perturbed points agree with [`cube_union`]; with others
-/// vertices are missing, or too many, where coordinates are equal, or nearly so.
+/// Vertex 2i of the scene is the lower corner of cube i and vertex 2i + 1 its upper corner. A zero puts a face within
+/// the other cube. Sessions with exact signs for perturbed points agree with [`cube_union`]. With other sessions,
+/// vertices are missing or redundant if coordinates are equal or nearly so.
 ///
-/// Takes time and memory that grow with the square of the number of cubes.
+/// Time and memory grow with the square of the number of cubes.
 ///
 /// # Errors
-/// [`CubesError`] if the session doesn't compare coordinates, or the scene
-/// doesn't consist of congruent cubes, or has cubes that exact sums can't hold.
+/// [`CubesError`] if the session doesn't compare coordinates, or the scene doesn't consist of congruent cubes, or exact
+/// sums can't hold its cubes.
 pub fn cube_union_by<S: Predicates>(session: &S) -> Result<(Mass, i32), CubesError> {
     session.supports(PredicateKind::Compare).map_err(CubesError::Declined)?;
     let cubes = ScaledCubes::of_scene(session.scene())?;
@@ -237,7 +211,7 @@ pub fn cube_union_by<S: Predicates>(session: &S) -> Result<(Mass, i32), CubesErr
 /// The mass properties of the union of cubes for any order of their faces.
 ///
 /// # Errors
-/// As [`cube_union`].
+/// Like [`cube_union`].
 pub fn union_in_order<O: Order>(order: &O, lowers: &[[i64; 3]], edge: i64) -> Result<Mass, CubesError> {
     positive(edge)?;
     let Ok(count) = u32::try_from(lowers.len()) else {

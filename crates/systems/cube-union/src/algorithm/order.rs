@@ -1,15 +1,15 @@
-//! The order of parallel faces, which is all that a union of cubes asks about.
+//! The order of parallel faces, the only query of a union of cubes.
 
 use std::cmp::Ordering;
 
 use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
-/// A face of a cube; its normal is the axis that is spoken of.
+/// A face of a cube; its normal is the axis of the query.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub struct Face {
-    /// Whose face.
+    /// The cube of the face.
     pub cube: u32,
-    /// Whether it is the face with the larger coordinate.
+    /// True for the face with the larger coordinate.
     pub upper: bool,
 }
 
@@ -18,8 +18,7 @@ pub trait Order: Sync {
     /// The sign of a's coordinate minus b's.
     fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign;
 
-    /// Whether the face's plane meets the cube, ends included. A cube's own
-    /// faces do, whatever the order says; they are not asked about.
+    /// True if the face's plane meets the cube, ends included. A cube's own faces always meet it and are not queried.
     fn reaches(&self, axis: Axis, face: Face, cube: u32) -> bool {
         face.cube == cube
             || (self.compare(axis, face, Face { cube, upper: false }) != Sign::Negative
@@ -27,13 +26,12 @@ pub trait Order: Sync {
     }
 }
 
-/// By the predicates of a session, whose scene has the lower corner of cube i
-/// at vertex 2i and the upper one at vertex 2i + 1.
+/// The order by the predicates of a session. Its scene has the lower corner of cube i at vertex 2i and the upper one at
+/// vertex 2i + 1.
 ///
-/// A session that breaks ties by the vertices' indices breaks them here by
-/// those of the cubes: two faces with equal coordinates belong to two cubes,
-/// and 2i, 2i + 1 come before 2j, 2j + 1 iff i comes before j. So the cubes
-/// are moved as rigid bodies, although each vertex is moved for itself.
+/// A session that breaks ties by the vertices' indices here breaks them by those of the cubes. For two faces with equal
+/// coordinates belong to two cubes, and 2i, 2i + 1 come before 2j, 2j + 1 iff i comes before j. So the cubes move as
+/// rigid bodies, although each vertex is moved separately.
 #[derive(Debug)]
 pub struct BySession<'s, S>(pub &'s S);
 
@@ -44,9 +42,8 @@ impl<S: Predicates> Order for BySession<'_, S> {
     }
 }
 
-/// By integers, and of equal ones the cube with the smaller index is further:
-/// Simulation of Simplicity, cube i moved by an infinitesimal that is larger
-/// than all that come after it.
+/// The order by integers; of equal ones, the cube with the smaller index is larger. This is Simulation of Simplicity:
+/// cube i is moved by an infinitesimal that is larger than those of all cubes after it.
 #[derive(Clone, Copy, Debug)]
 pub struct ByIndex<'c> {
     /// The lower corners.

@@ -1,30 +1,30 @@
-//! Cubes in floating point as cubes in integers, without rounding.
+//! Conversion of cubes in floating point to cubes in integers, without rounding.
 
 use predicament_arithmetic::Parts;
 use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::CubesError;
 
-/// The most bits a coordinate may take, so that sums of two don't overflow.
+/// The maximum number of bits of a coordinate, so that sums of two don't overflow.
 const BITS: u32 = 62;
 
-/// Congruent cubes in integers, and the unit that they are multiples of.
+/// Congruent cubes in integers, and their unit.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ScaledCubes {
     /// The lower corners, in units.
     pub lowers: Vec<[i64; 3]>,
     /// The edge length, in units.
     pub edge: i64,
-    /// The unit is 2 to this power.
+    /// The exponent of the unit, a power of two.
     pub exponent: i32,
 }
 
-/// The parts of a finite value, the significand odd, or zero.
+/// The parts of a finite value; the significand is odd or zero.
 fn parts(value: f64) -> Parts {
     Parts::of(value).expect("checked to be finite").odd()
 }
 
-/// In units of 2^unit, which must be small enough for it and leave no more than [`BITS`].
+/// The value in units of 2^unit, which must divide it and leave at most [`BITS`].
 fn in_units(value: f64, unit: i32) -> i64 {
     let Parts { negative, significand, exponent } = parts(value);
     if significand == 0 {
@@ -34,7 +34,7 @@ fn in_units(value: f64, unit: i32) -> i64 {
     if negative { -magnitude } else { magnitude }
 }
 
-/// The span of the bits of several numbers, and who owns its ends.
+/// The range of bit positions of several numbers, and the owners of its ends.
 #[derive(Default)]
 struct Span {
     finest: Option<(i32, Option<usize>)>,
@@ -92,12 +92,11 @@ impl ScaledCubes {
         })
     }
 
-    /// The cubes of a scene: vertex 2i is the lower corner of cube i and
-    /// vertex 2i + 1 the upper one. An empty scene has none, of edge length 1.
+    /// The cubes of a scene: vertex 2i is the lower corner of cube i and vertex 2i + 1 the upper one. An empty scene
+    /// has no cubes, of edge length 1.
     ///
     /// # Errors
-    /// As [`ScaledCubes::new`], and if vertices don't pair up to cubes, all
-    /// exactly of the same size.
+    /// Like [`ScaledCubes::new`], and if the vertices are not pairs of corners of cubes of exactly equal size.
     pub fn of_scene(scene: &Scene) -> Result<ScaledCubes, CubesError> {
         let (vertices, dimension) = (scene.len(), scene.dimension());
         if dimension != Dimension::Three || !vertices.is_multiple_of(2) {

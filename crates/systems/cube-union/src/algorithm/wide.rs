@@ -1,7 +1,7 @@
 //! The vertices of a union for any order of the faces, consistent or not.
 //!
-//! Every pair of a face and a cube is asked about once; the rest is bits. The
-//! cubes may be as many as memory allows: a bit for each face and each cube.
+//! Every pair of a face and a cube is queried once; the rest works on bits. Memory alone limits the number of cubes:
+//! one bit for each pair of a face and a cube.
 
 use predicament_predicates::Axis;
 
@@ -9,7 +9,7 @@ use super::order::{Face, Order};
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
-/// Rows of bits.
+/// A table of bits in rows.
 struct Rows {
     words: usize,
     bits: Vec<u64>,
@@ -34,7 +34,7 @@ fn has(row: &[u64], column: usize) -> bool {
     row[column / 64] >> (column % 64) & 1 == 1
 }
 
-/// The bits that are set, ascending.
+/// The positions of the set bits, ascending.
 fn ones(words: impl Iterator<Item = u64>) -> impl Iterator<Item = usize> {
     words.enumerate().flat_map(|(at, mut word)| {
         std::iter::from_fn(move || {
@@ -45,7 +45,7 @@ fn ones(words: impl Iterator<Item = u64>) -> impl Iterator<Item = usize> {
     })
 }
 
-/// The word with this index of a set.
+/// The word with this index of the bit set of these items.
 fn bits_of<const N: usize>(set: [usize; N], word: usize) -> u64 {
     set.iter().map(|&item| if item / 64 == word { 1 << (item % 64) } else { 0 }).fold(0, |bits, bit: u64| bits | bit)
 }
@@ -60,13 +60,13 @@ fn extremes(words: &[u64]) -> [Option<usize>; 2] {
     ]
 }
 
-/// Which cubes and faces meet along one axis.
+/// The incidences of cubes and faces along one axis.
 struct Reach {
-    /// For each face the cubes that its plane meets.
+    /// For each face, the cubes that its plane meets.
     cubes: Rows,
-    /// For each cube the faces whose planes meet it.
+    /// For each cube, the faces whose planes meet it.
     faces: Rows,
-    /// For each cube its own faces.
+    /// For each cube, its own faces.
     own: Rows,
 }
 
@@ -86,8 +86,8 @@ impl Reach {
     }
 }
 
-/// Calls `found` with the three faces (x, y, z) of each vertex of the union of
-/// the cubes 0 to `cubes`, as far as it is on one of these faces of each axis.
+/// Calls `found` with the three faces (x, y, z) of each vertex of the union of the cubes 0 to `cubes`. Only vertices on
+/// one of these faces for each axis are reported.
 pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut found: impl FnMut([Face; 3])) {
     let [x, y, z] = [0, 1, 2].map(|axis| Reach::new(order, AXES[axis], cubes, faces[axis]));
     let (mut both, mut others) = (Vec::new(), Vec::new());
@@ -102,8 +102,8 @@ pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut
             }
             both.clear();
             both.extend(of_a.iter().zip(y.cubes.row(at)).map(|(a, b)| a & b));
-            // A cube on the line must not meet the third face, or own it. The first and the last one, which are
-            // the extreme ones where ties go by index, leave few faces to try.
+            // A cube on the line must not meet the third face, or must own it. The first and the last such cube, which
+            // are the extreme ones if ties go by index, leave few faces to try.
             others.clear();
             others.extend_from_slice(&both);
             [owner_a, owner_b].iter().for_each(|owner| others[owner / 64] &= !(1 << (owner % 64)));
@@ -119,7 +119,7 @@ pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut
                 let c = faces[2][at];
                 let owner_c = c.cube as usize;
                 let owners = |word: usize| bits_of([owner_a, owner_b, owner_c], word);
-                // On the faces of its owners, and in no other cube.
+                // A vertex is on the faces of its owners, and in no other cube.
                 let of_c = z.cubes.row(at);
                 if (0..both.len()).all(|word| both[word] & of_c[word] == owners(word)) {
                     found([a, b, c]);

@@ -1,42 +1,38 @@
-//! What the union of random cubes has on average.
+//! The expected measures of the union of random cubes.
 //!
-//! N cubes of edge d < 1/2 have their lower corners uniform in [0, 1 − d]³. A
-//! cube covers a point x of the axis with the probability p₁(x) = |[x − d, x] ∩
-//! [0, 1 − d]| / (1 − d), which rises from 0 to w = d / (1 − d) over a ramp of
-//! length d, stays there, and falls over another. With p = p₁(x)p₁(y)p₁(z):
-//! * a point is in the union with the probability 1 − (1 − p)^N, so
-//!   E(volume) = ∫ 1 − (1 − p)^N;
-//! * the lower x face of a cube is at a uniform x in [0, 1 − d], a point (y, z)
-//!   is on it with the probability p₁(y)p₁(z), and it is boundary if none of the
-//!   others covers it: E(area) = 6 ∫ N/(1 − d) · p₁(y)p₁(z) (1 − p)^(N − 1) over
-//!   those x and all y and z, by symmetry;
-//! * an edge of a cube, likewise: 12 ∫ N/(1 − d)² · p₁(z) (1 − p)^(N − 1) over those x and
-//!   y and all z. And where the x face of one cube meets the y face of another:
-//!   12 ∫ N(N − 1)/(1 − d)² · p₁(x)p₁(y)p₁(z)² (1 − p)^(N − 2) over the same.
+//! N cubes of edge d < 1/2 have their lower corners uniform in [0, 1 − d]³. A cube covers a point x of the axis with
+//! the probability p₁(x) = |[x − d, x] ∩ [0, 1 − d]| / (1 − d). It rises from 0 to w = d / (1 − d) over a ramp of
+//! length d, stays there, and falls over another ramp. With p = p₁(x)p₁(y)p₁(z):
+//! * A point is in the union with the probability 1 − (1 − p)^N, so E(volume) = ∫ 1 − (1 − p)^N.
+//! * The lower x face of a cube is at a uniform x in [0, 1 − d]. A point (y, z) is on it with the probability
+//!   p₁(y)p₁(z), and it is boundary if none of the other cubes covers it. By symmetry, E(area) = 6 ∫ N/(1 − d) ·
+//!   p₁(y)p₁(z) (1 − p)^(N − 1) over those x and all y and z.
+//! * The edges of cubes likewise have 12 ∫ N/(1 − d)² · p₁(z) (1 − p)^(N − 1) over those x and y and all z. The lines
+//!   where the x face of one cube meets the y face of another have 12 ∫ N(N − 1)/(1 − d)² · p₁(x)p₁(y)p₁(z)² (1 − p)^(N
+//!   − 2) over the same.
 //!
-//! Each integral splits into ramps and plateaus of each axis. On a ramp p₁ = ws with s
-//! uniform in [0, 1], on a plateau s = 1. The integrands are smooth functions of the
-//! s, and Gauss' rule takes them.
+//! Each integral splits into ramps and plateaus of each axis. On a ramp p₁ = ws with s uniform in [0, 1], on a plateau
+//! s = 1. The integrands are smooth functions of the s, so Gauss' rule integrates them.
 
-/// Expected mass properties in the unit cube.
+/// The expected mass properties of random cubes in the unit cube.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Expected {
-    /// Of the volume.
+    /// The expected volume.
     pub volume: f64,
-    /// Of the area.
+    /// The expected area.
     pub area: f64,
-    /// Of the edge length.
+    /// The expected edge length.
     pub edge_length: f64,
 }
 
-/// The nodes of Gauss' rule on each piece of a ramp.
+/// The number of nodes of Gauss' rule on each piece of a ramp.
 const NODES: usize = 12;
 
-/// Places and weights on one axis: the factor s of p₁, and how much of the axis has it.
+/// Pairs for one axis: the factor s of p₁, and its weight, the length of the axis that has it.
 struct Axis(Vec<[f64; 2]>);
 
 impl Axis {
-    /// With so many ramps of length d, and a plateau on the rest of `length`.
+    /// An axis with this many ramps of length d, and a plateau on the rest of `length`.
     fn new(ramps: f64, d: f64, length: f64, pieces: u32) -> Axis {
         let mut all = vec![[1.0, length - ramps * d]];
         let width = 1.0 / f64::from(pieces);
@@ -49,8 +45,7 @@ impl Axis {
     }
 }
 
-/// Nodes and weights of Gauss' rule on [0, 1]: zeros of a Legendre polynomial,
-/// by Newton's method.
+/// The nodes and weights of Gauss' rule on [0, 1]: zeros of a Legendre polynomial, by Newton's method.
 fn gauss() -> [[f64; 2]; NODES] {
     let n = f64::from(u32::try_from(NODES).unwrap_or(u32::MAX));
     std::array::from_fn(|k| {
@@ -75,7 +70,7 @@ fn gauss() -> [[f64; 2]; NODES] {
     })
 }
 
-/// ∫ f(sx, sy, sz) over all three axes.
+/// The integral ∫ f(sx, sy, sz) over all three axes.
 fn integral(axes: [&Axis; 3], f: impl Fn([f64; 3]) -> f64) -> f64 {
     let mut sum = 0.0;
     for &[x, by_x] in &axes[0].0 {
@@ -89,7 +84,7 @@ fn integral(axes: [&Axis; 3], f: impl Fn([f64; 3]) -> f64) -> f64 {
 }
 
 impl Expected {
-    /// Of so many cubes of this edge.
+    /// The expected measures of this number of cubes with this edge.
     ///
     /// # Panics
     /// If there are no cubes, or the edge is not between 0 and 1/2.
@@ -98,16 +93,17 @@ impl Expected {
         Expected::with_pieces(cubes, edge, 4)
     }
 
-    /// [`Expected::new`] with ramps cut into so many pieces, to see whether more change anything.
+    /// The expected measures as in [`Expected::new`], with ramps cut into this many pieces; a test compares several
+    /// numbers of pieces.
     ///
     /// # Panics
-    /// As [`Expected::new`].
+    /// Like [`Expected::new`].
     #[must_use]
     pub fn with_pieces(cubes: u32, edge: f64, pieces: u32) -> Expected {
         assert!(cubes > 0 && edge > 0.0 && edge < 0.5, "some cubes, with edges between 0 and 1/2");
         let (n, d) = (f64::from(cubes), edge);
         let w = d / (1.0 - d);
-        // All places of a point, and those of a lower face.
+        // The places of a point, and the places of a lower face.
         let (points, faces) = (Axis::new(2.0, d, 1.0, pieces), Axis::new(1.0, d, 1.0 - d, pieces));
         // The logarithm of (1 − p)^m, and the power.
         let log_free = |[x, y, z]: [f64; 3], m: f64| m * (-w * w * w * x * y * z).ln_1p();
@@ -142,7 +138,7 @@ mod tests {
 
     #[test]
     fn the_volume_of_two_cubes_is_known() {
-        // E|A ∩ B| = (E of the overlap of two intervals)³, that is the cube of ∫ p₁².
+        // E|A ∩ B| = (E of the overlap of two intervals)³, that is, the cube of ∫ p₁².
         for d in [0.01, 0.2, 0.4] {
             let w: f64 = d / (1.0 - d);
             let overlap = w * w * ((1.0 - 2.0 * d) + 2.0 * d / 3.0);
@@ -164,7 +160,7 @@ mod tests {
 
     #[test]
     fn far_from_the_walls_the_volume_is_exponential() {
-        // With N d³ = 1 and d small the union is all but 1/e of the cube, up to terms in d.
+        // With N d³ = 1 and d small, the union is the whole cube without a share of 1/e, up to terms in d.
         let cubes = 1_000_000_000_u32;
         let volume = Expected::new(cubes, f64::from(cubes).cbrt().recip()).volume;
         assert!((volume - (1.0 - (-1.0_f64).exp())).abs() < 3e-3, "{volume}");

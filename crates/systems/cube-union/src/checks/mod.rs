@@ -1,9 +1,8 @@
-//! Unions of congruent cubes measured from their sections, and the measures of random cubes.
+//! Measures of unions of congruent cubes from their sections, and the expected measures of random cubes.
 //!
-//! `crate::algorithm` adds up what vertices contribute. Here
-//! nothing knows what a vertex of the union is:
-//! * [`measured`]: exactly, from sections, sections of sections, and intervals;
-//! * [`Expected`]: what random cubes have on average, by integration.
+//! `crate::algorithm` adds up the contributions of vertices. The measures here do not use vertices of the union:
+//! * [`measured`]: exact measures, from sections, sections of sections, and intervals;
+//! * [`Expected`]: the mean measures of random cubes, by integration.
 
 mod expected;
 mod sections;

@@ -1,20 +1,17 @@
 //! Volume, area and edge length of a union of cubes from its sections.
 //!
-//! Along one axis the faces cut space into slabs, in each of which the union
-//! looks the same everywhere; so do those along a second axis with the slab's
-//! section; what is left is a union of intervals. With widths du, dv, dw:
-//! * the volume is the sum of du dv dw over the intervals;
-//! * a boundary that looks along w shows as ends of intervals: the sum of
-//!   du dv over the ends is its area;
-//! * an edge along u shows as a corner of the section: a line between two
-//!   strips on which one strip has an end and the other has not. The sum of du
-//!   over the corners is the edges' length.
+//! Along one axis the faces cut space into slabs; within a slab, all sections of the union are equal. Along a second
+//! axis, the faces cut the slab's section in the same way. The sections of the section are unions of intervals. With
+//! widths du, dv, dw:
+//! * The volume is the sum of du dv dw over the intervals.
+//! * A boundary with direction w shows as ends of intervals: the sum of du dv over the ends is its area.
+//! * An edge along u shows as a corner of the section: a line between two strips on which exactly one strip has an end.
+//!   The sum of du over the corners is the edges' length.
 //!
-//! Each axis has its turn as u, and as w. Faces are in the order of their
-//! coordinates, those with equal ones in that of their cubes from the last to
-//! the first, as if the cubes were moved by infinitesimals that are the larger
-//! the earlier a cube comes; widths are without them. So this is the limit for
-//! perturbations that go to zero.
+//! Each axis takes the role of u, and that of w. Faces are in the order of their coordinates. Faces with equal
+//! coordinates are in the order of their cubes, from the last to the first. This is as if the cubes were moved by
+//! infinitesimals that are larger for earlier cubes. Widths do not include the infinitesimals. So the result is the
+//! limit for perturbations that go to zero.
 
 /// Mass properties of a union.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -33,7 +30,7 @@ struct Faces {
     ranks: Vec<[usize; 2]>,
     /// The coordinate at each rank.
     values: Vec<i64>,
-    /// Whose face is at each rank, and whether it is the upper one.
+    /// The cube of the face at each rank, and true if it is the upper face.
     owners: Vec<(usize, bool)>,
 }
 
@@ -53,13 +50,13 @@ impl Faces {
         }
     }
 
-    /// From this rank to the next.
+    /// The width from one rank to another.
     fn width(&self, from: usize, to: usize) -> i128 {
         i128::from(self.values[to]) - i128::from(self.values[from])
     }
 }
 
-/// Puts `item` in its place in an ascending list, or takes it out.
+/// Inserts `item` in an ascending list, or removes it if it is there.
 fn toggle(list: &mut Vec<usize>, item: usize) {
     match list.binary_search(&item) {
         Ok(at) => {
@@ -69,7 +66,7 @@ fn toggle(list: &mut Vec<usize>, item: usize) {
     }
 }
 
-/// What one section holds: area, ends times widths, corners.
+/// The sums of one section: area, ends times widths, corners.
 #[derive(Default)]
 struct Section {
     area: i128,
@@ -105,7 +102,7 @@ fn section(v: &Faces, w: &Faces, active: &[usize]) -> Section {
     section
 }
 
-/// How many items are in one of two ascending lists and not in the other.
+/// The number of items that are in exactly one of two ascending lists.
 fn differing(a: &[usize], b: &[usize]) -> i128 {
     let (mut i, mut j, mut common) = (0, 0, 0);
     while i < a.len() && j < b.len() {
@@ -118,9 +115,9 @@ fn differing(a: &[usize], b: &[usize]) -> i128 {
     (a.len() + b.len() - 2 * common) as i128
 }
 
-/// The mass properties of the union of cubes, by their lower corners and the
-/// length of their edges. Of two equal coordinates that of the earlier cube is
-/// larger by an infinitesimal, and the result is the limit.
+/// The mass properties of the union of cubes, by their lower corners and the length of their edges.
+///
+/// Of two equal coordinates, that of the earlier cube is larger by an infinitesimal, and the result is the limit.
 ///
 /// For up to some ten thousand cubes: time grows with about N^2 for N cubes
 /// that are spread evenly.

@@ -1,4 +1,4 @@
-//! What is reported about unions of cubes.
+//! The checks of unions of cubes that are reported.
 
 use predicament_tasks::Check;
 

@@ -1,4 +1,4 @@
-//! `cubes`: congruent axis-parallel cubes by their lower corners.
+//! The key `cubes`: congruent axis-parallel cubes by their lower corners.
 
 use predicament_corpus::{Canon, Content, Context, Elsewhere, Items, Level, List, Origin, Parts, Source, Spelled};
 use predicament_formats::bits::{integer, lowest_bit, top_exponent};
@@ -18,7 +18,7 @@ const CUBE: RowKind = RowKind {
 /// vertex 2i + 1 the upper one.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cubes {
-    /// How many.
+    /// The number of cubes.
     pub cubes: usize,
 }
 
@@ -31,7 +31,7 @@ impl Content for Cubes {
         canon.text("cube-union");
     }
 
-    /// The length of edges is exact: the upper corner was made of it without rounding.
+    /// The length of edges is exact: the upper corner was computed from it without rounding.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let corners: &[[f64; 6]] = scene.coordinates().as_chunks().0;
         let cubes = corners.iter().map(|&[x, y, z, upper, ..]| vec![x, y, z, upper - x]).collect();
@@ -39,13 +39,13 @@ impl Content for Cubes {
     }
 }
 
-/// The most bits that all coordinates may span: sums of two are integers of 62 bits.
+/// The maximum number of bits that all coordinates may span: sums of two are integers of 62 bits.
 const MOST_BITS: i64 = 61;
 
-/// The logarithm of the largest volume: sums over the union are exact below 2^127.
+/// The binary logarithm of the maximum volume: sums over the union are exact below 2^127.
 const MOST_VOLUME: f64 = 126.0;
 
-/// Cubes in a CSV file: x, y, z and the edge length in each line.
+/// A CSV file of cubes: x, y, z and the edge length in each line.
 struct Csv {
     origin: Origin,
     round: bool,
@@ -73,7 +73,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     Ok(Source::elsewhere(Csv { origin, round: context.round() }))
 }
 
-/// Both corners of every cube.
+/// A scene with both corners of every cube.
 fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
     let cubes: &[[f64; 4]] = rows.numbers.as_chunks().0;
     let error = |at: usize, message: String, cure: &str| {
@@ -125,18 +125,18 @@ fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
     Ok(Parts::new(scene, Cubes { cubes: cubes.len() }))
 }
 
-/// The binary logarithm of the volume of the box around all corners, in units of 2^`unit`.
+/// The binary logarithm of the volume of the bounding box of all corners, in units of 2^`unit`.
 fn volume_bits(corners: &[f64], unit: i64) -> f64 {
     let extent = |axis: usize| {
         let along = corners.iter().skip(axis).step_by(3);
         let [low, high] = along.fold([f64::MAX, f64::MIN], |[low, high], &c| [low.min(c), high.max(c)]);
         high - low
     };
-    // A logarithm of a rounded difference: the margin to 2^127 is far larger.
+    // A logarithm of a rounded difference: the margin to 2^127 is far larger than its error.
     (0..3).map(|axis| extent(axis).log2() - integer(unit)).sum()
 }
 
-/// Whether the sum is a + b without rounding: Knuth's error term is zero.
+/// True if the sum is a + b without rounding: Knuth's error term is zero.
 fn is_exact(a: f64, b: f64, sum: f64) -> bool {
     let b_seen = sum - a;
     sum.is_finite() && (a - (sum - b_seen)) + (b - b_seen) == 0.0

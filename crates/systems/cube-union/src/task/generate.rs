@@ -1,4 +1,4 @@
-//! Congruent cubes: anywhere, on a lattice, and on top of each other.
+//! Generators of congruent cubes: anywhere, on a lattice, and on top of each other.
 
 use predicament_corpus::{Family, Parts, Random, Recipe};
 use predicament_formats::bits::{integer, power_of_two};
@@ -7,12 +7,12 @@ use predicament_predicates::{Dimension, Scene};
 
 use super::Cubes;
 
-/// A way to place cubes.
+/// A placement of cubes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Placing {
-    /// Lower corners on a grid of 2^-30, so many cubes around a point on average.
+    /// Lower corners on a grid of 2^-30, with `density` cubes around a point on average.
     Uniform { density: f64 },
-    /// A cubic lattice with its cubes in no order.
+    /// A cubic lattice with its cubes in random order.
     Lattice { pitch: i64, edge: i64 },
     /// Lower corners on so few integers that faces, edges, corners and whole cubes coincide.
     Repeated { edge: i64 },
@@ -58,13 +58,13 @@ impl Placing {
         Recipe::new(|n| 6 * n, move |making| self.make(making.n, &mut making.random()))
     }
 
-    /// At most `n` cubes.
+    /// A scene of at most `n` cubes.
     fn make(self, n: usize, rng: &mut Random) -> Parts {
         let count = i64::try_from(n).expect("scenes are smaller than memory");
         let (lowers, edge, unit) = match self {
             Placing::Uniform { density } => {
                 let whole = 1_i64 << 30;
-                // Below 2^29, so that cubes have room; rounded down.
+                // Below 2^29, so that cubes fit in; rounded down.
                 #[allow(clippy::cast_possible_truncation)]
                 let edge =
                     (integer(whole) * cube_root(density / integer(count))).clamp(1.0, integer(whole / 2 - 1)) as i64;
@@ -96,7 +96,7 @@ fn random(n: usize, end: i64, rng: &mut Random) -> Vec<[i64; 3]> {
     (0..n).map(|_| [(); 3].map(|()| rng.integer(0, end))).collect()
 }
 
-/// By bisection of doubles, which every platform rounds the same; for numbers up to 2^60.
+/// The cube root of a number up to 2^60, by bisection of doubles, which is equal on every platform.
 fn cube_root(x: f64) -> f64 {
     let [mut low, mut high] = [0.0, power_of_two(20)];
     for _ in 0..80 {

@@ -1,10 +1,9 @@
-//! Volume, area and edge length against two other ways to find them.
+//! The judgement of volume, area and edge length by two other methods.
 //!
-//! The whole union is measured in sections, which know no vertices. What the
-//! judge can measure in time (all cubes, or a box full of them) it measures from the
-//! definition, in rationals, vertices included; both have to agree. Backends run
-//! the algorithm by comparing coordinates; what is wrong with their sums is what
-//! they make of equal coordinates.
+//! The whole union is measured in sections, which do not use vertices. The judge also measures as much as it can in
+//! time (all cubes, or a box full of them), from the definition, in rationals, including the vertices. The two methods
+//! have to agree. Backends run the algorithm by comparing coordinates, so errors of their sums come from their
+//! treatment of equal coordinates.
 
 use crate::algorithm::{self, Mass};
 use crate::checks::Measures;
@@ -19,8 +18,8 @@ use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
 
 /// The failed checks as [name, found, expected].
 ///
-/// Which vertices there are is for sessions that break ties: the others may
-/// find fewer where coordinates are equal, as long as the sums are right.
+/// Vertices are compared only for sessions that break ties. Other sessions may find fewer vertices at equal
+/// coordinates, as long as the sums are right.
 fn failed(truth: &Truth, found: &Mass, zero: ZeroMeaning) -> Vec<[String; 3]> {
     let sums = &truth.measures;
     let mut checks = vec![
@@ -52,13 +51,13 @@ fn kinds(of: Vertices) -> String {
     format!("{} corners, {} edge-face, {} three-face", of.corners, of.edge_faces, of.three_faces)
 }
 
-/// Holds the backend's union of the cubes of a part alone against the judge.
+/// Compares the backend's union of only the cubes of a part with the judge's.
 fn finding(part: &Part, asked: &Asked<'_>) -> Option<Finding> {
     let finding = |got: String, truth: String| Finding::plain(Class::Topology, "part", Vec::new(), got, truth);
     let content = Cubes { cubes: part.cubes };
     let union = match asked.backend.answer(&CubeUnion, &part.scene, &content) {
         Ok(union) => union,
-        // It took the whole.
+        // The backend accepted the whole scene.
         Err(why) => return Some(finding(why.to_string(), format!("the union of {} cubes", part.cubes))),
     };
     let found = in_units(&measures(&union.mass), union.exponent);
@@ -72,7 +71,7 @@ fn finding(part: &Part, asked: &Asked<'_>) -> Option<Finding> {
     (!same).then(|| finding(words(found.each_ref(), got_vertices), words(truth, true_vertices)))
 }
 
-/// Judges the mass properties that were found.
+/// Judges the mass properties found by a backend.
 pub(super) fn judge(case: &Case<'_, CubeUnion>, asked: &Asked<'_>, found: &Union, outcome: &mut Outcome) {
     let found = &found.mass;
     let zero = asked.contract(PredicateKind::Compare).zero;

@@ -1,8 +1,7 @@
 //! `cube-union`: volume, area and edge length of a union of congruent cubes.
 //!
-//! Franklin and Magalhães, section 4.3. Every face coincides with others in the
-//! scenes that matter, so an algorithm that knows no degenerate case shows what
-//! its comparisons make of ties.
+//! Franklin and Magalhães, section 4.3. In the relevant scenes every face coincides with others. The algorithm has no
+//! degenerate cases, so its results show how the comparisons treat ties.
 
 mod checks;
 mod content;
@@ -31,16 +30,16 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest,
 };
 
-/// The task.
+/// The task `cube-union`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct CubeUnion;
 
 /// The mass properties of a union, and the exponent of their unit.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Union {
-    /// In units of a power of two.
+    /// The mass properties, in units of a power of two.
     pub mass: Mass,
-    /// Lengths are multiples of 2 to this.
+    /// The exponent of the unit: lengths are multiples of 2^`exponent`.
     pub exponent: i32,
 }
 
@@ -177,7 +176,7 @@ impl Task for CubeUnion {
     fn write(&self, _: &Scene, _: &Cubes, answer: &Union, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let Union { mass, exponent } = answer;
         let of = mass.vertices;
-        // Exact: integers times powers of two. Beyond 2^53 a JSON number would round, so sums are strings.
+        // Exact: integers times powers of two. A JSON number would round beyond 2^53, so sums are strings.
         let json = serde_json::json!({
             "unit_exponent": exponent,
             "volume": mass.volume.to_string(),

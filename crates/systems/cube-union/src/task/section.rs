@@ -1,4 +1,4 @@
-//! `masses.csv` and what a report makes of it.
+//! `masses.csv`, and its section of a report.
 
 use predicament_records::format::significant;
 use predicament_records::{Error, Row, RowError, RunDir};
@@ -40,7 +40,8 @@ predicament_records::table! {
     }
 
     fn check(&self) -> Result<(), RowError> {
-        // Measures of tiny and of huge cubes are zero and infinite as doubles. (What is judged is rational.)
+        // As doubles, measures of tiny cubes are zero and those of huge cubes infinite. (The judgement is in
+        // rationals.)
         if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x >= 0.0) {
             Ok(())
         } else {
@@ -49,7 +50,7 @@ predicament_records::table! {
     }
 }
 
-/// The section of a report.
+/// The section of a report about unions of cubes.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("")
@@ -87,7 +88,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     }))
 }
 
-/// A measure, with the expected one where it is another.
+/// A measure, with the expected one if they differ.
 fn against(found: f64, truth: f64) -> Cell {
     #[allow(clippy::float_cmp)] // equal sums are rounded to equal doubles
     if found == truth {

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults, which prove that the checks find faults that no backend has.
 
 use super::{CubeUnion, Union};
 use predicament_tasks::{Class, Spoiled};

@@ -1,4 +1,4 @@
-//! Unions of cubes: the vertices' sums against other ways to measure them.
+//! Unions of cubes: the sums over vertices, compared with other ways to measure them.
 
 mod backends;
 mod crowds;

@@ -1,4 +1,4 @@
-//! The answer: triangles in a form that does not tell how they were found.
+//! The answer: triangles in a form that does not depend on the order of their construction.
 
 use std::collections::HashMap;
 
@@ -9,21 +9,21 @@ use super::{Contradiction, Triangulation};
 /// The Delaunay triangulation of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Delaunay2 {
-    /// Its triangles, each counterclockwise from its smallest vertex on, sorted.
+    /// The triangles, each counterclockwise from its smallest vertex on, sorted.
     pub triangles: Vec<[Vertex; 3]>,
-    /// Where there is no triangle: all vertices in their order by x, then by y, one for each place.
+    /// All vertices in their order by x, then by y, one for each place, if there is no triangle; else empty.
     pub chain: Vec<Vertex>,
-    /// The vertices that are in the place of another one, each with the smallest vertex there; sorted.
+    /// The vertices in the place of another vertex, each with the smallest vertex there; sorted.
     pub copies: Vec<[Vertex; 2]>,
-    /// The edges that constraints are made of, each by its ends, the smaller first; sorted.
+    /// The edges that constraints consist of, each by its ends, the smaller first; sorted.
     pub constrained: Vec<[Vertex; 2]>,
     /// The points where constraints cross, in the order of their construction.
     pub crossings: Vec<Construction>,
-    /// The invariant that did not hold, where signs contradict each other.
+    /// The invariant that did not hold, if signs contradict each other.
     pub broken: Option<Contradiction>,
 }
 
-/// The numbers of triangles, of vertices in one line, and of copies.
+/// The numbers of triangles, of collinear vertices, and of copies.
 impl std::fmt::Display for Delaunay2 {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.chain.len() {
@@ -60,7 +60,7 @@ impl Triangulation {
         }
     }
 
-    /// The triangles, each from its smallest vertex on, in no order.
+    /// The triangles, each from its smallest vertex on, unsorted.
     pub fn triangles(&self) -> impl Iterator<Item = [Vertex; 3]> + '_ {
         (0..self.mesh.len()).filter_map(|triangle| {
             let [a, b, c] = self.mesh.solid(triangle)?;
@@ -75,17 +75,17 @@ impl Triangulation {
         })
     }
 
-    /// How many triangles there are.
+    /// The number of triangles.
     #[must_use]
     pub fn count(&self) -> usize {
         (0..self.mesh.len()).filter(|&triangle| self.mesh.solid(triangle).is_some()).count()
     }
 }
 
-/// Sorts triangles: by first vertices into buckets, which hold about two each.
+/// Sorts triangles: by first vertices into buckets of about two triangles each.
 fn sorted(triangles: impl Iterator<Item = [Vertex; 3]>) -> Vec<[Vertex; 3]> {
     let all: Vec<[Vertex; 3]> = triangles.collect();
-    // (Constructed vertices have the largest indices, and there are few of them.)
+    // (Constructed vertices have the largest indices, and are few.)
     let input = all.iter().filter(|triangle| !triangle[0].is_constructed()).map(|triangle| triangle[0].index()).max();
     let buckets = input.map_or(0, |largest| largest + 1);
     let bucket = |triangle: &[Vertex; 3]| triangle[0].index().min(buckets);
@@ -110,7 +110,7 @@ fn sorted(triangles: impl Iterator<Item = [Vertex; 3]>) -> Vec<[Vertex; 3]> {
     sorted
 }
 
-/// Each copy with the vertex that stands for it in the end. One that stood for others can be a copy later.
+/// Each copy with its final representative. A representative can become a copy later.
 pub(super) fn resolved(found: &[[Vertex; 2]]) -> Vec<[Vertex; 2]> {
     let mut last: HashMap<Vertex, Vertex> = HashMap::with_capacity(found.len());
     for &[copy, of] in found.iter().rev() {

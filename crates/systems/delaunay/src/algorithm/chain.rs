@@ -1,4 +1,4 @@
-//! Vertices in one line, for as long as all are.
+//! Collinear vertices, as long as all vertices are collinear.
 
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
@@ -13,13 +13,13 @@ pub(super) fn order<P: Predicates + ?Sized>(session: &P, a: Vertex, b: Vertex) -
     }
 }
 
-/// Whether a vertex in one line with two others is strictly between them.
+/// True if a vertex collinear with two others is strictly between them.
 pub(super) fn is_between<P: Predicates + ?Sized>(session: &P, a: Vertex, b: Vertex, v: Vertex) -> bool {
     let side = order(session, a, v);
     side != Sign::Zero && side == order(session, v, b)
 }
 
-/// Vertices in their order, one for each place, and the others each with the first one in its place.
+/// Vertices in their order, one for each place, and each other vertex with the first one in its place.
 pub(super) fn sorted<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> (Vec<Vertex>, Vec<[Vertex; 2]>) {
     let scene = session.scene();
     let key = |v: Vertex| scene.point2(Plane::Xy, v);
@@ -38,7 +38,7 @@ pub(super) fn sorted<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -
     (chain, copies)
 }
 
-/// Joins a chain to a vertex beside it: the triangles between, and the infinite ones around.
+/// Joins a chain to a vertex off its line: adds the triangles between them and the infinite triangles around.
 pub(super) fn fan(mesh: &mut Mesh, chain: &[Vertex], v: Vertex, side: Sign) {
     let chain: Vec<Vertex> = match side {
         Sign::Negative => chain.iter().rev().copied().collect(),
@@ -58,13 +58,13 @@ pub(super) fn fan(mesh: &mut Mesh, chain: &[Vertex], v: Vertex, side: Sign) {
         open = Some(edge.next());
     }
     inner.extend(open);
-    // From v to the first one, along the chain, and back to v: the hull, counterclockwise.
+    // From v to the first vertex of the chain, along the chain, and back to v: the hull, counterclockwise.
     let ends = [v].into_iter().chain(chain.iter().copied()).chain([v]).collect::<Vec<_>>();
     assert_eq!((ends[1], ends[ends.len() - 2]), (first, last));
     let outer: Vec<Edge> = ends.windows(2).map(|pair| mesh.add(INFINITE, pair[1], pair[0])).collect();
     for (at, (&outside, &inside)) in outer.iter().zip(&inner).enumerate() {
         mesh.link(outside, inside);
-        // An infinite triangle of the edge that follows on the hull begins where this one's ends.
+        // The infinite triangle of the next hull edge begins at the end of this one.
         mesh.link(outside.previous(), outer[(at + 1) % outer.len()].next());
     }
 }

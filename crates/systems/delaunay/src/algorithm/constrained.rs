@@ -1,12 +1,13 @@
 //! Constraints: segments between vertices that have to be edges, or chains of edges.
 //!
-//! The triangles that a segment crosses are replaced: on either side of it the vertices around are triangulated anew, each
-//! triangle with the vertex whose circle has no other one in it. Where it passes through a vertex, it goes on from there; where
-//! it crosses an edge of another constraint, the point of both is constructed and inserted, and both go through it. An edge
-//! that is no part of a constraint is Delaunay in the end: its circles hold no vertex that is seen across it.
+//! The triangles that a segment crosses are replaced. On each side of the segment, the polygon of vertices is
+//! triangulated anew; each triangle takes the vertex whose circle contains no other vertex of the polygon. If the
+//! segment passes through a vertex, it continues from there. If it crosses an edge of another constraint, the crossing
+//! point is constructed and inserted, and both constraints pass through it. In the end, every edge that is not part of
+//! a constraint is Delaunay: the circles of its triangles contain no vertex visible across it.
 //!
-//! All ends are vertices, so no constraint leaves the hull. One whose ends are in one place has no length, and nothing is held.
-//! Constraints that overlap share edges.
+//! All ends are vertices, so a constraint never leaves the hull. A constraint whose ends are in one place has no
+//! length, and adds no edge. Constraints that overlap share edges.
 
 use std::collections::HashMap;
 
@@ -20,7 +21,8 @@ use super::{Contradiction, Triangulation};
 /// The constrained Delaunay triangulation of the scene's input vertices.
 ///
 /// # Errors
-/// [`Refused`] where constraints cross and the session constructs no such point, or does not answer about circles of one.
+/// [`Refused`] if constraints cross, and the session does not construct the crossing or does not answer incircle
+/// queries about it.
 pub fn constrained_delaunay2d<P: Predicates + ?Sized>(
     session: &mut P,
     constraints: &[[Vertex; 2]],
@@ -45,10 +47,10 @@ pub fn constrained_delaunay2d<P: Predicates + ?Sized>(
     Ok(triangulation)
 }
 
-/// The mark of a vertex that is in no triangle.
+/// The mark of a vertex without a triangle.
 const NONE: u32 = u32::MAX;
 
-/// Constraints being laid into a triangulation.
+/// The state of laying constraints into a triangulation.
 struct Laying<'a> {
     triangulation: &'a mut Triangulation,
     inputs: usize,
@@ -58,19 +60,20 @@ struct Laying<'a> {
     of: HashMap<[Vertex; 2], usize>,
 }
 
-/// What a segment meets first.
+/// The first vertex or edge that a segment meets.
 enum First {
-    /// This vertex, at the end of this edge.
+    /// A vertex, at the end of this edge.
     Vertex(Edge, Vertex),
-    /// This edge.
+    /// An edge.
     Edge(Edge),
 }
 
 /// The triangles that a segment crosses.
 enum Crossed {
-    /// Up to this vertex, with the edges on the right from the first one on, and those on the left from the last one on.
+    /// All triangles up to this vertex, with the edges on the right from the first one on, and those on the left from
+    /// the last one on.
     UpTo(Vertex, [Vec<(Vertex, Edge)>; 2], Vec<u32>),
-    /// Up to this edge of another constraint.
+    /// The triangles up to this edge of another constraint.
     Constraint(Edge),
 }
 
@@ -83,7 +86,7 @@ impl Laying<'_> {
         v.construction().map_or(v.index(), |index| self.inputs + index)
     }
 
-    /// Notes where the corners of triangles are.
+    /// Records a triangle for each corner of these triangles.
     fn note(&mut self, triangles: Vec<u32>) {
         for triangle in triangles {
             for v in self.triangulation.mesh.corners(triangle) {
@@ -98,7 +101,7 @@ impl Laying<'_> {
         }
     }
 
-    /// Lays one constraint; inside an invariant that does not hold.
+    /// Lays one constraint; the inner error is an invariant that does not hold.
     fn lay<P: Predicates + ?Sized>(
         &mut self,
         session: &mut P,
@@ -107,7 +110,7 @@ impl Laying<'_> {
         [a, b]: [Vertex; 2],
     ) -> Result<Result<(), Contradiction>, Refused> {
         let mut open = if a == b { Vec::new() } else { vec![[a, b]] };
-        // It goes through no vertex twice, and crosses no constraint twice.
+        // A constraint passes each vertex at most once, and crosses each constraint at most once.
         for _ in 0..2 * (self.at.len() + constraints.len()) {
             let Some([u, w]) = open.pop() else { return Ok(Ok(())) };
             let first = match self.first(&*session, u, w) {
@@ -146,7 +149,7 @@ impl Laying<'_> {
         Ok(if open.is_empty() { Ok(()) } else { Err(Contradiction::Leaves) })
     }
 
-    /// What the segment from u to w meets first.
+    /// The first vertex or edge that the segment from u to w meets.
     fn first<P: Predicates + ?Sized>(&self, session: &P, u: Vertex, w: Vertex) -> Result<First, Contradiction> {
         let mesh = &self.triangulation.mesh;
         let triangle =
@@ -213,7 +216,7 @@ impl Laying<'_> {
         }
     }
 
-    /// Replaces crossed triangles by those of both sides of an edge.
+    /// Replaces crossed triangles by triangles on both sides of an edge.
     fn replace<P: Predicates + ?Sized>(
         &mut self,
         session: &P,
@@ -223,8 +226,8 @@ impl Laying<'_> {
         triangles: &[u32],
     ) {
         let mesh = &mut self.triangulation.mesh;
-        // The two sides of the new edge are named as the first one that was crossed, and of an edge with crossed triangles on
-        // both sides, by what they were.
+        // Two-sided edges are known by their old names until both sides exist. The new edge takes the name of the first
+        // crossed edge; an edge with crossed triangles on both sides keeps its own name.
         let base = [mesh.across(first), first];
         let side = |&(v, edge): &(Vertex, Edge)| {
             let outside = mesh.across(edge);
@@ -261,7 +264,8 @@ impl Laying<'_> {
         self.note(filled);
     }
 
-    /// Inserts the point where a constraint crosses an edge of another one; inside an invariant that does not hold.
+    /// Inserts the crossing point of a constraint and an edge of another; the inner error is an invariant that does not
+    /// hold.
     fn cross<P: Predicates + ?Sized>(
         &mut self,
         session: &mut P,

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that does not hold, where signs contradict each other.
+    /// An invariant that does not hold, because signs contradict each other.
     pub enum Contradiction {
         Crosses: "a constraint crosses a triangle once and stays in the hull", "a constraint crosses a triangle twice or leaves the hull";
         Leaves: "a constraint leaves its end through an edge or a vertex", "a constraint leaves its end through no edge and no vertex";

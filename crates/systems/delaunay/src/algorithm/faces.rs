@@ -1,8 +1,9 @@
-//! The canonical rule: a face of vertices on one circle is cut as a fan from its smallest index.
+//! The canonical rule: a face of cocircular vertices is cut as a fan from its smallest index.
 //!
-//! The faces are those of the plane divided by all edges that must be there: where an edge and its two triangles have their
-//! four vertices on one circle, and no constraint is on it, another edge would do. Such edges are round. A face has a convex
-//! boundary, so the fan from any of its vertices is made of triangles; it is the same whatever the order of insertion was.
+//! The faces are those of the plane divided by all edges that must be there. If the four vertices of an edge and its
+//! two triangles are on one circle, and no constraint is on the edge, another edge would also be Delaunay. Such edges
+//! are called round. A face has a convex boundary, so the fan from any of its vertices consists of triangles. The fan
+//! does not depend on the order of insertion.
 
 use predicament_predicates::{Predicates, Sign};
 
@@ -10,7 +11,7 @@ use super::mesh::{Edge, Mesh};
 use super::{Contradiction, Triangulation};
 
 impl Triangulation {
-    /// Cuts all faces by the rule. It is part of [`delaunay2d`](super::delaunay2d), and to be called again after vertices
+    /// Cuts all faces by the rule. [`delaunay2d`](super::delaunay2d) does this itself; call it again after vertices
     /// were inserted or removed one by one.
     pub fn cut_faces(&mut self) {
         self.mesh.unmark();
@@ -30,12 +31,12 @@ impl Triangulation {
         }
     }
 
-    /// Finds out which edges of these triangles are round.
+    /// Determines the round edges of these triangles.
     pub(super) fn look_for_round<P: Predicates + ?Sized>(&mut self, session: &P, triangles: &[u32]) {
         for &triangle in triangles {
             for edge in [0, 1, 2].map(|corner| Edge::new(triangle, corner)) {
                 let outside = self.mesh.across(edge);
-                // What is beyond an edge of the hull is on no circle.
+                // A hull edge is not round.
                 let is_round = match (self.mesh.solid(triangle), self.mesh.solid(outside.triangle())) {
                     (Some([a, b, c]), Some(_)) => session.incircle(a, b, c, self.mesh.apex(outside)) == Sign::Zero,
                     _ => false,

@@ -1,4 +1,4 @@
-//! Holes: polygons that are filled with triangles whose circles are empty of their vertices.
+//! Holes: polygons that are filled with triangles whose circles contain none of the polygon's vertices.
 
 use std::collections::HashMap;
 
@@ -7,20 +7,20 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 use super::mesh::{Edge, INFINITE, Mesh};
 use super::{Contradiction, Triangulation};
 
-/// What is beyond an edge of a hole.
+/// The other side of an edge of a hole.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Side {
     /// A triangle that is kept.
     Kept(Edge),
-    /// The same hole or another one that is filled with it; the name of the edge.
+    /// The same hole, or another one that is filled with it; the name of the edge.
     Twin(Edge),
 }
 
 impl Triangulation {
-    /// Fills a polygon, given by its vertices, each with what is beyond the edge that begins there; the new triangles. The
-    /// new side of each edge that has a twin is put down under the edge's name.
+    /// Fills a polygon, and returns the new triangles. The polygon is a list of vertices, each with the other side of
+    /// the edge that begins there. The new side of each edge that has a twin is stored under the edge's name.
     ///
-    /// The circle of a triangle has no vertex of the polygon in it that is on the inner side of its first edge.
+    /// The circle of a triangle contains no vertex of the polygon that is on the inner side of its first edge.
     pub(super) fn fill_hole<P: Predicates + ?Sized>(
         &mut self,
         session: &P,
@@ -30,7 +30,7 @@ impl Triangulation {
         let mut open = vec![polygon];
         let mut filled = Vec::new();
         while let Some(mut polygon) = open.pop() {
-            // The first edge has no infinite end.
+            // The first edge must not have the infinite vertex as an end.
             if let Some(at) = polygon.iter().position(|&(v, _)| v == INFINITE) {
                 let length = polygon.len();
                 polygon.rotate_left((at + 1) % length);
@@ -53,7 +53,7 @@ impl Triangulation {
     }
 }
 
-/// Links a new edge to what is beyond it.
+/// Links a new edge to its other side.
 fn settle(mesh: &mut Mesh, twins: &mut HashMap<Edge, Edge>, edge: Edge, side: Side) {
     match side {
         Side::Kept(outside) => mesh.join(edge, outside),
@@ -61,7 +61,7 @@ fn settle(mesh: &mut Mesh, twins: &mut HashMap<Edge, Edge>, edge: Edge, side: Si
     }
 }
 
-/// A part of a hole that a side of a triangle closes: one edge is linked to it, more are a hole of their own.
+/// Closes a part of a hole with a side of a triangle: a part of one edge is linked, a larger part becomes a new hole.
 fn close(
     mesh: &mut Mesh,
     twins: &mut HashMap<Edge, Edge>,
@@ -75,7 +75,8 @@ fn close(
     }
 }
 
-/// The place of the vertex that makes a triangle with the first edge: its circle has no other vertex of the polygon in it.
+/// The index of the vertex that makes a triangle with the first edge: its circle contains no other vertex of the
+/// polygon.
 fn apex<P: Predicates + ?Sized>(session: &P, polygon: &[(Vertex, Side)]) -> Option<usize> {
     let [(a, _), (b, _), others @ ..] = polygon else { return None };
     let mut best: Option<usize> = None;

@@ -1,4 +1,4 @@
-//! Insertion: all triangles whose circle a vertex is in are replaced by triangles with it.
+//! Insertion: all triangles whose circle contains the vertex are replaced by triangles with it.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
@@ -7,11 +7,11 @@ use super::locate::{Place, locate};
 use super::mesh::{Edge, INFINITE, Mesh};
 use super::{Contradiction, Triangulation};
 
-/// So many vertices are fetched from memory at once.
+/// The number of vertices that are prefetched at once.
 const AHEAD: usize = 8;
 
-/// Fetches the points of the next vertices into the cache: the predicates will ask for them one by one, in no order of
-/// memory, and wait each time.
+/// Prefetches the points of the next vertices into the cache: the predicates read them one by one, in random order of
+/// memory, and would wait each time.
 #[inline]
 fn touch(points: &[[f64; 2]], next: &[Vertex]) {
     for v in next.iter().take(AHEAD) {
@@ -21,12 +21,12 @@ fn touch(points: &[[f64; 2]], next: &[Vertex]) {
 }
 
 impl Triangulation {
-    /// These vertices, inserted in this order.
+    /// The triangulation of these vertices, inserted in this order.
     pub(super) fn in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vertex]) -> Triangulation {
         let mut triangulation =
             Triangulation { mesh: Mesh::with_capacity(2 * vertices.len()), ..Triangulation::default() };
         let Some(&first) = vertices.first() else { return triangulation };
-        // Three vertices in no line come first.
+        // Three vertices that are not collinear come first.
         let second = vertices.iter().copied().find(|&v| v != first && chain::order(session, first, v) != Sign::Zero);
         let third = second.and_then(|second| {
             let side = |v: Vertex| session.orient2d(Plane::Xy, first, second, v);
@@ -56,7 +56,7 @@ impl Triangulation {
     /// Inserts a vertex.
     ///
     /// # Errors
-    /// The invariant that does not hold, where signs contradict each other: then the triangulation is as it was.
+    /// The invariant that does not hold, if signs contradict each other; the triangulation is then unchanged.
     #[inline]
     pub fn insert<P: Predicates + ?Sized>(&mut self, session: &P, v: Vertex) -> Result<(), Contradiction> {
         if self.mesh.is_empty() {
@@ -72,8 +72,8 @@ impl Triangulation {
         }
     }
 
-    /// Replaces the triangles whose circle a vertex is in, from one of them on. Constraints are not crossed, but for the
-    /// edge that the vertex is on.
+    /// Replaces the triangles whose circle contains a vertex, starting from one of them. Constraints are not crossed,
+    /// except the edge that the vertex is on.
     #[inline]
     pub(super) fn replace<P: Predicates + ?Sized>(
         &mut self,
@@ -92,7 +92,7 @@ impl Triangulation {
             }
             is_in_circle(session, mesh, outside, v)
         })?;
-        // Wrong signs can hide from the walk that it is there already.
+        // Wrong signs can keep point location from finding that the vertex is already there.
         if self.region.border.iter().any(|&outside| self.mesh.start(outside) == v) {
             return Err(Contradiction::Disc);
         }
@@ -125,7 +125,7 @@ impl Triangulation {
         self.near = 0;
     }
 
-    /// One of two vertices in one place: the smaller stands for both.
+    /// Merges two vertices in one place: the smaller represents both.
     fn stand_for(&mut self, edge: Edge, v: Vertex) {
         let other = self.mesh.apex(edge);
         if v < other {
@@ -137,11 +137,13 @@ impl Triangulation {
     }
 }
 
-/// Whether a vertex is in the circle of the triangle beyond an edge; that of an infinite one is a half-plane, and of its
-/// line what is between its ends. Where the vertex is on the circle, the edge is noted to be round.
+/// True if a vertex is in the circle of the triangle beyond an edge.
 ///
-/// An edge between two new triangles never is: all four vertices on one circle, which is empty, were a face before the new one
-/// came, and its triangles stay.
+/// The circle of an infinite triangle is a half-plane, with the part of its line between the edge's ends. If the vertex
+/// is on the circle, the edge is marked round.
+///
+/// An edge between two new triangles is never round. If its four vertices are on one circle, which is empty, they were
+/// a face before the new vertex came, and the triangles of that face stay.
 #[inline(always)]
 fn is_in_circle<P: Predicates + ?Sized>(session: &P, mesh: &mut Mesh, outside: Edge, v: Vertex) -> bool {
     let [a, b, c] = mesh.corners(outside.triangle());

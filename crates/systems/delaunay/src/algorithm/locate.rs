@@ -1,8 +1,8 @@
 //! Point location: a walk from triangle to triangle.
 //!
-//! A visibility walk is short where triangles are of like size. It leaves a triangle by any side that the vertex is beyond, and
-//! where thousands of triangles share a far vertex it can go all the way round that one. So a walk that gets long begins
-//! again, straight: only through triangles that the segment to the vertex meets.
+//! A visibility walk is short if triangles are of similar size. It leaves a triangle by any side that separates it from
+//! the vertex. If thousands of triangles share a far vertex, the walk can go all the way round that vertex. So a walk
+//! that gets long is restarted as a straight walk: only through triangles that the segment to the vertex meets.
 
 use super::Contradiction;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
@@ -10,22 +10,22 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 use super::chain::order;
 use super::mesh::{Edge, Mesh};
 
-/// After so many steps a walk begins again, straight.
+/// The number of steps after which a walk is restarted as a straight walk.
 const LONG: u32 = 32;
 
-/// Where a vertex is.
+/// The place of a vertex in the triangulation.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Place {
-    /// In the place of the vertex opposite of this edge.
+    /// At the vertex opposite of this edge.
     At(Edge),
-    /// In this triangle or on its boundary, or beyond its edge where it is infinite.
+    /// In this triangle or on its boundary; beyond the triangle's edge if it is infinite.
     In(u32),
 }
 
-/// Walks to a vertex from a triangle on.
+/// Walks to a vertex, starting from a triangle.
 ///
 /// # Errors
-/// The invariant that does not hold.
+/// If an invariant does not hold; the error names it.
 #[inline]
 pub(super) fn locate<P: Predicates + ?Sized>(
     session: &P,
@@ -38,7 +38,7 @@ pub(super) fn locate<P: Predicates + ?Sized>(
     if let Some(edge) = mesh.opposite(triangle, v) {
         return Ok(Place::At(edge));
     }
-    // All three sides of the first triangle are looked at, then the two by which a triangle was not entered.
+    // In the first triangle all three sides are tested, then the two sides by which a triangle was not entered.
     let first = [0, 1, 2].map(|corner| Edge::new(triangle, corner));
     let mut on: Option<Edge> = None;
     let mut next = None;
@@ -83,14 +83,15 @@ pub(super) fn locate<P: Predicates + ?Sized>(
     Err(Contradiction::Walk)
 }
 
-/// Walks straight from the vertex opposite of an edge; the edge by which the last triangle is entered: one that the vertex is
-/// in, or an infinite one. None where signs contradict each other, or where no triangle at the start is towards the vertex.
+/// Walks straight from the vertex opposite of an edge to a vertex. Returns the edge by which the walk enters the last
+/// triangle: one that contains the vertex, or an infinite one. `None` if signs contradict each other, or no triangle at
+/// the start is towards the vertex.
 #[cold]
 #[inline(never)]
 fn straight<P: Predicates + ?Sized>(session: &P, mesh: &Mesh, edge: Edge, v: Vertex) -> Option<Edge> {
     let start = mesh.apex(edge);
     let side = |a: Vertex, b: Vertex, c: Vertex| session.orient2d(Plane::Xy, a, b, c);
-    // Around the start, counterclockwise, to the triangle that the segment goes into.
+    // Around the start, counterclockwise, to the triangle that the segment enters.
     let around = std::iter::successors(Some(edge), |&edge| Some(mesh.across(edge.next()).next()));
     let mut towards = around.take(mesh.len() as usize).filter(|edge| !mesh.is_infinite(edge.triangle()));
     let edge = towards.find(|&edge| {
@@ -115,7 +116,7 @@ fn straight<P: Predicates + ?Sized>(session: &P, mesh: &Mesh, edge: Edge, v: Ver
     None
 }
 
-/// A vertex on two sides of a triangle.
+/// Handles a vertex on two sides of a triangle.
 #[cold]
 #[inline(never)]
 fn at_corner<P: Predicates + ?Sized>(

@@ -1,20 +1,22 @@
 //! Triangles with their neighbours, around an infinite vertex.
 //!
-//! Beside each edge of the hull is a triangle with the infinite vertex, its last corner: so every edge has two triangles,
-//! and a vertex outside of the hull is in one of them. A triangle takes 32 bytes, half a line of a cache.
+//! Beside each edge of the hull is a triangle with the infinite vertex as its last corner. So every edge has two
+//! triangles, and a vertex outside of the hull is in one of the infinite triangles. A triangle takes 32 bytes, half a
+//! cache line.
 
 use predicament_predicates::Vertex;
 
-/// The vertex that is in no place: a triangle with it is what lies beyond an edge of the hull.
+/// The infinite vertex: a triangle with it is beyond an edge of the hull.
 pub(super) const INFINITE: Vertex = Vertex::constructed(Vertex::MAX_CONSTRUCTED - 1);
 
-/// The flag of the edge opposite of the first corner, where its four vertices are on one circle; the next two are those of
-/// the others.
+/// The flag of the edge opposite of the first corner if its four vertices are on one circle; the next two bits are for
+/// the other edges.
 const ROUND: u32 = 1;
-/// The same, where the edge is part of a constraint.
+/// The flag of the edge opposite of the first corner if it is part of a constraint; the next two bits are for the other
+/// edges.
 const CONSTRAINED: u32 = 1 << 3;
 
-/// An edge of a triangle, named by the triangle and the corner opposite of it; it goes counterclockwise.
+/// An edge of a triangle, given by the triangle and the opposite corner; it goes counterclockwise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub(super) struct Edge(u32);
 
@@ -34,13 +36,13 @@ impl Edge {
         self.0 & 3
     }
 
-    /// The edge of the same triangle that begins where this one ends.
+    /// The edge of the same triangle that begins at the end of this one.
     #[inline(always)]
     pub fn next(self) -> Edge {
         Edge::new(self.triangle(), after(self.corner()))
     }
 
-    /// The edge of the same triangle that ends where this one begins.
+    /// The edge of the same triangle that ends at the start of this one.
     #[inline(always)]
     pub fn previous(self) -> Edge {
         self.next().next()
@@ -57,22 +59,22 @@ fn after(corner: u32) -> u32 {
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 struct Triangle {
-    /// Counterclockwise; an infinite vertex is the last.
+    /// The corners counterclockwise; an infinite vertex is the last.
     corners: [Vertex; 3],
     /// The edge of the neighbour, opposite of each corner.
     across: [Edge; 3],
     flags: u32,
-    /// The last mark that it got.
+    /// The last mark of the triangle.
     mark: u32,
 }
 
-/// A triangulation of the sphere of the plane and an infinite vertex.
+/// A triangulation of the sphere: the plane and an infinite vertex.
 #[derive(Clone, Default, Debug)]
 pub(super) struct Mesh {
     triangles: Vec<Triangle>,
-    /// Triangles that are no more.
+    /// Removed triangles.
     free: Vec<u32>,
-    /// The mark that triangles get.
+    /// The current mark.
     mark: u32,
 }
 
@@ -85,7 +87,7 @@ impl Mesh {
         self.triangles.is_empty()
     }
 
-    /// How many numbers of triangles there are, those that are free included.
+    /// The number of triangle indices, including free ones.
     pub fn len(&self) -> u32 {
         u32::try_from(self.triangles.len()).unwrap_or(u32::MAX)
     }
@@ -100,14 +102,14 @@ impl Mesh {
         self.triangles[triangle as usize].corners
     }
 
-    /// The corners of triangles of the plane; none of others.
+    /// The corners of a finite triangle; `None` for infinite and free ones.
     #[inline(always)]
     pub fn solid(&self, triangle: u32) -> Option<[Vertex; 3]> {
         let corners = self.corners(triangle);
         (corners[2] != INFINITE).then_some(corners)
     }
 
-    /// Whether the triangle has the infinite vertex, or is free.
+    /// True if the triangle has the infinite vertex, or is free.
     #[inline(always)]
     pub fn is_infinite(&self, triangle: u32) -> bool {
         self.corners(triangle)[2] == INFINITE
@@ -134,14 +136,14 @@ impl Mesh {
         self.corners(edge.triangle())[edge.corner() as usize]
     }
 
-    /// Makes two edges those of one line.
+    /// Links two edges as the two sides of one line.
     #[inline(always)]
     pub fn link(&mut self, a: Edge, b: Edge) {
         self.triangles[a.triangle() as usize].across[a.corner() as usize] = b;
         self.triangles[b.triangle() as usize].across[b.corner() as usize] = a;
     }
 
-    /// Links an edge of a new triangle to one that is kept; it takes over the flags.
+    /// Links an edge of a new triangle to an edge that is kept; the new edge takes over the flags.
     #[inline(always)]
     pub fn join(&mut self, new: Edge, kept: Edge) {
         let other = &mut self.triangles[kept.triangle() as usize];
@@ -152,7 +154,7 @@ impl Mesh {
         own.flags |= flags << new.corner();
     }
 
-    /// Adds a triangle, without neighbours; its edge opposite of the first of these vertices.
+    /// Adds a triangle without neighbours; returns its edge opposite of the first of these vertices.
     #[inline(always)]
     pub fn add(&mut self, a: Vertex, b: Vertex, c: Vertex) -> Edge {
         let triangle = self.free.pop().unwrap_or_else(|| {
@@ -163,7 +165,7 @@ impl Mesh {
         self.set(triangle, a, b, c)
     }
 
-    /// Gives a triangle other corners, and no flags; its edge opposite of the first of these vertices.
+    /// Sets a triangle's corners and clears its flags; returns its edge opposite of the first of these vertices.
     #[inline(always)]
     pub fn set(&mut self, triangle: u32, a: Vertex, b: Vertex, c: Vertex) -> Edge {
         let (corners, corner) = if b == INFINITE {
@@ -179,38 +181,38 @@ impl Mesh {
         Edge::new(triangle, corner)
     }
 
-    /// Gives up a triangle.
+    /// Frees a triangle.
     pub fn free(&mut self, triangle: u32) {
         self.triangles[triangle as usize].corners = [INFINITE; 3];
         self.triangles[triangle as usize].flags = 0;
         self.free.push(triangle);
     }
 
-    /// Takes the marks off all triangles.
+    /// Removes the marks of all triangles.
     #[inline(always)]
     pub fn unmark(&mut self) {
         self.mark += 1;
     }
 
-    /// Marks a triangle; whether it was marked already.
+    /// Marks a triangle; returns true if it was marked already.
     #[inline(always)]
     pub fn mark(&mut self, triangle: u32) -> bool {
         std::mem::replace(&mut self.triangles[triangle as usize].mark, self.mark) == self.mark
     }
 
-    /// Whether a triangle is marked.
+    /// True if a triangle is marked.
     #[inline(always)]
     pub fn is_marked(&self, triangle: u32) -> bool {
         self.triangles[triangle as usize].mark == self.mark
     }
 
-    /// Whether an edge is part of a constraint.
+    /// True if an edge is part of a constraint.
     #[inline(always)]
     pub fn is_constrained(&self, edge: Edge) -> bool {
         self.triangles[edge.triangle() as usize].flags & CONSTRAINED << edge.corner() != 0
     }
 
-    /// Makes both sides of an edge part of a constraint.
+    /// Flags both sides of an edge as part of a constraint.
     pub fn constrain(&mut self, edge: Edge) {
         for edge in [edge, self.across(edge)] {
             self.triangles[edge.triangle() as usize].flags |= CONSTRAINED << edge.corner();
@@ -223,13 +225,13 @@ impl Mesh {
         edges.filter(|&edge| self.is_constrained(edge) && edge < self.across(edge))
     }
 
-    /// Whether the four vertices at an edge were found on one circle.
+    /// True if the four vertices at an edge were found to be cocircular.
     #[inline(always)]
     pub fn is_round(&self, edge: Edge) -> bool {
         self.triangles[edge.triangle() as usize].flags & ROUND << edge.corner() != 0
     }
 
-    /// Notes on one side of an edge whether its four vertices are on one circle.
+    /// Sets, on one side of an edge, whether its four vertices are cocircular.
     #[inline(always)]
     pub fn set_round(&mut self, edge: Edge, is_round: bool) {
         let flags = &mut self.triangles[edge.triangle() as usize].flags;
@@ -239,7 +241,7 @@ impl Mesh {
         }
     }
 
-    /// Whether an edge of a triangle is round.
+    /// True if an edge of the triangle is round.
     #[inline]
     pub fn has_round(&self, triangle: u32) -> bool {
         self.triangles[triangle as usize].flags & (7 * ROUND) != 0
@@ -253,7 +255,7 @@ impl Mesh {
 
     /// The edges opposite of a vertex, counterclockwise, from one of them on.
     pub fn around(&self, opposite: Edge) -> impl Iterator<Item = Edge> + '_ {
-        // No walk is longer than there are triangles, whatever the links are.
+        // The number of triangles bounds the steps, whatever the links are.
         let turn = move |&edge: &Edge| {
             let next = self.across(edge.next()).next();
             (next != opposite).then_some(next)
@@ -261,7 +263,7 @@ impl Mesh {
         std::iter::successors(Some(opposite), turn).take(self.triangles.len())
     }
 
-    /// Calls a vertex by another name.
+    /// Renames a vertex.
     pub fn rename(&mut self, opposite: Edge, name: Vertex) {
         let star: Vec<Edge> = self.around(opposite).collect();
         for edge in star {

@@ -1,19 +1,20 @@
 //! Delaunay triangulations of points of the plane, by insertion in random rounds along a space-filling curve.
 //!
-//! # What a zero means
-//! * Vertices that no coordinate tells apart are one: the smallest index stands for all, the others are its
+//! # Meaning of a zero
+//! * Vertices that compare equal on both axes are one: the smallest index represents all, the others are its
 //!   [copies](Delaunay2::copies).
-//! * All vertices in one line: no triangle; they are the [chain](Delaunay2::chain).
-//! * Vertices in the line of an edge of the hull, between its ends, divide it: every vertex is one of a triangle.
-//! * More than three vertices on one circle with none inside: each such face is cut as a fan from its smallest index.
+//! * All vertices on one line: no triangle; the vertices are the [chain](Delaunay2::chain).
+//! * Vertices on an edge of the hull, between its ends, divide it: every vertex is a corner of a triangle.
+//! * More than three vertices on one empty circle: each such face is cut as a fan from its smallest index.
 //!
-//! So the answer does not depend on the order of insertion. A session that never says zero gets the triangulation of its
-//! perturbed points, which is unique: no copies, no chain of three, triangles that only the perturbation opens.
+//! So the answer does not depend on the order of insertion. A session that never answers zero gets the triangulation of
+//! its perturbed points, which is unique. It has no copies and no chain of three, and some of its triangles have area
+//! only by the perturbation.
 //!
-//! # Signs that contradict each other
-//! Every loop is bounded by the number of triangles. Where a step is impossible the algorithm stops: the answer holds the
-//! triangulation as it was before it, and the [`Contradiction`]. Only a hole, left by a vertex or by
-//! triangles that a constraint crosses, is filled in any case, with triangles that wrong signs may have turned over.
+//! # Contradictory signs
+//! Every loop is bounded by the number of triangles. If a step is impossible, the algorithm stops: the answer holds the
+//! triangulation before that step, and the [`Contradiction`]. The only exception is a hole, left by a vertex or by
+//! triangles that a constraint crosses: it is always filled, with triangles that wrong signs may have inverted.
 
 mod answer;
 mod chain;
@@ -54,18 +55,18 @@ pub fn delaunay2d_in_order<P: Predicates + ?Sized>(session: &P, vertices: &[Vert
     triangulation
 }
 
-/// A Delaunay triangulation to which vertices can be added, and from which they can be removed.
+/// A Delaunay triangulation that supports insertion and removal of vertices.
 ///
-/// It is of the vertices that were inserted, and asks the session that is handed to it: the same one each time. Where there
-/// are constraints, vertices are not to be added or removed any more.
+/// It contains the inserted vertices. Pass the same session to each call. With constraints, vertices must not be added
+/// or removed any more.
 #[derive(Clone, Default, Debug)]
 pub struct Triangulation {
     mesh: Mesh,
-    /// All vertices, where they are in one line; then there is no triangle.
+    /// All vertices if they are collinear, without any triangle; else empty.
     chain: Vec<Vertex>,
-    /// Vertices, and which one stood for each of them when it was found.
+    /// Copies, each with its representative at the time it was found.
     copies: Vec<[Vertex; 2]>,
-    /// Where the next walk begins.
+    /// The triangle where the next walk begins.
     near: u32,
     /// The points where constraints cross, in the order of their construction.
     crossings: Vec<Construction>,

@@ -1,22 +1,22 @@
 //! The order of insertion: rounds of random points, each along a Hilbert curve.
 //!
-//! A biased randomized insertion order (Amenta, Choi and Rote 2003) keeps the expected number of steps low for any points:
-//! each round has about sixteen times the points of those before. Along the curve a point is close to the one before it. Raw
-//! coordinates decide the order, and nothing else: the triangulation does not depend on it.
+//! A biased randomized insertion order (Amenta, Choi and Rote 2003) keeps the expected number of steps low for any
+//! points: each round has about sixteen times the points of all rounds before it. Along the curve, each point is close
+//! to the previous one. Only raw coordinates decide the order; the triangulation does not depend on it.
 //!
-//! A point's round is a hash of its coordinates, so that points in one place come one after the other, in the order of their
+//! A point's round is a hash of its coordinates, so that points in one place are consecutive, in the order of their
 //! indices.
 
 use predicament_predicates::Vertex;
 
 /// The bits of a cell along each axis.
 const BITS: u32 = 14;
-/// More points than this in one cell are ordered along a curve of their own.
+/// The number of points in one cell above which they are ordered along a separate curve.
 const CROWD: usize = 4;
-/// Each round has about two to this power times the points of the rounds before it. With more rounds fewer triangles are
-/// replaced; but in each round all that the curve comes by has to be fetched from memory once more.
+/// Each round has about two to this power times the points of the rounds before it. More rounds replace fewer
+/// triangles, but each round has to fetch from memory all that the curve passes.
 const SHARE: u32 = 4;
-/// About so many points are in the first round.
+/// The approximate minimum number of points in the first round.
 const FIRST_ROUND: usize = 128;
 /// The bits of one pass of the sort.
 const DIGIT: u32 = 11;
@@ -31,7 +31,7 @@ pub(super) fn insertion_order(points: &[[f64; 2]]) -> Vec<Vertex> {
     items.into_iter().map(|item| Vertex::input(index(item))).collect()
 }
 
-/// The point of an item: its lower half.
+/// The point of an item: the item's lower half.
 fn index(item: u64) -> usize {
     usize::try_from(item & u64::from(u32::MAX)).unwrap_or(0)
 }
@@ -43,7 +43,7 @@ fn hash([x, y]: [f64; 2]) -> u64 {
     (hash ^ hash >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 20
 }
 
-/// Sorts items by round, up to the last one, and by place on the curve; those in one cell again, in cells of their own.
+/// Sorts items by round, up to the last one, and by place on the curve; crowded cells are sorted again, in finer cells.
 fn along_curve(points: &[[f64; 2]], items: &mut [u64], scratch: &mut Vec<u64>, last: u32) {
     let cells = Cells::around(points, items);
     for item in &mut *items {
@@ -64,7 +64,7 @@ fn along_curve(points: &[[f64; 2]], items: &mut [u64], scratch: &mut Vec<u64>, l
 /// A square of cells around some points.
 struct Cells {
     low: [f64; 2],
-    /// The side of the square, halved: a difference of finite numbers may not be finite.
+    /// Half the side of the square: a difference of finite numbers may not be finite.
     size: f64,
 }
 
@@ -87,7 +87,7 @@ impl Cells {
         let mut cell = [0; 2];
         for ((cell, low), x) in cell.iter_mut().zip(self.low).zip(point) {
             let share = (x / 2.0 - low) / self.size;
-            // Truncation is what is wanted; a NaN, where there is no size, is 0.
+            // Truncation is intended; a NaN, for a square of size zero, becomes 0.
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let at = (share * f64::from(LAST)) as u32;
             *cell = at.min(LAST);
@@ -96,9 +96,10 @@ impl Cells {
     }
 }
 
-/// Two steps along the curve at once, by state and two bits of either coordinate: four bits of the place and the next state.
+/// A table of two steps along the curve: from the state and two bits of each coordinate to four bits of the place and
+/// the next state.
 ///
-/// A state is whether the axes are exchanged and whether both are reversed.
+/// A state has two bits: one if the axes are exchanged, one if both are reversed.
 const STEPS: [u8; 64] = {
     let mut steps = [0; 64];
     let mut at = 0;
@@ -143,7 +144,7 @@ fn curve([x, y]: [u32; 2]) -> u32 {
     place
 }
 
-/// Sorts by the upper half, stably where items are in the order of their lower half.
+/// Sorts by the upper half; stable if the items are in the order of their lower half.
 fn sort(items: &mut [u64], scratch: &mut Vec<u64>) {
     const FEW: usize = 2000;
     if items.len() < FEW {

@@ -1,4 +1,4 @@
-//! Triangles that are taken out together, and what takes their place.
+//! Regions: triangles that are removed together, and the triangles that replace them.
 
 use super::Contradiction;
 use predicament_predicates::Vertex;
@@ -9,19 +9,19 @@ use super::mesh::{Edge, INFINITE, Mesh};
 #[derive(Clone, Default, Debug)]
 pub(super) struct Region {
     pub triangles: Vec<u32>,
-    /// The edges around it, seen from outside, in counterclockwise order.
+    /// The edges around the region, as seen from outside, in counterclockwise order.
     pub border: Vec<Edge>,
     open: Vec<Edge>,
     corners: Vec<Vertex>,
 }
 
 impl Region {
-    /// Fills the region from a triangle on: across each edge of it that `reaches`, given seen from inside and from outside.
-    /// All triangles are marked.
+    /// Fills the region from a triangle on, across each edge that `reaches` accepts. `reaches` gets the edge as seen
+    /// from inside and from outside. All triangles of the region are marked.
     ///
     /// # Errors
-    /// [`Contradiction::Disc`], where a triangle is reached that is marked already; and, where the region is to be `ALONE`, where one is
-    /// beside an edge of its border.
+    /// [`Contradiction::Disc`] if the fill reaches a marked triangle. If the region must be `ALONE`, also if a marked
+    /// triangle is beside an edge of its border.
     #[inline(always)]
     pub fn fill<const ALONE: bool>(
         &mut self,
@@ -45,7 +45,7 @@ impl Region {
                 self.open.push(outside.previous());
                 self.open.push(outside.next());
             } else {
-                // Seen from both sides, a line inside of the region would be an edge around it.
+                // A border line that the region touches from both sides would be inside the region.
                 if ALONE && mesh.is_marked(outside.triangle()) {
                     return Err(Contradiction::Disc);
                 }
@@ -55,7 +55,7 @@ impl Region {
         Ok(())
     }
 
-    /// Replaces the region by the triangles of its border and a vertex; the last one that is not infinite.
+    /// Replaces the region by triangles that join its border to a vertex; returns the last finite one.
     #[inline(always)]
     pub fn star(&mut self, mesh: &mut Mesh, v: Vertex) -> u32 {
         let mut solid = 0;
@@ -70,7 +70,7 @@ impl Region {
             if a != INFINITE && b != INFINITE {
                 solid = edge.triangle();
             }
-            // The edge from v to a is that from b to v of the triangle before.
+            // The edge from v to a is the twin of the edge from b to v of the previous triangle.
             open = match open {
                 None => Some([edge.previous(), edge.next()]),
                 Some([first, last]) => {
@@ -85,7 +85,7 @@ impl Region {
         solid
     }
 
-    /// Whether no vertex comes twice on the border.
+    /// True if no vertex comes twice on the border.
     pub fn is_simple(&mut self, mesh: &Mesh) -> bool {
         self.corners.clear();
         self.corners.extend(self.border.iter().map(|&outside| mesh.end(outside)));

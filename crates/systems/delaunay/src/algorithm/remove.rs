@@ -1,4 +1,4 @@
-//! Removal of a vertex: the hole that it leaves is filled with the triangles of the vertices around it.
+//! Removal of a vertex: the hole is filled with triangles of the vertices around it.
 
 use std::collections::HashMap;
 
@@ -11,7 +11,7 @@ use super::mesh::{Edge, INFINITE};
 use super::{Contradiction, Triangulation};
 
 impl Triangulation {
-    /// Removes a vertex; where it stands for others, the smallest of them takes its place.
+    /// Removes a vertex; if it represents copies, the smallest of them takes its place.
     ///
     /// # Errors
     /// The invariant that does not hold: the vertex is missing, or signs contradict each other.
@@ -72,9 +72,9 @@ impl Triangulation {
         self.broken.map_or(Ok(()), Err)
     }
 
-    /// The vertices that are left in their order, where they are all in one line.
+    /// The remaining vertices in their order, if all are collinear.
     fn rest_in_line<P: Predicates + ?Sized>(&self, session: &P, polygon: &[(Vertex, Edge)]) -> Option<Vec<Vertex>> {
-        // Then the vertex was on the hull, and all edges that it saw are on the hull as well.
+        // Then the vertex was on the hull, and all edges visible from it are on the hull as well.
         let infinite = polygon.iter().position(|&(v, _)| v == INFINITE)?;
         let mut rest: Vec<Vertex> = Vec::with_capacity(polygon.len());
         for at in 1..polygon.len() {

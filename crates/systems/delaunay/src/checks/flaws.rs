@@ -1,4 +1,4 @@
-//! What is wrong with a triangulation.
+//! The failed checks of a triangulation.
 
 use std::collections::{HashMap, HashSet};
 
@@ -8,26 +8,26 @@ use rug::Integer;
 use super::outline::Exactly;
 use predicament_hull::checks::{Flaw, Signs, Tally, ring};
 
-/// The most pairs of a triangle and a vertex that are all looked at.
+/// The maximum number of pairs of a triangle and a vertex for which all pairs are checked.
 const MOST_PAIRS: usize = 20_000;
-/// The most triangles whose areas are added up.
+/// The maximum number of triangles whose areas are added up.
 const MOST_ADDED: usize = 50_000;
 
-/// What was found.
+/// A triangulation as found.
 #[derive(Clone, Copy, Debug)]
 pub struct Found<'a> {
     /// The triangles.
     pub triangles: &'a [[Vertex; 3]],
-    /// All vertices, where there is no triangle.
+    /// All vertices, if there is no triangle.
     pub chain: &'a [Vertex],
-    /// Vertices in the place of another one, each with that one.
+    /// Vertices in the place of another vertex, each with the other one.
     pub copies: &'a [[Vertex; 2]],
-    /// The ends of what has to be an edge or a chain of edges.
+    /// The ends of each constraint, which has to be an edge or a chain of edges.
     pub constraints: &'a [[Vertex; 2]],
 }
 
-/// What is wrong with the Delaunay triangulation of all vertices of the sessions' scene, constructed ones included; of each check
-/// the first flaw.
+/// The failed checks of the Delaunay triangulation of all vertices of the sessions' scene, including constructed ones;
+/// for each check, the first flaw is described.
 #[must_use]
 pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
     let mut tally = Tally::new(signs);
@@ -55,7 +55,7 @@ pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
     tally.finish()
 }
 
-/// Whether each input vertex is a corner; none where a triangle has no three of them.
+/// For each input vertex, true if it is a corner; `None` if a triangle does not have three different corners.
 fn corners(tally: &mut Tally<'_>, found: Found<'_>) -> Option<Vec<bool>> {
     let scene = tally.scene();
     let mut is_corner = vec![false; scene.len() + scene.constructions().len()];
@@ -77,12 +77,12 @@ fn corners(tally: &mut Tally<'_>, found: Found<'_>) -> Option<Vec<bool>> {
     Some(is_corner)
 }
 
-/// The number of a vertex, input vertices first.
+/// The index of a vertex, input vertices first.
 fn place(scene: &Scene, v: Vertex) -> usize {
     v.construction().map_or(v.index(), |index| scene.len() + index)
 }
 
-/// `copies`.
+/// Checks `copies`.
 fn copies(tally: &mut Tally<'_>, found: Found<'_>, is_corner: &[bool]) {
     let scene = tally.scene();
     let at = |v: Vertex| (!v.is_constructed()).then(|| scene.point2(Plane::Xy, v).map(|x| (x + 0.0).to_bits()));
@@ -106,7 +106,7 @@ fn copies(tally: &mut Tally<'_>, found: Found<'_>, is_corner: &[bool]) {
             let what = if is_corner[v.index()] { "both a corner and a copy" } else { "no corner and no copy" };
             tally.flaw("copies", &[v], || format!("{v} is {what}"));
         }
-        // Only where something was found to be repeated is it looked for: two corners in one place are no flat triangle's.
+        // This is tested only if ties stay ties: without ties, two corners may share a place.
         if tally.has_ties() && *first.entry(at(v)).or_insert(v) != v && is_corner[v.index()] {
             tally.flaw("copies", &[v], || format!("{v} is in the place of a smaller vertex, and a corner"));
         }
@@ -122,7 +122,7 @@ fn order(tally: &Tally<'_>, v: Vertex, w: Vertex) -> Sign {
     }
 }
 
-/// `chain`: in order, and all in one line. A perturbation leaves no three vertices in one line.
+/// Checks `chain`: in order, and all on one line. A perturbation leaves no three vertices on one line.
 fn chain(tally: &mut Tally<'_>, chain: &[Vertex]) {
     for pair in chain.windows(2) {
         if order(tally, pair[0], pair[1]) != Sign::Negative {
@@ -146,7 +146,7 @@ struct Pair {
     right: Option<Vertex>,
 }
 
-/// `edges`: all of them, those of one triangle in its direction.
+/// Checks `edges`, and returns all of them; an edge of one triangle has the triangle's direction.
 fn edges(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) -> Vec<Pair> {
     let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b, c], [b, c, a], [c, a, b]]);
     let mut sides: Vec<([Vertex; 2], bool, Vertex)> = sides.map(|[a, b, c]| ([a.min(b), a.max(b)], a > b, c)).collect();
@@ -173,7 +173,7 @@ fn edges(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) -> Vec<Pair> {
     pairs
 }
 
-/// `hull`, `convex` and `wound once`.
+/// Checks `hull`, `convex` and `wound once`.
 fn hull(tally: &mut Tally<'_>, pairs: &[Pair]) {
     let mut next: HashMap<Vertex, Vertex> = HashMap::new();
     let border = pairs.iter().filter(|pair| pair.right.is_none());
@@ -200,9 +200,9 @@ fn hull(tally: &mut Tally<'_>, pairs: &[Pair]) {
     ring(tally, Plane::Xy, &cycle, "convex", None);
 }
 
-/// `area`: in integers.
+/// Checks `area`, in integers.
 fn area(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) {
-    // (With constructed vertices, areas are left to the other checks, which imply them.)
+    // (With constructed vertices, the other checks imply the areas.)
     if triangles.len() > MOST_ADDED || !tally.scene().constructions().is_empty() {
         return;
     }
@@ -214,8 +214,8 @@ fn area(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) {
     }
 }
 
-/// `constraint`: from one end, an edge goes to the other end or, in the line of both, to a vertex between them, and so on. The
-/// edges, each by its ends, the smaller first.
+/// Checks `constraint`: from one end, an edge leads to the other end or to a vertex between them on their line, and so
+/// on. Returns the edges, each by its ends, the smaller first.
 fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashSet<[Vertex; 2]> {
     let mut edges = HashSet::new();
     if found.constraints.is_empty() {
@@ -232,7 +232,7 @@ fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashS
         let mut at = a;
         while at != b {
             let exact = tally.signs.exact;
-            // A perturbation leaves no third vertex in the line.
+            // A perturbation leaves no third vertex on the line.
             let is_on = |v: Vertex| {
                 let direction = order(tally, at, b);
                 v == b
@@ -253,7 +253,7 @@ fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashS
     edges
 }
 
-/// `empty circle` and `fan`: all edges that are no part of a constraint, or an even sample.
+/// Checks `empty circle` and `fan`: all edges that are not part of a constraint, or an even sample.
 fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex; 2]>) {
     let step = pairs.len().div_ceil(tally.signs.pairs.max(1)).max(1);
     for pair in pairs.iter().step_by(step) {
@@ -270,7 +270,7 @@ fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex;
     }
 }
 
-/// `empty`: each triangle against each vertex.
+/// Checks `empty`: each triangle against each vertex.
 fn everywhere(tally: &mut Tally<'_>, found: Found<'_>) {
     let scene: &Scene = tally.scene();
     if found.triangles.len() * scene.len() > MOST_PAIRS.min(tally.signs.pairs) {

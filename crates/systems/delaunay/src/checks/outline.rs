@@ -1,4 +1,4 @@
-//! The area of the convex hull, from the points alone.
+//! The area of the convex hull, computed from the points alone.
 
 use predicament_predicates::{Plane, Scene};
 use rug::{Integer, Rational};
@@ -9,7 +9,7 @@ pub(super) struct Exactly {
 }
 
 impl Exactly {
-    /// The input vertices of a scene.
+    /// The input vertices of a scene, as integers.
     pub fn new(scene: &Scene) -> Exactly {
         let exact = |x: f64| Rational::from_f64(x).unwrap_or_default();
         // The denominator of a double is a power of two.
@@ -23,7 +23,7 @@ impl Exactly {
         Exactly { points: scene.vertices().map(|v| scene.point2(Plane::Xy, v).map(integer)).collect() }
     }
 
-    /// Twice the area of a triangle, positive where it is counterclockwise.
+    /// Twice the area of a triangle, positive if it is counterclockwise.
     pub fn area(&self, corners: [usize; 3]) -> Integer {
         turn(corners.map(|corner| &self.points[corner]))
     }

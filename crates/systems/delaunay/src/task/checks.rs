@@ -1,9 +1,9 @@
-//! What is reported about Delaunay triangulations.
+//! The checks of Delaunay triangulations that are reported.
 
 use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
 
-/// What the algorithm looks after itself.
+/// The invariants that the algorithm checks itself.
 const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[

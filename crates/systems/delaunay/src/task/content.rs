@@ -1,4 +1,4 @@
-//! `points` and `constraints`: what a scene of a Delaunay triangulation asks.
+//! The keys `points` and `constraints`: the content of a scene.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
@@ -6,10 +6,10 @@ use predicament_corpus::{
 use predicament_formats::{Cache, CorpusError, Fields};
 use predicament_predicates::{Dimension, Scene, Vertex};
 
-/// All vertices of a scene, and the edges that have to be there.
+/// The content of a scene: all its vertices, and the constraints.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Sites {
-    /// How many vertices.
+    /// The number of vertices.
     pub points: usize,
     /// The ends of each constraint.
     pub constraints: Vec<[Vertex; 2]>,
@@ -59,16 +59,16 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     };
     let asked = Asked { points, constraints, file: fields.file().to_owned() };
     if asked.points.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // Nothing comes from the cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
 }
 
-/// Points, written out or in a data file beside the suite, and constraints.
+/// The source of a scene: points, written out or in a data file beside the suite, and constraints.
 struct Asked {
     points: PointSource,
-    /// Each with its line in the suite.
+    /// Each constraint with its line in the suite.
     constraints: Vec<(usize, [Vertex; 2])>,
     file: String,
 }

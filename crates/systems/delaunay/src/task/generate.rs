@@ -1,4 +1,4 @@
-//! Points in general position, and near and in every position in which circles or lines are shared.
+//! Generators of points in general position, and near and in every position with collinear or cocircular points.
 
 use predicament_corpus::{Family, Parts, Random, Recipe};
 use predicament_formats::bits::integer;
@@ -6,10 +6,10 @@ use predicament_predicates::{Scene, Vertex};
 
 use super::content::Sites;
 
-/// So many points of a family, by its random numbers.
+/// A generator: this number of points of a family, from these random numbers.
 type Points = fn(usize, &mut Random) -> Vec<[f64; 2]>;
 
-/// Points, and constraints by places among them.
+/// A generator of points and of constraints by their indices.
 type Edges = fn(usize, &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>);
 
 macro_rules! family {
@@ -33,7 +33,7 @@ macro_rules! family {
     };
 }
 
-/// The families.
+/// The families of scenes.
 pub(super) static FAMILIES: [Family; 12] = [
     family!("delaunay-uniform", uniform, "points uniform in the unit square"),
     family!("delaunay-grid", grid, "all places of a square grid, in random order: every square is cocircular"),
@@ -74,7 +74,7 @@ fn constrained(edges: Edges) -> Recipe {
     )
 }
 
-/// A few pairs of points, opposite of each other, and more points.
+/// A few pairs of nearly opposite points as constraints, and more points.
 fn star(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     let rays = n.isqrt().min(40);
     let mut points = Vec::with_capacity(n + 2 * rays);
@@ -87,7 +87,7 @@ fn star(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     (points, (0..rays).map(|at| [2 * at, 2 * at + 1]).collect())
 }
 
-/// About n crossings of lines x = i and y = j, which end half a unit beyond.
+/// Constraints on the lines x = i and y = j with about n crossings; they end half a unit beyond.
 fn lattice(n: usize, _: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     let side = signed(n.isqrt().max(1));
     let (low, high) = (-0.5, integer(side) - 0.5);
@@ -98,7 +98,7 @@ fn lattice(n: usize, _: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     (points, constraints)
 }
 
-/// Points of a few level lines in random order; each is joined to the one after it and to one three further on.
+/// Points of a few horizontal lines in random order; constraints join each to the next one and to the third after it.
 fn overlapping(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     let lines = n.isqrt().max(1);
     let width = n.div_ceil(lines);
@@ -115,7 +115,7 @@ fn overlapping(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, Vec<[usize; 2]>) {
     (points, constraints)
 }
 
-/// Scenes are smaller than memory.
+/// A size as a signed integer. Scenes are smaller than memory.
 fn signed(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
@@ -131,7 +131,7 @@ fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     (0..n).map(|_| [rng.unit(), rng.unit()]).collect()
 }
 
-/// The smallest side whose square has so many places.
+/// The smallest side of a square with this number of places.
 fn side(places: usize) -> i64 {
     (1_i64..).find(|side| side * side >= signed(places)).unwrap_or(1)
 }
@@ -141,8 +141,10 @@ fn grid(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     shuffled((0..signed(n)).map(|at| [integer(at % side), integer(at / side)]).collect(), rng)
 }
 
-/// Different points on a circle around the origin, so many or more: x² + y² is the square of a product of primes 4k + 1,
-/// and each prime gives three ways, by the Gaussian primes and their conjugates.
+/// At least `n` different points on a circle around the origin, if there are as many.
+///
+/// x² + y² is the square of a product of primes 4k + 1; each prime gives three choices, by the Gaussian primes and
+/// their conjugates.
 fn circle(n: usize) -> Vec<[i64; 2]> {
     let times = |[a, b]: [i64; 2], [c, d]: [i64; 2]| [a * c - b * d, a * d + b * c];
     let mut all = vec![[1, 0], [0, 1], [-1, 0], [0, -1]];
@@ -160,7 +162,7 @@ fn circle(n: usize) -> Vec<[i64; 2]> {
 fn ring(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     let mut points = shuffled(circle(n), rng);
     points.truncate(n);
-    // Beyond all that there are, they come again.
+    // If `n` exceeds the number of different points, they repeat.
     let points: Vec<[f64; 2]> = points.into_iter().map(|point| point.map(integer)).collect();
     points.iter().copied().cycle().take(n).collect()
 }

@@ -1,4 +1,4 @@
-//! A triangulation against what it has to be.
+//! The judgement of a triangulation by the checks.
 
 use crate::algorithm::Delaunay2;
 use crate::checks::{Found, flaws};
@@ -12,7 +12,7 @@ use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
 
 /// Judges a triangulation.
 pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Delaunay2, outcome: &mut Outcome) {
-    // With the points where constraints cross, as they are defined.
+    // The scene with the exact crossing points of constraints.
     let mut scene = case.scene().clone();
     for definition in &found.crossings {
         if scene.construct(*definition).is_err() || point_is_missing(&scene) {
@@ -57,7 +57,7 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
     }
 }
 
-/// Whether the last constructed vertex is no point.
+/// True if the last constructed vertex has no point.
 fn point_is_missing(scene: &Scene) -> bool {
     let last = scene.constructions().len().checked_sub(1).map(Vertex::constructed);
     last.is_some_and(|v| predicament_judge::point(scene, v).is_none())

@@ -1,8 +1,8 @@
 //! `delaunay2d`: the Delaunay triangulation of points of the plane.
 //!
-//! The algorithm that asks more about circles than any other: a wrong answer near zero leaves an edge that should not be
-//! there, or opens a hole. Its answer is unique, so that digests of different backends can be compared. With constraints, edges
-//! are given, and where they cross, vertices are constructed while it runs.
+//! No other task asks more incircle queries: a wrong answer near zero keeps a wrong edge, or opens a hole. Its answer
+//! is unique, so digests of different backends can be compared. With constraints, edges are given, and where they
+//! cross, vertices are constructed at run time.
 
 mod checks;
 mod content;
@@ -27,11 +27,11 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `delaunay2d`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Delaunay2d;
 
-/// The triangulation that was found.
+/// The answer: a triangulation.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Triangles(pub Delaunay2);
 
@@ -41,7 +41,7 @@ impl Answer for Triangles {
         let definitions: Vec<Vertex> = crossings.iter().flat_map(Construction::flats).flatten().copied().collect();
         let constrained = constrained.as_flattened();
         let lists = [triangles.as_flattened(), chain, copies.as_flattened(), constrained, &definitions];
-        // Without constraints nothing is said about them.
+        // Without constraints, the output does not mention them.
         let count = if constrained.is_empty() { 3 } else { lists.len() };
         let ids = lists
             .into_iter()
@@ -129,7 +129,7 @@ impl Task for Delaunay2d {
         answer: &mut Triangles,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        // To compile it for each session costs much, and runs no faster: memory is what it waits for.
+        // Compiling it for each session is expensive, and not faster: the algorithm is bound by memory.
         answer.0 = solve(session, content)?;
         how.watch.done(content.points as u64)?;
         Ok(())
@@ -176,7 +176,7 @@ impl Task for Delaunay2d {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
+    /// Writes SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
     fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let found = &answer.0;
         let mut exact = scene.clone();
@@ -223,7 +223,7 @@ impl Task for Delaunay2d {
     }
 }
 
-/// The triangulation.
+/// Computes the triangulation.
 fn solve(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Refused> {
     let found = match &content.constraints[..] {
         [] => delaunay2d(session),
@@ -232,7 +232,7 @@ fn solve(session: &mut dyn Predicates, content: &Sites) -> Result<Delaunay2, Ref
     Ok(found.answer())
 }
 
-/// The triangles in words, as far as they are about these vertices.
+/// The triangles with any of these vertices, in words.
 fn describe(found: &Delaunay2, vertices: &[Vertex]) -> String {
     let is_about = |triangle: &&[Vertex; 3]| {
         let common = triangle.iter().filter(|v| vertices.contains(v)).count();

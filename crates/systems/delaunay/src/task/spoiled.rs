@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults, which prove that the checks find faults that no backend has.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -156,7 +156,8 @@ fn hull(found: &Delaunay2) -> Vec<[Vertex; 2]> {
     all.iter().copied().filter(|&[a, b]| !all.contains(&[b, a])).collect()
 }
 
-/// Replaces the first edge of two triangles that is wanted, by its ends and their other corners, by the other diagonal.
+/// Replaces the first edge of two triangles that `is_wanted` accepts by the other diagonal. `is_wanted` gets the ends
+/// and the other corners.
 fn flip(triangles: &mut [[Vertex; 3]], is_wanted: impl Fn([Vertex; 2], [Vertex; 2]) -> bool) {
     let turns = |[a, b, c]: [Vertex; 3]| [[a, b, c], [b, c, a], [c, a, b]];
     let mut of: BTreeMap<[Vertex; 2], (usize, Vertex)> = BTreeMap::new();
@@ -173,8 +174,8 @@ fn flip(triangles: &mut [[Vertex; 3]], is_wanted: impl Fn([Vertex; 2], [Vertex; 
     }
 }
 
-/// Whether the second of two corners beside an edge is in the circle of the edge and the first; none where either diagonal is no edge of
-/// two triangles with an area.
+/// The incircle sign of the second of two corners beside an edge, for the circle of the edge and the first; `None` if
+/// either diagonal is not an edge of two triangles with area.
 fn circle(scene: &Scene, [a, b]: [Vertex; 2], [c, d]: [Vertex; 2]) -> Option<Sign> {
     if [a, b, c, d].iter().any(|v| v.is_constructed()) {
         return None;

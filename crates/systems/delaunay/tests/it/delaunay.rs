@@ -1,4 +1,4 @@
-//! Delaunay triangulations against the definition, in any order of insertion, and after removals.
+//! Delaunay triangulations compared with the definition, in any order of insertion, and after removals.
 
 use predicament_delaunay::algorithm::{Delaunay2, Triangulation, delaunay2d, delaunay2d_in_order};
 use predicament_exact::Exact;
@@ -12,7 +12,7 @@ fn scene(points: &[[i64; 2]]) -> Scene {
 }
 
 /// The canonical triangulation by definition: each triple with an empty circle is in a face; a face is a fan from its
-/// smallest vertex. No three of few points are told apart by anything but brute force.
+/// smallest vertex. It uses brute force alone.
 fn by_definition(session: &dyn Predicates) -> Delaunay2 {
     let scene = session.scene();
     let is_same = |v: Vertex, w: Vertex| {
@@ -43,7 +43,7 @@ fn by_definition(session: &dyn Predicates) -> Delaunay2 {
                 }
                 let face: Vec<Vertex> =
                     places.iter().copied().filter(|d| side(d) == Sign::Zero || [a, b, c].contains(d)).collect();
-                // Of the fan from its smallest vertex: no other vertex of the face between b and c.
+                // The triangle is in the fan from its smallest vertex: no other vertex of the face is between b and c.
                 let is_beyond =
                     |&d: &Vertex| [a, b, c].contains(&d) || session.orient2d(Plane::Xy, b, c, d) == Sign::Positive;
                 if face[0] == a && face.iter().all(is_beyond) {
@@ -59,7 +59,7 @@ fn by_definition(session: &dyn Predicates) -> Delaunay2 {
         let key = |v: &Vertex| (scene.point(*v).to_vec(), *v);
         chain.sort_by(|v, w| key(v).partial_cmp(&key(w)).unwrap());
         if copies.is_empty() && session.scene().len() > 1 {
-            // The order of a session that breaks ties.
+            // The order of vertices of a session that breaks ties.
             let order = |v: Vertex, w: Vertex| match session.compare(predicament_predicates::Axis::X, v, w) {
                 Sign::Zero => session.compare(predicament_predicates::Axis::Y, v, w),
                 sign => sign,
@@ -70,7 +70,7 @@ fn by_definition(session: &dyn Predicates) -> Delaunay2 {
     Delaunay2 { triangles, chain, copies, ..Delaunay2::default() }
 }
 
-/// All orders that are tried of n vertices.
+/// The tested orders of n vertices.
 fn orders(n: usize) -> Vec<Vec<Vertex>> {
     let all: Vec<Vertex> = (0..n).map(Vertex::input).collect();
     let back = all.iter().rev().copied().collect();

@@ -1,4 +1,4 @@
-//! Delaunay triangulations by signs that contradict each other: bounded steps, no panic.
+//! Delaunay triangulations by contradictory signs: bounded steps, no panic.
 
 use predicament_delaunay::algorithm::{constrained_delaunay2d, delaunay2d, delaunay2d_in_order};
 use predicament_exact::Exact;
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use crate::common::liar::{Liar, Slip};
 
-/// Whether an invariant was found broken, by insertion or by removals after it.
+/// True if an invariant was found broken, by insertion or by removals after it.
 fn is_seen(session: &mut dyn Predicates) -> bool {
     let n = session.scene().len();
     let scene = session.scene().clone();
@@ -16,12 +16,12 @@ fn is_seen(session: &mut dyn Predicates) -> bool {
     let half: Vec<Vertex> = scene.vertices().step_by(2).collect();
     let mut triangulation = delaunay2d_in_order(&*session, &half);
     for v in scene.vertices().step_by(3) {
-        // Some are there, some are not, and some cannot be taken out.
+        // Some vertices are there, some are not, and some cannot be removed.
         let _ = triangulation.remove(&*session, v);
         let _ = triangulation.insert(&*session, v);
     }
     triangulation.cut_faces();
-    // Sessions that lie construct nothing: where constraints cross, they are refused.
+    // Sessions that lie do not construct crossings: constraints that cross are refused.
     let constraints: Vec<[Vertex; 2]> = scene
         .vertices()
         .zip(scene.vertices().skip(scene.len() / 2))
@@ -52,11 +52,11 @@ fn broken_invariants_are_seen() {
 
 #[test]
 fn the_infinite_vertex_is_never_asked_about() {
-    // Removals after wrong signs, where the hull is two cycles.
+    // Removals after wrong signs, when the hull is two cycles.
     let (n, seed, odds) = (11, 1_144_129_034_227_626_238, 98);
     let scene = random(n, seed);
     let honest = Exact.prepare(&scene, Off).unwrap();
-    // It ends, and what it asserts holds.
+    // It ends, and its assertions hold.
     is_seen(&mut Slip { honest: &honest, liar: Liar { scene: &scene, seed, zeros: 5 }, odds });
 }
 

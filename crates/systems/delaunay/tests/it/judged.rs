@@ -1,4 +1,4 @@
-//! Every check of Delaunay triangulations finds what it is for.
+//! Every check of Delaunay triangulations finds its fault.
 
 use predicament_delaunay::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d};
 use predicament_delaunay::checks::{Found, flaws};
@@ -13,7 +13,7 @@ fn ids<const N: usize>(indices: &[[usize; N]]) -> Vec<[Vertex; N]> {
     indices.iter().map(|list| list.map(Vertex::input)).collect()
 }
 
-/// The names of the checks that fail.
+/// The names of the failed checks.
 fn failing(
     points: &[[f64; 2]],
     triangles: &[[usize; 3]],
@@ -33,7 +33,7 @@ fn failing(
     flaws(signs, found).iter().map(|flaw| flaw.check).collect()
 }
 
-/// A square with its centre and, on the right, a triangle more.
+/// A square with its centre and another triangle on the right.
 const POINTS: [[f64; 2]; 6] = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 2.0], [9.0, 2.0]];
 const RIGHT: [[usize; 3]; 5] = [[0, 1, 4], [1, 2, 4], [1, 5, 2], [2, 3, 4], [0, 4, 3]];
 
@@ -54,7 +54,7 @@ fn each_check_of_triangles_finds_what_it_is_for() {
     assert_eq!(of(&[&RIGHT[..], &RIGHT[..1]].concat())[0], "edges");
     // Two triangles that share no edge.
     assert_eq!(failing(&POINTS[..5], &[[0, 1, 4], [2, 3, 4]], &[], &[], false), ["hull", "area"]);
-    // The edge from 4 to 5 in place of that from 1 to 2.
+    // The edge from 4 to 5 replaces the edge from 1 to 2.
     let flipped = [[0, 1, 4], [1, 5, 4], [2, 4, 5], [2, 3, 4], [0, 4, 3]];
     assert_eq!(of(&flipped), ["empty circle"]);
 }
@@ -64,7 +64,7 @@ fn faces_on_a_circle_are_fans_from_the_smallest_index() {
     let square = &POINTS[..4];
     assert_eq!(failing(square, &[[0, 1, 2], [0, 2, 3]], &[], &[], false), [""; 0]);
     assert_eq!(failing(square, &[[0, 1, 3], [1, 2, 3]], &[], &[], false), ["fan"]);
-    // One of the two is that of the perturbed scene.
+    // One of the two is the triangulation of the perturbed scene.
     let perturbed = [[[0, 1, 2], [0, 2, 3]], [[0, 1, 3], [1, 2, 3]]].map(|two| failing(square, &two, &[], &[], true));
     assert!(perturbed.contains(&vec![]) && perturbed.contains(&vec!["empty circle", "empty"]), "{perturbed:?}");
 }
@@ -96,7 +96,7 @@ fn copies_and_chains_are_held_to_the_points() {
     assert!(beside.contains(&"chain"), "{beside:?}");
 }
 
-/// Of many places the first is told, and all are counted.
+/// Of several places, the first is described, and all are counted.
 #[test]
 fn flaws_are_counted_and_the_first_is_told() {
     let points: Vec<[f64; 2]> = [0.0, 5.0, 1.0, 4.0, 2.0, 6.0].map(|x| [x, 0.0]).into();
@@ -111,7 +111,7 @@ fn flaws_are_counted_and_the_first_is_told() {
     assert_eq!((flaws[0].places, &flaws[0].vertices[..]), (2, &chain[1..3]));
 }
 
-/// How many circles are asked about where so many pairs may be looked at.
+/// The number of incircle queries for a limit on pairs.
 #[test]
 fn no_more_pairs_are_looked_at_than_may_be() {
     let scene = Scene::from_points2(&POINTS).unwrap();
@@ -127,7 +127,7 @@ fn no_more_pairs_are_looked_at_than_may_be() {
     // Five edges between triangles twice, for circles and for fans; and five triangles with three other vertices each.
     assert_eq!(asked(100_000), 5 + 5 + 5 * 3);
     assert_eq!(asked(30), asked(100_000), "five triangles by six vertices");
-    // All ten edges are not looked at then.
+    // Then not all ten edges are checked.
     assert_eq!(asked(29), 5 + 5);
     assert_eq!([asked(10), asked(9)].map(|asked| asked > 6), [true, false]);
 }
@@ -145,7 +145,7 @@ fn constraints_are_chains_of_edges() {
         flaws(signs, found).iter().map(|flaw| flaw.check).collect::<Vec<_>>()
     };
     assert_eq!(with(&[[0, 2], [4, 1], [3, 0], [2, 2]], &triangles), [""; 0]);
-    // Without the centre the other diagonal is no edge.
+    // Without the centre, the other diagonal is not an edge.
     let scene = Scene::from_points2(&POINTS[..4]).unwrap();
     let exact = Judged::exact(&scene);
     let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
@@ -159,7 +159,7 @@ fn constraints_are_chains_of_edges() {
     assert_eq!(of(&[], &[[0, 1, 3], [1, 2, 3]]), ["fan"]);
 }
 
-/// What is wrong with what the algorithm makes of these points and constraints; none where crossings are refused.
+/// The failed checks of the algorithm's answer for these points and constraints; `None` if crossings are refused.
 fn laid(points: &[[i64; 2]], constraints: &[[usize; 2]], breaks_ties: bool) -> Option<(Vec<&'static str>, Delaunay2)> {
     #[allow(clippy::cast_precision_loss)] // small integers
     let points: Vec<[f64; 2]> = points.iter().map(|point| point.map(|x| x as f64)).collect();
@@ -202,7 +202,7 @@ fn crossings_are_constructed_and_shared() {
     let line = [[0, 0], [2, 0], [4, 0], [6, 0], [3, 5], [3, -5], [0, 0]];
     let (failing, found) = laid(&line, &[[0, 2], [1, 3], [3, 0], [0, 6], [2, 1], [4, 5]], false).unwrap();
     assert_eq!((failing, found.crossings.len()), (vec![], 1));
-    // A constraint that makes both diagonals' choice.
+    // A constraint that decides between the diagonals.
     let square = [[0, 0], [4, 0], [4, 4], [0, 4]];
     for breaks_ties in [false, true] {
         let (failing, found) = laid(&square, &[[1, 3]], breaks_ties).unwrap();

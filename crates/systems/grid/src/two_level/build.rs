@@ -1,4 +1,4 @@
-//! Counting, adding up, filling.
+//! Building a grid: counting, prefix sums, filling.
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
@@ -7,14 +7,14 @@ use rayon::prelude::*;
 use super::{Frame, PART, Sizes, TwoLevel, bounds, number};
 use crate::Bounds;
 
-/// Slots below which lists are sorted on one thread.
+/// The number of slots below which lists are sorted on one thread.
 const SORTED: usize = 4096;
 
 fn zeros(count: usize) -> Vec<AtomicU32> {
     std::iter::repeat_with(|| AtomicU32::new(0)).take(count).collect()
 }
 
-/// Sums of what comes before each, and of all.
+/// The prefix sums of counts, and their total.
 fn sums(counts: impl ExactSizeIterator<Item = u32>) -> Vec<u32> {
     let mut sums = Vec::with_capacity(counts.len() + 1);
     let mut sum = 0_u32;
@@ -46,7 +46,7 @@ pub(super) fn build(boxes: &[Bounds<3>], sizes: Sizes) -> TwoLevel {
             counts[slot].fetch_add(1, Ordering::Relaxed);
         });
     });
-    // Filled from the last entry back, ends become starts.
+    // The lists are filled from the last entry back, so ends become starts.
     let starts = sums(counts.iter().map(|count| count.load(Ordering::Relaxed)));
     let ends = counts;
     ends.par_iter().zip(&starts[1..]).for_each(|(end, &to)| end.store(to, Ordering::Relaxed));
@@ -70,7 +70,7 @@ fn three(of: impl Fn(usize) -> u32) -> [u32; 3] {
     [of(0), of(1), of(2)]
 }
 
-/// The coarse cells of a box, each with its place along the axes.
+/// Visits the coarse cells of a box, each with its steps along the axes.
 fn each_coarse(frame: &Frame, one: &Bounds<3>, mut then: impl FnMut(usize, [u32; 3])) {
     let [low, high] = frame.range(one);
     let [low, high] = [frame.coarse_of(low), frame.coarse_of(high)];
@@ -83,7 +83,7 @@ fn each_coarse(frame: &Frame, one: &Bounds<3>, mut then: impl FnMut(usize, [u32;
     }
 }
 
-/// The slots of a box.
+/// Visits the slots of a box.
 pub(super) fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(usize)) {
     let frame = &grid.frame;
     let [low, high] = frame.range(one);
@@ -107,7 +107,7 @@ pub(super) fn each_slot(grid: &TwoLevel, one: &Bounds<3>, mut then: impl FnMut(u
     });
 }
 
-/// Puts the entries of each slot in order. `starts` are those of these slots, the first of them where `entries` begin.
+/// Sorts the entries of each slot. `starts` are those of these slots; the first is the index where `entries` begin.
 fn sort(starts: &[u32], entries: &mut [u32]) {
     let slots = starts.len() - 1;
     if slots <= SORTED {

@@ -1,28 +1,28 @@
-//! Regions of cells that list nothing.
+//! Connected regions of empty cells.
 
 use rayon::prelude::*;
 
 use super::{NONE, Slot, TwoLevel};
 
-/// Regions of empty cells, numbered by their first slots.
+/// The regions of empty cells, numbered by their first slots.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct EmptyRegions {
-    /// For each slot its region.
+    /// The region of each slot.
     region: Vec<u32>,
-    /// A slot of each region: its first.
+    /// The first slot of each region.
     first: Vec<Slot>,
-    /// For each region whether one of its cells is at the border of the grid.
+    /// For each region, true if one of its cells is at the border of the grid.
     is_open: Vec<bool>,
 }
 
 impl EmptyRegions {
-    /// The region of an empty cell; none of one that lists something.
+    /// The region of an empty cell; `None` if the cell is not empty.
     #[must_use]
     pub fn of(&self, slot: Slot) -> Option<usize> {
         self.of_index(slot.index())
     }
 
-    /// The region of the cell with this index, as [`EmptyRegions::of`].
+    /// The region of the cell with this index, like [`EmptyRegions::of`].
     #[must_use]
     pub fn of_index(&self, slot: usize) -> Option<usize> {
         let region = self.region[slot];
@@ -35,7 +35,7 @@ impl EmptyRegions {
         self.first.len()
     }
 
-    /// Whether there is none.
+    /// True if there are no regions.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.first.is_empty()
@@ -47,23 +47,23 @@ impl EmptyRegions {
         &self.first
     }
 
-    /// Whether a region goes on outside of the grid: what is outside of all boxes is in such regions.
+    /// True if a region continues outside of the grid. The space outside of all boxes belongs to such regions.
     #[must_use]
     pub fn is_open(&self, region: usize) -> bool {
         self.is_open[region]
     }
 
-    /// The memory that they take.
+    /// The memory of the regions in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<u32>() * (self.region.len() + self.first.len()) + self.is_open.len()
     }
 }
 
-/// Layers of coarse cells that one thread joins at a time.
+/// The number of layers of coarse cells that one thread joins at a time.
 const LAYERS: u32 = 8;
 
-/// A part of a union-find forest: each slot's parent, which is no later slot.
+/// A part of a union-find forest: each slot's parent, which is never a later slot.
 struct Forest<'a> {
     /// The first slot of this part.
     first: u32,
@@ -71,7 +71,7 @@ struct Forest<'a> {
 }
 
 impl Forest<'_> {
-    /// The lowest of a class.
+    /// The lowest slot of a class.
     fn root(&mut self, mut slot: u32) -> u32 {
         let at = |slot: u32| (slot - self.first) as usize;
         while self.parent[at(slot)] != slot {
@@ -81,7 +81,7 @@ impl Forest<'_> {
         slot
     }
 
-    /// Makes one class of two, if both slots are empty.
+    /// Unites the classes of two slots, if both slots are empty.
     fn join(&mut self, grid: &TwoLevel, a: u32, b: u32) {
         if grid.is_empty(a) && grid.is_empty(b) {
             let [a, b] = [self.root(a), self.root(b)];
@@ -96,10 +96,10 @@ impl TwoLevel {
     }
 }
 
-/// Finds the regions by union-find, in slabs of their own first; cells with a common face are neighbours.
+/// Finds the regions by union-find, first in separate slabs; cells with a common face are neighbours.
 ///
-/// Cells are the points that the monotone maps send to them. Of two neighbours' common face each point is in one of them, so that the
-/// way from one to the other leaves neither.
+/// A cell is the set of points that the monotone maps send to it. Each point of the common face of two neighbours is in
+/// one of them, so the way from one to the other does not leave them.
 pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
     let frame = &grid.frame;
     let [nx, ny, nz] = frame.coarse;
@@ -141,7 +141,7 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
     }
     let mut regions = EmptyRegions { region: parent, first: Vec::new(), is_open: Vec::new() };
     for slot in 0..super::number(grid.slots()) {
-        // A region begins with its lowest slot, and no parent is later.
+        // A region begins with its lowest slot, and a parent is never later.
         let above = regions.region[slot as usize];
         regions.region[slot as usize] = if !grid.is_empty(slot) {
             NONE
@@ -164,7 +164,7 @@ pub(super) fn regions(grid: &TwoLevel) -> EmptyRegions {
     regions
 }
 
-/// Joins the empty fine cells of one coarse cell.
+/// Joins the empty fine cells within one coarse cell.
 fn within(grid: &TwoLevel, cell: usize, forest: &mut Forest<'_>) {
     let (frame, first) = (&grid.frame, grid.slots[cell]);
     let fine = frame.fine();
@@ -203,7 +203,7 @@ fn across(grid: &TwoLevel, cells: [usize; 2], axis: usize, forest: &mut Forest<'
         for j in 0..fine[others[1]] {
             let slot = |side: usize| {
                 let mut at = [0; 3];
-                // The last layer before the face, the first behind it.
+                // The last layer before the face, or the first behind it.
                 at[axis] = if side == 0 { fine[axis] - 1 } else { 0 };
                 (at[others[0]], at[others[1]]) = (i, j);
                 let first = grid.slots[cells[side]];

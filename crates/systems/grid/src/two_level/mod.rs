@@ -1,18 +1,20 @@
-//! A uniform grid in space of two levels: cells that hold many boxes have a grid of their own.
+//! A uniform grid in space of two levels: crowded cells have a nested grid.
 //!
-//! This is the grid of PinMesh and of 3D-EPUG-Overlay (Magalhães, *Exact and parallel intersection of 3D triangular meshes*,
-//! section 4.4): refining only the cells that need it makes it adaptive at the price of one more look-up.
+//! This is the grid of PinMesh and of 3D-EPUG-Overlay (Magalhães, *Exact and parallel intersection of 3D triangular
+//! meshes*, section 4.4). Only the cells that need it are refined, so the grid is adaptive at the price of one more
+//! look-up.
 //!
 //! # Why no incidence is lost
-//! Along each axis one monotone function (`Steps`, in `steps.rs`) maps a coordinate to one of coarse × fine steps; the coarse step is
-//! that divided by the number of fine cells, a power of two, which is monotone too. A box is listed in each cell between the steps of its lowest and those of
-//! its highest coordinates. So each point of a box is in a cell that lists the box, whatever the coordinates and
-//! however they were rounded; and a cell that lists nothing has no point of any box.
+//! Along each axis one monotone function (`Steps`, in `steps.rs`) maps a coordinate to one of coarse × fine steps. The
+//! coarse step is that divided by the number of fine cells, a power of two, which is monotone too. A box is listed in
+//! each cell between the steps of its lowest and those of its highest coordinates. So each point of a box is in a cell
+//! that lists the box, for any coordinates and any rounding; and an empty cell contains no point of any box.
 //!
 //! # Cost
-//! Building counts, adds up, and fills: linear in boxes, cells and entries, in parallel. Entries of a cell are ascending, so that the
-//! grid is the same for any number of threads. [`Sizes::of`] chooses no more than [`MOST_ENTRIES`] entries a box, and about
-//! one coarse cell for [`COARSE_BOXES`] boxes: [`TwoLevel::bytes`] tells what it comes to.
+//! A build counts, computes prefix sums, and fills the lists, in parallel: it is linear in boxes, cells and entries.
+//! Entries of a cell are ascending, so the grid does not depend on the number of threads. [`Sizes::of`] chooses at most
+//! [`MOST_ENTRIES`] entries per box, and about one coarse cell for [`COARSE_BOXES`] boxes. [`TwoLevel::bytes`] gives
+//! the memory.
 
 mod build;
 mod empty;
@@ -26,47 +28,49 @@ use crate::steps::Steps;
 pub use empty::EmptyRegions;
 pub use sizes::{COARSE_BOXES, MOST_ENTRIES, Sizes};
 
-/// The number that names nothing.
+/// The mark of a missing number.
 const NONE: u32 = u32::MAX;
 
-/// A grid over boxes, which are known by their places 0, 1, 2 ….
+/// A grid over boxes; a box is identified by its index 0, 1, 2 ….
 #[derive(Clone, PartialEq, Debug)]
 pub struct TwoLevel {
     frame: Frame,
-    /// For each coarse cell the number of its first slot; a refined cell has a slot for each of its fine ones, others have one. The number of slots.
+    /// The first slot of each coarse cell, and at the end the number of slots. A refined cell has a slot for each of
+    /// its fine cells, other cells have one.
     slots: Vec<u32>,
-    /// For each slot the place of its first entry, and the number of entries.
+    /// The index of each slot's first entry, and at the end the number of entries.
     starts: Vec<u32>,
     entries: Vec<u32>,
 }
 
-/// Where cells are.
+/// The geometry of the cells.
 #[derive(Clone, PartialEq, Debug)]
 struct Frame {
     steps: [Steps; 3],
-    /// Coarse cells along each axis.
+    /// The number of coarse cells along each axis.
     coarse: [u32; 3],
-    /// The exponents of 2 of the numbers of fine cells to a coarse one along each axis: zero along those without extent.
+    /// The binary logarithm of the number of fine cells per coarse cell along each axis: zero along axes without
+    /// extent.
     shift: [u32; 3],
 }
 
-/// A cell without finer ones.
+/// A leaf cell: a fine cell, or a coarse cell that is not refined.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Slot(u32);
 
-/// Which way a ray goes.
+/// The direction of a ray.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Ray {
-    /// The axis that it is parallel to, 0 for x.
+    /// The axis of the ray, 0 for x.
     pub axis: usize,
-    /// Whether it goes to larger coordinates.
+    /// True if the ray goes to larger coordinates.
     pub is_up: bool,
 }
 
 impl Ray {
-    /// Straight up the z axis.
+    /// The direction up the z axis.
     pub const UP: Ray = Ray { axis: 2, is_up: true };
-    /// Up and down each axis.
+    /// The directions up and down each axis.
     pub const ALL: [Ray; 6] = [
         Ray::UP,
         Ray { axis: 2, is_up: false },
@@ -78,7 +82,7 @@ impl Ray {
 }
 
 impl Slot {
-    /// From 0 to [`TwoLevel::slots`].
+    /// The index of the slot, below [`TwoLevel::slots`].
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
@@ -87,7 +91,7 @@ impl Slot {
 }
 
 impl Frame {
-    /// Cells over the smallest box that holds all boxes, of so many.
+    /// A frame of this many cells over the bounding box of all boxes.
     fn new(all: &Bounds<3>, sizes: Sizes) -> Frame {
         let fine = sizes.fine.max(1).checked_next_power_of_two().expect("fewer than 2^32 fine cells");
         let (mut coarse, mut shift) = ([1; 3], [fine.trailing_zeros(); 3]);
@@ -103,12 +107,12 @@ impl Frame {
         Frame { steps, coarse, shift }
     }
 
-    /// The number of fine cells to a coarse one along each axis.
+    /// The number of fine cells per coarse cell along each axis.
     fn fine(&self) -> [u32; 3] {
         self.shift.map(|shift| 1 << shift)
     }
 
-    // Written out: closures over arrays are not always inlined, and every query comes through here.
+    // Without closures: closures over arrays are not always inlined, and every query calls this.
 
     /// The fine steps of a point.
     #[inline]
@@ -116,7 +120,7 @@ impl Frame {
         [self.steps[0].short(x), self.steps[1].short(y), self.steps[2].short(z)]
     }
 
-    /// The fine steps from where to where a box goes.
+    /// The first and the last fine steps that a box reaches.
     fn range(&self, one: &Bounds<3>) -> [[u32; 3]; 2] {
         [self.steps(one.low), self.steps(one.high)]
     }
@@ -126,26 +130,26 @@ impl Frame {
         self.coarse.iter().map(|&count| count as usize).product()
     }
 
-    /// The number of a coarse cell: columns along z are contiguous.
+    /// The index of a coarse cell: columns along z are contiguous.
     #[inline]
     fn cell(&self, [x, y, z]: [u32; 3]) -> usize {
         (x as usize * self.coarse[1] as usize + y as usize) * self.coarse[2] as usize + z as usize
     }
 
-    /// Whether a coarse cell is at the border.
+    /// True if a coarse cell is at the border.
     fn is_at_border(&self, cell: usize) -> bool {
         let [nx, ny, nz] = self.coarse.map(|count| count as usize);
         let at = [cell / nz / ny, cell / nz % ny, cell % nz];
         at.contains(&0) || at[0] + 1 == nx || at[1] + 1 == ny || at[2] + 1 == nz
     }
 
-    /// The coarse cell of a fine one, along each axis.
+    /// The coarse step of a fine step, along each axis.
     #[inline]
     fn coarse_of(&self, [x, y, z]: [u32; 3]) -> [u32; 3] {
         [x >> self.shift[0], y >> self.shift[1], z >> self.shift[2]]
     }
 
-    /// The first and the last fine steps of a coarse cell, or of one of its fine ones.
+    /// The first and the last fine steps of a coarse cell, or of one of its fine cells.
     fn steps_of(&self, cell: usize, place: Option<u32>) -> [[u32; 3]; 2] {
         let [ny, nz] = [self.coarse[1] as usize, self.coarse[2] as usize];
         let coarse = [cell / nz / ny, cell / nz % ny, cell % nz].map(number);
@@ -161,7 +165,7 @@ impl Frame {
         }
     }
 
-    /// The place of a fine cell in its coarse one.
+    /// The index of a fine cell in its coarse cell.
     #[inline]
     fn place(&self, [x, y, z]: [u32; 3]) -> u32 {
         (((x << self.shift[1]) + y) << self.shift[2]) + z
@@ -178,7 +182,7 @@ impl TwoLevel {
         build::build(boxes, sizes)
     }
 
-    /// The cell of a point; what lies outside of all boxes goes to the nearest one.
+    /// The cell of a point; a point outside of all boxes goes to the nearest cell.
     #[inline]
     #[must_use]
     pub fn at(&self, p: [f64; 3]) -> Slot {
@@ -192,23 +196,23 @@ impl TwoLevel {
         self.list(slot.index())
     }
 
-    /// The boxes that a cell lists, by the number of the cell, ascending. Two boxes that meet are listed together somewhere.
+    /// The boxes that a cell lists, by the index of the cell, ascending. Two boxes that meet share at least one list.
     ///
     /// # Panics
-    /// If there are no more than so many [slots](TwoLevel::slots).
+    /// If `slot` is not below [`slots`](TwoLevel::slots).
     #[inline]
     #[must_use]
     pub fn list(&self, slot: usize) -> &[u32] {
         &self.entries[self.starts[slot] as usize..self.starts[slot + 1] as usize]
     }
 
-    /// The number of cells without finer ones.
+    /// The number of leaf cells.
     #[must_use]
     pub fn slots(&self) -> usize {
         self.starts.len() - 1
     }
 
-    /// The number of coarse cells that have finer ones.
+    /// The number of refined coarse cells.
     #[must_use]
     pub fn refined(&self) -> usize {
         self.slots.windows(2).filter(|pair| pair[1] - pair[0] > 1).count()
@@ -220,13 +224,13 @@ impl TwoLevel {
         self.entries.len()
     }
 
-    /// The memory that it takes.
+    /// The memory of the grid in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<u32>() * (self.slots.len() + self.starts.len() + self.entries.len())
     }
 
-    /// The fine step of a coordinate along an axis, 0 for x; the cells that a box is listed in are those from the step of its lowest
+    /// The fine step of a coordinate along an axis, 0 for x. A box is listed in the cells from the step of its lowest
     /// coordinate to that of its highest.
     #[inline]
     #[must_use]
@@ -234,11 +238,11 @@ impl TwoLevel {
         self.frame.steps[axis].short(x)
     }
 
-    /// Visits the cells that a ray from a point passes, straight up an axis or straight down it, from the point's own cell on, each
-    /// once, with the last step of each along the ray; ends where `visit` says that it has seen enough.
+    /// Visits the cells that an axis-parallel ray from a point passes, from the point's cell on, each once, with the
+    /// last step of each along the ray. Ends when `visit` returns true.
     ///
-    /// A box that the ray meets is listed in one of them. A box that is listed in none of the cells up to one lies wholly
-    /// beyond the last step of that one.
+    /// A box that the ray meets is listed in one of these cells. A box that is in no list up to a cell is wholly beyond
+    /// the last step of that cell.
     #[inline]
     pub fn along(&self, p: [f64; 3], ray: Ray, mut visit: impl FnMut(Slot, &[u32], u32) -> bool) {
         let mut steps = self.frame.steps(p);
@@ -247,7 +251,7 @@ impl TwoLevel {
         loop {
             let slot = self.slot_of(steps);
             let at = steps[ray.axis];
-            // The next fine step in a refined cell, else the next coarse one.
+            // The next fine step in a refined cell, otherwise the next coarse one.
             let is_fine = self.is_refined(self.frame.cell(self.frame.coarse_of(steps)));
             let last = match (is_fine, ray.is_up) {
                 (true, _) => at,
@@ -262,7 +266,7 @@ impl TwoLevel {
         }
     }
 
-    /// Visits the cells that a box reaches into, each once: all boxes that meet it are listed in them.
+    /// Visits the cells that a box reaches into, each once: their lists contain all boxes that meet it.
     pub fn within(&self, one: &Bounds<3>, mut visit: impl FnMut(Slot, &[u32])) {
         build::each_slot(self, one, |slot| {
             let slot = Slot(number(slot));
@@ -270,7 +274,7 @@ impl TwoLevel {
         });
     }
 
-    /// A point about in the middle of a cell; none where the cell has no double along an axis.
+    /// A point about in the middle of a cell; `None` if the cell contains no double along an axis.
     #[must_use]
     pub fn middle(&self, slot: Slot) -> Option<[f64; 3]> {
         let [first, last] = self.steps_of(slot);
@@ -284,8 +288,7 @@ impl TwoLevel {
         self.frame.steps_of(cell, self.is_refined(cell).then(|| slot.0 - self.slots[cell]))
     }
 
-    /// The cells that list nothing, in regions: one can go from each cell of a region to each other without leaving cells that
-    /// list nothing.
+    /// The regions of empty cells: any two cells of a region are connected by a path through empty cells.
     #[must_use]
     pub fn empty_regions(&self) -> EmptyRegions {
         empty::regions(self)
@@ -310,10 +313,10 @@ impl TwoLevel {
     }
 }
 
-/// Boxes that one thread takes at a time.
+/// The number of boxes that one thread takes at a time.
 const PART: usize = 4096;
 
-/// The smallest box that holds all boxes.
+/// The bounding box of all boxes.
 fn bounds(boxes: &[Bounds<3>]) -> Bounds<3> {
     let parts = boxes.par_chunks(PART).map(|part| part.iter().fold(Bounds::NOTHING, |all, one| all.union(one)));
     parts.reduce(|| Bounds::NOTHING, |all, one| all.union(&one))

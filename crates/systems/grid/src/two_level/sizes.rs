@@ -1,36 +1,36 @@
-//! How many cells.
+//! The choice of the number of cells.
 
 use rayon::prelude::*;
 
 use super::Frame;
 use crate::Bounds;
 
-/// The most entries of coarse cells a box, on average, that are chosen.
+/// The maximum mean number of coarse entries per box that [`Sizes::of`] chooses.
 pub const MOST_ENTRIES: u64 = 8;
-/// Boxes to a coarse cell, about.
+/// The approximate number of boxes per coarse cell.
 pub const COARSE_BOXES: f64 = 8.0;
-/// The most coarse cells along an axis.
+/// The maximum number of coarse cells along an axis.
 const MOST_STEPS: f64 = 1024.0;
 
-/// Numbers of cells.
+/// The numbers of cells of a grid.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Sizes {
-    /// Coarse cells along each axis, one or more.
+    /// The number of coarse cells along each axis, one or more.
     pub coarse: [u32; 3],
-    /// Fine cells to a coarse one along each axis, one or more; rounded up to a power of two.
+    /// The number of fine cells per coarse cell along each axis, one or more; rounded up to a power of two.
     pub fine: u32,
-    /// A coarse cell of more boxes than this is refined.
+    /// The number of boxes above which a coarse cell is refined.
     pub full: u32,
 }
 
 impl Sizes {
-    /// Sizes for these boxes: cells about as wide as high, so many that a coarse cell would hold [`COARSE_BOXES`] if the boxes
-    /// were small and spread evenly; halved until there are no more than [`MOST_ENTRIES`] entries a box.
+    /// Sizes for these boxes: cells are about cubes, and a coarse cell would hold [`COARSE_BOXES`] if the boxes were
+    /// small and spread evenly. The numbers are halved until there are at most [`MOST_ENTRIES`] entries per box.
     #[must_use]
     pub fn of(boxes: &[Bounds<3>]) -> Sizes {
         const REST: Sizes = Sizes { coarse: [1; 3], fine: 4, full: 32 };
         let all = super::bounds(boxes);
-        // Halves, which do not overflow; what has no extent has one cell.
+        // Halves, which do not overflow; an axis without extent has one cell.
         let extent = [0, 1, 2].map(|axis: usize| (all.high[axis] / 2.0 - all.low[axis] / 2.0).max(0.0));
         let largest = extent.iter().copied().fold(0.0, f64::max);
         if boxes.len() < 2 || largest == 0.0 {

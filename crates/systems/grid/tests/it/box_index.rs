@@ -1,4 +1,4 @@
-//! What a box index yields, against the rule applied to every box.
+//! The results of a box index, compared with the rule applied to every box.
 
 use predicament_grid::{Bounds, BoxIndex};
 use proptest::prelude::*;
@@ -9,11 +9,11 @@ fn brute<const D: usize>(boxes: &[Bounds<D>], query: &Bounds<D>, reach: f64) -> 
     (0..).zip(boxes).filter(near).map(|(place, _)| place).collect()
 }
 
-/// Each box is a query too.
+/// Compares the index with the rule; each box is also a query.
 fn check<const D: usize>(boxes: &[Bounds<D>], queries: &[Bounds<D>], reaches: &[f64]) {
     let index = BoxIndex::new(boxes.to_vec());
     let mut found = vec![7];
-    // Of many boxes, by default one in seven is looked for.
+    // With many boxes, by default one in seven is a query.
     let step = if boxes.len() > 1000 { predicament_effort::some_or_all(7, 1) } else { 1 };
     for query in boxes.iter().step_by(step).chain(queries) {
         for &reach in reaches {
@@ -49,7 +49,7 @@ fn touching_boxes_are_near_and_a_gap_of_one_bit_is_not() {
 
 #[test]
 fn what_the_exact_gap_admits_is_never_dropped() {
-    // 2^53 + 1 is no double: the gap from 1 to −2^53 is, and the sums of sides and reach round.
+    // 2^53 + 1 is not a double: the gap from 1 to −2^53 is rounded, and so are the sums of sides and reach.
     let far = 2.0_f64.powi(53);
     let boxes = [spanned([-far, 0.0], [-far, 0.0]), spanned([0.1, 0.0], [0.2, 0.0])];
     let queries = [spanned([1.0, 0.0], [1.0, 0.0]), spanned([0.1 + 0.7, 0.0], [0.8, 0.0])];
@@ -110,7 +110,7 @@ fn a_huge_box_and_clusters_among_small_ones() {
 
 #[test]
 fn many_long_boxes_take_no_more_memory_than_they_may() {
-    // Diagonals of a square, whose boxes are nested in each other, and thin ones across it.
+    // Diagonals of a square, whose boxes are nested, and thin boxes across it.
     let n = 3000;
     let side = f64::from(n);
     let nested = (0..n).map(|i| spanned([f64::from(i); 2], [2.0 * side - f64::from(i); 2]));
@@ -156,7 +156,7 @@ fn infinite_boxes_are_refused() {
     let _ = BoxIndex::new(vec![Bounds { low: [0.0; 2], high: [f64::INFINITY; 2] }]);
 }
 
-/// Few values, so that sides coincide; some far outside, and exponents of all sizes.
+/// Coordinates with few values, so that sides coincide; some far outside, and exponents of all sizes.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         8 => (-4_i8..=4).prop_map(f64::from),
@@ -202,7 +202,7 @@ proptest! {
 }
 
 proptest! {
-    /// The rounded rule admits all that the exact gap admits.
+    /// The rounded rule accepts all pairs that the exact gap accepts.
     #[test]
     fn a_gap_in_exact_arithmetic_is_kept(a in bounds::<2>(), b in bounds::<2>(), reach in coordinate()) {
         let reach = reach.abs();

@@ -1,11 +1,11 @@
-//! What a point's cell adds up to, against the sum over all segments.
+//! The sum of labels of a point's cell, compared with the sum over all segments.
 
 use predicament_grid::{Cells, End, Labels};
 use proptest::prelude::*;
 
 type Segment = [[f64; 2]; 2];
 
-/// Closed rings; the label of a segment is one bit, that of its ring.
+/// Closed rings; the label of a segment is one bit for its ring.
 struct Rings {
     segments: Vec<Segment>,
     labels: Vec<u64>,
@@ -24,7 +24,7 @@ impl Rings {
     }
 }
 
-/// Sums of labels, numbered in the order in which they come up.
+/// Sums of labels, numbered in the order of their first use.
 struct Sums<'a> {
     labels: &'a [u64],
     now: u64,
@@ -47,12 +47,12 @@ impl Labels for Sums<'_> {
     }
 }
 
-/// Ties at x are broken by a coin, once per coordinates, as a perturbation would.
+/// Breaks ties at x by a coin, once per pair of coordinates, as a perturbation would.
 fn is_past(end: [f64; 2], x: f64) -> bool {
     end[0] < x || (end[0] == x && (end[1] + 0.0).to_bits().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 63 == 1)
 }
 
-/// Whether the ray crosses; where the box leaves it open, a coin says so.
+/// True if the ray crosses the segment; a coin decides if the segment's box does not.
 fn crosses(&[a, b]: &Segment, [x, y]: [f64; 2]) -> bool {
     let coin = (a[0] + b[1]).to_bits().wrapping_mul(0xbf58_476d_1ce4_e5b9) >> 63 == 1;
     let is_below = y < a[1].min(b[1]) || (y <= a[1].max(b[1]) && coin);
@@ -99,7 +99,7 @@ fn degenerate_inputs() {
         .collect();
     let halves: Vec<[f64; 2]> = (-1..14).map(|i| [f64::from(i) / 2.0, f64::from(i) / 2.0]).collect();
     check(&board, &halves);
-    // one outlier spoils the cells, not the answers
+    // one outlier makes the cells useless, not the answers wrong
     board.push(vec![[1e300, 0.0], [1e301, 1.0], [1e300, 1e300]]);
     check(&board, &halves);
 }

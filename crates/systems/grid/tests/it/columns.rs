@@ -1,4 +1,4 @@
-//! What a column index yields, against the rule applied to every segment.
+//! The results of a column index, compared with the rule applied to every segment.
 
 use predicament_grid::Columns;
 use proptest::prelude::*;
@@ -69,7 +69,7 @@ fn degenerate_inputs() {
         &far,
     );
     check(&[[[1.0, 0.0], [1.0_f64.next_up(), 1.0]], [[1.0, 5.0], [1.0, 6.0]]], &far);
-    // one outlier spoils the columns, not the answers
+    // one outlier makes the columns useless, not the answers wrong
     let mut cluster: Vec<Segment> = (0..20).map(|i| [[f64::from(i), 0.0], [f64::from(i + 1), 1.0]]).collect();
     cluster.push([[1e300, 0.0], [1e301, 1.0]]);
     check(&cluster, &far);

@@ -1,8 +1,8 @@
-//! Segments with a point in common are in one cell together, wherever and however long they are.
+//! Segments with a common point are in one cell together, for all places and lengths.
 
 use predicament_grid::Raster;
 
-/// A sequence of numbers.
+/// A sequence of pseudorandom numbers.
 struct Numbers(u64);
 
 impl Numbers {
@@ -18,7 +18,7 @@ fn turn([ax, ay]: [i64; 2], [bx, by]: [i64; 2], [px, py]: [i64; 2]) -> i64 {
     ((bx - ax) * (py - ay) - (by - ay) * (px - ax)).signum()
 }
 
-/// Whether two closed segments have a common point, in integers.
+/// True if two closed segments have a common point, in integers.
 fn meet([a, b]: Ends, [c, d]: Ends) -> bool {
     let boxes = (0..2).all(|i| a[i].min(b[i]) <= c[i].max(d[i]) && c[i].min(d[i]) <= a[i].max(b[i]));
     boxes && turn(a, b, c) * turn(a, b, d) <= 0 && turn(c, d, a) * turn(c, d, b) <= 0
@@ -33,7 +33,7 @@ fn cells_of(raster: &Raster, count: usize) -> Vec<Vec<usize>> {
     cells
 }
 
-/// Integers as coordinates at some scale, exactly.
+/// Integers as coordinates at a scale, exactly.
 #[allow(clippy::cast_precision_loss)] // below 2^20
 fn scaled(segments: &[Ends], scale: f64) -> Vec<[[f64; 2]; 2]> {
     segments.iter().map(|ends| ends.map(|end| end.map(|x| x as f64 * scale))).collect()

@@ -1,9 +1,9 @@
-//! The boxes that two sets share space with, against all pairs of boxes.
+//! The boxes that two sets share space with, compared with all pairs of boxes.
 
 use predicament_grid::{Bounds, shared};
 use proptest::prelude::*;
 
-/// Asserts that nothing is missed; how many boxes there are, and how many are kept.
+/// Asserts that no box is missed; returns the number of boxes and the number of kept boxes.
 fn check(first: &[Bounds<3>], second: &[Bounds<3>]) -> [usize; 2] {
     let counts = [first.len(), second.len()];
     let (kept, all) = shared(counts, [&|place| first[place], &|place| second[place]]);
@@ -23,7 +23,7 @@ fn spanned(a: [f64; 3], b: [f64; 3]) -> Bounds<3> {
     Bounds::of([a, b])
 }
 
-/// Boxes of this size on a sheet of 40 × 40 of them, by two of its directions.
+/// Boxes of this size on a sheet of 40 × 40 boxes, by two of its directions.
 fn sheet(u: [f64; 3], v: [f64; 3]) -> Vec<Bounds<3>> {
     let at = |i: f64, j: f64| [0, 1, 2].map(|axis: usize| u[axis] * i + v[axis] * j);
     let place = |i: u32, j: u32| (f64::from(i) - 20.0, f64::from(j) - 20.0);
@@ -70,7 +70,7 @@ fn sets_that_are_empty_or_apart_keep_nothing() {
     assert_eq!(check(&[], &near), [2, 0]);
     assert_eq!(check(&near, &[]), [2, 0]);
     assert_eq!(check(&[], &[]), [0, 0]);
-    // A gap of one bit, and none.
+    // A gap of one bit, and no gap.
     let unit = [spanned([0.0; 3], [1.0; 3])];
     assert_eq!(check(&unit, &[spanned([1.0_f64.next_up(), 0.0, 0.0], [2.0; 3])]), [2, 0]);
     assert_eq!(check(&unit, &[spanned([1.0; 3], [2.0; 3])]), [2, 2]);
@@ -78,7 +78,7 @@ fn sets_that_are_empty_or_apart_keep_nothing() {
 
 #[test]
 fn many_boxes_are_taken_in_parts_and_a_huge_one_among_them() {
-    // More than one thread takes at a time, and more than are looked at to choose the grid.
+    // More boxes than one thread takes at a time, and more than the sample that determines the grid.
     let line = |by: f64| (0..20_000_u32).map(move |i| [f64::from(i % 200), f64::from(i / 200), by]);
     let small: Vec<Bounds<3>> = line(0.0).map(|p| spanned(p, p.map(|x| x + 0.5))).collect();
     let points: Vec<Bounds<3>> = line(0.25).step_by(7).map(|p| spanned(p, p)).collect();
@@ -92,7 +92,7 @@ fn many_boxes_are_taken_in_parts_and_a_huge_one_among_them() {
     assert_eq!((kept[0].len(), kept[1].len()), (small.len(), huge.len()));
 }
 
-/// Few values, so that sides coincide; some far outside, and exponents of all sizes.
+/// Coordinates with few values, so that sides coincide; some far outside, and exponents of all sizes.
 fn coordinate() -> impl Strategy<Value = f64> {
     prop_oneof![
         8 => (-4_i8..=4).prop_map(f64::from),

@@ -1,4 +1,4 @@
-//! Sorting by signs, also by those that contradict each other.
+//! Sorting by signs, including contradictory signs.
 
 use predicament_grid::sort::sort_by_sign;
 use predicament_predicates::Sign;
@@ -7,7 +7,7 @@ fn sign(a: u32, b: u32) -> Sign {
     Sign::from(a.cmp(&b))
 }
 
-/// Numbers in no order, the same each time.
+/// Numbers in a fixed random order.
 fn scattered(n: u32) -> Vec<u32> {
     (0..n).map(|i| i.wrapping_mul(0x9e37_79b9) >> 20).collect()
 }

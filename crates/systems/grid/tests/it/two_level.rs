@@ -1,4 +1,4 @@
-//! The grid of two levels against every box, every cell, and any number of threads.
+//! The grid of two levels, compared with every box, with every cell, and for any number of threads.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -47,7 +47,7 @@ fn points(one: &Box3) -> Vec<[f64; 3]> {
     points
 }
 
-/// Whether a ray from a point meets a box.
+/// True if a ray from a point meets a box.
 fn meets(one: &Box3, p: [f64; 3], ray: Ray) -> bool {
     let is_over =
         (0..3).filter(|&axis| axis != ray.axis).all(|axis| one.low[axis] <= p[axis] && p[axis] <= one.high[axis]);
@@ -79,7 +79,7 @@ proptest! {
                 seen.extend(entries.iter().copied());
                 assert!(before.is_none_or(|before| if ray.is_up { before < last } else { before > last }));
                 before = Some(last);
-                // What has not been seen lies beyond.
+                // Boxes that were not visited are beyond the last step.
                 for (at, one) in (0..).zip(&boxes).filter(|(_, one)| meets(one, p, ray)) {
                     let [low, high] = [one.low, one.high].map(|corner| grid.step(ray.axis, corner[ray.axis]));
                     assert!(seen.contains(&at) || if ray.is_up { low > last } else { high < last });
@@ -103,7 +103,7 @@ proptest! {
         let grid = TwoLevel::new(&boxes, sizes);
         let mut slots = BTreeSet::new();
         for p in boxes.iter().flat_map(points) {
-            // A cell that holds a double has a middle.
+            // A cell that contains a double has a middle.
             let slot = grid.at(p);
             slots.insert(slot);
             let middle = grid.middle(slot).expect("it holds a point");
@@ -126,7 +126,7 @@ proptest! {
     }
 }
 
-/// Numbers as good as random.
+/// Pseudorandom numbers.
 struct Random(u64);
 
 impl Random {
@@ -136,11 +136,11 @@ impl Random {
     }
 }
 
-/// Asserts that the regions of cells that list nothing are those of a flood through all fine steps of a lattice, each a unit. The
-/// first and the last of them are solid.
+/// Asserts that the regions of empty cells are those of a flood fill through all fine steps of a lattice, each of unit
+/// size. The first and the last step are solid.
 fn flood_agrees(sides: [u32; 3], solid: &BTreeSet<[u32; 3]>, sizes: Sizes) {
     let what = format!("{sizes:?} over {solid:?}");
-    // In the middle of their cells, so that each is in one; two corners span the whole.
+    // Points in the middle of their cells, so that each is in one cell; two corners span the whole grid.
     let mut boxes: Vec<Box3> = solid
         .iter()
         .map(|at| Bounds { low: at.map(|x| f64::from(x) + 0.25), high: at.map(|x| f64::from(x) + 0.75) })
@@ -172,7 +172,7 @@ fn flood_agrees(sides: [u32; 3], solid: &BTreeSet<[u32; 3]>, sizes: Sizes) {
         }
         count += 1;
     }
-    // A coarse cell with something in it is refined, so all empty steps are empty cells or in them.
+    // A coarse cell with a box in it is refined, so every empty step is an empty cell or in one.
     let mut of_flood: BTreeMap<usize, usize> = BTreeMap::new();
     for (at, flooded) in &flood {
         let found = regions.of(grid.at(at.map(|x| f64::from(x) + 0.5)));
@@ -192,7 +192,7 @@ fn flood_agrees(sides: [u32; 3], solid: &BTreeSet<[u32; 3]>, sizes: Sizes) {
 
 #[test]
 fn empty_regions_are_those_that_a_flood_finds() {
-    // Points of 12 × 12 × 12 fine cells of a unit each; walls of unit boxes with gaps.
+    // 12 × 12 × 12 fine cells of unit size; walls of unit boxes with gaps.
     let mut random = Random(1);
     for _ in 0..60 {
         let side = 12;
@@ -214,26 +214,26 @@ fn empty_regions_are_those_that_a_flood_finds() {
         for _ in 0..random.below(200) {
             solid.insert([(); 3].map(|()| random.below(12)));
         }
-        // As many fine cells, in coarse ones of several sizes.
+        // The same number of fine cells, in coarse cells of several sizes.
         for (coarse, fine) in [([6; 3], 2), ([12; 3], 1), ([3; 3], 4), ([3; 3], 3)] {
             flood_agrees([side; 3], &solid, Sizes { coarse, fine, full: 0 });
         }
     }
 }
 
-/// Slabs of eight coarse cells are joined apart, then with each other: across one seam or several, between coarse cells,
-/// fine ones, and the one and the other.
+/// Slabs of eight coarse cells are joined separately, then with each other: across one seam or several, between coarse
+/// cells, between fine cells, and between a coarse and a fine cell.
 #[test]
 fn empty_regions_lead_across_the_seams_of_slabs() {
     let mut random = Random(2);
     for round in 0..30 {
         let sides = [34, 6, 6];
         let mut solid: BTreeSet<[u32; 3]> = [[0; 3], [33, 5, 5]].into();
-        // From long ways to many pockets, some of which are at one border only.
+        // From long passages to many pockets, some of which are at one border only.
         for _ in 0..[100, 500, 1000][round % 3] {
             solid.insert(sides.map(|side| random.below(side)));
         }
-        // Of 17 coarse cells the last is a slab of its own.
+        // Of 17 coarse cells, the last is a separate slab.
         for (coarse, fine) in [([17, 3, 3], 2), ([34, 6, 6], 1)] {
             flood_agrees(sides, &solid, Sizes { coarse, fine, full: 0 });
         }
@@ -242,7 +242,7 @@ fn empty_regions_lead_across_the_seams_of_slabs() {
 
 #[test]
 fn what_has_no_extent_along_an_axis_has_one_cell_there() {
-    // A wall in the plane x = 1, across the way: nothing leads around it.
+    // A wall in the plane x = 1, across the way, without a way around it.
     let square = |y: f64, z: f64| Bounds { low: [1.0, y, z], high: [1.0, y + 0.5, z + 0.5] };
     let mut boxes: Vec<Box3> = (0..8).map(|y| square(f64::from(y), 3.0)).collect();
     boxes.extend([square(0.0, 0.0), square(7.5, 7.5)]);
@@ -257,7 +257,7 @@ fn what_has_no_extent_along_an_axis_has_one_cell_there() {
 
 #[test]
 fn boxes_of_a_plane_or_a_line_are_listed_where_they_are() {
-    // 24 unit boxes along axes with an extent; refined cells have one layer along the others.
+    // 24 unit boxes along axes with an extent; refined cells have one layer along the other axes.
     for flat in [vec![0], vec![1], vec![2], vec![0, 1], vec![1, 2], vec![0, 2]] {
         let count = if flat.len() == 1 { 24 } else { 1 };
         let place = |i: u32, j: u32| {
@@ -303,7 +303,7 @@ fn no_sizes_have_more_entries_than_are_allowed() {
         let most = MOST_ENTRIES * boxes.len() as u64;
         let entries = |sizes: Sizes| TwoLevel::new(&boxes, sizes).all_entries() as u64;
         assert!(entries(sizes) <= most, "{} of cubes of {size}/8", entries(sizes));
-        // Twice as fine would be a little too fine.
+        // A grid twice as fine would be a little too fine.
         let finer = entries(Sizes { coarse: sizes.coarse.map(|coarse| 2 * coarse + 1), ..sizes });
         bound += usize::from(finer > most && finer <= 2 * most);
     }
@@ -311,7 +311,7 @@ fn no_sizes_have_more_entries_than_are_allowed() {
 }
 #[test]
 fn entries_are_bounded_whatever_the_boxes() {
-    // Needles as long as everything, and small boxes.
+    // Needles as long as the whole extent, and small boxes.
     let mut boxes: Vec<Box3> = (0..2_000)
         .map(|at| {
             let [y, z] = [at % 40, at / 40].map(f64::from);

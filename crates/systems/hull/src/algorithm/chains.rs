@@ -2,23 +2,24 @@
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
-/// One of the two chains between the first and the last vertex.
+/// A chain between the first and the last vertex.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Side {
-    /// Below: turns to the left.
+    /// The chain below: it turns to the left.
     Lower,
-    /// Above: turns to the right.
+    /// The chain above: it turns to the right.
     Upper,
 }
 
-/// Whether the chain keeps b between a and c.
+/// True if the chain keeps b between a and c.
 fn keeps(session: &dyn Predicates, plane: Plane, side: Side, [a, b, c]: [Vertex; 3]) -> bool {
     let turn = session.orient2d(plane, a, b, c);
     let turn = if side == Side::Lower { turn } else { -turn };
     turn == Sign::Positive
 }
 
-/// The chain of sorted vertices, left to right: each vertex drops those before it that it makes superfluous.
+/// The chain of sorted vertices, left to right: each new vertex removes the previous vertices that it makes
+/// superfluous.
 pub(super) fn monotone(session: &dyn Predicates, plane: Plane, side: Side, sorted: &[Vertex]) -> Vec<Vertex> {
     let mut chain: Vec<Vertex> = Vec::new();
     for &v in sorted {
@@ -33,8 +34,8 @@ pub(super) fn monotone(session: &dyn Predicates, plane: Plane, side: Side, sorte
     chain
 }
 
-/// The same by divide and conquer: the chain is written to the front of `out`, which is as long as `sorted`, and its
-/// length returned.
+/// The chain by divide and conquer. It is written to the front of `out`, which is as long as `sorted`; the result is
+/// its length.
 pub(super) fn divided(
     session: &dyn Predicates,
     plane: Plane,
@@ -54,8 +55,8 @@ pub(super) fn divided(
     i + 1 + right - j
 }
 
-/// The places of the two vertices at which the common tangent of two chains touches them; all vertices of the first
-/// chain come before those of the second. Each step leaves a vertex behind for good.
+/// The indices of the two vertices at which the common tangent of two chains touches them. All vertices of the first
+/// chain come before those of the second. Each step passes a vertex for good.
 pub(super) fn tangent(
     session: &dyn Predicates,
     plane: Plane,
@@ -80,10 +81,10 @@ pub(super) fn tangent(
 
 /// Both chains as one polygon, counterclockwise from the first vertex on.
 ///
-/// None where they have a vertex in common besides their ends: then they are not the two sides of a polygon.
+/// `None` if the chains share a vertex besides their ends: then they are not the two sides of a polygon.
 pub(super) fn polygon(sorted: &[Vertex], lower: &[Vertex], upper: &[Vertex]) -> Option<Vec<Vertex>> {
     let (Some(&first), Some(&last)) = (sorted.first(), sorted.last()) else { return Some(Vec::new()) };
-    // Both are in the order of `sorted`.
+    // Both chains are in the order of `sorted`.
     let (mut below, mut above) = (lower.iter().peekable(), upper.iter().peekable());
     for &v in sorted {
         let both = [below.next_if_eq(&&v).is_some(), above.next_if_eq(&&v).is_some()];

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that does not hold, where signs contradict each other.
+    /// An invariant that does not hold, because signs contradict each other.
     pub enum Contradiction {
         Face: "a face has three vertices of three faces each", "a face has fewer than three vertices of three faces each";
         Turned: "a stitching face has the edge that it is turned about", "a stitching face lacks the edge that it is turned about";

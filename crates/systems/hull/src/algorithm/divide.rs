@@ -8,17 +8,17 @@ use super::first::AXES;
 use super::scratch::Scratch;
 use super::{Contradiction, Hull3, faces, incremental, order, stitch};
 
-/// So many vertices are a part that is not divided: their hull is found by insertion.
+/// The size of a part that is not divided: insertion finds its hull.
 const LEAF: usize = 8;
 
 /// The hull of consecutive vertices.
 pub(super) struct Part {
     pub body: Body,
-    /// The lower hull of its vertices as seen in the plane of x and y, left to right.
+    /// The lower hull of its vertices, projected to the xy plane, left to right.
     pub lower: Vec<Vertex>,
 }
 
-/// What a part's vertices span.
+/// The hull of a part's vertices, by dimension.
 pub(super) enum Body {
     /// A point, a segment or a polygon.
     Flat(Hull3),
@@ -26,7 +26,7 @@ pub(super) enum Body {
     Solid(Box<HalfEdgeMesh>),
 }
 
-/// The hull of these vertices. Faces are in no order, and begin anywhere.
+/// The hull of these vertices. Faces are unsorted, and may begin at any vertex.
 pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
     let sorted = order::sorted(session, &AXES, vertices);
     if sorted.is_empty() {
@@ -38,7 +38,7 @@ pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[
     }
 }
 
-/// The hull of sorted vertices; an error is the hull of the part at which an invariant did not hold.
+/// The hull of sorted vertices; the error is the hull of the part at which an invariant did not hold.
 fn part(session: &dyn Predicates, scratch: &mut Scratch, sorted: &[Vertex]) -> Result<Part, Hull3> {
     if sorted.len() <= LEAF {
         let lower = monotone(session, Plane::Xy, Side::Lower, sorted);
@@ -61,7 +61,7 @@ fn part(session: &dyn Predicates, scratch: &mut Scratch, sorted: &[Vertex]) -> R
             }
         }
         (left, right) => {
-            // A part without volume has no surface to be stitched.
+            // A part without volume does not have a surface for stitching.
             let both: Vec<Vertex> = [left, right].into_iter().flat_map(|body| body.into_hull().vertices).collect();
             by_insertion(session, scratch, &both)?
         }

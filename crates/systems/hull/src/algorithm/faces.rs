@@ -1,15 +1,17 @@
-//! Triangles in one plane merged to polygons.
+//! Merging coplanar triangles to polygons.
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::scratch::NONE;
 use super::{Contradiction, Hull3};
 
-/// Edges that are asked about at once.
+/// The number of edges in a batch of queries.
 const CHUNK: usize = 4096;
 
-/// The hull with these triangles, each with its neighbours across the edges that begin at its corners: those in one plane
-/// are one face, and its corners are the vertices of three faces or more.
+/// The hull with these triangles, after merging coplanar ones.
+///
+/// Each triangle comes with its neighbours across the edges that begin at its corners. Coplanar triangles become one
+/// face, and its corners are the vertices of three faces or more.
 pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: &[[u32; 3]]) -> Hull3 {
     let mut groups: Vec<u32> = (0..).take(triangles.len()).collect();
     let mut broken = None;
@@ -23,7 +25,7 @@ pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: 
         queries.extend(edges.iter().map(|&[at, other]| {
             let corners = triangles[at as usize];
             let opposite = triangles[other as usize].into_iter().find(|corner| !corners.contains(corner));
-            // Two triangles with the same corners are a flat tetrahedron, which is never made.
+            // Two triangles with the same corners would be a flat tetrahedron, which is never made.
             [corners[0], corners[1], corners[2], opposite.unwrap_or(corners[0])]
         }));
         let signs = &mut signs[..edges.len()];
@@ -46,7 +48,7 @@ pub(super) fn merged(session: &dyn Predicates, triangles: &[[Vertex; 3]], near: 
             Err(why) => broken = Some(why),
         }
     }
-    // In their final order already, as long as they are arrays.
+    // Put in their final order here, while they are arrays.
     let mut triangles = triangles.to_vec();
     for corners in &mut triangles {
         let smallest = (0..3).min_by_key(|&at| corners[at]).unwrap_or(0);
@@ -74,7 +76,7 @@ pub(super) fn corners(faces: &[Vec<Vertex>]) -> Vec<Vertex> {
     places.map(|(at, _)| Vertex::input(first.index() + at)).collect()
 }
 
-/// The first triangle of a group.
+/// The representative triangle of a group.
 fn find(groups: &mut [u32], of: u32) -> u32 {
     let mut root = of;
     while groups[root as usize] != root {

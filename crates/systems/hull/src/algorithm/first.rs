@@ -1,4 +1,4 @@
-//! Up to four vertices that span as much as the scene does.
+//! Up to four vertices with the same affine dimension as the scene.
 
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 
@@ -6,26 +6,28 @@ use super::order::lexicographic;
 
 pub(super) const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
-/// Vertices that are asked about at once.
+/// The number of vertices in a batch of queries.
 const CHUNK: usize = 1024;
 
-/// What the vertices span.
+/// The affine span of vertices.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) enum Span {
-    /// There is no vertex.
+    /// Empty: there is no vertex.
     Nothing,
-    /// All are in the place of this one.
+    /// All vertices are in the place of this one.
     Point(Vertex),
-    /// All are in one line; its ends.
+    /// All vertices are on one line; these are its ends.
     Line([Vertex; 2]),
-    /// All are in one plane, which can be seen in this coordinate plane.
+    /// All vertices are in one plane, whose projection to this coordinate plane has area.
     Flat(Plane),
-    /// These four are in no plane, and the last one is below that of the others.
+    /// Not coplanar: these four vertices span space, and the last one is below the plane of the others.
     Space([Vertex; 4]),
 }
 
-/// What these vertices span. Distant vertices are tried first, by rounded coordinates; where a sign says that they do
-/// not span more, all others are.
+/// The affine span of these vertices.
+///
+/// Distant vertices by rounded coordinates are tried first. If their signs show no larger span, all the other vertices
+/// are tried.
 pub(super) fn span(session: &dyn Predicates, vertices: &[Vertex]) -> Span {
     let scene = session.scene();
     let Some(&any) = vertices.first() else { return Span::Nothing };
@@ -42,7 +44,7 @@ pub(super) fn span(session: &dyn Predicates, vertices: &[Vertex]) -> Span {
     Span::Space(if side == Sign::Positive { [a, b, c, d] } else { [b, a, c, d] })
 }
 
-/// A vertex that is not in the line, and a plane in which that shows.
+/// A vertex off the line, and a coordinate plane in which it is off the projected line.
 fn off_line(session: &dyn Predicates, [a, b]: [Vertex; 2], vertices: &[Vertex]) -> Option<(Vertex, Plane)> {
     let scene = session.scene();
     let others = || vertices.iter().copied().filter(|&v| v != a && v != b);
@@ -53,7 +55,7 @@ fn off_line(session: &dyn Predicates, [a, b]: [Vertex; 2], vertices: &[Vertex]) 
     found.or_else(|| others().find_map(|c| Some((c, seen(c)?))))
 }
 
-/// A vertex that is not in the plane, and its side.
+/// A vertex off the plane, and its side.
 fn off_plane(session: &dyn Predicates, abc: [Vertex; 3], vertices: &[Vertex]) -> Option<(Vertex, Sign)> {
     let scene = session.scene();
     let [a, b, c] = abc;
@@ -79,7 +81,7 @@ fn off_plane(session: &dyn Predicates, abc: [Vertex; 3], vertices: &[Vertex]) ->
     None
 }
 
-/// The first and the last vertex in lexicographic order, of several at one place that with the smallest index.
+/// The first and the last vertex in lexicographic order; of several at one place, the one with the smallest index.
 fn ends(session: &dyn Predicates, vertices: &[Vertex]) -> [Vertex; 2] {
     [Sign::Negative, Sign::Positive].map(|wanted| {
         let further = |best: Vertex, v: Vertex| match lexicographic(session, &AXES, v, best) {
@@ -100,13 +102,13 @@ fn cross(u: [f64; 3], v: [f64; 3]) -> [f64; 3] {
     [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]]
 }
 
-/// Rounded, in no unit: only compared.
+/// A rounded measure of the distance from a line, for comparison only.
 fn distance_from_line(scene: &Scene, [a, b]: [Vertex; 2], v: Vertex) -> f64 {
     let normal = cross(difference(scene, b, a), difference(scene, v, a));
     normal.into_iter().map(f64::abs).fold(0.0, f64::max)
 }
 
-/// Rounded, in no unit: only compared.
+/// A rounded measure of the distance from a plane, for comparison only.
 fn distance_from_plane(scene: &Scene, [a, b, c]: [Vertex; 3], v: Vertex) -> f64 {
     let normal = cross(difference(scene, b, a), difference(scene, c, a));
     let to = difference(scene, v, a);

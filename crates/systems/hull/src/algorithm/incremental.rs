@@ -8,12 +8,12 @@ use super::scratch::Scratch;
 use super::surface::Surface;
 use super::{Contradiction, Hull3, faces};
 
-/// With fewer vertices none is inserted before the others.
+/// The minimum number of vertices for inserting extreme vertices first.
 const FEW: usize = 64;
-/// Directions whose extreme vertices are inserted first: multiples of 1 along each axis, but for none at all.
+/// The number of directions whose extreme vertices are inserted first: −1, 0 or 1 along each axis, except (0, 0, 0).
 const DIRECTIONS: usize = 26;
 
-/// The hull of these vertices. Faces are in no order, and begin anywhere.
+/// The hull of these vertices. Faces are unsorted, and may begin at any vertex.
 pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[Vertex]) -> Hull3 {
     let first = match span(session, vertices) {
         Span::Nothing => return Hull3::default(),
@@ -22,7 +22,7 @@ pub(super) fn hull(session: &dyn Predicates, scratch: &mut Scratch, vertices: &[
         Span::Flat(plane) => {
             let flat = flat(session, plane, PlaneMethod::Chain, vertices);
             let back = flat.vertices.iter().rev().copied().collect();
-            // Where signs contradict each other, fewer than three may be left.
+            // If signs contradict each other, fewer than three vertices may remain.
             let faces = if flat.vertices.len() < 3 { Vec::new() } else { vec![flat.vertices.clone(), back] };
             return Hull3 { vertices: flat.vertices, faces, broken: flat.broken };
         }
@@ -48,8 +48,8 @@ fn insert_all(session: &dyn Predicates, surface: &mut Surface<'_>, vertices: &[V
     order.into_iter().try_for_each(|v| surface.insert(v))
 }
 
-/// The extreme vertices in all directions whose components are −1, 0 or 1, by rounded coordinates: with these inserted
-/// first, most of the others are inside at once.
+/// The extreme vertices in all directions with components −1, 0 or 1, by rounded coordinates. Once they are inserted,
+/// most other vertices are inside.
 fn extreme(session: &dyn Predicates, vertices: &[Vertex]) -> [Vertex; DIRECTIONS] {
     let scene = session.scene();
     let mut most = [f64::NEG_INFINITY; DIRECTIONS];
@@ -60,7 +60,7 @@ fn extreme(session: &dyn Predicates, vertices: &[Vertex]) -> [Vertex; DIRECTIONS
         for of_x in [-x, 0.0, x] {
             for of_y in [of_x - y, of_x, of_x + y] {
                 for value in [of_y - z, of_y, of_y + z] {
-                    // The middle one is no direction.
+                    // The middle index stands for the zero vector.
                     if place < DIRECTIONS && value > most[place] {
                         most[place] = value;
                         found[place] = v;
@@ -73,7 +73,7 @@ fn extreme(session: &dyn Predicates, vertices: &[Vertex]) -> [Vertex; DIRECTIONS
     found
 }
 
-/// Shuffles by numbers that are the same each time: those of `SplitMix64`.
+/// Shuffles by a fixed sequence of random numbers, that of `SplitMix64`.
 fn shuffle(items: &mut [Vertex]) {
     let mut state = 0_u64;
     for end in (1..items.len()).rev() {
@@ -82,7 +82,7 @@ fn shuffle(items: &mut [Vertex]) {
         bits = (bits ^ (bits >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         bits = (bits ^ (bits >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
         bits ^= bits >> 31;
-        // Not quite uniform, by less than 2^-32: any order will do.
+        // The deviation from uniform is less than 2^-32. Any order is correct.
         let place = (u128::from(bits) * (end as u128 + 1)) >> 64;
         items.swap(end, usize::try_from(place).unwrap_or(0));
     }

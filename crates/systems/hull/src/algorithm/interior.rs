@@ -1,17 +1,17 @@
-//! Throwing away points of the plane that are certainly no vertices of the hull.
+//! A filter for points of the plane that are certainly not vertices of the hull.
 //!
-//! The extreme points in eight directions make an octagon; what is strictly left of all of its edges is inside. The
-//! octagon is found by rounded coordinates and need not be convex: a point strictly left of each edge of a closed line
-//! has the line wound around it, and is inside of the hull of the line's vertices. So signs alone decide.
+//! The extreme points in eight directions make an octagon; a point strictly left of all its edges is inside. The
+//! octagon is found by rounded coordinates and need not be convex. A closed polyline winds around any point strictly
+//! left of each of its edges, so the point is inside the hull of the polyline's vertices. So signs alone decide.
 
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 
-/// Points that are asked about at once: they and their signs fit into a near cache.
+/// The number of points in a batch of queries: the points and their signs fit into a near cache.
 const CHUNK: usize = 2048;
-/// With fewer points nothing is won.
+/// The minimum number of points for which the filter saves time.
 const FEW: usize = 64;
 
-/// The vertices of a plane scene that are not inside of the octagon, in no order.
+/// The vertices of a plane scene that are not inside the octagon, unsorted.
 pub(super) fn outer(session: &dyn Predicates) -> Vec<Vertex> {
     let scene = session.scene();
     let all: Vec<Vertex> = scene.vertices().collect();
@@ -25,7 +25,7 @@ pub(super) fn outer(session: &dyn Predicates) -> Vec<Vertex> {
     let mut own = ring.clone();
     own.sort_unstable();
     let mut rest = &all[..];
-    // No question names a vertex twice: the octagon's own vertices are between the stretches that are asked about.
+    // A query must not name a vertex twice, so batches leave out the octagon's own vertices.
     for corner in own.into_iter().map(Some).chain([None]) {
         let end = corner.map_or(rest.len(), |corner| rest.partition_point(|&v| v < corner));
         let (stretch, after) = rest.split_at(end);

@@ -1,23 +1,23 @@
-//! Convex hulls: of points of the plane by a monotone chain or by divide and conquer, of points of space by divide and
-//! conquer over half-edge meshes or by insertion in random order with a conflict graph.
+//! Convex hulls of points in the plane and in space.
 //!
-//! The answer does not depend on the method, nor on the order of insertion: lists begin with the smallest vertex and
-//! faces are sorted.
+//! In the plane, the method is a monotone chain or divide and conquer. In space, it is divide and conquer over
+//! half-edge meshes, or insertion in random order with a conflict graph. The answer depends neither on the method nor
+//! on the order of insertion: lists begin with the smallest vertex and faces are sorted.
 //!
-//! # What a zero means
-//! * Vertices that no coordinate tells apart are one: of several at one place the smallest index stands for all.
-//! * Three vertices in one line: the one in the middle is no vertex of the hull.
-//! * Four vertices in one plane: a vertex in the plane of a face is not outside of it, and faces in one plane are merged
-//!   to one polygon, whose corners are vertices of three faces or more.
-//! * All vertices in one place: the hull is that vertex. All in one line: the two ends. All in one plane: the polygon of
-//!   its extreme vertices, in space as two faces back to back.
+//! # Meaning of a zero
+//! * Vertices that compare equal on every axis are one: the smallest index at a place stands for all.
+//! * Three vertices on one line: the middle one is not a vertex of the hull.
+//! * Four vertices in one plane: a vertex in the plane of a face is not outside of it. Coplanar faces are merged to one
+//!   polygon, whose corners are vertices of three faces or more.
+//! * All vertices in one place: the hull is that vertex. All on one line: the two ends. All in one plane: the polygon
+//!   of its extreme vertices, in space as two faces back to back.
 //!
-//! A session that never says zero gets the hull of its perturbed points: simple polygons, faces that are triangles, and
+//! A session that never answers zero gets the hull of its perturbed points: simple polygons, triangular faces, and
 //! vertices that only the perturbation makes extreme.
 //!
-//! # Signs that contradict each other
-//! Every loop is bounded by the number of vertices or faces. Where a step is impossible the algorithm stops: the answer
-//! holds the hull as it was before it, and the [`Contradiction`].
+//! # Contradictory signs
+//! Every loop is bounded by the number of vertices or faces. If a step is impossible, the algorithm stops: the answer
+//! holds the hull before that step, and the [`Contradiction`].
 
 mod chains;
 mod contradiction;
@@ -42,9 +42,10 @@ pub use space::{SpaceMethod, hull3d};
 /// The convex hull of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Hull2 {
-    /// Its vertices counterclockwise, from the one with the smallest x on, of several that with the smallest y.
+    /// The vertices counterclockwise, from the one with the smallest x on; of several such, the one with the smallest
+    /// y.
     pub vertices: Vec<Vertex>,
-    /// The invariant that did not hold, where signs contradict each other.
+    /// The invariant that did not hold, if signs contradict each other.
     pub broken: Option<Contradiction>,
 }
 
@@ -60,12 +61,12 @@ impl std::fmt::Display for Hull2 {
 /// The convex hull of points of space.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Hull3 {
-    /// Its vertices, ascending.
+    /// The vertices, ascending.
     pub vertices: Vec<Vertex>,
-    /// Its faces, each counterclockwise as seen from outside and from its smallest vertex on, sorted. None where the hull
-    /// is a point or a segment, two of the same vertices where it is flat.
+    /// The faces, sorted, each counterclockwise as seen from outside and from its smallest vertex on. A point or a
+    /// segment has no faces; a flat hull has two faces with the same vertices.
     pub faces: Vec<Vec<Vertex>>,
-    /// The invariant that did not hold, where signs contradict each other.
+    /// The invariant that did not hold, if signs contradict each other.
     pub broken: Option<Contradiction>,
 }
 

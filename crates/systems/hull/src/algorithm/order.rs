@@ -4,16 +4,16 @@ use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
 use predicament_grid::sort::sort_by_sign;
 
-/// The order of two vertices by the first of these axes that tells them apart.
+/// The order of two vertices by the first of these axes on which they differ.
 pub(super) fn lexicographic(session: &dyn Predicates, axes: &[Axis], a: Vertex, b: Vertex) -> Sign {
     let signs = axes.iter().map(|&axis| session.compare(axis, a, b));
     signs.into_iter().find(|&sign| sign != Sign::Zero).unwrap_or(Sign::Zero)
 }
 
-/// The vertices in lexicographic order; of several that no axis tells apart, the one with the smallest index.
+/// The vertices in lexicographic order; of several that are equal on all axes, the one with the smallest index.
 ///
-/// They are put in the order of their coordinates first, so that one question for each pair of neighbours confirms it
-/// where nothing is perturbed.
+/// The vertices are sorted by their coordinates first. Without perturbation, one comparison for each pair of neighbours
+/// then confirms the order.
 pub(super) fn sorted(session: &dyn Predicates, axes: &[Axis], vertices: &[Vertex]) -> Vec<Vertex> {
     let scene = session.scene();
     let key = |v: Vertex| {
@@ -28,7 +28,7 @@ pub(super) fn sorted(session: &dyn Predicates, axes: &[Axis], vertices: &[Vertex
     keyed.sort_unstable_by(|(a, v), (b, w)| a.partial_cmp(b).unwrap_or(std::cmp::Ordering::Equal).then(v.cmp(w)));
     let mut sorted: Vec<Vertex> = keyed.into_iter().map(|(_, v)| v).collect();
     sort_by_sign(&mut sorted, |a, b| lexicographic(session, axes, a, b));
-    // The sort is stable: of equal ones the smallest index comes first.
+    // The sort is stable: of equal vertices, the smallest index comes first.
     sorted.dedup_by(|next, kept| lexicographic(session, axes, *next, *kept) == Sign::Zero);
     sorted
 }

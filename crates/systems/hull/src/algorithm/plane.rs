@@ -5,14 +5,14 @@ use predicament_predicates::{Plane, Predicates, Vertex};
 use super::chains::{Side, divided, monotone, polygon};
 use super::{Contradiction, Hull2, interior, order};
 
-/// How the hull of points of the plane is found.
+/// The methods for hulls in the plane.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum PlaneMethod {
-    /// Points inside of an octagon are thrown away, the others sorted, and two chains made of them from left to right
-    /// (Andrew's monotone chain).
+    /// Andrew's monotone chain: drops points inside an octagon, sorts the others, and makes two chains of them from
+    /// left to right.
     #[default]
     Chain,
-    /// The points are sorted; the chains of both halves are joined by their common tangent.
+    /// Divide and conquer: sorts the points, and joins the chains of both halves by their common tangent.
     Divide,
 }
 
@@ -26,7 +26,7 @@ pub fn hull2d(session: &dyn Predicates, method: PlaneMethod) -> Hull2 {
     flat(session, Plane::Xy, method, &vertices)
 }
 
-/// The convex hull of vertices seen in a coordinate plane.
+/// The convex hull of vertices projected to a coordinate plane.
 pub(super) fn flat(session: &dyn Predicates, plane: Plane, method: PlaneMethod, vertices: &[Vertex]) -> Hull2 {
     let sorted = order::sorted(session, &plane.axes(), vertices);
     let [lower, upper] = [Side::Lower, Side::Upper].map(|side| match method {

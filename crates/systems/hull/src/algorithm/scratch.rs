@@ -1,8 +1,8 @@
-//! Arrays by vertex that the hulls of parts of a scene share, so that a small part costs little.
+//! Arrays by vertex, shared by the hulls of a scene's parts, so that a small part costs little.
 
 use predicament_predicates::Vertex;
 
-/// What an array holds where it holds nothing.
+/// The mark of an empty entry.
 pub(super) const NONE: u32 = u32::MAX;
 
 /// Two numbers for each vertex, [`NONE`] between uses.
@@ -14,12 +14,12 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
-    /// For vertices below this index.
+    /// Arrays for vertices below this index.
     pub fn new(vertices: usize) -> Scratch {
         Scratch { seat: vec![NONE; vertices], spoke: vec![NONE; vertices] }
     }
 
-    /// Forgets the seats of these vertices.
+    /// Clears the seats of these vertices.
     pub fn clear(&mut self, vertices: &[Vertex]) {
         vertices.iter().for_each(|v| self.seat[v.index()] = NONE);
     }

@@ -9,13 +9,14 @@ use super::order::lexicographic;
 use super::scratch::Scratch;
 use super::{Hull3, divide, incremental};
 
-/// How the hull of points of space is found.
+/// The methods for hulls in space.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum SpaceMethod {
-    /// Points are inserted in random order, which is the same each time; a conflict graph knows who is outside.
+    /// Insertion in a fixed random order; a conflict graph holds the outside points.
     #[default]
     Incremental,
-    /// The points are sorted; the half-edge meshes of both halves are stitched together by the faces that touch both.
+    /// Divide and conquer: sorts the points, and stitches the half-edge meshes of both halves by the faces that touch
+    /// both.
     Divide,
 }
 
@@ -42,13 +43,13 @@ pub fn hull3d(session: &dyn Predicates, method: SpaceMethod) -> Hull3 {
     hull
 }
 
-/// What is equal where coordinates are: zeros of either sign are.
+/// The key of a place: equal if and only if the coordinates are, with −0 equal to +0.
 fn place(scene: &Scene, v: Vertex) -> [u64; 3] {
     scene.point3(v).map(|x| (x + 0.0).to_bits())
 }
 
-/// Names the vertices of a hull by the smallest index at their place, where the session sees them in one place. What is in
-/// the place of a vertex is outside of no face, so it is no vertex itself.
+/// Renames each vertex of a hull to the smallest index at its place, if the session sees them in one place. A point in
+/// the place of a vertex is not outside of any face, so it is not a vertex itself.
 fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
     let scene = session.scene();
     let Some(last) = hull.vertices.iter().max().copied() else { return };
@@ -60,7 +61,7 @@ fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
     if candidates.is_empty() {
         return;
     }
-    // Only looked up, never iterated: its order reaches no output.
+    // Only looked up, never iterated: its order does not affect the output.
     let of_place: HashMap<[u64; 3], Vertex> = hull.vertices.iter().map(|&v| (place(scene, v), v)).collect();
     let mut smallest: HashMap<Vertex, Vertex> = HashMap::new();
     for v in candidates {
@@ -68,7 +69,7 @@ fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
             && v < named
             && lexicographic(session, &AXES, v, named) == Sign::Zero
         {
-            // The first one is the smallest.
+            // The first index is the smallest.
             smallest.entry(named).or_insert(v);
         }
     }
@@ -79,7 +80,7 @@ fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
     }
 }
 
-/// Places that may be among some, by one bit each: most of the others are told at once.
+/// A filter for places, with one bit per hash value: it rejects most places outside a set at once.
 struct Filter {
     bits: Vec<bool>,
 }

@@ -1,14 +1,15 @@
-//! Two disjoint hulls stitched to one: the slides' stitch phase over half-edge meshes.
+//! Stitching two disjoint hulls to one: the stitch phase of the slides, over half-edge meshes.
 //!
 //! A plane that touches both hulls is turned around them. In each of its positions it holds an edge between the hulls,
-//! the bridge, and is turned about that until it meets the next vertex of either: what it then holds is a face of the
-//! joined hull, whose other edge between the hulls is the next bridge. The faces make a band; edges of them that belong to
-//! a hull are where its faces that see the other hull are cut off. The faces beyond are kept, those inside are removed.
+//! the bridge. It is turned about the bridge until it meets the next vertex of either hull. The plane then holds a face
+//! of the joined hull, and the other edge of this face between the hulls is the next bridge. The faces make a band.
+//! Band edges that belong to a hull cut off those of its faces that see the other hull. The faces beyond the cut are
+//! kept, the faces inside are removed.
 //!
-//! Each turn looks at all neighbours of both ends of the bridge: the time is linear where few vertices have many edges.
+//! Each turn looks at all neighbours of both ends of the bridge: the time is linear if few vertices have many edges.
 //!
-//! Where the plane holds more than three vertices, the face is their polygon: it takes the place of faces of the hulls in
-//! that plane.
+//! If the plane holds more than three vertices, the face is their polygon: it replaces faces of the hulls in that
+//! plane.
 
 use super::Contradiction;
 use std::collections::{HashMap, HashSet};
@@ -19,7 +20,7 @@ use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 use super::plane::{PlaneMethod, flat};
 use super::scratch::NONE;
 
-/// Vertices that are asked about at once.
+/// The number of vertices in a batch of queries.
 const CHUNK: usize = 1024;
 /// The marker of half-edges that are edges of stitching faces.
 const CUT: u8 = 1;
@@ -32,17 +33,17 @@ struct Corner {
     vertex: Vertex,
 }
 
-/// Two hulls that are being stitched.
+/// The state of stitching two hulls.
 struct Stitch<'s> {
     session: &'s dyn Predicates,
     parts: &'s mut [HalfEdgeMesh; 2],
 }
 
-/// The hull of two hulls, all vertices of the first of which come before those of the second; these two vertices are on a
-/// line with nothing below it, seen in the plane of x and y.
+/// The hull of two hulls. All vertices of the first hull come before those of the second. These two vertices are on a
+/// line with nothing below it, in the projection to the xy plane.
 ///
 /// # Errors
-/// The invariant that does not hold.
+/// If an invariant does not hold; the error names it.
 pub(super) fn stitched(
     session: &dyn Predicates,
     parts: &mut [HalfEdgeMesh; 2],
@@ -56,10 +57,10 @@ pub(super) fn stitched(
 }
 
 impl Stitch<'_> {
-    /// The stitching faces, each counterclockwise from outside.
+    /// The stitching faces, each counterclockwise as seen from outside.
     fn band(&self, touching: [Vertex; 2]) -> Result<Vec<Vec<Corner>>, Contradiction> {
         let first = self.first_bridge(touching)?;
-        // There are not twice as many faces as vertices in a hull.
+        // A hull has fewer than twice as many faces as vertices.
         let most = 2 * self.parts.iter().map(HalfEdgeMesh::vertex_count).sum::<usize>();
         let mut band = Vec::new();
         let mut bridge = first;
@@ -87,7 +88,8 @@ impl Stitch<'_> {
         Err(Contradiction::Band)
     }
 
-    /// An edge of the joined hull between its parts: in the upright plane through two vertices, all in which are asked.
+    /// A first bridge: an edge of the joined hull between its parts, in the vertical plane through two vertices. All
+    /// vertices in that plane are queried.
     fn first_bridge(&self, [a, b]: [Vertex; 2]) -> Result<[Corner; 2], Contradiction> {
         let session = self.session;
         let mut here: Vec<Corner> = Vec::new();
@@ -122,7 +124,7 @@ impl Stitch<'_> {
     fn polygon(&self, plane: Plane, corners: &[Corner]) -> Vec<Corner> {
         let vertices: Vec<Vertex> = corners.iter().map(|corner| corner.vertex).collect();
         let hull = flat(self.session, plane, PlaneMethod::Chain, &vertices);
-        // Only looked up, never iterated: its order reaches no output.
+        // Only looked up, never iterated: its order does not affect the output.
         let of: HashMap<Vertex, Corner> = corners.iter().map(|&corner| (corner.vertex, corner)).collect();
         hull.vertices.iter().filter_map(|v| of.get(v).copied()).collect()
     }
@@ -198,7 +200,7 @@ impl Stitch<'_> {
         Ok(())
     }
 
-    /// For each face of a part whether it is a face of the joined hull: those beyond the cut.
+    /// For each face of a part, true if it is beyond the cut: a face of the joined hull.
     fn kept(&self, part: usize) -> Vec<bool> {
         let mesh = &self.parts[part];
         let mut kept = vec![false; mesh.face_count()];

@@ -1,18 +1,20 @@
-//! The triangulated surface of a hull under insertion, with the vertices outside of each triangle: the conflict graph.
+//! The triangulated surface of a hull under insertion, with its conflict graph: the vertices outside of each triangle.
 //!
-//! Each vertex that is not yet known to be inside has a seat at one triangle that it is outside of. Where triangles are
-//! replaced, their vertices find a seat at one of the new triangles or are inside: the segment from a vertex outside of a
-//! replaced triangle to a point of it, which is inside of the new hull, leaves the new hull through a new triangle.
+//! Each vertex that is not yet known to be inside has a seat at one triangle that it is outside of. When triangles are
+//! replaced, their vertices either get a seat at a new triangle or are inside. Proof: take the segment from a vertex
+//! outside of a replaced triangle to a point of that triangle, which is inside the new hull. The segment enters the new
+//! hull through a new triangle.
 
 use super::Contradiction;
 use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::scratch::{NONE, Scratch};
 
-/// With fewer vertices a batch costs more than single questions.
+/// The minimum number of vertices for which a batch is cheaper than single queries.
 const FEW: usize = 4;
 
-/// A triangle: its corners counterclockwise from outside, and its neighbours across the edges that begin at each corner.
+/// A triangle: its corners counterclockwise as seen from outside, and its neighbours across the edges that begin at
+/// each corner.
 #[derive(Clone, Copy, Debug)]
 struct Triangle {
     corners: [Vertex; 3],
@@ -24,13 +26,13 @@ pub(super) struct Surface<'s> {
     session: &'s dyn Predicates,
     scratch: &'s mut Scratch,
     triangles: Vec<Triangle>,
-    /// The vertices that are seated at each triangle.
+    /// The vertices with a seat at each triangle.
     outside: Vec<Vec<Vertex>>,
-    /// The last step that has looked at each triangle, times two, plus one if it was visible then.
+    /// The last step that looked at each triangle, times two, plus one if the triangle was visible then.
     seen: Vec<u32>,
     step: u32,
     free: Vec<u32>,
-    // Kept from step to step, so that memory is.
+    // Kept from step to step to reuse the memory.
     visible: Vec<u32>,
     horizon: Vec<Horizon>,
     pending: Vec<Vertex>,
@@ -38,19 +40,19 @@ pub(super) struct Surface<'s> {
     made: Vec<u32>,
 }
 
-/// An edge between a triangle that is visible and one that is not: its corners as the visible one has them.
+/// An edge between a visible and an invisible triangle, in the direction of the visible one.
 #[derive(Clone, Copy, Debug)]
 struct Horizon {
     from: Vertex,
     to: Vertex,
     beyond: u32,
-    /// Which edge of that triangle it is.
+    /// The index of the edge in that triangle.
     edge: usize,
 }
 
 impl<'s> Surface<'s> {
-    /// The tetrahedron of four vertices, the last of which is below the plane of the others; and the other ones outside
-    /// of it.
+    /// The tetrahedron of four vertices, the last of which is below the plane of the others, with the remaining
+    /// vertices outside of it.
     pub fn tetrahedron(
         session: &'s dyn Predicates,
         scratch: &'s mut Scratch,
@@ -58,7 +60,7 @@ impl<'s> Surface<'s> {
         vertices: &[Vertex],
     ) -> Surface<'s> {
         let corners = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]];
-        // Across ab, bc, ca; then those that begin at each corner of the sides.
+        // Across ab, bc, ca; then across the edges that begin at each corner of the sides.
         let near = [[1, 2, 3], [3, 2, 0], [1, 3, 0], [2, 1, 0]];
         let triangles = corners.into_iter().zip(near).map(|(corners, near)| Triangle { corners, near }).collect();
         let pending = vertices.iter().copied().filter(|v| ![a, b, c, d].contains(v)).collect();
@@ -80,12 +82,12 @@ impl<'s> Surface<'s> {
         surface
     }
 
-    /// Whether the vertex is known to be outside.
+    /// True if the vertex is known to be outside.
     pub fn is_outside(&self, v: Vertex) -> bool {
         self.scratch.seat[v.index()] != NONE
     }
 
-    /// The triangles by their corners, and their neighbours as places in the same list.
+    /// The triangles by their corners, and their neighbours as indices of the same list.
     pub fn triangles(&self) -> (Vec<[Vertex; 3]>, Vec<[u32; 3]>) {
         let mut places = vec![0; self.triangles.len()];
         self.free.iter().for_each(|&at| places[at as usize] = NONE);
@@ -100,10 +102,11 @@ impl<'s> Surface<'s> {
         alive.map(|(triangle, _)| (triangle.corners, triangle.near.map(|near| places[near as usize]))).unzip()
     }
 
-    /// Inserts a vertex that is outside: the triangles that it sees are replaced by those that join it to their horizon.
+    /// Inserts a vertex that is outside: replaces the triangles that it sees by triangles that join it to their
+    /// horizon.
     ///
     /// # Errors
-    /// The invariant that does not hold; the surface is as it was.
+    /// If an invariant does not hold; the error names it. The surface is then unchanged.
     pub fn insert(&mut self, v: Vertex) -> Result<(), Contradiction> {
         let first = self.scratch.seat[v.index()];
         if first == NONE {
@@ -122,7 +125,7 @@ impl<'s> Surface<'s> {
         Ok(())
     }
 
-    /// Finds the triangles that the vertex sees, from one of them on, and their horizon.
+    /// Finds the triangles that the vertex sees, starting from one of them, and their horizon.
     fn look(&mut self, v: Vertex, first: u32) {
         let Surface { session, triangles, seen, visible, horizon, .. } = self;
         self.step += 1;
@@ -148,7 +151,7 @@ impl<'s> Surface<'s> {
                 }
                 if *state == hidden {
                     let [from, to] = [corners[edge], corners[(edge + 1) % 3]];
-                    // The edge begins where this one ends.
+                    // The edge begins at the end of this one.
                     let edge = other.corners.iter().position(|&corner| corner == to).unwrap_or(0);
                     horizon.push(Horizon { from, to, beyond, edge });
                 }
@@ -156,7 +159,7 @@ impl<'s> Surface<'s> {
         }
     }
 
-    /// Puts the horizon in order; an error where it is not a single loop.
+    /// Orders the horizon; an error if it is not a single loop.
     fn check_horizon(&mut self) -> Result<(), Contradiction> {
         let Surface { scratch, horizon, .. } = self;
         let spoke = &mut scratch.spoke;
@@ -185,7 +188,7 @@ impl<'s> Surface<'s> {
         if is_loop { Ok(()) } else { Err(Contradiction::Horizon) }
     }
 
-    /// Replaces the visible triangles by those that join the vertex to the horizon.
+    /// Replaces the visible triangles by triangles that join the vertex to the horizon.
     fn replace(&mut self, v: Vertex) {
         let Surface { triangles, outside, seen, free, visible, horizon, made, scratch, .. } = self;
         made.clear();
@@ -216,7 +219,7 @@ impl<'s> Surface<'s> {
         horizon.iter().for_each(|edge| scratch.spoke[edge.from.index()] = NONE);
     }
 
-    /// Seats each pending vertex at the first new triangle that it is outside of; those without a seat are inside.
+    /// Seats each pending vertex at the first new triangle that it is outside of; a vertex without a seat is inside.
     fn seat(&mut self) {
         let Surface { session, triangles, outside, pending, signs, made, scratch, .. } = self;
         for &at in made.iter() {

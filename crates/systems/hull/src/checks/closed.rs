@@ -1,4 +1,4 @@
-//! Faces that close to a connected surface, by their vertices alone.
+//! Checks that faces close to a connected surface, by their vertices alone.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use predicament_predicates::Vertex;
 
 use super::tally::Tally;
 
-/// For each directed edge the face that has it.
+/// The face of each directed edge.
 pub(super) type Edges = HashMap<[Vertex; 2], usize>;
 
 /// The edges of a face, each from its start to its end.
@@ -14,8 +14,10 @@ pub(super) fn edges_of(face: &[Vertex]) -> impl Iterator<Item = [Vertex; 2]> + '
     face.iter().zip(face.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
 }
 
-/// `faces`: each has three different vertices or more. `closed`: each edge is in two faces, once in each direction.
-/// `manifold`: the faces at a vertex make one ring. `connected`: one surface. `euler`: V − E + F = 2.
+/// Checks the closed surface of these faces, and returns its edges.
+///
+/// `faces`: each has three or more different vertices. `closed`: each edge is in two faces, once in each direction.
+/// `manifold`: the faces at a vertex make one ring. `connected`: there is one surface. `euler`: V − E + F = 2.
 pub(super) fn closed(tally: &mut Tally<'_>, vertices: &[Vertex], faces: &[Vec<Vertex>]) -> Edges {
     let mut edges = Edges::new();
     for (at, face) in faces.iter().enumerate() {
@@ -57,9 +59,9 @@ pub(super) fn closed(tally: &mut Tally<'_>, vertices: &[Vertex], faces: &[Vec<Ve
     edges
 }
 
-/// For each vertex, the faces around it are one after the other.
+/// Checks for each vertex that the faces around it make one ring.
 fn rings(tally: &mut Tally<'_>, corners: &[Vertex], faces: &[Vec<Vertex>]) {
-    // The vertex before a corner in its face, by the edge from the corner on.
+    // The vertex before a corner in its face, keyed by the edge that starts at the corner.
     let mut before: HashMap<[Vertex; 2], Vertex> = HashMap::new();
     let mut degree: HashMap<Vertex, usize> = HashMap::new();
     let mut first: HashMap<Vertex, Vertex> = HashMap::new();
@@ -78,7 +80,7 @@ fn rings(tally: &mut Tally<'_>, corners: &[Vertex], faces: &[Vec<Vertex>]) {
         let mut around = 0;
         while around < wanted {
             around += 1;
-            // The face that has the edge on its other side begins at the vertex before.
+            // The face on the other side of the edge continues at the vertex before.
             next = before[&[v, next]];
             if next == start {
                 break;

@@ -1,22 +1,22 @@
-//! Convex hulls held to what a convex hull is.
+//! Exact checks of convex hulls.
 //!
-//! Signs are decided by sessions that are handed in: exact ones, and where ties are broken those of the perturbed scene.
-//! Nothing of the algorithms is used here: no chain, no conflict graph, no half-edge.
+//! The caller provides the sessions that decide signs: exact ones and, if ties are broken, those of the perturbed
+//! scene. The checks share nothing with the algorithms: no chain, no conflict graph, no half-edge.
 //!
 //! # In the plane
 //! A closed polygon that turns to the left at every vertex and goes around once is convex. Then a point is inside if it
-//! is above the edges below it and below those above it: two or three signs each, for every point.
+//! is above the edges below it and below the edges above it: two or three signs for each point.
 //!
 //! # In space
-//! Faces that close to a connected surface, with V − E + F = 2, flat and convex, and convex at every edge, are not yet
-//! the surface of a convex body: two pyramids over a pentagram pass all of that. So the surface must also be wound around
-//! an inner point once: a ray from there meets it in one place only (Mehlhorn et al., *Checking geometric programs*,
-//! 1999). Both together are a proof, in linear time. Points that are no vertices are held against every face, all of
-//! them or a sample.
+//! A surface can be closed and connected, with V − E + F = 2, flat and convex faces, and be convex at every edge, and
+//! still not bound a convex body. Two pyramids over a pentagram pass all these checks. So the surface must also be
+//! wound once around an inner point: a ray from there meets it in one place only (Mehlhorn et al., *Checking geometric
+//! programs*, 1999). Both together are a proof, in linear time. Points that are not vertices are checked against every
+//! face, all of them or a sample.
 //!
-//! # Where ties are broken
-//! A turn of zero is legal where the perturbed turn has the right sign; an even sample of such turns is decided. Faces of
-//! no area and coplanar faces are legal then.
+//! # With broken ties
+//! A turn of zero is legal if the perturbed turn has the right sign; an even sample of such turns is decided. Faces of
+//! zero area and coplanar faces are then legal.
 
 mod closed;
 mod plane;

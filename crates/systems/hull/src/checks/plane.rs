@@ -1,4 +1,4 @@
-//! Hulls in the plane, and polygons that are the faces of hulls in space.
+//! Checks of hulls in the plane, and of polygons that are faces of hulls in space.
 
 use std::cmp::Ordering;
 use std::collections::{HashMap, HashSet};
@@ -7,10 +7,10 @@ use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 
 use super::tally::{Flaw, Signs, Tally};
 
-/// Edges over a point of which a straight upright one may be, and its neighbours.
+/// The maximum number of edges over a point: a vertical edge and its neighbours.
 const EDGES_AT: usize = 4;
 
-/// What is wrong with the hull of all vertices of a plane scene, counterclockwise.
+/// The failed checks of the hull of all vertices of a plane scene, counterclockwise.
 #[must_use]
 pub fn plane_flaws(signs: Signs<'_>, hull: &[Vertex]) -> Vec<Flaw> {
     let mut tally = Tally::new(signs);
@@ -22,7 +22,7 @@ pub fn plane_flaws(signs: Signs<'_>, hull: &[Vertex]) -> Vec<Flaw> {
     tally.finish()
 }
 
-/// `vertices`: each is one of the scene, and none comes twice.
+/// Checks `vertices`: each is a vertex of the scene, and none comes twice.
 pub(super) fn are_vertices(tally: &mut Tally<'_>, hull: &[Vertex]) -> bool {
     let mut seen = HashSet::new();
     for &v in hull {
@@ -33,12 +33,12 @@ pub(super) fn are_vertices(tally: &mut Tally<'_>, hull: &[Vertex]) -> bool {
     tally.is_clean()
 }
 
-/// Where a vertex is; zeros of either sign are equal.
+/// The place of a vertex as a key; zeros of either sign are equal.
 fn place(scene: &Scene, v: Vertex) -> Vec<u64> {
     scene.point(v).iter().map(|x| (x + 0.0).to_bits()).collect()
 }
 
-/// `smallest index`: of several vertices in one place that stand for one, it is the first.
+/// Checks `smallest index`: a vertex of the hull is the smallest index at its place.
 pub(super) fn smallest_at_their_places(tally: &mut Tally<'_>, hull: &[Vertex]) {
     let scene = tally.scene();
     if !tally.has_ties() {
@@ -55,7 +55,7 @@ pub(super) fn smallest_at_their_places(tally: &mut Tally<'_>, hull: &[Vertex]) {
     }
 }
 
-/// How many dimensions a scene or a hull can be told to span: 0 for a point, 1 for a segment, 2 for more.
+/// The dimension that a scene or a hull must span: 0 for a point, 1 for a segment, 2 for more.
 fn span(tally: &Tally<'_>, plane: Plane, all: &[Vertex]) -> usize {
     if !tally.has_ties() {
         return all.len().saturating_sub(1).min(2);
@@ -68,8 +68,8 @@ fn span(tally: &Tally<'_>, plane: Plane, all: &[Vertex]) -> usize {
     if others.iter().any(is_off) { 2 } else { 1 }
 }
 
-/// The order of two vertices from left to right, and of those in one upright line from below: as the scene has it, or
-/// the perturbed one.
+/// The order of two vertices from left to right, and on one vertical line from below: in the scene or, with broken
+/// ties, in the perturbed scene.
 fn order(tally: &Tally<'_>, plane: Plane, v: Vertex, w: Vertex) -> Ordering {
     let scene = tally.scene();
     let as_it_is = scene.point2(plane, v).partial_cmp(&scene.point2(plane, w)).unwrap_or(Ordering::Equal);
@@ -86,11 +86,11 @@ fn as_ordering(sign: Sign) -> Ordering {
     sign.as_i8().cmp(&0)
 }
 
-/// A polygon, counterclockwise in a coordinate plane, that is the hull of `all`; vertices exist and differ.
+/// Checks a polygon, counterclockwise in a coordinate plane, as the hull of `all`; its vertices exist and differ.
 ///
-/// `span`: as many vertices as there have to be. `start`: the first one is the smallest from left to right. `convex`: no
-/// turn to the right. `extreme`: no vertex in the middle of an edge. `wound once`: it goes around once. `inside`: all
-/// points are inside or on it.
+/// `span`: the polygon has as many vertices as its dimension needs. `start`: the first vertex is the smallest from left
+/// to right. `convex`: no turn to the right. `extreme`: no vertex in the middle of an edge. `wound once`: the polygon
+/// goes around once. `inside`: all points are inside or on it.
 pub(super) fn polygon(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all: &[Vertex]) {
     let span = span(tally, plane, all);
     let wanted = match (span, all.is_empty()) {
@@ -113,7 +113,7 @@ pub(super) fn polygon(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all:
     }
 }
 
-/// That a closed polygon turns to the left only, and goes around once.
+/// Checks that a closed polygon turns only to the left, and goes around once.
 pub fn ring(tally: &mut Tally<'_>, plane: Plane, ring: &[Vertex], convex: &'static str, extreme: Option<&'static str>) {
     let n = ring.len();
     for at in 0..n {
@@ -129,7 +129,7 @@ pub fn ring(tally: &mut Tally<'_>, plane: Plane, ring: &[Vertex], convex: &'stat
     }
 }
 
-/// All points are between the two ends, or at the one place.
+/// Checks that all points are between the two ends, or at the one place.
 fn segment(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all: &[Vertex]) {
     let (Some(&first), Some(&last)) = (hull.first(), hull.last()) else { return };
     for &v in all {
@@ -139,7 +139,7 @@ fn segment(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all: &[Vertex])
     }
 }
 
-/// Every point against the edges below and above it; the polygon is convex.
+/// Checks every point against the edges below and above it; the polygon is convex.
 fn inside(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all: &[Vertex]) {
     let scene = tally.scene();
     let x = |v: Vertex| scene.point2(plane, v)[0];
@@ -148,7 +148,7 @@ fn inside(tally: &mut Tally<'_>, plane: Plane, hull: &[Vertex], all: &[Vertex]) 
     back.reverse();
     let corners: HashSet<Vertex> = hull.iter().copied().collect();
     let others: Vec<Vertex> = all.iter().copied().filter(|v| !corners.contains(v)).collect();
-    // A point takes two edges, or a few more beside upright ones.
+    // A point is checked against two edges, or a few more beside vertical ones.
     let step = (2 * others.len()).div_ceil(tally.signs.pairs.max(1)).max(1);
     for &v in others.iter().step_by(step) {
         for (chain, is_below) in [(&hull[..=last], true), (&back[..], false)] {

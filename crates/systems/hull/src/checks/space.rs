@@ -1,4 +1,4 @@
-//! Hulls in space.
+//! Checks of hulls in space.
 
 use std::collections::HashSet;
 
@@ -11,8 +11,8 @@ use super::wound::wound_once;
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 
-/// What is wrong with the hull of all vertices of a scene in space: its vertices, ascending, and its faces,
-/// counterclockwise as seen from outside. A hull that is flat has a polygon for two faces back to back.
+/// The failed checks of the hull of all vertices of a scene in space: vertices ascending, faces counterclockwise as
+/// seen from outside. A flat hull has one polygon as two faces back to back.
 #[must_use]
 pub fn space_flaws(signs: Signs<'_>, vertices: &[Vertex], faces: &[Vec<Vertex>]) -> Vec<Flaw> {
     let mut tally = Tally::new(signs);
@@ -21,7 +21,7 @@ pub fn space_flaws(signs: Signs<'_>, vertices: &[Vertex], faces: &[Vec<Vertex>])
     }
     let all: Vec<Vertex> = tally.scene().vertices().collect();
     let exact = flat(&tally, &all);
-    // Whether the hull has a volume: exactly, or that of the perturbed points.
+    // True if the hull has a volume: exactly, or after the perturbation.
     let is_solid = if tally.has_ties() { matches!(exact, Flat::Not(_)) } else { all.len() > 3 };
     if is_solid {
         solid(&mut tally, &exact, vertices, faces);
@@ -32,12 +32,12 @@ pub fn space_flaws(signs: Signs<'_>, vertices: &[Vertex], faces: &[Vec<Vertex>])
     tally.finish()
 }
 
-/// What the scene spans, exactly.
+/// The exact span of the scene.
 enum Flat {
-    /// At most a plane, which can be seen in this coordinate plane, or a line that is none of its points; none where all
-    /// are in one place.
+    /// At most a plane: its projection to this coordinate plane has its full dimension. `None` if all points are in one
+    /// place.
     In(Option<Plane>),
-    /// Four vertices in no plane.
+    /// Four vertices that are not coplanar.
     Not([Vertex; 4]),
 }
 
@@ -50,19 +50,19 @@ fn flat(tally: &Tally<'_>, all: &[Vertex]) -> Flat {
         plane.map(|plane| (c, plane))
     };
     let Some((c, plane)) = others.iter().find_map(seen) else {
-        // In this plane the line is no point.
+        // The line's projection to this plane is not a point.
         return Flat::In(PLANES.into_iter().find(|&plane| scene.point2(plane, a) != scene.point2(plane, b)));
     };
     let is_off = |&&d: &&Vertex| d != b && d != c && !exact.orient3d(a, b, c, d).is_zero();
     others.iter().find(is_off).map_or(Flat::In(Some(plane)), |&d| Flat::Not([a, b, c, d]))
 }
 
-/// A hull without volume: `two faces`, back to back, and those as a polygon.
+/// Checks a hull without volume: `two faces`, back to back, and each of them as a polygon.
 fn flat_hull(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<Vertex>]) {
     let all: Vec<Vertex> = tally.scene().vertices().collect();
     let plane = match exact {
         Flat::In(plane) => plane.unwrap_or(Plane::Xy),
-        // Three perturbed points have no four of them.
+        // Three perturbed points do not contain four points.
         Flat::Not(_) => Plane::Xy,
     };
     if vertices.len() < 3 {
@@ -89,7 +89,7 @@ fn flat_hull(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[
     if !tally.is_clean() || !tally.has_ties() {
         return;
     }
-    // One of the two is counterclockwise in the plane; which one is of no matter.
+    // One of the two faces is counterclockwise in the plane; either may be.
     let scene = tally.scene();
     let mut face = faces[0].clone();
     let turn = tally.signs.exact.orient2d(plane, face[0], face[1], face[2]);
@@ -102,7 +102,7 @@ fn flat_hull(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[
     polygon(tally, plane, &face, &all);
 }
 
-/// A hull with a volume.
+/// Checks a hull with a volume.
 fn solid(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<Vertex>]) {
     if faces.len() < 4 {
         return tally.flaw("span", &[], || format!("{} faces of a hull with a volume", faces.len()));
@@ -121,7 +121,7 @@ fn solid(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<
     if let Flat::Not(_) = exact
         && let Flat::Not(inner) = flat(tally, vertices)
     {
-        // Faces that the perturbation alone gives an area are none for a ray.
+        // Faces that have area only by the perturbation do not count for a ray.
         let exact = tally.signs.exact;
         let has_area = |face: &[Vertex]| {
             PLANES.into_iter().any(|plane| !exact.orient2d(plane, face[0], face[1], face[2]).is_zero())
@@ -132,8 +132,10 @@ fn solid(tally: &mut Tally<'_>, exact: &Flat, vertices: &[Vertex], faces: &[Vec<
     inside(tally, vertices, faces);
 }
 
-/// `planar`: all vertices of a face are in its plane. `face convex`: it turns to one side only, and `extreme`: at each
-/// vertex. A triangle of no area is legal where ties are broken.
+/// Checks one face by `planar`, `face convex` and `extreme`.
+///
+/// `planar`: all vertices of the face are in its plane. `face convex`: it turns to one side only. `extreme`: it turns
+/// at each vertex. A triangle of zero area is legal if ties are broken.
 fn planar(tally: &mut Tally<'_>, face: &[Vertex]) {
     let exact = tally.signs.exact;
     let [a, b, c] = [face[0], face[1], face[2]];
@@ -157,8 +159,8 @@ fn planar(tally: &mut Tally<'_>, face: &[Vertex]) {
     }
 }
 
-/// `convex`: at each edge the next vertex of the one face is not outside of the other. `coplanar faces`: nor in its
-/// plane.
+/// Checks `convex`: at each edge, the next vertex of the one face is not outside of the other; and `coplanar faces`: it
+/// is not in the other's plane either.
 fn convex(tally: &mut Tally<'_>, faces: &[Vec<Vertex>], edges: &Edges) {
     for face in faces {
         let [a, b, c] = [face[0], face[1], face[2]];
@@ -172,7 +174,8 @@ fn convex(tally: &mut Tally<'_>, faces: &[Vec<Vertex>], edges: &Edges) {
     }
 }
 
-/// `inside`: no point is outside of a face. All pairs, or those of an even sample of the points.
+/// Checks `inside`: no point is outside of a face. All pairs of a point and a face, or those of an even sample of the
+/// points.
 fn inside(tally: &mut Tally<'_>, vertices: &[Vertex], faces: &[Vec<Vertex>]) {
     let corners: HashSet<Vertex> = vertices.iter().copied().collect();
     let others: Vec<Vertex> = tally.scene().vertices().filter(|v| !corners.contains(v)).collect();

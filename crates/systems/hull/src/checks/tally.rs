@@ -1,30 +1,30 @@
-//! What decides signs, and what was found.
+//! The sources of signs for the checks, and the tally of failed checks.
 
 use predicament_predicates::{Predicates, Question, Scene, Sign, Vertex};
 
-/// What decides about hulls.
+/// The sources of signs, and the limits of the checks.
 #[derive(Clone, Copy)]
 pub struct Signs<'a> {
     /// The exact signs.
     pub exact: &'a dyn Predicates,
-    /// Those of the perturbed scene, where ties are broken.
+    /// The signs of the perturbed scene, if ties are broken.
     pub perturbed: Option<&'a dyn Predicates>,
-    /// How many ties of each check are decided.
+    /// The number of ties that are decided for each check.
     pub ties: usize,
-    /// How many points are held against faces, in pairs.
+    /// The number of pairs of a point and a face that are checked.
     pub pairs: usize,
 }
 
 /// A check that failed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Flaw {
-    /// Its name.
+    /// The check's name.
     pub check: &'static str,
-    /// In how many places.
+    /// The number of places where it failed.
     pub places: usize,
-    /// The vertices of the first of them.
+    /// The vertices of the first place.
     pub vertices: Vec<Vertex>,
-    /// What is wrong there.
+    /// The description of the first place.
     pub what: String,
 }
 
@@ -35,16 +35,16 @@ struct Tie {
     args: Vec<Vertex>,
 }
 
-/// Flaws by check, and ties to be decided.
+/// A collection of flaws by check, and of ties to decide.
 pub struct Tally<'a> {
-    /// What signs are asked of.
+    /// The sources of signs.
     pub signs: Signs<'a>,
     flaws: Vec<Flaw>,
     ties: Vec<Tie>,
 }
 
 impl<'a> Tally<'a> {
-    /// Nothing found so far.
+    /// An empty tally.
     #[must_use]
     pub fn new(signs: Signs<'a>) -> Tally<'a> {
         Tally { signs, flaws: Vec::new(), ties: Vec::new() }
@@ -56,17 +56,17 @@ impl<'a> Tally<'a> {
         self.signs.exact.scene()
     }
 
-    /// Whether ties stand, and zero is an answer.
+    /// True if ties stay ties, so that zero is an answer.
     pub fn has_ties(&self) -> bool {
         self.signs.perturbed.is_none()
     }
 
-    /// Whether nothing was found so far.
+    /// True if no flaw was found so far.
     pub fn is_clean(&self) -> bool {
         self.flaws.is_empty()
     }
 
-    /// Counts a flaw; of each check the first is described.
+    /// Counts a flaw, and keeps the description of the first flaw of each check.
     pub fn flaw(&mut self, check: &'static str, vertices: &[Vertex], what: impl FnOnce() -> String) {
         match self.flaws.iter_mut().find(|flaw| flaw.check == check) {
             Some(flaw) => flaw.places += 1,
@@ -74,8 +74,8 @@ impl<'a> Tally<'a> {
         }
     }
 
-    /// The turn has to be positive, or, where there is a check for that, not zero: a tie that the perturbation breaks has
-    /// to be positive in the perturbed scene.
+    /// Checks that a turn is positive and, if a check is given for zero, not zero. With broken ties, a zero turn has to
+    /// be positive in the perturbed scene.
     pub fn positive(
         &mut self,
         check: &'static str,
@@ -91,7 +91,7 @@ impl<'a> Tally<'a> {
         }
     }
 
-    /// All flaws, after an even sample of the ties is decided.
+    /// Returns all flaws, after deciding an even sample of the ties.
     pub fn finish(mut self) -> Vec<Flaw> {
         let ties = std::mem::take(&mut self.ties);
         if let Some(perturbed) = self.signs.perturbed {

@@ -1,8 +1,8 @@
-//! How often a closed surface is wound around a point inside of it.
+//! The winding number of a closed surface around an inner point.
 //!
-//! The point is the mean of four vertices in no plane; a surface that is convex at every edge has it strictly below every
-//! face. Seen from there, each face covers a cone of directions, and the direction to the middle of the first face has to
-//! be in the cone of no other: then the surface covers each direction once.
+//! The point is the mean of four vertices that are not coplanar. If a surface is convex at every edge, the point is
+//! strictly below every face. Seen from there, each face covers a cone of directions. The direction to the middle of
+//! the first face must not be in the cone of another face: then the surface covers each direction once.
 
 use predicament_predicates::{Scene, Vertex};
 use rug::Rational;
@@ -31,14 +31,15 @@ fn mean(points: &[Vector]) -> Vector {
     [0, 1, 2].map(|axis: usize| sum(axis) / u32::try_from(points.len()).expect("a few"))
 }
 
-/// `wound once`: the surface of these faces goes once around the mean of four vertices in no plane, which is below all.
+/// Checks `wound once`: the surface of these faces goes once around the mean of four vertices that are not coplanar,
+/// which is below all faces.
 pub(super) fn wound_once(tally: &mut Tally<'_>, inner: [Vertex; 4], faces: &[&[Vertex]]) {
     let scene = tally.scene();
     let at = |v: &Vertex| exact(scene, *v);
     let centre = mean(&inner.each_ref().map(at));
     let from_centre = |v: &Vertex| minus(&at(v), &centre);
     let Some(first) = faces.first() else { return };
-    // Inside of the first triangle of the first face.
+    // A point inside the first triangle of the first face.
     let direction = mean(&first[..3].iter().map(from_centre).collect::<Vec<_>>());
     for (number, face) in faces.iter().enumerate() {
         let corners: Vec<Vector> = face.iter().map(from_centre).collect();
@@ -83,7 +84,7 @@ mod tests {
         let right: [&[usize]; 5] = [&[0, 3, 2, 1], &[0, 1, 4], &[1, 2, 4], &[2, 3, 4], &[3, 0, 4]];
         assert_eq!(found(&right), []);
         assert_eq!(found(&[]), []);
-        // The bottom seen from behind: both of its triangles.
+        // The bottom as seen from behind: both of its triangles.
         let below = "the mean of [Vertex(0), Vertex(1), Vertex(2), Vertex(4)] is not below face 0".to_owned();
         let [bottom, sides @ ..] = right;
         let mirrored = [&[&[0, 1, 2, 3][..]][..], &sides[..]].concat();

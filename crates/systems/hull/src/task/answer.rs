@@ -1,4 +1,4 @@
-//! The two tasks, and the answer to each.
+//! The two tasks of hulls, and the answer of each.
 
 use predicament_tasks::{Answer, digest};
 
@@ -8,7 +8,7 @@ use crate::algorithm::{Contradiction, Hull2, Hull3};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Hull2d;
 
-/// The hull in the plane that was found.
+/// The answer to `hull2d`: a hull in the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Polygon(pub Hull2);
 
@@ -23,7 +23,7 @@ impl Answer for Polygon {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Hull3d;
 
-/// The hull in space that was found.
+/// The answer to `hull3d`: a hull in space.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Surface(pub Hull3);
 

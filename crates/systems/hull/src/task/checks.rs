@@ -1,4 +1,4 @@
-//! What is reported about hulls.
+//! The checks of hulls that are reported.
 
 use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
@@ -16,7 +16,7 @@ pub(super) const IN_PLANE: &[Check] = &[
     Check::invariants("chains meet in their ends", &[&[Contradiction::Chains.rule()]]),
 ];
 
-/// What the algorithms in space look after themselves.
+/// The invariants that the algorithms in space check themselves.
 const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const IN_SPACE: &[Check] = &[

@@ -1,4 +1,4 @@
-//! `points` and `method`: what a scene of a hull asks.
+//! The keys `points` and `method`: the content of a hull's scene.
 
 use crate::algorithm::{PlaneMethod, SpaceMethod};
 use predicament_corpus::{
@@ -7,16 +7,16 @@ use predicament_corpus::{
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Dimension, Scene};
 
-/// The ways to find a hull.
+/// A method for finding a hull.
 pub trait Method: Copy + Default + PartialEq + Eq + std::fmt::Debug + Send + Sync + 'static {
-    /// The task.
+    /// The name of the task.
     const TASK: &'static str;
-    /// That of its points.
+    /// The dimension of the task's points.
     const DIMENSION: Dimension;
-    /// Each with its name in suites; the first one is the default.
+    /// The methods with their names in suites; the first one is the default.
     const NAMES: [(&'static str, Self); 2];
 
-    /// Its name in suites.
+    /// The method's name in suites.
     fn name(self) -> &'static str {
         Self::NAMES.iter().find(|(_, method)| *method == self).map_or(Self::NAMES[0].0, |(name, _)| name)
     }
@@ -35,12 +35,12 @@ impl Method for SpaceMethod {
         [("incremental", SpaceMethod::Incremental), ("divide", SpaceMethod::Divide)];
 }
 
-/// All vertices of a scene, and how their hull is found.
+/// The content of a scene: all its vertices, and the method for their hull.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Cloud<M> {
-    /// How many.
+    /// The number of points.
     pub points: usize,
-    /// How.
+    /// The method.
     pub method: M,
 }
 
@@ -76,7 +76,7 @@ pub(super) fn read<M: Method>(context: &Context<'_>, fields: &Fields<'_, '_>) ->
     let method = method::<M>(fields)?;
     let asked = Asked { points: PointSource::read(context, &fields.required("points")?, fields.file())?, method };
     if asked.points.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // Nothing comes from the cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))

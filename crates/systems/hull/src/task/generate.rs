@@ -1,4 +1,4 @@
-//! Clouds of points: in general position, and near and in every degenerate one.
+//! Generators of point clouds: in general position, and near and in every degenerate position.
 
 use crate::algorithm::{PlaneMethod, SpaceMethod};
 use predicament_corpus::{Family, Parts, Random, Recipe};
@@ -8,7 +8,7 @@ use predicament_predicates::Scene;
 
 use super::cloud::{Cloud, Method, method};
 
-/// So many points of a family, by its random numbers.
+/// A generator: this number of points of a family, from these random numbers.
 type Points = fn(usize, &mut Random) -> Vec<f64>;
 
 macro_rules! family {
@@ -67,7 +67,7 @@ fn uniform<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     points(n, || [(); D].map(|()| rng.unit()))
 }
 
-/// A point of the unit ball around the origin, and the square of its distance from there.
+/// A point of the unit ball around the origin, and its squared distance from the origin.
 fn in_ball<const D: usize>(rng: &mut Random) -> ([f64; D], f64) {
     loop {
         let point = [(); D].map(|()| rng.between(-1.0, 1.0));
@@ -86,7 +86,7 @@ fn sphere<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     points(n, || {
         loop {
             let (point, square) = in_ball::<D>(rng);
-            // Rounding moves a point near the centre too far.
+            // Near the centre, rounding moves a point too far.
             if square > 1e-4 {
                 return point.map(|x| x / square.sqrt());
             }
@@ -94,13 +94,14 @@ fn sphere<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     })
 }
 
-/// A random one of these.
+/// A random item.
 fn one_of<T: Copy>(items: &[T], rng: &mut Random) -> T {
     let last = i64::try_from(items.len()).expect("fewer than 2^63") - 1;
     items[usize::try_from(rng.integer(0, last)).unwrap_or(0)]
 }
 
-/// x² + y² = (5³·13²·17·29·37)² has 3,780 solutions: products of the Gaussian primes and their conjugates.
+/// Points on the circle x² + y² = (5³·13²·17·29·37)², which has 3,780 integer solutions: products of the Gaussian
+/// primes and their conjugates.
 fn cocircular(n: usize, rng: &mut Random) -> Vec<f64> {
     let times = |[a, b]: [i64; 2], [c, d]: [i64; 2]| [a * c - b * d, a * d + b * c];
     let mut all = vec![[1, 0], [0, 1], [-1, 0], [0, -1]];
@@ -113,10 +114,10 @@ fn cocircular(n: usize, rng: &mut Random) -> Vec<f64> {
     points(n, || one_of(&all, rng).map(integer))
 }
 
-/// The radius of the sphere of [`cospherical`], squared.
+/// The squared radius of the sphere of [`cospherical`].
 const SQUARE: i64 = 1_000_002;
 
-/// All solutions of x² + y² + z² = 1,000,002.
+/// Points on the sphere x² + y² + z² = 1,000,002: all integer solutions.
 fn cospherical(n: usize, rng: &mut Random) -> Vec<f64> {
     let mut all = Vec::new();
     for x in 0..=SQUARE.isqrt() {
@@ -131,7 +132,7 @@ fn cospherical(n: usize, rng: &mut Random) -> Vec<f64> {
     points(n, || one_of(&all, rng).map(|x| integer(if rng.one_in(2) { x } else { -x })))
 }
 
-/// As many places as points, more or less.
+/// Points on a grid with about as many places as points.
 fn grid<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     let power = u32::try_from(D).expect("two or three");
     let side = (1_i64..).find(|side| side.pow(power) >= i64::try_from(n).unwrap_or(i64::MAX)).unwrap_or(1);
@@ -147,7 +148,7 @@ fn collinear<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     })
 }
 
-/// In the plane 2x − 3y + z = 0.
+/// Points in the plane 2x − 3y + z = 0.
 fn coplanar(n: usize, rng: &mut Random) -> Vec<f64> {
     let most = i64::try_from(n).expect("scenes are smaller than memory").clamp(4, 1 << 40);
     points(n, || {
@@ -156,7 +157,7 @@ fn coplanar(n: usize, rng: &mut Random) -> Vec<f64> {
     })
 }
 
-/// The last coordinate is the first, moved by up to two ulps.
+/// Points whose last coordinate is the first, moved by up to two ulps.
 fn sliver<const D: usize>(n: usize, rng: &mut Random) -> Vec<f64> {
     points(n, || {
         let mut point = [(); D].map(|()| rng.between(0.5, 24.0));

@@ -1,4 +1,4 @@
-//! Hulls against what a convex hull is, and small ones against the definition.
+//! The judgement of hulls by the checks, and of small ones by the definition.
 
 use crate::algorithm::Contradiction;
 use crate::checks::{Flaw, Signs};
@@ -8,13 +8,13 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Vertex, ZeroMeani
 
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Task};
 
-/// What a backend's answer is held against.
+/// A backend's answer, and its checks.
 pub(super) struct Found<'a> {
     /// The vertices.
     pub vertices: &'a [Vertex],
     /// The invariant that the algorithm found broken.
     pub broken: Option<Contradiction>,
-    /// What is wrong with it, by these signs.
+    /// The failed checks of the answer, by these signs.
     pub flaws: &'a dyn Fn(Signs<'_>) -> Vec<Flaw>,
 }
 

@@ -1,7 +1,7 @@
 //! `hull2d` and `hull3d`: convex hulls of points.
 //!
-//! The smallest algorithms whose loops are steered by signs alone: a wrong turn cuts a vertex off, a wrong side opens the
-//! surface. Each has two methods, which give the same answer where signs do not contradict each other.
+//! These are the smallest algorithms in which signs alone steer the loops: a wrong turn cuts a vertex off, a wrong side
+//! opens the surface. Each task has two methods, which give the same answer if signs do not contradict each other.
 
 mod answer;
 mod checks;
@@ -15,7 +15,8 @@ mod spoiled;
 pub use answer::{Hull2d, Hull3d, Polygon, Surface};
 pub use cloud::{Cloud, Method};
 
-/// What `new` writes, with points that are four or five to a hull, the first method and a family with ties.
+/// The suite that `new` writes, with points for hulls of four or five vertices, the first method and a family with
+/// ties.
 fn template(points: &str, method: &str, family: &str) -> String {
     let template = include_str!("template.txt").replace("{points}", points);
     template.replace("{method}", method).replace("{family}", family)

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults, which prove that the checks find faults that no backend has.
 
 use crate::algorithm::Contradiction;
 use std::collections::{BTreeMap, BTreeSet};
@@ -107,7 +107,7 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
     ]
 }
 
-/// Every second one of an odd number, twice around; else all as they are.
+/// A star: every second vertex of an odd number, twice around; an even number of vertices stays as it is.
 fn star(ring: &[Vertex]) -> Vec<Vertex> {
     let count = ring.len();
     if count < 5 || count.is_multiple_of(2) {
@@ -116,14 +116,14 @@ fn star(ring: &[Vertex]) -> Vec<Vertex> {
     (0..count).map(|at| ring[2 * at % count]).collect()
 }
 
-/// Triangles with a common side: their places, its ends as the first passes it, and their other corners.
+/// Two triangles with a common side: their indices, the side's ends in the order of the first, and their other corners.
 struct Pair {
     places: [usize; 2],
     side: [Vertex; 2],
     tips: [Vertex; 2],
 }
 
-/// The first two faces of three corners with a common side whose corners are in no plane.
+/// The first two triangular faces with a common side whose corners are not coplanar.
 fn pair(scene: &Scene, faces: &[Vec<Vertex>]) -> Option<Pair> {
     let triangles: Vec<(usize, [Vertex; 3])> = faces
         .iter()
@@ -146,7 +146,7 @@ fn pair(scene: &Scene, faces: &[Vec<Vertex>]) -> Option<Pair> {
     None
 }
 
-/// The side of a triangle that is not at this corner, as the triangle passes it.
+/// The side of a triangle opposite to this corner, in the triangle's direction.
 fn turned(face: &[Vertex], tip: Vertex) -> Option<[Vertex; 2]> {
     let at = face.iter().position(|&v| v == tip)?;
     Some([face[(at + 1) % 3], face[(at + 2) % 3]])

@@ -1,4 +1,4 @@
-//! Convex hulls in the plane against the definition.
+//! Convex hulls in the plane, compared with the definition.
 
 use predicament_exact::Exact;
 use predicament_hull::algorithm::{Hull2, PlaneMethod, hull2d};

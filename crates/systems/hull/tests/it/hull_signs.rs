@@ -1,4 +1,4 @@
-//! Convex hulls by signs that contradict each other: bounded steps, no panic.
+//! Convex hulls by contradictory signs: bounded steps, no panic.
 
 use predicament_exact::Exact;
 use predicament_hull::algorithm::{PlaneMethod, SpaceMethod, hull2d, hull3d};
@@ -7,7 +7,7 @@ use proptest::prelude::*;
 
 use crate::common::liar::{Liar, Slip};
 
-/// Whether an invariant was found broken by any method.
+/// True if any method found a broken invariant.
 fn is_seen(session: &dyn Predicates) -> bool {
     let n = session.scene().len();
     match session.scene().dimension() {

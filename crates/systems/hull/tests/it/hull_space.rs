@@ -1,4 +1,4 @@
-//! Convex hulls in space against the definition.
+//! Convex hulls in space, compared with the definition.
 
 use predicament_exact::Exact;
 use predicament_hull::algorithm::{Hull3, SpaceMethod, hull3d};

@@ -1,4 +1,4 @@
-//! Every check of hulls finds what it is for.
+//! Every check of hulls finds its fault.
 
 use predicament_hull::algorithm::{SpaceMethod, hull3d};
 use predicament_hull::checks::{Signs, plane_flaws, space_flaws};
@@ -26,7 +26,7 @@ fn signs<'a>(exact: &'a Judged<'a>, perturbed: Option<&'a Judged<'a>>) -> Signs<
     Signs { exact, perturbed: perturbed.map(|judged| judged as &dyn Predicates), ties: 1000, pairs: 100_000 }
 }
 
-/// The names of the checks that fail.
+/// The names of the failed checks.
 fn in_plane(points: &[[f64; 2]], hull: &[usize]) -> Vec<&'static str> {
     let scene = Scene::from_points2(points).unwrap();
     plane_flaws(signs(&Judged::exact(&scene), None), &ids(hull)).iter().map(|flaw| flaw.check).collect()
@@ -66,7 +66,7 @@ fn each_check_in_the_plane_finds_what_it_is_for() {
 
 #[test]
 fn every_point_is_between_the_chains() {
-    // A triangle above an upright edge: points left of, on, above and below it.
+    // A triangle above a vertical edge: points left of, on, above and below it.
     let points = [[0.0, 0.0], [6.0, 3.0], [0.0, 6.0], [0.0, 3.0], [3.0, 3.0]];
     assert_eq!(in_plane(&points, &[0, 1, 2]), [""; 0]);
     for outside in [[-1.0, 3.0], [0.0, 7.0], [0.0, -1.0], [7.0, 3.0], [3.0, 1.0], [3.0, 5.0], [6.0, 3.5]] {
@@ -129,7 +129,7 @@ fn each_check_in_space_finds_what_it_is_for() {
     assert_eq!(check(&corner), ["inside"]);
     // All faces inside out.
     assert_eq!(with(&|faces| faces.iter_mut().for_each(|face| face.reverse())), ["convex"]);
-    // A face with four corners that are in no plane: the cube's top twisted.
+    // A face with four corners that are not coplanar: the cube's top twisted.
     let mut twisted = points.clone();
     twisted[7][2] = 3.0;
     assert!(in_space(&twisted, &corners(&right), &right).contains(&"planar"));
@@ -151,7 +151,7 @@ fn surfaces_that_are_no_sphere_are_found() {
     assert_eq!(check(&torus), ["euler"]);
 }
 
-/// A double pyramid over a pentagon, its ring walked in steps.
+/// A double pyramid over a pentagon, with its ring traversed in steps.
 fn double_pyramid(step: usize) -> (Vec<[f64; 3]>, Faces) {
     let ring = [[-10.0, 3.0], [-6.0, -8.0], [6.0, -8.0], [10.0, 3.0], [0.0, 10.0]];
     let mut points: Vec<[f64; 3]> = ring.iter().map(|[x, y]| [*x, *y, 0.0]).collect();
@@ -184,7 +184,7 @@ fn faces_that_turn_to_both_sides_are_found() {
     assert_eq!(flaws.iter().map(|flaw| flaw.places).collect::<Vec<_>>(), [2, 2]);
 }
 
-/// In a plane across their axis all of these points are in one place.
+/// Projected along their line's axis, all these points are in one place.
 #[test]
 fn lines_in_space_are_seen_where_they_are_no_point() {
     for axis in 0..3 {
@@ -212,7 +212,7 @@ fn flat_hulls_are_two_faces() {
     assert_eq!(in_space(&points[..2], &ids(&[0]), &Faces::new()), ["span"]);
 }
 
-/// The judge's perturbation: the smaller the index of a vertex, the further it is moved.
+/// The judge's perturbation: the smaller the index of a vertex, the larger its displacement.
 fn ties() -> Box<TieJudge> {
     Box::new(|scene: &Scene, question: Question, args: &[Vertex]| {
         predicament_sos::infinitesimal::judge(predicament_sos::Scheme::PerCoordinate, scene, question, args)

@@ -1,14 +1,11 @@
-//! Cells of a line, and which of them a point is in (Franklin & Magalhães, 4.1).
+//! Locating a point in the cells of a line (Franklin & Magalhães, 4.1).
 //!
-//! As sets, [l, r] and [r, s] both hold r. What an algorithm on top needs is a
-//! partition: every point in exactly one cell. Simulation of Simplicity gives
-//! it without a case for r: a point is moved by an infinitesimal, so it never
-//! is at an end. With the point moved further than the ends, the predicate
-//! l ≤ p' ≤ r becomes the rule l ≤ p < r, in which no infinitesimal is left:
-//! [`half_open`].
+//! As sets, [l, r] and [r, s] both contain r. An algorithm on top needs a partition: every point in exactly one cell.
+//! Simulation of Simplicity gives a partition without a special case for r: it moves a point by an infinitesimal, so
+//! the point is never at an end. If the point moves further than the ends, the predicate l ≤ p' ≤ r becomes the rule l
+//! ≤ p < r, without an infinitesimal: [`half_open`].
 //!
-//! [`place`] is the same question to any session, which decides for itself
-//! what equal coordinates are.
+//! [`place`] asks any session, which decides for itself the order of equal coordinates.
 //!
 //! ```
 //! # use predicament_interval::algorithm::{Place, half_open, place};
@@ -32,10 +29,10 @@ use predicament_predicates::{Axis, Predicates, Sign, Vertex};
 
 pub use crate::answer::Place;
 
-/// Where the point is, seen from the cell between a left and a right end, as
-/// the session compares them along the axis.
+/// The place of a point relative to the cell between a left and a right end, as the session compares them along the
+/// axis.
 ///
-/// No point is inside a cell whose right end is not right of the left one.
+/// A point is never inside a cell whose right end is not right of the left one.
 #[inline]
 pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Vertex; 2], point: Vertex) -> Place {
     let from_left = session.compare(axis, point, left);
@@ -49,8 +46,7 @@ pub fn place<P: Predicates + ?Sized>(session: &P, axis: Axis, [left, right]: [Ve
     }
 }
 
-/// The rule of the paper: whether the point, moved to the right by less than
-/// anything, is in the cell [l, r].
+/// The rule of the paper: true if the point, moved to the right by an infinitesimal, is in the cell [l, r].
 #[inline]
 #[must_use]
 pub fn half_open([left, right]: [f64; 2], point: f64) -> bool {

@@ -1,20 +1,20 @@
-//! Cells of a line: every point is in exactly one of them (Franklin & Magalhães, 4.1).
+//! The check that every point is in exactly one cell of a line (Franklin & Magalhães, 4.1).
 
 use crate::answer::Place;
 
-/// How cells fail to be a partition.
+/// A violation of the partition into cells.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 pub enum PartitionFault {
-    /// The point is within the line's cells as a whole, and in none.
+    /// The point is within the whole line of cells, and in no cell.
     Gap,
-    /// The point is in more than one, or in one and at the end of another.
+    /// The point is in more than one cell, or in one and at the end of another.
     Double,
-    /// The point is outside of all cells as a whole, and in one.
+    /// The point is outside of the whole line of cells, and in a cell.
     Stray,
 }
 
 impl PartitionFault {
-    /// The name of the check that finds it.
+    /// The name of the check that finds this fault.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -25,14 +25,14 @@ impl PartitionFault {
     }
 }
 
-/// What is wrong with the cells that a point was found in, if anything.
+/// The fault of the cells that a point was found in, if any.
 ///
-/// `whole` is where it is seen from the cell between the first and the last
-/// end, as the same session compares them; `found` are the cells that it is not
-/// outside of. No judge is needed: the cells contradict their union.
+/// `whole` is the point's place relative to the cell between the first and the last end, as the same session compares
+/// them. `found` are its places in the cells that it is not outside of. A judge is not needed: the cells contradict
+/// their union.
 ///
-/// At an end where two cells meet, a session that breaks no ties may say so: then the
-/// point is at the ends of all the cells there (of two at least) and inside none.
+/// A session that does not break ties may report an end where two cells meet: then the point is at the ends of all the
+/// cells there (at least two) and inside none.
 pub fn partition_fault(whole: Place, found: impl IntoIterator<Item = Place>) -> Option<PartitionFault> {
     let [mut inside, mut ends] = [0, 0];
     for place in found {

@@ -1,4 +1,4 @@
-//! What is reported about the cells of a line.
+//! The checks of the cells of a line that are reported.
 
 use crate::checks::PartitionFault;
 

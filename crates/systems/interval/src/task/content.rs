@@ -1,4 +1,4 @@
-//! `cells`: a row of cells of a line, and points to find in them.
+//! The key `cells`: a row of cells of a line, and probes.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
@@ -8,16 +8,15 @@ use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 
 use predicament_tasks::signs::axis;
 
-/// A row of cells of a line, and points to find in them.
+/// A row of cells of a line, and points to locate in them.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Cells {
     /// The line's direction.
     pub axis: Axis,
-    /// The cells from left to right, each by its left and its right end,
-    /// which is the left end of the next. Ends with equal coordinates come
-    /// by descending number, as Simulation of Simplicity orders them.
+    /// The cells from left to right, each by its left and its right end; the right end is the left end of the next
+    /// cell. Ends with equal coordinates come by descending index, as Simulation of Simplicity orders them.
     pub cells: Vec<[Vertex; 2]>,
-    /// What to locate.
+    /// The points to locate.
     pub probes: Vec<Vertex>,
 }
 
@@ -33,8 +32,8 @@ impl Content for Cells {
         canon.vertices(&self.probes);
     }
 
-    /// Points that end no cell are probes. The id is another one where probes are listed in another order than that of their
-    /// numbers, which is part of it: a suite does not list them.
+    /// Points that do not end a cell are probes. The id includes the order of the probes; a suite lists them only in
+    /// the order of their indices. In another order the id differs.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let words = vec![("axis", format!("\"{}\"", self.axis.name()))];
         Some(Spelled {
@@ -45,7 +44,7 @@ impl Content for Cells {
     }
 }
 
-/// Reads `points`, `axis` and `cells`; every point that ends no cell is a probe.
+/// Reads `points`, `axis` and `cells`; every point that does not end a cell is a probe.
 pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
     let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
     let axis = axis(fields)?;
@@ -61,17 +60,17 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     }
     let asked = Asked { points, axis, cells, file: fields.file().to_owned(), line: fields.line() };
     if asked.points.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // Nothing comes from the cache: everything is written out.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
 }
 
-/// Cells between points that are written out or in a data file.
+/// The source of cells between points that are written out or in a data file.
 struct Asked {
     points: PointSource,
     axis: Axis,
-    /// Each with its line in the suite.
+    /// Each cell with its line in the suite.
     cells: Vec<(usize, [Vertex; 2])>,
     file: String,
     line: usize,

@@ -1,4 +1,4 @@
-//! Cells of a line, and points at their ends, beside them and between them.
+//! Generators of cells of a line, and of points at their ends, beside them and between them.
 
 use predicament_corpus::{Family, Parts, Random, Recipe, numbered};
 use predicament_formats::bits::integer;
@@ -31,7 +31,7 @@ fn recipe(ends: Ends, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     let axis = axis(fields)?;
     let space = axis == Axis::Z || fields.integer_or("dimension", 2, 2..=3)? == 3;
     let dimension = if space { Dimension::Three } else { Dimension::Two };
-    // Ends, and four places to probe for each.
+    // Ends, and four probes for each.
     let coordinates = move |n| 5 * (n + 1) * dimension.count() as u64;
     Ok(Recipe::new(coordinates, move |making| {
         let (scene, cells) = make(ends, making.n, axis, dimension, &mut making.random());
@@ -39,19 +39,19 @@ fn recipe(ends: Ends, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     }))
 }
 
-/// Where the ends of cells are.
+/// The distribution of the ends of cells.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Ends {
-    /// Anywhere in [0, 1).
+    /// Uniform in [0, 1).
     Uniform,
-    /// On half as many integers as there are cells: cells without length in rows.
+    /// Random among half as many integers as there are cells: rows of cells have zero length.
     Repeated,
 }
 
-/// `n` cells along the axis. Every end is probed three times (there, one double before
-/// and one behind), and there are as many probes anywhere.
+/// `n` cells along the axis, and probes: three for every end (at it, one double before and one behind), and as many
+/// probes anywhere as there are ends.
 ///
-/// Ends are numbered in no order, and the points are anywhere along the other axes.
+/// Indices of ends are in random order, and the points are anywhere along the other axes.
 fn make(ends: Ends, n: usize, axis: Axis, dimension: Dimension, rng: &mut Random) -> (Scene, Cells) {
     let most = i64::try_from(n.div_ceil(2)).expect("scenes are smaller than memory");
     let end = |rng: &mut Random| match ends {

@@ -1,4 +1,4 @@
-//! Every probe against the rule without infinitesimals, and the cells against each other.
+//! The judgement of an answer: probes by the rule without infinitesimals, and cells by their consistency.
 
 use crate::algorithm::place;
 use crate::answer::{Found, Place};
@@ -9,7 +9,7 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Vertex, ZeroMeani
 use super::{Cells, Interval, describe};
 use predicament_tasks::{AnswerLine, Asked, Case, Class, Finding, Outcome, Stop};
 
-/// Where the probe is, seen from all cells as one.
+/// The place of the probe relative to the union of all cells.
 fn whole(session: &dyn Predicates, content: &Cells, probe: Vertex) -> Place {
     match (content.cells.first(), content.cells.last()) {
         (Some(&[left, _]), Some(&[_, right])) => place(session, content.axis, [left, right], probe),
@@ -52,7 +52,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// The class of an answer and the check that it is from.
+/// The class of an answer and the check that gives it.
 fn class(
     zero: ZeroMeaning,
     whole: Place,

@@ -1,7 +1,7 @@
 //! `interval`: the cell of a partition of a line in which each probe lies.
 //!
-//! Franklin and Magalhães, section 4.1. The smallest algorithm in which a tie
-//! matters: a probe at an end is in both cells, in one or in none.
+//! Franklin and Magalhães, section 4.1. This is the smallest algorithm in which a tie matters: a probe at an end is in
+//! both cells, in one or in neither.
 
 mod checks;
 pub(crate) mod content;
@@ -28,13 +28,13 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest,
 };
 
-/// Probes between two looks at the watch.
+/// The number of probes between two checks of the watch.
 const CHUNK: usize = 1024;
 
-/// Finds the cells of some probes, in the places for them.
+/// A function that writes the cells of some probes to a slice.
 type FindAll<'a> = dyn Fn((&mut [Found], &[Vertex])) -> Result<(), Stop> + Sync + 'a;
 
-/// The task.
+/// The task `interval`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Interval;
 

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults, which prove that the checks find faults that no backend has.
 
 use crate::algorithm::Place;
 
@@ -68,7 +68,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
     ]
 }
 
-/// Replaces what was found of each point that is inside of one cell.
+/// Replaces the cells of each point that is inside one cell.
 fn for_each_inside(answer: &mut CellsFound, with: impl Fn(usize) -> Vec<(usize, Place)>) {
     for found in &mut answer.0 {
         if let [(cell, Place::Inside)] = found[..] {

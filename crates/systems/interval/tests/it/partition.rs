@@ -29,7 +29,7 @@ fn a_partition_has_each_point_once() {
         (AtEnd, &[Outside], PartitionFault::Gap),
         (Inside, &[Inside, Inside], PartitionFault::Double),
         (Inside, &[Inside, AtEnd], PartitionFault::Double),
-        // Where two cells meet there are two ends.
+        // Two ends are in the place where two cells meet.
         (Inside, &[AtEnd], PartitionFault::Double),
         (AtEnd, &[Inside], PartitionFault::Double),
         (AtEnd, &[AtEnd, Inside], PartitionFault::Double),
@@ -39,7 +39,7 @@ fn a_partition_has_each_point_once() {
     }
 }
 
-/// What the judge calls a place.
+/// The judge's name of a place.
 fn judged(place: judge::Place) -> Place {
     match place {
         judge::Place::Outside => Outside,

@@ -1,11 +1,11 @@
-//! Plots as PDF, read back by a reader of our own and held against their SVG.
+//! Plots as PDF, read back by a separate reader and compared with their SVG.
 
 mod reader;
 
 use predicament_report::{Bar, Bars, Curve, Curves, Picture, curves, histogram, ranges};
 use reader::{File, Value};
 
-/// A plot of each kind that needs no run.
+/// A plot of each kind that does not need a run.
 fn plots() -> [Picture; 3] {
     let curve = |name: &str, points: &[(f64, f64)]| Curve::new(name, points);
     let lines = Curves {
@@ -60,12 +60,12 @@ impl Element<'_> {
     }
 }
 
-/// Texts that are not empty: some ticks have no name.
+/// Nonempty texts: some ticks have no name.
 fn named(svg: &str) -> Vec<Element<'_>> {
     Element::of(svg, "text").into_iter().filter(|text| !text.text.is_empty()).collect()
 }
 
-/// Text on a page: where it starts, which way it goes, its size, and its codes font by font.
+/// Text on a page: its start, its direction, its size, and its codes font by font.
 struct Text {
     matrix: Vec<f64>,
     size: f64,
@@ -73,7 +73,7 @@ struct Text {
 }
 
 impl Text {
-    /// Latin letters as they are, those of Symbol as the few that there are here.
+    /// The text with Latin letters unchanged, and the few used letters of Symbol.
     fn letters(&self) -> String {
         let letter = |font: &str, code: u8| match (font, code) {
             ("Symbol", b't') => 'τ',
@@ -187,7 +187,7 @@ fn points_and_colours_are_those_of_the_svg() {
         assert_eq!(operations[0], [x + r, y]);
         for pair in operations.windows(2) {
             let (start, curve) = (&pair[0][pair[0].len() - 2..], &pair[1]);
-            // The middle of a Bézier curve, which is a quarter of a turn long.
+            // The middle of a Bézier curve that is a quarter turn long.
             let middle = |axis: usize| (start[axis] + 3.0 * (curve[axis] + curve[axis + 2]) + curve[axis + 4]) / 8.0;
             assert!(((middle(0) - x).hypot(middle(1) - y) - r).abs() < 1e-3 * r, "{operations:?}");
             let ends = [[start[0] - x, start[1] - y], [curve[4] - x, curve[5] - y]];
@@ -236,7 +236,8 @@ fn text_is_anchored_as_in_the_svg() {
                 },
             ];
             let (direction, start) = text.matrix.split_at(4);
-            // Back from where the baseline starts to the anchor; upwards, what is below the anchor is on its right.
+            // Back from the start of the baseline to the anchor; in upward text, a point below the anchor is on its
+            // right.
             let (dx, dy) = if is_upright { (along, -down) } else { (-down, -along) };
             assert_eq!(direction, if is_upright { [1.0, 0.0, 0.0, -1.0] } else { [0.0, -1.0, -1.0, 0.0] });
             assert!(is_upright || element.get("transform").starts_with("rotate(270"));

@@ -1,4 +1,4 @@
-//! A reader of PDF, as small as it can be: it knows nothing of how the files were written, only of ISO 32000.
+//! A minimal reader of PDF, written from ISO 32000 alone, without knowledge of the writer.
 
 use std::collections::BTreeMap;
 use std::io::Read as _;
@@ -39,11 +39,11 @@ impl Value {
     }
 }
 
-/// A file, found the way that readers go: from its end to the table of its objects.
+/// A file, read from its end to the table of its objects, as PDF readers do.
 pub struct File<'b> {
     bytes: &'b [u8],
     trailer: BTreeMap<String, Value>,
-    /// Where objects begin.
+    /// The starts of the objects.
     places: BTreeMap<usize, usize>,
 }
 
@@ -64,13 +64,13 @@ impl File<'_> {
         File { bytes, trailer: values(trailer.as_bytes())[0].dictionary().clone(), places }
     }
 
-    /// What a reference stands for.
+    /// The value that a reference stands for.
     pub fn get(&self, value: &Value) -> Value {
         let Value::Reference(number) = value else { return value.clone() };
         self.object(*number).0
     }
 
-    /// An object, and what follows it.
+    /// An object, and the bytes after it.
     fn object(&self, number: usize) -> (Value, &[u8]) {
         let from = &self.bytes[self.places[&number]..];
         let head = format!("{number} 0 obj\n");
@@ -107,7 +107,7 @@ impl File<'_> {
     }
 }
 
-/// Where these bytes are for the first time.
+/// The position of the first occurrence of these bytes.
 fn find(bytes: &[u8], what: &[u8]) -> usize {
     bytes.windows(what.len()).position(|window| window == what).unwrap()
 }
@@ -120,11 +120,11 @@ fn values(bytes: &[u8]) -> Vec<Value> {
     Cursor(bytes).until(b"")
 }
 
-/// What is left to be read.
+/// The unread bytes.
 struct Cursor<'b>(&'b [u8]);
 
 impl Cursor<'_> {
-    /// All values before this end, which is passed.
+    /// All values before this end, which is skipped.
     fn until(&mut self, end: &[u8]) -> Vec<Value> {
         let mut all = Vec::new();
         loop {
@@ -134,7 +134,7 @@ impl Cursor<'_> {
                 return all;
             }
             all.push(self.next());
-            // Two numbers and an R are a reference.
+            // Two numbers and an R form a reference.
             if let [.., number, Value::Number(_), Value::Word(word)] = &all[..]
                 && word == "R"
             {
@@ -179,7 +179,7 @@ impl Cursor<'_> {
         }
     }
 
-    /// Letters up to what separates words.
+    /// Letters up to a separator of words.
     fn word(&mut self) -> String {
         let is_end = |byte: &u8| byte.is_ascii_whitespace() || b"()<>[]/".contains(byte);
         let end = self.0.iter().position(is_end).unwrap_or(self.0.len());
@@ -188,7 +188,7 @@ impl Cursor<'_> {
         String::from_utf8(word.to_vec()).unwrap()
     }
 
-    /// Text up to the bracket that closes it.
+    /// Text up to the closing bracket.
     fn text(&mut self) -> Vec<u8> {
         let (mut text, mut open) = (Vec::new(), 1);
         while let [first, rest @ ..] = self.0 {

@@ -1,4 +1,4 @@
-//! The intersection of two surfaces, as registered.
+//! The intersection of two surfaces, by their registrations.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,13 +7,13 @@ use predicament_mesh::{Complex, Simplex};
 use super::Arrangement;
 use crate::algorithm::pairs::Contacts;
 
-/// What a triangle of each complex have in common.
+/// The merged points that a triangle of each complex have in common.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Meeting {
-    /// The triangles, by their places in the complexes.
+    /// The triangles, by their indices in the complexes.
     pub triangles: [u32; 2],
-    /// The merged points on both, ascending. One: they touch there. Two: they
-    /// meet along a piece of a curve. More: they overlap.
+    /// The merged points on both, ascending. One point: the triangles touch there. Two points: they meet along a piece
+    /// of a curve. More points: they overlap.
     pub points: Vec<usize>,
 }
 
@@ -25,22 +25,22 @@ pub struct Intersection {
 }
 
 impl Intersection {
-    /// What these two triangles have in common, if anything.
+    /// The meeting of these two triangles, if they have a merged point in common.
     #[must_use]
     pub fn of(&self, triangles: [u32; 2]) -> Option<&Meeting> {
         let place = self.meetings.binary_search_by_key(&triangles, |meeting| meeting.triangles).ok()?;
         Some(&self.meetings[place])
     }
 
-    /// The pieces of the intersection curves: the ends of each, the lower
-    /// point first. A piece along an edge that triangles share is there once.
+    /// The pieces of the intersection curves, each by its ends, the lower point first. A piece along an edge that
+    /// triangles share is listed once.
     #[must_use]
     pub fn pieces(&self) -> Vec<[usize; 2]> {
         let pieces = self.meetings.iter().filter_map(|meeting| <[usize; 2]>::try_from(&meeting.points[..]).ok());
         pieces.collect::<BTreeSet<_>>().into_iter().collect()
     }
 
-    /// How many pairs of triangles overlap.
+    /// The number of pairs of triangles that overlap.
     #[must_use]
     pub fn overlaps(&self) -> usize {
         self.meetings.iter().filter(|meeting| meeting.points.len() > 2).count()
@@ -48,11 +48,11 @@ impl Intersection {
 }
 
 impl Arrangement {
-    /// The intersection of two surfaces that were merged by these contacts:
-    /// each registration between faces of two triangles puts its point on both.
+    /// The intersection of two surfaces that were merged by these contacts: each registration between faces of two
+    /// triangles puts its point on both.
     ///
     /// # Panics
-    /// If the arrangement was made from another contact set.
+    /// If the arrangement was made from other contacts.
     #[must_use]
     pub fn intersection(&self, complexes: [&Complex; 2], contacts: &Contacts) -> Intersection {
         assert_eq!(contacts.registered.len(), self.of_contacts().len(), "the arrangement's own contacts");
@@ -72,7 +72,7 @@ impl Arrangement {
     }
 }
 
-/// For each face, the triangles that have it, itself included.
+/// For each face, the triangles that contain it, itself included.
 fn triangles_above(complex: &Complex) -> BTreeMap<Simplex, Vec<u32>> {
     let mut above: BTreeMap<Simplex, Vec<u32>> = BTreeMap::new();
     for (index, &[a, b, c]) in (0_u32..).zip(complex.triangles()) {

@@ -1,4 +1,4 @@
-//! Merges registered points by union-find, then orders the points along each edge.
+//! Merging of registered points by union-find, and the order of points along each edge.
 
 use predicament_mesh::{Complex, Simplex};
 use predicament_predicates::Scene;
@@ -18,7 +18,7 @@ pub(super) fn merge(scene: &Scene, complexes: [&Complex; 2], contacts: &Contacts
         }
     }
 
-    // The root of a class is its lowest node, so points come in the order of their first vertices.
+    // The root of a class is its lowest node, so points are in the order of their first vertices.
     let mut points: Vec<MergedPoint> = Vec::new();
     let mut of_node = vec![usize::MAX; counts[0] + counts[1]];
     for (side, complex) in Side::BOTH.into_iter().zip(complexes) {
@@ -51,7 +51,7 @@ pub(super) fn merge(scene: &Scene, complexes: [&Complex; 2], contacts: &Contacts
         }
         registrations.push(point);
     }
-    // Contacts come by level, but not everything that is merged here comes from one pair.
+    // Contacts come by level, but the entries of a point come from several pairs.
     for inside in points.iter_mut().flat_map(|point| &mut point.inside) {
         inside.sort_by_key(|&(simplex, _)| simplex);
     }
@@ -100,7 +100,7 @@ fn paths(
         .collect()
 }
 
-/// Union-find; the root of a class is its lowest member.
+/// A union-find structure; the root of a class is its lowest member.
 struct Classes {
     parents: Vec<usize>,
 }

@@ -1,28 +1,24 @@
-//! Arrangements: two complexes merged where they are in contact.
+//! Arrangements: two complexes, merged at their contacts.
 //!
-//! A registered pair is an instruction to whoever cuts one mesh with the
-//! other. *Vertex with vertex*: both are one point from now on. *Vertex with
-//! edge* (or, in space, with a triangle): the edge passes through the vertex.
-//! *Edge with edge*, *triangle with edge*: here is a new point, on both. So the
-//! registrations identify points, and an [`Arrangement`] is what is left after
-//! they have been identified:
+//! A registered pair is an instruction for cutting one mesh with the other. *Vertex with vertex*: both become one
+//! point. *Vertex with edge* (or, in space, with a triangle): the edge passes through the vertex. *Edge with edge*,
+//! *triangle with edge*: a new point is on both. So the registrations identify points, and an [`Arrangement`] is the
+//! result:
 //!
-//! * merged [points](Arrangement::points): classes of vertices, by union-find
-//!   over the vertex-vertex pairs, and the new points of the other pairs;
-//! * for each edge its [path](Arrangement::path): the merged points that it
-//!   passes through, in their order as far as weights tell;
-//! * in space, the [intersection curves](Arrangement::intersection) of two
-//!   surfaces: for each pair of triangles the merged points on both.
+//! * merged [points](Arrangement::points): classes of vertices, by union-find over the vertex-vertex pairs, and the new
+//!   points of the other pairs;
+//! * for each edge its [path](Arrangement::path): the merged points that it passes through, in order as far as the
+//!   weights determine it;
+//! * in space, the [intersection curves](Arrangement::intersection) of two surfaces: for each pair of triangles the
+//!   merged points on both.
 //!
-//! Points are identified by what was registered alone. Where a merged point
-//! *sits* is another question, with more than one answer: a [`Seat`].
+//! Only the registrations decide which points are identified. The *location* of a merged point is a separate question
+//! with several answers: see [`Seat`].
 //!
-//! Nothing is looked at but registrations, so the arrangement of a wrong
-//! contact set is a wrong arrangement. That is the point: whether curves still
-//! cross an even number of times after merging says something about the
-//! registrations. Only the order along an edge is more than they tell: weights
-//! are rounded, and vertices that are exactly on the edge's line have the order
-//! that their coordinates give, which is decided in rationals.
+//! Only registrations are used, so a wrong contact set gives a wrong arrangement. This is intended: if curves do not
+//! cross an even number of times after merging, the registrations are wrong. Only the order along an edge needs more
+//! than the registrations, as weights are rounded. Vertices exactly on the edge's line are ordered by their
+//! coordinates, in rationals.
 
 mod intersection;
 mod merge;
@@ -40,7 +36,7 @@ impl Arrangement {
     /// Merges two complexes of a scene by their contacts.
     ///
     /// # Panics
-    /// If the contacts are not of these complexes.
+    /// If the contacts do not belong to these complexes.
     #[must_use]
     pub fn new(scene: &Scene, complexes: [&Complex; 2], contacts: &Contacts) -> Arrangement {
         merge::merge(scene, complexes, contacts)

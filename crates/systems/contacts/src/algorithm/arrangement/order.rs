@@ -5,10 +5,10 @@ use std::cmp::Ordering;
 use predicament_predicates::{Axis, Dimension, Scene, Vertex};
 use rug::Rational;
 
-/// A merged point on an edge, and how it was registered there.
+/// A merged point on an edge, with its registration there.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct On {
-    /// The vertex of the other complex, if it is one.
+    /// The vertex of the other complex, if the point is one.
     pub(super) vertex: Option<Vertex>,
     /// The registered weight of the edge's second end.
     pub(super) weight: f64,
@@ -18,12 +18,10 @@ pub(super) struct On {
 
 /// The points in their order from one end to the other.
 ///
-/// A weight is a rounded number: two vertices on an edge can be nearer to each
-/// other than weights tell, and then it has them in one place or the wrong way
-/// round. So a vertex that is exactly on the edge's line is where its
-/// coordinates say. All else is where it was registered. Of what is at one
-/// double, exact vertices come first, in their order, then the others, the lower
-/// point first. (How a crossing and a vertex at one double lie is not known.)
+/// A weight is a rounded number: two vertices on an edge can be so close that their weights are equal or in the wrong
+/// order. So a vertex that is exactly on the edge's line is ordered by its coordinates, any other point by its weight.
+/// Of points at one double, exact vertices come first, in their order, then the others, the lower point first. (The
+/// order of a crossing and a vertex at one double is not known.)
 pub(super) fn along(scene: &Scene, ends: [Vertex; 2], points: Vec<On>) -> Vec<usize> {
     if points.len() < 2 {
         return points.into_iter().map(|on| on.point).collect();
@@ -33,9 +31,9 @@ pub(super) fn along(scene: &Scene, ends: [Vertex; 2], points: Vec<On>) -> Vec<us
     placed.into_iter().map(|place| place.point).collect()
 }
 
-/// A place along an edge: 0 is the first end, 1 the second.
+/// A position along an edge: 0 is the first end, 1 the second.
 struct Place {
-    /// The double next to where it is exactly, or the weight.
+    /// The exact position, rounded to a double, or the weight.
     weight: f64,
     exact: Option<Rational>,
     point: usize,
@@ -44,9 +42,9 @@ struct Place {
 impl Place {
     fn of(scene: &Scene, ends: [Vertex; 2], on: &On) -> Place {
         let exact = on.vertex.and_then(|vertex| fraction(scene, ends, vertex));
-        // Rounding to the nearest keeps the order; GMP's own conversion rounds towards zero, which does as well.
+        // Rounding to nearest keeps the order; so does GMP's own conversion, which rounds towards zero.
         let weight = exact.as_ref().map_or(on.weight, Rational::to_f64);
-        // (Negative zero is zero.)
+        // (Negative zero becomes zero.)
         Place { weight: weight + 0.0, exact, point: on.point }
     }
 
@@ -59,8 +57,7 @@ impl Place {
     }
 }
 
-/// How far along an edge the vertex is, if it is exactly on the edge's line.
-/// An edge without length has none.
+/// The position of a vertex along an edge, if it is exactly on the edge's line; `None` for an edge without length.
 fn fraction(scene: &Scene, [a, b]: [Vertex; 2], p: Vertex) -> Option<Rational> {
     let axes: &[Axis] = match scene.dimension() {
         Dimension::Two => &[Axis::X, Axis::Y],
@@ -69,7 +66,7 @@ fn fraction(scene: &Scene, [a, b]: [Vertex; 2], p: Vertex) -> Option<Rational> {
     let at = |v, axis| Rational::from_f64(scene.coordinate(axis, v)).expect("coordinates are finite");
     let from_a = |v: Vertex| -> Vec<Rational> { axes.iter().map(|&axis| at(v, axis) - at(a, axis)).collect() };
     let (u, w) = (from_a(b), from_a(p));
-    // Of the line's direction one number is not zero, and what is along it is a multiple of it.
+    // The first nonzero component of the line's direction; a vector along the line is a multiple of the direction.
     let along = u.iter().position(|x| x.cmp0() != Ordering::Equal)?;
     let fraction = Rational::from(&w[along] / &u[along]);
     u.iter().zip(&w).all(|(u, w)| Rational::from(u * &fraction) == *w).then_some(fraction)

@@ -1,15 +1,14 @@
-//! Which pairs have ended: those of which a sub-pair is registered.
+//! The ended pairs: pairs with a registered sub-pair.
 //!
-//! Registrations are few beside the simplices, and those of a simplex few
-//! beside all. So they are kept by the first simplex, and a simplex is asked
-//! once, for all its candidates, with what its faces are registered; most have
-//! nothing, and then no candidate needs a look.
+//! Registrations are few compared with the simplices, and those of one simplex are few compared with all. So they are
+//! stored by the first simplex. One look-up for a simplex finds the registrations of its faces, for all its candidates.
+//! Most simplices have none, and then their candidates need no test.
 
 use predicament_mesh::{Complex, FaceFinder, Simplex};
 
 use super::Contact;
 
-/// The registered pairs of the levels before, by their first simplex.
+/// The registered pairs of the previous levels, by their first simplex.
 #[derive(Default)]
 pub(super) struct Ended<'a> {
     tables: Option<Tables<'a>>,
@@ -17,13 +16,13 @@ pub(super) struct Ended<'a> {
 
 struct Tables<'a> {
     faces: [FaceFinder<'a>; 2],
-    /// For each rank, where each simplex' partners start, and their number.
+    /// For each rank, the start of each simplex' partners, and at the end their number.
     starts: [Vec<u32>; 4],
     partners: [Vec<Simplex>; 4],
 }
 
 impl<'a> Ended<'a> {
-    /// Learns all that is registered so far. While that is nothing, nothing is looked up.
+    /// Stores all registrations so far. Before the first registration, look-ups return at once.
     pub(super) fn learn(&mut self, [a, b]: [&'a Complex; 2], registered: &[Contact]) {
         if registered.is_empty() {
             return;
@@ -51,7 +50,7 @@ impl<'a> Ended<'a> {
         self.tables = Some(Tables { faces, starts, partners });
     }
 
-    /// What the faces of `s`, and `s`, are registered with, in ascending order.
+    /// The simplices that `s` and its faces are registered with, in ascending order.
     pub(super) fn partners(&self, s: Simplex, partners: &mut Vec<Simplex>) {
         partners.clear();
         let Some(tables) = &self.tables else { return };
@@ -63,7 +62,7 @@ impl<'a> Ended<'a> {
         partners.sort_unstable();
     }
 
-    /// Whether one of these [partners](Ended::partners) is a face of `t`, or `t`.
+    /// True if one of these [partners](Ended::partners) is a face of `t`, or `t`.
     pub(super) fn has_face(&self, partners: &[Simplex], t: Simplex) -> bool {
         let Some(tables) = self.tables.as_ref().filter(|_| !partners.is_empty()) else { return false };
         let mut has = false;

@@ -1,18 +1,14 @@
-//! Contacts between two complexes: which pairs of simplices meet, the most
-//! degenerate first.
+//! Contacts between two complexes: the pairs of simplices that meet, the most degenerate first.
 //!
-//! Wang, Jiang, Schroeder and Teran register degeneracies in a hierarchy: first
-//! vertices with vertices, then vertices with edges, and so on to the pairs
-//! whose dimensions add up to that of the space. A pair of which a sub-pair (a
-//! face of the one with a face of the other) is registered has ended and is not
-//! asked about: what meets in a common vertex does not meet again in an edge.
-//! So each question may assume that nothing more degenerate is there, which is
-//! what makes it safe to ask in floating point.
+//! Wang, Jiang, Schroeder and Teran register degeneracies in a hierarchy. Vertices with vertices come first, then
+//! vertices with edges, and so on to the pairs whose dimensions add up to that of the space. A sub-pair of a pair is a
+//! face of the one with a face of the other. If a sub-pair is registered, the pair has ended and is not queried:
+//! simplices that meet in a common vertex do not meet again in an edge. So each query may assume that there is no more
+//! degenerate contact. This makes floating point safe.
 //!
-//! The driver is the same for every philosophy: with exact signs it sorts the
-//! common points of two closed complexes by their carriers, with perturbed
-//! signs only pairs of the last level can register, with tolerances it is the
-//! paper's scheme.
+//! The driver is the same for all kinds of backends. With exact signs it sorts the common points of two closed
+//! complexes by their carriers. With perturbed signs only pairs of the last level can register. With tolerances it is
+//! the paper's scheme.
 
 mod ended;
 mod near;
@@ -28,12 +24,11 @@ use predicament_grid::parallel;
 
 /// The contacts of two complexes of the session's scene.
 ///
-/// Asked about are the pairs whose boxes are within the session's
-/// [reach](Predicates::reach), as far as they haven't ended. The complexes may
-/// share vertices; a vertex meets itself, whatever the session does with ties.
+/// The pairs whose boxes are within the session's [reach](Predicates::reach) are queried, unless they have ended. The
+/// complexes may share vertices; a vertex meets itself, however the session treats ties.
 ///
-/// The answer doesn't depend on the number of threads, nor, up to the exchange
-/// of the two sides, on which complex comes first.
+/// The answer doesn't depend on the number of threads, nor, up to the exchange of the two sides, on which complex comes
+/// first.
 ///
 /// # Panics
 /// If the session doesn't [support](Predicates::supports_contacts) contacts, or `b` has 2^29 maximal simplices or more.
@@ -48,20 +43,20 @@ pub fn contacts<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -
     }
 }
 
-/// [`contacts`] in the plane.
+/// The contacts of two complexes in the plane; see [`contacts`].
 ///
 /// # Panics
-/// As [`contacts`], and if the scene is in space.
+/// Like [`contacts`], and if the scene is in space.
 #[must_use]
 pub fn contacts2d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     assert_eq!(session.scene().dimension(), Dimension::Two, "contacts2d needs a 2D scene; contacts3d takes this one");
     contacts(session, a, b)
 }
 
-/// [`contacts`] in space.
+/// The contacts of two complexes in space; see [`contacts`].
 ///
 /// # Panics
-/// As [`contacts`], and if the scene is in the plane.
+/// Like [`contacts`], and if the scene is in the plane.
 #[must_use]
 pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex) -> Contacts {
     assert_eq!(session.scene().dimension(), Dimension::Three, "contacts3d needs a 3D scene; contacts2d takes this one");
@@ -74,7 +69,7 @@ fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&C
     let mut ended = Ended::default();
     let levels = levels(session.scene().dimension());
     for (level, pairs) in levels.iter().enumerate() {
-        // A level's pairs come by the ranks of the first simplex: what is appended stays sorted.
+        // A level's pairs come by the rank of the first simplex, so appending keeps the order.
         let start = all.registered.len();
         for &ranks in *pairs {
             all.levels.push(of_ranks(session, complexes, ranks, &near, &ended, &mut all.registered));
@@ -87,7 +82,7 @@ fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&C
     all
 }
 
-/// The pairs of two ranks, which are appended in ascending order.
+/// Appends the pairs of two ranks in ascending order.
 fn of_ranks<S: Predicates + ?Sized, const D: usize>(
     session: &S,
     [a, b]: [&Complex; 2],
@@ -128,7 +123,7 @@ fn of_ranks<S: Predicates + ?Sized, const D: usize>(
         sum.registered += level.registered;
         all.extend(registered);
     }
-    // Simplices come by the maximal ones that own them; where these are of the same rank they are sorted already.
+    // Simplices come by the maximal simplices that own them; if all of these have one rank, they are already sorted.
     all[start..].sort_unstable_by_key(|contact| (contact.a, contact.b));
     sum
 }

@@ -1,20 +1,17 @@
-//! The broad phase: which pairs are near enough to be asked about.
+//! The broad phase: the pairs that are near enough for a query.
 //!
-//! The boxes of two simplices that are near each other lie in those of two
-//! maximal ones, which are near each other too. So one search finds the pairs
-//! of maximal simplices, and all others are taken from them. Two surfaces meet
-//! along curves, and most simplices are in no such pair: they are not looked at
-//! again.
+//! The boxes of two near simplices are inside those of two maximal simplices, which are near each other too. So one
+//! search finds the pairs of maximal simplices, and all other pairs are derived from them. Two surfaces meet along
+//! curves, so most simplices are in no such pair and are skipped.
 //!
 //! # Each pair once
-//! A simplex can be a face of many. Its owner is the first maximal one among
-//! those that have found another. A pair is taken from the pair of its owners,
-//! which has been found, as each pair of maximal ones that holds it has.
+//! A simplex can be a face of many maximal simplices. Its owner is the first of these that has a near maximal simplex.
+//! A pair is derived from the pair of its owners. That pair was found, as every pair of maximal simplices that contains
+//! the pair is found.
 //!
 //! # Memory
-//! Where a piece of work has more pairs of maximal simplices than a few for
-//! each, they are not kept, but what is owned is searched again for each level,
-//! and no more is held than what one simplex has near.
+//! If a piece of work has more pairs of maximal simplices than a few for each, the pairs are not kept. Instead, the
+//! owned simplices are searched again for each level, and memory holds only what is near one simplex.
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -24,13 +21,13 @@ use predicament_mesh::{Complex, FaceFinder, Simplex};
 use predicament_predicates::{Scene, Vertex};
 use rayon::prelude::*;
 
-/// So many maximal simplices make a piece of work.
+/// The number of maximal simplices in a piece of work.
 const PIECE: usize = 512;
 
-/// The most pairs of maximal simplices that a piece keeps.
+/// The maximum number of pairs of maximal simplices that a piece keeps.
 const MOST_KEPT: usize = 32 * PIECE;
 
-/// Pairs of two ranks by their places; those of one simplex of the first complex stand together.
+/// Pairs of two ranks by their indices; pairs with the same first simplex are consecutive.
 type Candidates = Vec<[u32; 2]>;
 
 /// The pairs of two complexes whose boxes are within reach of each other.
@@ -44,19 +41,19 @@ pub(super) struct Near<'a, const D: usize> {
     pieces: Vec<Piece>,
 }
 
-/// What a piece of the first complex' maximal simplices has near, as far as it is kept.
+/// The pairs for a piece of the first complex' maximal simplices, if they are kept.
 struct Piece {
     maximal: Option<Pairs>,
     /// The pairs of all levels but the last, by ranks.
     below: [[Candidates; 3]; 3],
 }
 
-/// Pairs of maximal simplices by their places among the maximal.
+/// Pairs of maximal simplices by their indices among the maximal simplices.
 #[derive(Default)]
 struct Pairs {
-    /// Those of the first complex that have near ones, ascending, and where these end.
+    /// The maximal simplices of the first complex with near ones, ascending, each with the end of its pairs.
     firsts: Vec<(u32, u32)>,
-    /// Those of the second, ascending for each of the first.
+    /// The maximal simplices of the second complex, ascending for each of the first.
     seconds: Vec<u32>,
 }
 
@@ -94,7 +91,7 @@ impl<'a, const D: usize> Near<'a, D> {
         self.pieces.len()
     }
 
-    /// Visits the pairs of these ranks that a piece has, all of one simplex of the first complex at once.
+    /// Visits the pairs of these ranks in a piece; one call has all pairs of one simplex of the first complex.
     pub(super) fn each(&self, piece: usize, [rank_a, rank_b]: [u8; 2], visit: &mut dyn FnMut(&[[u32; 2]])) {
         let Piece { maximal, below } = &self.pieces[piece];
         let Some(pairs) = maximal else { return self.again(piece, [rank_a, rank_b], visit) };
@@ -107,10 +104,10 @@ impl<'a, const D: usize> Near<'a, D> {
         by_first(&found);
     }
 
-    /// Searches all pairs of maximal simplices, and notes which ones are in any.
+    /// Searches all pairs of maximal simplices, and marks the simplices that are in a pair.
     fn find(&self, touched: &[Vec<AtomicBool>; 2]) -> Vec<Piece> {
         let touch = |side: usize, place: u32| {
-            // many threads find the same ones: what is set already is not written again
+            // many threads find the same simplices: a set mark is not written again
             let is_touched = &touched[side][place as usize];
             if !is_touched.load(Ordering::Relaxed) {
                 is_touched.store(true, Ordering::Relaxed);
@@ -120,7 +117,8 @@ impl<'a, const D: usize> Near<'a, D> {
         (0..touched[0].len().div_ceil(PIECE)).into_par_iter().map(find).collect()
     }
 
-    /// The pairs of a piece of the first complex' maximal simplices, each end of which is touched; none if they are too many to be kept.
+    /// The pairs of a piece of the first complex' maximal simplices; calls `touch` for both members. `None` if there
+    /// are too many pairs to keep.
     fn search(&self, piece: usize, touch: impl Fn(usize, u32)) -> Option<Pairs> {
         let mut pairs = Some(Pairs::default());
         let mut found = Vec::new();
@@ -141,8 +139,8 @@ impl<'a, const D: usize> Near<'a, D> {
         pairs
     }
 
-    /// The pairs of these ranks of a piece that has not kept those of maximal simplices: the boxes of those that are owned are
-    /// smaller, and have fewer near them.
+    /// Visits the pairs of these ranks in a piece that has not kept its pairs. The boxes of owned simplices are
+    /// smaller, so they have fewer near simplices.
     fn again(&self, piece: usize, [rank_a, rank_b]: [u8; 2], visit: &mut dyn FnMut(&[[u32; 2]])) {
         let (mut found, mut seconds) = (Candidates::new(), Vec::new());
         for first in self.places(piece).map(number) {
@@ -163,8 +161,8 @@ impl<'a, const D: usize> Near<'a, D> {
         piece * PIECE..self.complexes[0].maximal().len().min((piece + 1) * PIECE)
     }
 
-    /// Takes from pairs of maximal simplices those of some ranks of the first complex, and of the ranks of the second that go
-    /// with each: the ranks and the places.
+    /// Derives the pairs of these ranks from pairs of maximal simplices: calls `taken` with their ranks and indices.
+    /// `second_ranks` gives the ranks of the second complex for each of the first.
     #[inline]
     fn take(
         &self,
@@ -189,8 +187,8 @@ impl<'a, const D: usize> Near<'a, D> {
         }
     }
 
-    /// What of one rank is near a box, of all that some maximal simplices of the second complex own. These are near it if the
-    /// box is that of a maximal one.
+    /// Calls `taken` for the simplices of one rank that these maximal simplices of the second complex own and that are
+    /// near a box. If the box is that of a maximal simplex, maximal simplices are known to be near it.
     #[inline]
     fn with(&self, around: &Bounds<D>, is_maximal: bool, seconds: &[u32], rank: u8, mut taken: impl FnMut(u32)) {
         for &second in seconds {
@@ -209,16 +207,16 @@ impl<'a, const D: usize> Near<'a, D> {
     }
 }
 
-/// What the maximal simplices of a complex own that are in a pair.
+/// The simplices that each maximal simplex in a pair owns.
 #[derive(Default)]
 struct Owned {
-    /// By the places of the maximal ones.
+    /// The range of each maximal simplex, by its index among the maximal ones.
     heads: Vec<Head>,
-    /// The places of what is owned: for each owner in ascending order of ranks, and of places.
+    /// The indices of the owned simplices: for each owner in ascending order of ranks, and of indices.
     places: Vec<u32>,
 }
 
-/// Where what a maximal simplex owns starts, and after how many those of each rank end.
+/// The start of a maximal simplex' range, and the number of its owned simplices up to each rank.
 #[derive(Clone, Copy, Default)]
 struct Head {
     start: u32,
@@ -229,7 +227,7 @@ impl Owned {
     fn new(complex: &Complex, touched: Vec<AtomicBool>) -> Owned {
         let faces = FaceFinder::new(complex);
         let counts = [complex.vertices().len(), complex.edges().len(), complex.triangles().len()];
-        // What is a face of nothing is maximal, and owns itself.
+        // A simplex that is not a face of another is maximal, and owns itself.
         let highest = complex.maximal().last().map_or(0, |maximal| usize::from(maximal.rank));
         let mut is_owned: Vec<Vec<bool>> = counts[..highest].iter().map(|&count| vec![false; count]).collect();
         let mut owned = Owned { heads: vec![Head::default(); touched.len()], places: Vec::new() };
@@ -250,7 +248,7 @@ impl Owned {
         owned
     }
 
-    /// What a maximal simplex owns of a rank.
+    /// The simplices of a rank that a maximal simplex owns.
     #[inline]
     fn of(&self, maximal: u32, rank: u8) -> &[u32] {
         let Head { start, ends } = self.heads[maximal as usize];

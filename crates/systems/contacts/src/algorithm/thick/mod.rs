@@ -1,19 +1,22 @@
-//! Thick primitives: vertices and edges with a radius, for programs that have nothing but floating point.
+//! Thick primitives: vertices and edges with a radius, for programs that only have floating point.
 //!
-//! A vertex is a disc, an edge is all that is within its radius of the straight line between two vertices. A point is to the left
-//! of an edge, to its right, or *on* it: [`side`] has three values (Rhodes, *Computational Geometry*, the slides on tolerant
-//! geometry). What touches is made to coincide, so that no later question has an ambiguous answer:
+//! A vertex is a disc; an edge is all that is within its radius of the straight line between two vertices. A point is
+//! to the left of an edge, to its right, or *on* it: [`side`] has three values (Rhodes, *Computational Geometry*, the
+//! slides on tolerant geometry). Touching primitives are made to coincide, so that later queries are unambiguous:
 //! 1. Discs that overlap become one disc, which covers them. Their edges become thicker by as much as their ends move.
-//! 2. A disc that overlaps an edge divides it there. The parts are as thick as they have to be to cover the edge that was.
-//!    A vertex is at least as thick as its edges.
-//! 3. Edges that still cross are divided by a new vertex as if it were on both: wherever rounding has put it, it reaches them.
+//! 2. A disc that overlaps an edge divides it there. The parts are thick enough to cover the old edge. A vertex is at
+//!    least as thick as its edges.
+//! 3. Edges that still cross are divided by a new vertex, as if it were on both: the edges become thick enough to reach
+//!    its rounded position.
 //!
-//! Whatever a step makes is thick again and may overlap something else, so that the steps are repeated until nothing changes.
+//! The results of a step are thick again and may overlap other primitives, so the steps are repeated until nothing
+//! changes.
 //!
-//! # What holds
-//! Each disc and edge covers what it has come from. Nothing bounds how thick they become: where features are closer than the
-//! radii, discs swallow them, and the larger they are the more they swallow. [`Settled::largest`] tells.
-//! It ends after [`MOST_ROUNDS`] rounds at the latest; [`Settled::is_settled`] says whether something still overlapped.
+//! # Guarantees
+//! Each disc and edge covers the primitives that it was made from. Their thickness is unbounded: if features are closer
+//! than the radii, discs merge with them, and larger discs merge with more. [`Settled::largest`] gives the largest
+//! radius. The algorithm ends after at most [`MOST_ROUNDS`] rounds; [`Settled::is_settled`] is false if primitives
+//! still overlap.
 
 mod round;
 mod shape;
@@ -22,17 +25,18 @@ use round::Round;
 
 pub use shape::{Disc, Side, side};
 
-/// The most rounds that [`settle`] makes; a drawing in which something overlaps after these is left as it is.
+/// The maximum number of rounds of [`settle`]; overlaps that remain after them are left.
 pub const MOST_ROUNDS: usize = 64;
 
 /// A thick edge between two discs.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Edge {
-    /// The discs at its ends, by their places in [`Drawing::discs`].
+    /// The discs at its ends, by their indices in [`Drawing::discs`].
     pub ends: [u32; 2],
-    /// Its radius: how far what it stands for may be from the line between the centres of its ends.
+    /// The radius: an upper bound on the distance of the represented edge from the line between the centres of its
+    /// ends.
     pub radius: f64,
-    /// How many times each of two polygons passes it from its first end to its second, less how many times back.
+    /// For each of two polygons, the number of passes from the first end to the second minus the number of passes back.
     pub passes: [i32; 2],
 }
 
@@ -45,18 +49,18 @@ pub struct Drawing {
     pub edges: Vec<Edge>,
 }
 
-/// The result of [`settle`]: a drawing in which nothing overlaps but edges with their ends, and how it was made.
+/// The result of [`settle`]: a drawing in which only edges and their ends overlap, and the counts of its changes.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Settled {
-    /// The drawing. Edges that are passed as often forth as back are left out, and discs without edges.
+    /// The drawing, without edges with as many passes forth as back, and without isolated discs.
     pub drawing: Drawing,
-    /// How many discs were merged into others.
+    /// The number of discs that were merged into others.
     pub merged: usize,
-    /// How many times an edge was divided at a disc that was there.
+    /// The number of times that an edge was divided at an existing disc.
     pub divided: usize,
-    /// How many crossings became discs.
+    /// The number of crossings that became discs.
     pub crossed: usize,
-    /// Whether nothing overlaps any more; false after [`MOST_ROUNDS`] rounds that were not enough.
+    /// True if nothing overlaps any more; false if [`MOST_ROUNDS`] rounds were not enough.
     pub is_settled: bool,
 }
 
@@ -69,10 +73,10 @@ impl Settled {
     }
 }
 
-/// Merges discs that overlap, and divides edges at discs that overlap them and where they cross, until nothing overlaps.
+/// Merges overlapping discs, and divides edges at discs that overlap them and at crossings, until nothing overlaps.
 ///
 /// # Panics
-/// If an edge ends in a disc that is not there.
+/// If the index of an edge's end is not that of a disc.
 #[must_use]
 pub fn settle(drawing: Drawing) -> Settled {
     let mut settled = Settled { drawing, ..Settled::default() };
@@ -106,7 +110,7 @@ pub fn settle(drawing: Drawing) -> Settled {
     settled
 }
 
-/// A vertex on an edge: the edge, how far along it, the vertex.
+/// A vertex on an edge: the edge, the position along it, the vertex.
 #[derive(Clone, Copy, PartialEq, Debug)]
 struct Cut {
     edge: u32,
@@ -115,7 +119,7 @@ struct Cut {
 }
 
 impl Drawing {
-    /// Gives the edges other ends.
+    /// Renumbers the ends of edges.
     fn replace(&mut self, discs: Vec<Disc>, place: &[u32]) {
         self.discs = discs;
         for edge in &mut self.edges {
@@ -123,7 +127,7 @@ impl Drawing {
         }
     }
 
-    /// Makes edges as much thicker as their ends move to other discs.
+    /// Makes edges thicker by the distance by which their ends move to other discs.
     fn thicken(&mut self, discs: &[Disc], place: &[u32]) {
         for edge in &mut self.edges {
             let moved = edge.ends.map(|end| self.discs[end as usize].apart(discs[place[end as usize] as usize]));
@@ -131,7 +135,7 @@ impl Drawing {
         }
     }
 
-    /// Divides edges where they are cut.
+    /// Divides edges at their cuts.
     fn divide(&mut self, mut cuts: Vec<Cut>) {
         cuts.sort_by(|a, b| (a.edge, a.along).partial_cmp(&(b.edge, b.along)).unwrap_or(std::cmp::Ordering::Equal));
         for group in cuts.chunk_by(|a, b| a.edge == b.edge) {
@@ -140,7 +144,8 @@ impl Drawing {
             let off = |disc: u32| shape::distance_at_most(line, self.discs[disc as usize].centre);
             let stops: Vec<u32> = [from].into_iter().chain(group.iter().map(|cut| cut.disc)).chain([to]).collect();
             let mut parts = stops.windows(2).map(|part| {
-                // The edge that was is between the two of them, no farther off than its farther end.
+                // The old edge is between the two ends of the part; its distance from their line is at most that of the
+                // farther end.
                 let radius = shape::up(radius + off(part[0]).max(off(part[1])));
                 Edge { ends: [part[0], part[1]], radius, passes }
             });
@@ -150,7 +155,7 @@ impl Drawing {
         }
     }
 
-    /// Makes one of equal edges, leaves out those without effect and discs without edges, and makes discs as thick as their edges.
+    /// Merges equal edges, removes edges without effect and isolated discs, and makes discs as thick as their edges.
     fn tidy(&mut self) {
         for edge in &mut self.edges {
             if edge.ends[0] > edge.ends[1] {

@@ -1,4 +1,4 @@
-//! What overlaps in a drawing.
+//! The overlaps in a drawing.
 
 use predicament_grid::{Bounds, BoxIndex};
 
@@ -11,12 +11,12 @@ pub(super) struct Round<'d> {
     discs: BoxIndex<2>,
 }
 
-/// Discs after merging.
+/// The discs after merging.
 pub(super) struct Merged {
     pub discs: Vec<Disc>,
-    /// The place of each disc that was.
+    /// The new index of each old disc.
     pub place: Vec<u32>,
-    /// How many there are fewer.
+    /// The number of discs that were merged into others.
     pub count: usize,
 }
 
@@ -25,7 +25,7 @@ impl<'d> Round<'d> {
         Round { drawing, discs: BoxIndex::new(drawing.discs.iter().map(|disc| disc.bounds()).collect()) }
     }
 
-    /// Classes of discs that overlap, each as one disc that covers them.
+    /// Merges each class of overlapping discs to one disc that covers them.
     pub fn merged(&self) -> Merged {
         let discs = &self.drawing.discs;
         let mut parent: Vec<u32> = (0..number(discs.len())).collect();
@@ -75,7 +75,7 @@ impl<'d> Round<'d> {
         cuts
     }
 
-    /// Crossings of edges that touch no disc but their ends, as new discs behind those that there are.
+    /// Crossings of edges that touch no disc but their ends, as new discs after the existing ones.
     pub fn crossed(&self) -> (Vec<Disc>, Vec<Cut>) {
         let Drawing { discs, edges } = self.drawing;
         let index = BoxIndex::new((0..number(edges.len())).map(|at| self.edge_bounds(at)).collect());
@@ -96,7 +96,8 @@ impl<'d> Round<'d> {
                 if across(sides(e, edge.radius, with.ends)) && across(sides(f, with.radius, edge.ends)) {
                     let (centre, along) = crossing(e, f);
                     let place = number(discs.len() + new.len());
-                    // Divided there, edges are thick enough to cover what they were, and vertices are as thick as their edges.
+                    // After the division, edges are thick enough to cover the old edges, and vertices are as thick as
+                    // their edges.
                     new.push(Disc { centre, radius: 0.0 });
                     cuts.extend([at, other].into_iter().zip(along).map(|(edge, along)| Cut {
                         edge,
@@ -119,7 +120,7 @@ impl<'d> Round<'d> {
     }
 }
 
-/// The lowest of a class.
+/// The lowest disc of a class.
 fn root(parent: &mut [u32], mut at: u32) -> u32 {
     while parent[at as usize] != at {
         parent[at as usize] = parent[parent[at as usize] as usize];

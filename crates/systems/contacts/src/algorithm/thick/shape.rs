@@ -1,4 +1,4 @@
-//! Discs and thick edges, in doubles. Radii are rounded up: what they cover they cover after rounding.
+//! Discs and thick edges, in doubles. Radii are rounded up, so that coverage holds after rounding.
 
 use predicament_grid::Bounds;
 
@@ -7,24 +7,24 @@ pub(super) type Point = [f64; 2];
 /// A thick vertex: a disc.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Disc {
-    /// Its centre.
+    /// The centre.
     pub centre: [f64; 2],
-    /// Its radius: how far what it stands for may be from the centre.
+    /// The radius: an upper bound on the distance of the represented vertex from the centre.
     pub radius: f64,
 }
 
-/// The side of a thick edge that a vertex is on, seen along the edge.
+/// The side of a thick edge that a vertex is on, in the edge's direction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Side {
-    /// To the left of it.
+    /// To the left of the edge.
     Left,
     /// The disc and the edge overlap.
     On,
-    /// To the right of it.
+    /// To the right of the edge.
     Right,
 }
 
-/// The side that a vertex is on of a thick edge, which has this radius and goes from one point of `line` to the other.
+/// The side of a vertex relative to a thick edge with this radius, from the first point of `line` to the second.
 #[must_use]
 pub fn side(line: [[f64; 2]; 2], radius: f64, p: Disc) -> Side {
     if distance(line, p.centre).0 <= radius + p.radius {
@@ -36,12 +36,12 @@ pub fn side(line: [[f64; 2]; 2], radius: f64, p: Disc) -> Side {
     }
 }
 
-/// (b − a) × (p − a), rounded.
+/// The cross product (b − a) × (p − a), rounded.
 pub(super) fn turn([a, b]: [Point; 2], p: Point) -> f64 {
     (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0])
 }
 
-/// How far a point is from a segment, and where on it the nearest point is, from 0 to 1; rounded.
+/// The distance of a point from a segment, and the position of the nearest point on it, from 0 to 1; rounded.
 pub(super) fn distance([a, b]: [Point; 2], p: Point) -> (f64, f64) {
     let [ab, ap] = [b, p].map(|to| [to[0] - a[0], to[1] - a[1]]);
     let square = ab[0] * ab[0] + ab[1] * ab[1];
@@ -49,21 +49,21 @@ pub(super) fn distance([a, b]: [Point; 2], p: Point) -> (f64, f64) {
     ((ap[0] - along * ab[0]).hypot(ap[1] - along * ab[1]), along)
 }
 
-/// A distance that a point is no farther than from a segment, whatever was rounded.
+/// An upper bound on the distance of a point from a segment, valid for any rounding.
 pub(super) fn distance_at_most(line: [Point; 2], p: Point) -> f64 {
-    // What is taken for the nearest point is one of the segment, so that only the way from there to p is rounded: along each axis
-    // by less than four times 2^-53 of what was subtracted.
+    // The computed nearest point counts as a point of the segment, so only the way from it to p is rounded. Along each
+    // axis, the error is less than four times 2^-53 of the operands of the subtraction.
     let reach = |q: Point| (q[0] - line[0][0]).abs() + (q[1] - line[0][1]).abs();
     up(distance(line, p).0 + 4.0 * f64::EPSILON * (reach(line[1]) + reach(p)))
 }
 
-/// A little more: what a few roundings may have taken.
+/// A slightly larger radius, which covers the error of a few roundings.
 pub(super) fn up(radius: f64) -> f64 {
     radius * (1.0 + 4.0 * f64::EPSILON)
 }
 
 impl Disc {
-    /// The smallest disc that covers two.
+    /// The smallest disc that covers two discs, rounded up.
     pub(super) fn cover(self, other: Disc) -> Disc {
         let apart = self.apart(other);
         let [small, large] = if self.radius < other.radius { [self, other] } else { [other, self] };
@@ -71,7 +71,7 @@ impl Disc {
             return large;
         }
         let radius = (apart + small.radius + large.radius) / 2.0;
-        // From the larger one's centre towards the other.
+        // From the larger disc's centre towards the other one.
         let part = (radius - large.radius) / apart;
         let centre = [0, 1].map(|axis: usize| large.centre[axis] + part * (small.centre[axis] - large.centre[axis]));
         // The centre is rounded, too.
@@ -79,7 +79,7 @@ impl Disc {
         Disc { centre, radius: up(radius) + rounding }
     }
 
-    /// How far the centres are from each other, rounded.
+    /// The distance between the centres, rounded.
     pub(super) fn apart(self, other: Disc) -> f64 {
         (other.centre[0] - self.centre[0]).hypot(other.centre[1] - self.centre[1])
     }
@@ -93,12 +93,13 @@ impl Disc {
     }
 }
 
-/// A box that is larger by this on all sides.
+/// A box enlarged by this radius on all sides.
 pub(super) fn thick(bounds: Bounds<2>, radius: f64) -> Bounds<2> {
     Bounds { low: bounds.low.map(|x| (x - radius).next_down()), high: bounds.high.map(|x| (x + radius).next_up()) }
 }
 
-/// About where two segments cross that each have the other's ends on different sides, and how far along each, from 0 to 1.
+/// The approximate crossing of two segments, and its position along each, from 0 to 1. Each segment must have the
+/// other's ends on different sides.
 pub(super) fn crossing(e: [Point; 2], f: [Point; 2]) -> (Point, [f64; 2]) {
     let along = |line: [Point; 2], other: [Point; 2]| {
         let [n, m] = line.map(|p| turn(other, p));

@@ -1,4 +1,4 @@
-//! Judges one answer by the guarantee of its tolerance.
+//! The judgement of one answer by the guarantee of its tolerance.
 
 use std::cmp::Ordering;
 
@@ -12,32 +12,31 @@ use super::quantity::Quantity;
 use super::reading::Readings;
 use predicament_laws::published::Published;
 
-/// Whether an answer keeps the guarantee, and if not, how it fails.
+/// The verdict on an answer: the guarantee holds, or how it is broken.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Verdict {
-    /// Registered up to T₋ and not beyond T₊; of pairs of full dimension, if
-    /// and only if they cross.
+    /// The answer is right: registered up to T₋ and not beyond T₊; a pair of full dimension, if and only if it crosses.
     Agree,
     /// The distance is between T₋ and T₊: either answer is right.
     InBand,
-    /// Registered beyond T₊, with a foot outside, or without a crossing.
+    /// The pair is registered beyond T₊, with a foot outside, or without a crossing.
     Overreach,
-    /// Not registered up to T₋, or in spite of a crossing.
+    /// The pair is not registered, although it is within T₋ or crosses.
     Missed,
-    /// Rightly registered, but a quantity that the paper bounds away from zero
-    /// is below its bound: a sub-pair should have been registered.
+    /// The pair is rightly registered, but a quantity that the paper bounds away from zero is below its bound: a
+    /// sub-pair should have been registered.
     Unguarded,
-    /// Registered with a weight that is not in [0, 1].
+    /// The pair is registered with a weight outside of [0, 1].
     BadWeight,
-    /// Registered although a sub-pair was, or never to be asked about.
+    /// The pair is registered although a sub-pair is, or although it must not be queried.
     Unasked,
-    /// A test of the algorithm that has to fail passed, or all that have to pass did
-    /// not: see [`Readings`](super::Readings).
+    /// The answer contradicts the tests of the algorithm: a test that has to fail passed, or not all tests passed
+    /// although they have to. See [`Readings`](super::Readings).
     Misread,
 }
 
 impl Verdict {
-    /// All of them.
+    /// All verdicts.
     pub const ALL: [Verdict; 8] = [
         Verdict::Agree,
         Verdict::InBand,
@@ -49,13 +48,13 @@ impl Verdict {
         Verdict::Misread,
     ];
 
-    /// Whether the guarantee held.
+    /// True if the guarantee holds.
     #[must_use]
     pub const fn is_legal(self) -> bool {
         matches!(self, Verdict::Agree | Verdict::InBand)
     }
 
-    /// In lower case, with underscores.
+    /// The verdict's name, in lower case with underscores.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -71,45 +70,44 @@ impl Verdict {
     }
 }
 
-/// A verdict, and how near its distance is to the threshold.
+/// A verdict, and the distance of the pair from the threshold.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Judgement {
     /// The verdict.
     pub verdict: Verdict,
-    /// Of a pair that was rightly registered: the largest difference of a
-    /// weight to the exact one.
+    /// The largest error of a weight, if the pair was rightly registered.
     pub weight_error: Option<f64>,
-    /// How far the distance is from T₋ or T₊, as [`Bands::from_threshold`].
+    /// The distance from T₋ or T₊, like [`Bands::from_threshold`].
     pub from_threshold: Option<f64>,
-    /// Of a pair that was rightly registered: the smallest quotient of a
-    /// guarded quantity and its lower bound, squared as both are.
+    /// The smallest quotient of a guarded quantity and its lower bound, both squared, if the pair was rightly
+    /// registered.
     pub room: Option<f64>,
 }
 
 impl Judgement {
-    /// A verdict on a pair that was never to be asked about.
+    /// A judgement of a pair that must not be queried.
     pub(super) const fn unasked() -> Judgement {
         Judgement { verdict: Verdict::Unasked, weight_error: None, from_threshold: None, room: None }
     }
 }
 
-/// The bands that contacts are held to, and what follows from them, squared.
+/// The published bands for contacts, and the bounds derived from them, squared.
 ///
-/// They are the published ones, whatever the session says of its own. Sessions without bands have zeros: then the guarantee is that of exact
+/// The session's own bands do not matter. For sessions without bands all are zero: then the guarantee is that of exact
 /// arithmetic, a pair is registered if and only if it meets.
 #[derive(Clone, Debug)]
 pub struct Bands {
     /// T₋² and T₊² of vertex-vertex, edge-vertex, edge-edge and triangle-vertex.
     limits: [[Rational; 2]; 4],
-    /// For each kind the lower bounds of its guarded quantities, squared; the
-    /// last is for all that are left.
+    /// For each kind, the lower bounds of its guarded quantities, squared; the last bound is for all further
+    /// quantities.
     bounds: [Vec<Rational>; 6],
-    /// What the tests of the algorithms are held to.
+    /// The published tolerances, for single tests of the algorithms.
     published: Option<Published>,
 }
 
 impl Bands {
-    /// Those that a session has to keep.
+    /// The bands that a session has to keep.
     #[must_use]
     pub fn of<S: Predicates + ?Sized>(session: &S) -> Bands {
         match Published::of(session) {
@@ -118,7 +116,7 @@ impl Bands {
         }
     }
 
-    /// The published ones, for whole pairs and for single tests.
+    /// The published bands, for whole pairs and for single tests.
     #[must_use]
     pub fn published(published: Published) -> Bands {
         let dimension = published.dimension();
@@ -132,7 +130,7 @@ impl Bands {
         Bands { published: Some(published.clone()), ..Bands::squared(dimension, of) }
     }
 
-    /// By the ranks of the pair, the higher first. Single tests are held to nothing.
+    /// Bands by the ranks of a pair, the higher first, without limits for single tests.
     #[must_use]
     pub fn new(dimension: Dimension, band: impl Fn([u8; 2]) -> Option<Band>) -> Bands {
         let square = |x: f64| Rational::from_f64(x).expect("a tolerance is finite").square();
@@ -157,9 +155,10 @@ impl Bands {
         Enclosure::exact(upper.clone()).sqrt().upper.to_f64().next_up()
     }
 
-    /// Of a pair that is within T₊ or crosses, and of which no sub-pair is within T₋: the
-    /// smallest quotient of a guarded quantity and its lower bound, squared. None for
-    /// other pairs, of which nothing is claimed, and where nothing is guarded.
+    /// The smallest quotient of a guarded quantity and its lower bound, squared, for a pair that is within T₊ or
+    /// crosses and has no sub-pair within T₋.
+    ///
+    /// `None` for other pairs, for which the paper claims nothing, and if nothing is guarded.
     #[must_use]
     pub fn guard(&self, pair: &Pair) -> Option<f64> {
         let within = |pair: &Pair, feet: &Feet, limit: usize| {
@@ -172,8 +171,8 @@ impl Bands {
         if is_degenerate { None } else { self.room(pair, &feet) }
     }
 
-    /// Whether an answer breaks the promise of a single test, whatever the
-    /// sub-pairs are; never where no test is promised anything.
+    /// True if an answer breaks the promise of a single test, for any sub-pairs; always false if there are no such
+    /// promises.
     #[must_use]
     pub fn misreads(&self, pair: &Pair, registered: bool) -> bool {
         self.published
@@ -182,13 +181,13 @@ impl Bands {
             .is_some_and(|has| has != registered)
     }
 
-    /// Whether tests are promised anything.
+    /// True if there are promises for single tests.
     #[must_use]
     pub fn has_readings(&self) -> bool {
         self.published.is_some()
     }
 
-    /// The verdict on a pair of which no sub-pair is registered.
+    /// The verdict on a pair without a registered sub-pair.
     #[must_use]
     pub fn judge(&self, pair: &Pair, got: Option<&[Weights; 2]>) -> Judgement {
         let feet = pair.feet();
@@ -215,9 +214,10 @@ impl Bands {
         Judgement { verdict, weight_error: registered.map(|(feet, got)| feet.weight_error(got)), from_threshold, room }
     }
 
-    /// Of a pair that has a tolerance and feet inside: the difference between
-    /// its distance and the nearer of T₋ and T₊, as a part of that. To be
-    /// counted and not to be relied on: it comes from rounded values.
+    /// The difference between a pair's distance and the nearer of T₋ and T₊, as a fraction of that limit; for a pair
+    /// with a tolerance and feet inside.
+    ///
+    /// The value is for statistics only: it comes from rounded values.
     #[must_use]
     pub fn from_threshold(&self, pair: &Pair) -> Option<f64> {
         self.off(pair, &pair.feet()?)
@@ -234,8 +234,7 @@ impl Bands {
         quotients.map(|(quantity, bound)| quantity.over(bound)).reduce(f64::min)
     }
 
-    /// Whether every guarded quantity is at least what the paper derives from
-    /// "no sub-pair is registered".
+    /// True if every guarded quantity is at least the bound that the paper derives from "no sub-pair is registered".
     fn guards(&self, pair: &Pair, feet: &Feet) -> bool {
         self.guarded(pair, feet).all(|(quantity, bound)| quantity.compare(bound) != Ordering::Less)
     }
@@ -248,8 +247,7 @@ impl Bands {
     }
 }
 
-/// The bounds that 4.3 to 5.7 derive, squared, in the order of
-/// [`Feet::guarded`].
+/// The bounds that sections 4.3 to 5.7 derive, squared, in the order of [`Feet::guarded`].
 fn bounds(kind: PairKind, dimension: Dimension, limits: &[[Rational; 2]; 4]) -> Vec<Rational> {
     let [[sigma, _], [tau, tau_upper], [gamma, gamma_upper], [delta, delta_upper]] = limits;
     let squared = |x: &Rational| Rational::from(x.square_ref());

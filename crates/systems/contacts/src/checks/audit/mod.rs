@@ -1,36 +1,29 @@
-//! Contacts held to their guarantee by exact distances.
+//! The audit of contacts: their guarantee, checked by exact distances.
 //!
-//! # What is guaranteed
-//! Wang, Jiang, Schroeder and Teran ask about a pair only where no sub-pair of
-//! it (a face of the one with a face of the other) is registered. Under that
-//! condition:
+//! # The guarantee
+//! Wang, Jiang, Schroeder and Teran query a pair only if no sub-pair of it (a face of the one with a face of the other)
+//! is registered. Under that condition:
 //!
-//! * A pair that registers a degeneracy (vertex-vertex, edge-vertex, and in
-//!   space edge-edge and triangle-vertex) is registered if its exact distance
-//!   is at most T₋, and only if it is at most T₊ (1). The distance is that of
-//!   the two feet of the shortest connection between the line, plane or point
-//!   of each, and both feet have to be strictly inside. That is the distance of
-//!   the closed simplices: where a foot is not inside, the closed simplices are
-//!   nearest at a face, whose distance is beyond its own T₋, which is larger
-//!   than the T₊ in question (τ₊ < σ₋, γ₊ < τ₋, δ₊ < τ₋). A foot on the
-//!   simplex' boundary can't be within T₊ for the same reason.
-//! * A pair of full dimension is registered if and only if it crosses: no
-//!   tolerance is left. What its signs are of has been bounded away from zero.
-//! * Those bounds themselves ("guarded quantities": κ₊, λ₊, φ₊, ν₊, ζ₊, μ₊, ξ₊,
-//!   ρ₊, and √(σ₋² − τ₊²) of an edge's foot) hold for every pair that is within
-//!   T₊ or crosses. They are checked for pairs that are registered.
-//! * A weight is in [0, 1]. No bound on its error is promised; the largest is
-//!   reported.
+//! * A pair that registers a degeneracy (vertex-vertex, edge-vertex, and in space edge-edge and triangle-vertex) is
+//!   registered if its exact distance is at most T₋, and only if it is at most T₊ (1). The distance is that of the two
+//!   feet of the shortest connection between the line, plane or point of each, and both feet have to be strictly
+//!   inside. That is the distance of the closed simplices. Proof: if a foot is not inside, the closed simplices are
+//!   nearest at a face. The distance of that face is beyond its own T₋, which is larger than the T₊ in question
+//!   (τ₊ < σ₋, γ₊ < τ₋, δ₊ < τ₋). A foot on the simplex' boundary can't be within T₊ for the same reason.
+//! * A pair of full dimension is registered if and only if it crosses, without a tolerance. The values of its signs
+//!   have been bounded away from zero.
+//! * Those bounds themselves ("guarded quantities": κ₊, λ₊, φ₊, ν₊, ζ₊, μ₊, ξ₊, ρ₊, and √(σ₋² − τ₊²) of an edge's foot)
+//!   hold for every pair that is within T₊ or crosses. They are checked for registered pairs.
+//! * A weight is in [0, 1]. The paper promises no bound on its error; the largest error is reported.
 //!
-//! For a session without bands T₋ = T₊ = 0, and the same says that what is
-//! registered is what meets, by the carriers of lowest dimension: the audit of
-//! exact signs. (Sessions that break ties promise something else.)
+//! For a session without bands T₋ = T₊ = 0. The guarantee then says that the registered pairs are those that meet, by
+//! the carriers of lowest dimension: the audit of exact signs. (Sessions that break ties have another guarantee.)
 //!
-//! Besides, every test of an algorithm is held to its own tolerance, whatever the
-//! sub-pairs are ([`Readings`]). That takes a session that is asked about pairs that
-//! have ended: what the hierarchy never asks shows what a tolerance is.
+//! In addition, every test of an algorithm is checked by its own tolerance, for any sub-pairs ([`Readings`]). For this,
+//! the session is also queried about pairs that have ended: pairs that the hierarchy never queries reveal a wrong
+//! tolerance.
 //!
-//! What is promised is taken from the paper ([`Published`]), never from the session.
+//! All promises are taken from the paper ([`Published`]), never from the session.
 //!
 //! * [`Bands::judge`]: one answer.
 //! * [`audit`]: all contacts of two complexes.
@@ -61,44 +54,42 @@ pub struct Finding {
     pub a: Simplex,
     /// The simplex of the second complex.
     pub b: Simplex,
-    /// What kind of pair they are.
+    /// The kind of the pair.
     pub kind: PairKind,
-    /// How the guarantee was broken.
+    /// The violation of the guarantee.
     pub verdict: Verdict,
-    /// Whether the pair was registered.
+    /// True if the pair was registered.
     pub registered: bool,
-    /// The distance of the two closed simplices, in scene units: the square
-    /// root of the exact square, rounded.
+    /// The distance of the two closed simplices, in scene units: the rounded square root of the exact square.
     pub distance: f64,
 }
 
-/// What an audit found.
+/// The results of an audit.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Audit {
     counts: [[u64; Verdict::ALL.len()]; PairKind::ALL.len()],
-    /// Pairs that were not to be asked about as a sub-pair is registered, of
-    /// those that are near.
+    /// The number of near pairs that must not be queried, because a sub-pair is registered.
     pub ended: u64,
-    /// Those of them that the session was asked about all the same.
+    /// The number of ended pairs that the audit queried all the same.
     pub read: u64,
     /// The largest error of a weight, by [`PairKind`].
     pub weight_errors: [f64; PairKind::ALL.len()],
     /// All answers that break the guarantee, in the order of levels and simplices.
     pub findings: Vec<Finding>,
-    /// Registered pairs that were to be asked about.
+    /// Registered pairs that had to be queried.
     asked: Vec<[Simplex; 2]>,
 }
 
 type Registered<'a> = HashMap<[Simplex; 2], &'a Contact>;
 
 impl Audit {
-    /// How many answers of this kind of pair had this verdict.
+    /// The number of answers about this kind of pair with this verdict.
     #[must_use]
     pub fn count(&self, kind: PairKind, verdict: Verdict) -> u64 {
         self.counts[kind as usize][verdict as usize]
     }
 
-    /// How many answers were judged.
+    /// The number of judged answers.
     #[must_use]
     pub fn judged(&self) -> u64 {
         self.counts.iter().flatten().sum()
@@ -117,7 +108,7 @@ impl Audit {
         self.asked.extend(later.asked);
     }
 
-    /// Asks about a pair that has ended, and holds the answer to the tests alone.
+    /// Queries a pair that has ended, and checks the answer by the tests alone.
     fn reread<S: Predicates + ?Sized>(
         &mut self,
         session: &S,
@@ -142,12 +133,11 @@ impl Audit {
     }
 }
 
-/// Judges every registered pair, and every pair that is near enough to be
-/// registered and was to be asked about. Of those that have ended a sample is asked
-/// about by itself and held to the tests of its algorithm.
+/// Judges every registered pair, and every pair that is near enough to be registered and has not ended. Of the ended
+/// pairs, a sample is queried separately and checked by the tests of its algorithm.
 ///
 /// # Panics
-/// If the complexes are not of the session's scene.
+/// If the complexes do not belong to the session's scene.
 #[must_use]
 pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, contacts: &Contacts) -> Audit {
     let scene = session.scene();
@@ -198,11 +188,10 @@ pub fn audit<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex, cont
     audit
 }
 
-/// Pairs that one thread judges at a time.
+/// The number of pairs that one thread judges at a time.
 const PIECE: usize = 1 << 10;
 
-/// Of the pairs of two ranks that have ended about so many are asked about all the
-/// same, at even steps.
+/// The approximate number of ended pairs of two ranks that are queried all the same, at even steps.
 const READ: usize = 1 << 13;
 
 fn finding([a, b]: [Simplex; 2], pair: &Pair, verdict: Verdict, registered: bool) -> Finding {
@@ -220,7 +209,7 @@ fn pair(scene: &Scene, s: &[Vertex], t: &[Vertex]) -> Pair {
     }
 }
 
-/// Whether a face of the one and a face of the other, not both the whole, are registered.
+/// True if a face of the one and a face of the other, not both the whole simplices, are registered.
 fn has_registered_faces(registered: &Registered, [of_a, of_b]: &[Faces; 2], [s, t]: [Simplex; 2]) -> bool {
     let mut pairs = of_a.of(s).flat_map(|face| of_b.of(t).map(move |other| [face, other]));
     pairs.any(|pair| pair != [s, t] && registered.contains_key(&pair))

@@ -1,7 +1,7 @@
-//! One pair of simplices, exactly.
+//! Exact values of one pair of simplices.
 //!
-//! Everything is a polynomial in integers: the coordinates over one power of
-//! two. Points of the plane are points of space with z = 0.
+//! Everything is a polynomial in integers: all coordinates are integers in units of one power of two. Points of the
+//! plane are points of space with z = 0.
 
 use crate::answer::Weights;
 use predicament_arithmetic::Scaled;
@@ -13,7 +13,7 @@ use super::quantity::Quantity;
 
 type Point = [Integer; 3];
 
-/// The pairs of the hierarchy, of whichever dimension.
+/// The kinds of pairs of the hierarchy, in both dimensions.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum PairKind {
     /// Two vertices: Algorithms 2 and 7.
@@ -31,7 +31,7 @@ pub enum PairKind {
 }
 
 impl PairKind {
-    /// All of them, the most degenerate first.
+    /// All kinds, the most degenerate first.
     pub const ALL: [PairKind; 6] = [
         PairKind::VertexVertex,
         PairKind::EdgeVertex,
@@ -60,14 +60,13 @@ impl PairKind {
         }
     }
 
-    /// Whether its ranks add up to the dimension of the space: it either
-    /// crosses or not, within no tolerance.
+    /// True if the ranks add up to the dimension of the space: the pair crosses or not, without a tolerance.
     #[must_use]
     pub fn is_top(self, dimension: Dimension) -> bool {
         self.ranks().map(usize::from).iter().sum::<usize>() == dimension.count()
     }
 
-    /// As in `edge-vertex`.
+    /// The name, such as `edge-vertex`.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -91,15 +90,14 @@ pub struct Pair {
     exponent: i32,
 }
 
-/// Where two simplices' carriers are closest, if that is strictly inside both.
+/// The feet: the closest points of two simplices' carriers, if they are strictly inside both.
 #[derive(Clone, Debug)]
 pub struct Feet {
     /// The square of the distance.
     pub distance_squared: Quantity,
-    /// Barycentric numerators of the foot on the first simplex and on the
-    /// second, all positive.
+    /// The numerators of the feet's barycentric coordinates on the first simplex and on the second, all positive.
     numerators: [Vec<Integer>; 2],
-    /// What the guarded quantities are of, all as integers, by the kind.
+    /// The guarded quantities as integers, by the kind.
     pub(super) guarded: Vec<Quantity>,
 }
 
@@ -113,8 +111,7 @@ impl Feet {
         })
     }
 
-    /// The largest difference between these weights and the exact ones, as a
-    /// double that is at most one rounding off.
+    /// The largest difference between these weights and the exact ones, as a double with at most one rounding.
     #[must_use]
     pub fn weight_error(&self, got: &[Weights; 2]) -> f64 {
         let exact = self.weights();
@@ -129,10 +126,10 @@ impl Feet {
 }
 
 impl Pair {
-    /// A pair of the plane or of space, by the points of both simplices.
+    /// A pair in the plane or in space, by the points of both simplices.
     ///
     /// # Panics
-    /// If the hierarchy has no such pair, or a coordinate is not finite.
+    /// If the hierarchy does not have such a pair, or a coordinate is not finite.
     #[must_use]
     pub fn new<const D: usize>(first: &[[f64; D]], second: &[[f64; D]]) -> Pair {
         let (first, second) = if first.len() < second.len() { (second, first) } else { (first, second) };
@@ -147,32 +144,33 @@ impl Pair {
         Pair { kind, dimension, points: scaled.integers, exponent: scaled.exponent }
     }
 
-    /// Which pair of the hierarchy it is.
+    /// The kind of the pair.
     #[must_use]
     pub fn kind(&self) -> PairKind {
         self.kind
     }
 
-    /// The dimension of its space.
+    /// The dimension of the pair's space.
     #[must_use]
     pub fn dimension(&self) -> Dimension {
         self.dimension
     }
 
-    /// The vertices of both simplices as integers, and the power of two that they are multiples of.
+    /// The vertices of both simplices as integers, and the exponent of their unit, a power of two.
     pub(super) fn points(&self) -> ([&Point; 5], i32) {
         (self.points.each_ref(), self.exponent)
     }
 
-    /// Whether it crosses within no tolerance.
+    /// True if the pair crosses or not, without a tolerance.
     #[must_use]
     pub fn is_top(&self) -> bool {
         self.kind.is_top(self.dimension)
     }
 
-    /// The feet of the shortest connection between the simplices' carriers;
-    /// none where one of them is not strictly inside, or there is no single
-    /// one (parallel edges, a triangle without an area, an edge without a length).
+    /// The feet of the shortest connection between the simplices' carriers.
+    ///
+    /// `None` if a foot is not strictly inside, or if the shortest connection is not unique (parallel edges, a triangle
+    /// without area, an edge without length).
     #[must_use]
     pub fn feet(&self) -> Option<Feet> {
         let [a, b, c, d, e] = &self.points;
@@ -207,10 +205,9 @@ impl Pair {
         }
     }
 
-    /// The square of the distance between the two closed simplices.
+    /// The squared distance between the two closed simplices.
     ///
-    /// It is between the feet, where they are inside, or else between a face
-    /// of the one and the other.
+    /// It is the distance between the feet, if they are inside, otherwise that between a face of the one and the other.
     #[must_use]
     pub fn distance_squared(&self) -> Rational {
         if let Some(feet) = self.feet() {
@@ -220,8 +217,8 @@ impl Pair {
         nearest.expect("two vertices have feet")
     }
 
-    /// One simplex with a facet of the other: what a pair's feet leave it
-    /// through. Two vertices have none.
+    /// The pairs of one simplex with a facet of the other, through which the feet leave the pair; two vertices have
+    /// none.
     #[must_use]
     pub fn facets(&self) -> Vec<Pair> {
         let [first, second] = self.kind.ranks().map(|rank| usize::from(rank) + 1);
@@ -236,8 +233,8 @@ impl Pair {
         of_s.chain(of_t).collect()
     }
 
-    /// A face of the one with a face of the other, not both the whole: all that end
-    /// the pair where they are registered.
+    /// The pairs of a face of the one with a face of the other, not both the whole: if one of them is registered, the
+    /// pair has ended.
     pub fn sub_pairs(&self) -> impl Iterator<Item = Pair> {
         let [first, second] = self.kind.ranks().map(|rank| usize::from(rank) + 1);
         let [s, t] = [&self.points[..first], &self.points[first..first + second]];
@@ -252,7 +249,7 @@ impl Pair {
             .map(move |[of_s, of_t]| self.of(&chosen(s, of_s), &chosen(t, of_t)))
     }
 
-    /// A pair of faces, over the same power of two.
+    /// A pair of faces, in the same unit.
     fn of(&self, s: &[Point], t: &[Point]) -> Pair {
         let (s, t) = if s.len() < t.len() { (t, s) } else { (s, t) };
         let rank = |simplex: &[Point]| u8::try_from(simplex.len() - 1).expect("four vertices at most");
@@ -264,7 +261,7 @@ impl Pair {
         Pair { kind, dimension: self.dimension, points, exponent: self.exponent }
     }
 
-    /// A proper crossing: the distance is zero.
+    /// The feet of a proper crossing: the distance is zero.
     fn crossing(
         &self,
         numerators: [Vec<Integer>; 2],
@@ -278,7 +275,7 @@ impl Pair {
         })
     }
 
-    /// Guarded: â² and ā².
+    /// The feet of an edge and a vertex; guarded are â² and ā².
     fn edge_vertex(&self, [a, b]: [&Point; 2], p: &Point) -> Option<Feet> {
         let (u, w) = (minus(b, a), minus(p, a));
         let m_squared = norm_squared(&u);
@@ -302,7 +299,7 @@ impl Pair {
         })
     }
 
-    /// Guarded: m², then â, b̂, ā and b̄.
+    /// The feet of two edges; guarded are m², then â, b̂, ā and b̄.
     fn edge_edge(&self, [a, b]: [&Point; 2], [p, q]: [&Point; 2]) -> Option<Feet> {
         let (u, v, w) = (minus(b, a), minus(q, p), minus(p, a));
         let r = cross(&u, &v);
@@ -323,7 +320,7 @@ impl Pair {
         })
     }
 
-    /// Guarded: m², then â, b̂ and ĉ.
+    /// The feet of a triangle and a vertex; guarded are m², then â, b̂ and ĉ.
     fn triangle_vertex(&self, [a, b, c]: [&Point; 3], p: &Point) -> Option<Feet> {
         let (u, v, w) = (minus(b, a), minus(c, a), minus(p, a));
         let r = cross(&u, &v);
@@ -343,7 +340,7 @@ impl Pair {
         })
     }
 
-    /// (r · w)² / ‖r‖².
+    /// The squared height (r · w)² / ‖r‖².
     fn height(&self, r: &Point, w: &Point, m_squared: Integer) -> Quantity {
         Quantity { numerator: dot(r, w).square(), denominator: m_squared, exponent: 2 * self.exponent }
     }

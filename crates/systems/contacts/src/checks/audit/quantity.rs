@@ -4,7 +4,7 @@ use std::cmp::Ordering;
 
 use rug::{Integer, Rational};
 
-/// numerator / denominator · 2^exponent, with a positive denominator.
+/// The number numerator / denominator · 2^exponent, with a positive denominator.
 #[derive(Clone, Debug)]
 pub struct Quantity {
     pub(super) numerator: Integer,
@@ -17,7 +17,7 @@ impl Quantity {
         Quantity { numerator, denominator: Integer::from(1), exponent }
     }
 
-    /// Compares without a greatest common divisor.
+    /// Compares with a bound, without a greatest common divisor.
     #[must_use]
     pub fn compare(&self, bound: &Rational) -> Ordering {
         let (mut left, mut right) =
@@ -30,7 +30,7 @@ impl Quantity {
         left.cmp(&right)
     }
 
-    /// The quotient with a positive bound, rounded: off by some 2⁻⁵⁰ of itself.
+    /// The quotient with a positive bound, rounded: the relative error is about 2⁻⁵⁰.
     #[must_use]
     pub fn over(&self, bound: &Rational) -> f64 {
         if self.numerator.is_zero() {
@@ -39,14 +39,14 @@ impl Quantity {
         let parts = [&self.numerator, bound.denom(), &self.denominator, bound.numer()];
         let [(n, e), (m, f), (d, g), (b, h)] = parts.map(Integer::to_f64_exp);
         let exponent = i64::from(e) + i64::from(f) - i64::from(g) - i64::from(h) + i64::from(self.exponent);
-        // n m / (d b) is between ¼ and 4 in size: beyond these exponents it is zero or infinite all the same
+        // The size of n m / (d b) is between ¼ and 4: beyond these exponents the result is zero or infinite anyway
         let exponent = i32::try_from(exponent.clamp(-2000, 2000)).expect("clamped");
-        // One power may be no double though the quotient is. Of two halves the first one is exact in any case.
+        // One power may not be a double although the quotient is. Of two halves, the first one is exact in any case.
         let half = exponent / 2;
         n * m / (d * b) * 2.0_f64.powi(half) * 2.0_f64.powi(exponent - half)
     }
 
-    /// The value itself.
+    /// The exact value.
     #[must_use]
     pub fn value(&self) -> Rational {
         Rational::from((self.numerator.clone(), self.denominator.clone())) << self.exponent
@@ -57,7 +57,7 @@ impl Quantity {
 mod tests {
     use super::*;
 
-    /// (numerator, denominator, exponent) and a bound, as (numerator, denominator, exponent).
+    /// The quotient of (numerator, denominator, exponent) and a bound in the same form.
     fn quotient(of: (i32, i32, i32), bound: (i32, i32, i32)) -> f64 {
         let quantity = Quantity { numerator: of.0.into(), denominator: of.1.into(), exponent: of.2 };
         quantity.over(&(Rational::from((bound.0, bound.1)) << bound.2))
@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn quotients_are_right_where_the_power_of_two_alone_is_no_double() {
-        // 2^-1060 is a subnormal double, and 2^1023 the largest power that is a double.
+        // 2^-1060 is a subnormal double, and 2^1023 the largest power of two that is a double.
         assert_eq!(quotient((1, 1, -1060), (1, 1, 0)), f64::from_bits(1 << 14));
         assert_eq!(quotient((3, 1, -1030), (1, 1, 30)), f64::from_bits(3 << 14));
         assert_eq!(quotient((7, 8, 1023), (7, 8, 0)), 2.0_f64.powi(1023));
@@ -90,7 +90,7 @@ mod tests {
         assert_eq!(quotient((1, 3, 1024), (1, 1, 0)), 2.0_f64.powi(1022) / 0.75);
         assert_eq!(quotient((1, 1, -1000), (1, 1, 22)), f64::MIN_POSITIVE);
         assert_eq!(quotient((5, 1, -1076), (1, 1, 0)), f64::from_bits(1), "the nearest of the subnormals");
-        // Beyond all doubles.
+        // Larger than all doubles.
         assert_eq!(quotient((1, 1, 1024), (1, 1, 0)), f64::INFINITY);
         assert_eq!(quotient((1, 1, 3000), (1, 1, 0)), f64::INFINITY);
         assert_eq!(quotient((1, 1, -1076), (1, 1, 0)), 0.0);

@@ -1,18 +1,16 @@
-//! What an algorithm reads of a pair: each of its tests, by exact values.
+//! The tests that an algorithm makes of a pair, by exact values.
 //!
-//! The guarantee of a whole pair rests on "no sub-pair is registered", and where
-//! that holds most tests have no choice: areas and volumes are well beyond their
-//! tolerances. A tolerance that is twice what it should be can hide there. But
-//! each test makes a promise by itself, (1) of the paper: what is up to T₋ is found
-//! to be within T, what is beyond T₊ is not. So an algorithm is held to its
-//! tests too, asked about a pair whatever its sub-pairs are:
+//! The guarantee of a whole pair assumes that no sub-pair is registered. Under that assumption most tests have only one
+//! right answer: areas and volumes are well beyond their tolerances. There, a tolerance of twice the right size can
+//! stay unnoticed. But each test also makes a promise, (1) of the paper: a value up to T₋ is found to be within T, a
+//! value beyond T₊ is not. So an algorithm is also checked by its tests, for a pair with any sub-pairs:
 //!
-//! * where one test has to fail, the pair must not be registered;
-//! * where all have to pass, it must be;
-//! * else a value is between T₋ and T₊, and either answer is right.
+//! * if one test has to fail, the pair must not be registered;
+//! * if all tests have to pass, the pair must be registered;
+//! * otherwise a value is between T₋ and T₊, and either answer is right.
 //!
-//! The signs of the feet along an edge are compared with no tolerance. Their error
-//! bounds, E\[â\] and E\[ā\] of 4.3 and 5.3, take its place.
+//! The signs of the feet along an edge are compared without a tolerance. Their error bounds, E\[â\] and E\[ā\] of 4.3
+//! and 5.3, replace it.
 
 use std::cmp::Ordering;
 
@@ -24,7 +22,7 @@ use super::pair::{Pair, PairKind, area, volume};
 use super::quantity::Quantity;
 use predicament_laws::published::{Published, Symbol};
 
-/// What has to come out of a test.
+/// The required outcome of a test.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Outcome {
     Passes,
@@ -32,18 +30,18 @@ enum Outcome {
     Either,
 }
 
-/// Where a value is that was compared with a tolerance, if it is near T₋, T or T₊.
+/// A compared value that is near T₋, T or T₊.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Hit {
     /// The tolerance.
     pub symbol: Symbol,
     /// 0, 1 or 2: T₋, T or T₊.
     pub limit: usize,
-    /// Whether the value is beyond it, and not up to it.
+    /// True if the value is beyond the limit.
     pub beyond: bool,
 }
 
-/// All tests of the algorithm for a pair.
+/// The outcomes of all tests of the algorithm for a pair.
 #[derive(Clone, Debug, Default)]
 pub struct Readings {
     outcomes: Vec<Outcome>,
@@ -51,7 +49,7 @@ pub struct Readings {
 }
 
 impl Readings {
-    /// Whether the pair has to be registered; none where either answer is right.
+    /// True if the pair has to be registered, false if it must not be; `None` if either answer is right.
     #[must_use]
     pub fn expected(&self) -> Option<bool> {
         if self.outcomes.contains(&Outcome::Fails) {
@@ -60,7 +58,7 @@ impl Readings {
         self.outcomes.iter().all(|outcome| *outcome == Outcome::Passes).then_some(true)
     }
 
-    /// Where a compared value is within this part of a limit.
+    /// The compared values that are within this fraction of a limit.
     pub fn hits(&self, published: &Published, near: f64) -> impl Iterator<Item = Hit> {
         self.compared.iter().flat_map(move |(symbol, square)| {
             let limits = published.limits(*symbol).iter().enumerate();
@@ -72,7 +70,7 @@ impl Readings {
         })
     }
 
-    /// Up to the tolerance is what the test wants.
+    /// Adds a test that passes up to the tolerance.
     fn within(&mut self, published: &Published, symbol: Symbol, square: Quantity) {
         let [lower, _, upper] = published.limits(symbol);
         self.outcomes.push(match (square.compare(lower), square.compare(upper)) {
@@ -83,7 +81,7 @@ impl Readings {
         self.compared.push((symbol, square));
     }
 
-    /// Beyond the tolerance is.
+    /// Adds a test that passes beyond the tolerance.
     fn beyond(&mut self, published: &Published, symbol: Symbol, square: Quantity) {
         let [lower, _, upper] = published.limits(symbol);
         self.outcomes.push(match (square.compare(lower), square.compare(upper)) {
@@ -94,7 +92,7 @@ impl Readings {
         self.compared.push((symbol, square));
     }
 
-    /// Beyond the tolerance, and positive.
+    /// Adds a test that passes beyond the tolerance, for positive values.
     fn positive(&mut self, published: &Published, symbol: Symbol, value: &Integer, exponent: i32) {
         if value.is_positive() {
             self.beyond(published, symbol, Quantity::integer(Integer::from(value.square_ref()), 2 * exponent));
@@ -103,7 +101,7 @@ impl Readings {
         }
     }
 
-    /// Values beyond the tolerance and of signs that are as they should be.
+    /// Adds tests that pass beyond the tolerance, for values whose signs fit.
     fn signed(
         &mut self,
         published: &Published,
@@ -115,13 +113,13 @@ impl Readings {
         for value in values {
             self.beyond(published, symbol, Quantity::integer(Integer::from(value.square_ref()), 2 * exponent));
         }
-        // A sign is computed right wherever the value is beyond T₋, and elsewhere the pair is not registered anyway.
+        // A sign is computed right if the value is beyond T₋; otherwise the pair is not registered anyway.
         if !values.windows(2).all(|two| fits(&two[0], &two[1])) {
             self.outcomes.push(Outcome::Fails);
         }
     }
 
-    /// Not negative, by a computed value that is off by up to `error` εL.
+    /// Adds a test that a value is not negative; the computed value has an error of up to `error` εL.
     fn not_negative(&mut self, published: &Published, error: u32, positive: bool, square: &Quantity) {
         let bound = Rational::from(&published.unit_squared * (error * error));
         self.outcomes.push(match (square.compare(&bound), positive) {
@@ -141,10 +139,10 @@ fn opposite(a: &Integer, b: &Integer) -> bool {
 }
 
 impl Readings {
-    /// What the algorithm for this pair reads of published tolerances.
+    /// The tests of the algorithm for this pair, with the published tolerances.
     ///
     /// # Panics
-    /// If the pair is of another dimension.
+    /// If the pair has another dimension.
     #[must_use]
     pub fn of(published: &Published, pair: &Pair) -> Readings {
         assert_eq!(pair.dimension(), published.dimension(), "tolerances of the pair's dimension");
@@ -203,7 +201,7 @@ impl Readings {
         all
     }
 
-    /// m > σ̂, d ≤ τ, â ≥ 0 and ā ≥ 0.
+    /// Adds the tests m > σ̂, d ≤ τ, â ≥ 0 and ā ≥ 0.
     fn edge_vertex(&mut self, published: &Published, [a, b, p]: [&[Integer; 3]; 3], exponent: i32, errors: [u32; 2]) {
         let (u, w) = (minus(b, a), minus(p, a));
         let m_squared = norm_squared(&u);
@@ -223,7 +221,7 @@ impl Readings {
         }
     }
 
-    /// m² beyond λ or ν, and d̂² ≤ γ²m² or δ²m², with r · w = d̂ and m = ‖r‖.
+    /// Adds the tests m² beyond λ or ν, and d̂² ≤ γ²m² or δ²m², with r · w = d̂ and m = ‖r‖.
     fn plane_test(
         &mut self,
         published: &Published,

@@ -1,9 +1,8 @@
-//! Pairs of simplices whose boxes are near: a sweep along x, which has nothing
-//! in common with the broad phase of the driver under audit.
+//! Pairs of simplices whose boxes are near, found by a sweep along x that shares nothing with the broad phase of the
+//! audited driver.
 //!
-//! One edge around the world would make a plain sweep look at everything for
-//! each box. So boxes are kept apart by the powers of two of their extents
-//! along x, and each such class is swept by the widest of its own.
+//! With one very long edge, a plain sweep would compare all boxes with each box. So boxes are grouped into classes by
+//! the powers of two of their extents along x, and each class is swept with its own largest width.
 
 use std::collections::BTreeMap;
 
@@ -25,23 +24,22 @@ impl Boxed {
     }
 }
 
-/// Boxes of about the same extent along x, sorted by where they start.
+/// Boxes of about the same extent along x, sorted by their starts.
 struct Class {
     boxes: Vec<Boxed>,
     widest: f64,
 }
 
-/// The pairs of these ranks whose boxes are within `reach` along every axis,
-/// sorted.
+/// The pairs of these ranks whose boxes are within `reach` along every axis, sorted.
 ///
-/// Where `reach` is not zero, sums with it are rounded: a pair at just that
-/// distance may be left out, which is no loss as nothing promises to register it.
+/// If `reach` is not zero, sums with it are rounded: a pair at exactly that distance may be left out. This is harmless,
+/// as such a pair need not be registered.
 pub(super) fn near(scene: &Scene, [a, b]: [&Complex; 2], ranks: [u8; 2], reach: f64) -> Vec<[Simplex; 2]> {
     let classes = classes(boxes(scene, b, ranks[1]));
     let near = |s: Boxed| {
         let [low, high] = s.extent[0];
         classes.iter().flat_map(move |class| {
-            // One that starts before this has ended before the box.
+            // A box that starts before this position has ended before the query box.
             let ended = ((low - reach).next_down() - class.widest).next_down();
             let begin = class.boxes.partition_point(|t| t.extent[0][0] < ended);
             let candidates = class.boxes[begin..].iter().take_while(move |t| t.extent[0][0] <= high + reach);

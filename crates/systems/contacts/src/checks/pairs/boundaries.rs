@@ -1,4 +1,4 @@
-//! The boundary of a triangle pierces a closed surface an even number of times.
+//! The check that the boundary of a triangle pierces a closed surface an even number of times.
 
 use std::collections::BTreeSet;
 
@@ -9,26 +9,24 @@ use predicament_mesh::{Complex, Simplex};
 use super::NotOriented;
 use super::orient::triangle_degrees;
 
-/// The boundaries of the triangles of two surfaces, by how often they pierce the other one.
+/// The numbers of triangle boundaries of two surfaces, by the parity of their piercings.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Boundaries {
-    /// Boundaries with a registered contact that the law applies to: piercings, and nothing else.
+    /// Boundaries to which the law applies: all registered contacts are piercings, and there is at least one.
     pub checked: usize,
-    /// Boundaries with a degenerate contact. What it does to the count depends
-    /// on where merged points sit and how their triangles are divided.
+    /// Boundaries with a degenerate contact. Its effect on the count depends on the locations of merged points and on
+    /// the division of their triangles.
     pub degenerate: usize,
-    /// Triangles whose boundary pierces an odd number of times, in order.
+    /// Triangles whose boundary pierces the other surface an odd number of times, in order.
     pub odd: Vec<(Side, u32)>,
 }
 
-/// Counts the registered piercings of each surface by the boundary of every
-/// triangle of the other one.
+/// Counts the registered piercings of each surface by the boundary of every triangle of the other one.
 ///
-/// The three edges of a triangle are a closed curve, which passes through a
-/// closed surface an even number of times. With an odd number a curve of
-/// intersection that enters the triangle does not leave it, so
-/// [`loose_ends`](super::loose_ends) sees it too; but not all that has loose
-/// ends is odd, as a curve can also be broken off within a triangle.
+/// The three edges of a triangle are a closed curve, which passes through a closed surface an even number of times. If
+/// the number is odd, a curve of intersection enters the triangle and does not leave it, so
+/// [`loose_ends`](super::loose_ends) finds it too. The converse does not hold, as a curve can also be broken off within
+/// a triangle.
 ///
 /// # Errors
 /// [`NotOriented::Border`] if an edge of a surface has an odd number of triangles.

@@ -7,29 +7,29 @@ use crate::answer::{Arrangement, Side};
 use predicament_mesh::Complex;
 use predicament_predicates::Vertex;
 
-/// Vertices of one complex that became one point, because registrations are
-/// not transitive: A₁ with B₁ and B₁ with A₂, but A₁ and A₂ are two.
+/// Vertices of one complex that became one point, because registration is not transitive: A₁ is registered with B₁, and
+/// B₁ with A₂, but A₁ and A₂ are two.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Cluster {
     /// The merged point.
     pub point: usize,
-    /// Its vertices in each complex.
+    /// The vertices of the cluster in each complex.
     pub vertices: [Vec<Vertex>; 2],
-    /// How many pairs of them, one of each complex, were not registered: merged
-    /// only through others. Zero if registration was transitive here.
+    /// The number of its pairs of vertices, one of each complex, that were not registered: merged only through others.
+    /// Zero if registration was transitive here.
     pub unregistered: usize,
 }
 
 /// An edge whose ends became one point.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Collapse {
-    /// Whose edge.
+    /// The complex of the edge.
     pub side: Side,
-    /// The edge, by its place in the complex.
+    /// The edge, by its index in the complex.
     pub edge: u32,
     /// The point.
     pub point: usize,
-    /// How many other points its path still passes through: zero if nothing is left of it.
+    /// The number of other points that its path still passes through: zero if the edge has vanished.
     pub between: usize,
 }
 

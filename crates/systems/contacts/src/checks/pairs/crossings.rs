@@ -1,4 +1,4 @@
-//! How often two closed curves of the plane cross after merging.
+//! The number of crossings of two closed curves of the plane after merging.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,59 +12,57 @@ use super::NotOriented;
 use super::orient::degrees;
 use super::seated::Seated;
 
-/// Two edges, by their places in the complexes, whose merged pieces cross
-/// elsewhere than at merged points another number of times than was registered.
+/// Two edges, by their indices in the complexes, for which the number of crossings of their merged pieces, away from
+/// merged points, is not the registered number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Unfaithful {
     /// The edges.
     pub edges: [u32; 2],
-    /// Crossings of the two that were registered: none or one.
+    /// The number of registered crossings of the two: 0 or 1.
     pub registered: usize,
-    /// Crossings that are there.
+    /// The number of actual crossings.
     pub found: usize,
 }
 
-/// The crossings of two curves that were merged.
+/// The crossings of two merged curves.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Crossings {
-    /// Registered crossings of two edges.
+    /// The number of registered crossings of two edges.
     pub of_edges: usize,
-    /// Registered crossings of two edges that pass through a common merged
-    /// point as well: that point is the crossing.
+    /// The number of registered crossings of two edges that also pass through a common merged point: that point is the
+    /// crossing.
     pub absorbed: usize,
-    /// Crossings at and along what the curves share. Their parity is that of
-    /// the places where the second curve changes sides of the first; one place
-    /// can count more than once.
+    /// The number of crossings at and along the shared parts of the curves. Its parity is that of the number of places
+    /// where the second curve changes sides of the first; one place can count more than once.
     pub at_points: usize,
-    /// Where the merged curves are not what the registrations say.
+    /// The pairs of edges where the merged curves contradict the registrations.
     pub unfaithful: Vec<Unfaithful>,
 }
 
 impl Crossings {
-    /// All crossings that the registrations account for.
+    /// The number of crossings that the registrations account for.
     #[must_use]
     pub fn count(&self) -> usize {
         self.of_edges + self.at_points
     }
 
-    /// Whether there is an odd number of them: two closed curves can't.
+    /// True if the number of crossings is odd: impossible for two closed curves.
     #[must_use]
     pub fn is_odd(&self) -> bool {
         !self.count().is_multiple_of(2)
     }
 }
 
-/// Counts the crossings of two closed curves of the plane after merging, as
-/// [the module](super) defines them.
+/// Counts the crossings of two closed curves of the plane after merging, as [the module](super) defines them.
 ///
-/// A curve is closed if each vertex has an even number of edges; it need not
-/// be connected or simple. Triangles are not looked at.
+/// A curve is closed if each vertex has an even number of edges; it need not be connected or simple. Triangles are
+/// ignored.
 ///
 /// # Errors
 /// [`NotOriented::Open`] if a curve is not closed.
 ///
 /// # Panics
-/// If the scene is not the contacts' and 2D, or the arrangement is not theirs.
+/// If the scene is not that of the contacts or not 2D, or the arrangement does not belong to the contacts.
 pub fn crossings(
     scene: &Scene,
     complexes: [&Complex; 2],
@@ -121,13 +119,12 @@ pub fn crossings(
     Ok(crossings)
 }
 
-/// Where an edge's path can bend: at points with vertices.
+/// The points where an edge's path can bend: points with vertices.
 fn bends(arrangement: &Arrangement, side: Side, edge: u32) -> impl Iterator<Item = usize> {
     arrangement.path(side, edge).iter().copied().filter(|&at| !arrangement.points()[at].is_new())
 }
 
-/// The straight pieces of all paths, with their edges; where a path stays at
-/// one point there is no piece.
+/// The straight pieces of all paths, with their edges. If a path stays at one point, there is no piece.
 fn pieces(arrangement: &Arrangement, side: Side, complex: &Complex) -> Vec<(u32, [usize; 2])> {
     let mut pieces = Vec::new();
     for (edge, _) in (0_u32..).zip(complex.edges()) {
@@ -138,8 +135,8 @@ fn pieces(arrangement: &Arrangement, side: Side, complex: &Complex) -> Vec<(u32,
     pieces
 }
 
-/// A name for each point, the same for those that pieces without length join:
-/// an edge without length, or vertices in one place that an edge passes through.
+/// A name for each point; points that are joined by pieces without length have one name. Such a piece is an edge
+/// without length, or joins vertices in one place on an edge.
 fn names(seated: &Seated, points: usize, pieces: impl Iterator<Item = [usize; 2]>) -> Vec<usize> {
     let mut names: Vec<usize> = (0..points).collect();
     for [p, q] in pieces.filter(|&ends| seated.coincide(ends)) {

@@ -1,23 +1,23 @@
-//! Whether a complex is embedded: its simplices meet in common faces only.
+//! The check that a complex is embedded: its simplices meet only in common faces.
 
 use predicament_mesh::Complex;
 use predicament_predicates::{Dimension, Predicates, Vertex};
 
-/// Whether the edges of a complex of the plane, or the edges and triangles of
-/// a complex in space, meet in common vertices and edges only: a simple closed
-/// polygon does, so does every planar drawing and every surface that does not
-/// cross itself. Time goes with the square of the simplices.
+/// True if the edges of a complex of the plane, or the edges and triangles of a complex in space, meet only in common
+/// vertices and edges.
 ///
-/// Looked at are pairs without a common vertex. That is enough: where two
-/// triangles with a common face meet outside of it, the common segment ends on
-/// a side of one of them that has no vertex of the other, or in such a vertex.
-/// (Tetrahedra are not looked at, nor triangles of the plane.)
+/// A simple closed polygon is embedded, and so is every planar drawing and every surface that does not cross itself.
+/// The time grows with the square of the number of simplices.
 ///
-/// `exact` must answer exact signs; with anything else the result means nothing.
+/// Only pairs without a common vertex are tested. That is enough. If two triangles with a common face meet outside of
+/// it, they share a segment. It ends on a side of one triangle that has no vertex of the other, or in such a vertex.
+/// (Tetrahedra are not tested, nor triangles of the plane.)
+///
+/// `exact` must answer exact signs; otherwise the result is meaningless.
 pub fn is_embedded<S: Predicates + ?Sized>(exact: &S, complex: &Complex) -> bool {
     let (vertices, edges) = (complex.vertices(), complex.edges());
     let each_before = |i: usize| edges[..i].iter().map(move |&f| (edges[i], f));
-    // The hierarchy's own order: what a question assumes was answered before it.
+    // The hierarchy's own order: the assumptions of each query were tested before it.
     let apart = (0..vertices.len()).all(|i| vertices[..i].iter().all(|&p| !exact.vertex_vertex(p, vertices[i])));
     apart
         && edges.iter().all(|edge| {
@@ -30,7 +30,7 @@ pub fn is_embedded<S: Predicates + ?Sized>(exact: &S, complex: &Complex) -> bool
             || complex.triangles().iter().all(|triangle| misses(exact, complex, triangle)))
 }
 
-/// Whether no vertex is on a triangle's inside, and no edge goes through it.
+/// True if no vertex is inside a triangle, and no edge goes through it.
 fn misses<S: Predicates + ?Sized>(exact: &S, complex: &Complex, triangle: &[Vertex; 3]) -> bool {
     let apart = |vertices: &[Vertex]| vertices.iter().all(|vertex| !triangle.contains(vertex));
     complex.vertices().iter().all(|&vertex| !apart(&[vertex]) || exact.triangle_vertex(*triangle, vertex).is_none())

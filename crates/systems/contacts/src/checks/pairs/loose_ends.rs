@@ -1,4 +1,4 @@
-//! The intersection curves of two closed surfaces have no loose ends.
+//! The check that the intersection curves of two closed surfaces have no loose ends.
 
 use crate::answer::Contacts;
 use crate::answer::{Arrangement, Side};
@@ -8,46 +8,41 @@ use predicament_predicates::Vertex;
 use super::NotOriented;
 use super::orient::triangle_degrees;
 
-/// A point where an edge of one surface pierces a triangle of the other, but
-/// from which no curve goes on in one of the edge's triangles.
+/// A point where an edge of one surface pierces a triangle of the other, and where no curve continues in one of the
+/// edge's triangles.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct LooseEnd {
     /// The point of the arrangement.
     pub point: usize,
     /// The triangle of each complex.
     pub triangles: [u32; 2],
-    /// How many other points the two triangles have in common. One would be
-    /// right: none leaves the curve without a way on, more without a direction.
+    /// The number of other points that the two triangles have in common. One would be right: with none the curve does
+    /// not continue, with more its direction is not determined.
     pub others: usize,
 }
 
-/// The piercings of two surfaces, and where their curves end.
+/// The piercings of two surfaces, and the loose ends of their curves.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct LooseEnds {
-    /// Registered piercings of triangles by edges.
+    /// The number of registered piercings of triangles by edges.
     pub piercings: usize,
-    /// Pieces of intersection curves.
+    /// The number of pieces of intersection curves.
     pub pieces: usize,
-    /// Pairs of triangles with more than two points in common: they overlap,
-    /// and no curve is read off them.
+    /// The number of pairs of triangles with more than two points in common: they overlap, and do not define a curve.
     pub overlaps: usize,
-    /// What is wrong, in order.
+    /// The loose ends, in order.
     pub loose: Vec<LooseEnd>,
 }
 
-/// Follows the intersection curves of two closed surfaces through each
-/// piercing.
+/// Follows the intersection curves of two closed surfaces through each piercing.
 ///
-/// Where an edge pierces a triangle, each of the edge's triangles has a piece
-/// of curve that begins there and ends in one other point that both triangles
-/// have: another piercing, or a degeneracy, merged. (The intersection of two
-/// triangles that are not in one plane is a segment, and between its ends there
-/// is no point of the boundary of either. To exact signs what is pierced has
-/// area; a triangle of the edge that has none is a segment, and its boundary
-/// passes through each of its points twice.) Of two closed surfaces an edge has
-/// two triangles, so a piercing is the end of two pieces. The law holds through
-/// degeneracies; at a merged point itself any number of pieces can meet, and
-/// surfaces that touch can share a piece with loose ends.
+/// If an edge pierces a triangle, each of the edge's triangles has a piece of curve that begins there. It ends in one
+/// other point that both triangles have: another piercing, or a merged degeneracy. (The intersection of two triangles
+/// that are not in one plane is a segment, and between its ends there is no point of the boundary of either. With exact
+/// signs, a pierced triangle has area. A triangle of the edge without area is a segment, and its boundary passes
+/// through each of its points twice.) In a closed surface an edge has two triangles, so a piercing is the end of two
+/// pieces. The law holds through degeneracies. At a merged point itself any number of pieces can meet, and surfaces
+/// that touch can share a piece with loose ends.
 ///
 /// # Errors
 /// [`NotOriented::Border`] if an edge of a surface has an odd number of triangles.

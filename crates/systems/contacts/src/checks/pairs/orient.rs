@@ -1,8 +1,7 @@
 //! Closed curves and surfaces, and coherent orientations of them.
 //!
-//! A complex keeps its simplices sorted: how they were wound is not in it. A
-//! closed curve or surface has only two coherent orientations per component,
-//! and signed counts are compared with zero, so either will do.
+//! A complex keeps its simplices sorted, without their orientations. A closed curve or surface has only two coherent
+//! orientations per component, and signed counts are compared with zero, so either is fine.
 
 use std::collections::BTreeMap;
 
@@ -10,30 +9,30 @@ use crate::answer::Side;
 use predicament_mesh::Complex;
 use predicament_predicates::{Sign, Vertex};
 
-/// Why a complex is no closed curve or surface, or can't be oriented.
+/// The reason why a complex is not a closed curve or surface, or can't be oriented.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum NotOriented {
-    /// A curve doesn't close: its vertex has another number of edges than it should.
+    /// A curve is not closed: a vertex has a wrong number of edges.
     Open {
-        /// Whose vertex.
+        /// The complex of the vertex.
         side: Side,
         /// The vertex.
         vertex: Vertex,
-        /// How many edges it has.
+        /// The number of its edges.
         degree: usize,
     },
-    /// A surface doesn't close: an edge has another number of triangles than it should.
+    /// A surface is not closed: an edge has a wrong number of triangles.
     Border {
-        /// Whose edge.
+        /// The complex of the edge.
         side: Side,
         /// The edge.
         edge: [Vertex; 2],
-        /// How many triangles it has.
+        /// The number of its triangles.
         degree: usize,
     },
     /// A surface has only one side, like a Klein bottle.
     OneSided {
-        /// Whose surface.
+        /// The complex of the surface.
         side: Side,
     },
 }
@@ -54,7 +53,7 @@ impl std::fmt::Display for NotOriented {
 
 impl std::error::Error for NotOriented {}
 
-/// How many edges each vertex has.
+/// The number of edges of each vertex.
 pub(super) fn degrees(complex: &Complex) -> BTreeMap<Vertex, usize> {
     let mut degrees: BTreeMap<Vertex, usize> = complex.vertices().iter().map(|&vertex| (vertex, 0)).collect();
     for vertex in complex.edges().as_flattened() {
@@ -63,7 +62,7 @@ pub(super) fn degrees(complex: &Complex) -> BTreeMap<Vertex, usize> {
     degrees
 }
 
-/// How many triangles each edge has.
+/// The number of triangles of each edge.
 pub(super) fn triangle_degrees(complex: &Complex) -> BTreeMap<[Vertex; 2], usize> {
     let mut degrees: BTreeMap<[Vertex; 2], usize> = complex.edges().iter().map(|&edge| (edge, 0)).collect();
     for &[a, b, c] in complex.triangles() {
@@ -74,15 +73,14 @@ pub(super) fn triangle_degrees(complex: &Complex) -> BTreeMap<[Vertex; 2], usize
     degrees
 }
 
-/// Simplices in coherent orientation: for each its component and whether it
-/// keeps its ascending order (positive) or is turned round.
+/// Coherently oriented simplices: the component of each, and `Positive` if it keeps its ascending order, `Negative` if
+/// it is reversed.
 pub type Oriented = Vec<(usize, Sign)>;
 
-/// Orients the edges of a closed curve; components are numbered in the order
-/// of their first edges.
+/// Orients the edges of a closed curve; components are numbered in the order of their first edges.
 ///
 /// # Errors
-/// [`NotOriented::Open`] if a vertex has another number of edges than two.
+/// [`NotOriented::Open`] if a vertex does not have exactly two edges.
 pub fn oriented_curve(complex: &Complex, side: Side) -> Result<Oriented, NotOriented> {
     if let Some((vertex, degree)) = degrees(complex).into_iter().find(|&(_, degree)| degree != 2) {
         return Err(NotOriented::Open { side, vertex, degree });
@@ -92,12 +90,11 @@ pub fn oriented_curve(complex: &Complex, side: Side) -> Result<Oriented, NotOrie
     Ok(spread(&facets.collect::<Vec<_>>()).expect("a closed curve has two directions"))
 }
 
-/// Orients the triangles of a closed surface; components are numbered in the
-/// order of their first triangles.
+/// Orients the triangles of a closed surface; components are numbered in the order of their first triangles.
 ///
 /// # Errors
-/// [`NotOriented::Border`] if an edge has another number of triangles than
-/// two, [`NotOriented::OneSided`] if there is no coherent orientation.
+/// [`NotOriented::Border`] if an edge does not have exactly two triangles, [`NotOriented::OneSided`] if there is no
+/// coherent orientation.
 pub fn oriented_surface(complex: &Complex, side: Side) -> Result<Oriented, NotOriented> {
     if let Some((edge, degree)) = triangle_degrees(complex).into_iter().find(|&(_, degree)| degree != 2) {
         return Err(NotOriented::Border { side, edge, degree });
@@ -109,8 +106,7 @@ pub fn oriented_surface(complex: &Complex, side: Side) -> Result<Oriented, NotOr
     spread(&facets.collect::<Vec<_>>()).ok_or(NotOriented::OneSided { side })
 }
 
-/// Gives simplices signs such that each facet, which two simplices have, gets
-/// opposite signs from both.
+/// Assigns signs to simplices such that each facet, which two simplices share, gets opposite signs from both.
 fn spread<F: Ord + Copy>(simplices: &[Vec<(F, Sign)>]) -> Option<Oriented> {
     let mut of_facet: BTreeMap<F, Vec<(usize, Sign)>> = BTreeMap::new();
     for (at, facets) in simplices.iter().enumerate() {

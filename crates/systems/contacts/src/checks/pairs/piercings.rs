@@ -1,4 +1,4 @@
-//! A closed curve goes into a closed surface as often as it comes out.
+//! The check that a closed curve enters a closed surface as often as it leaves it.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,42 +13,41 @@ use super::{NotOriented, oriented_curve, oriented_surface};
 /// The piercings of one component of a surface by one component of a curve.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Piercings {
-    /// Registered piercings in one direction.
+    /// The number of registered piercings in one direction.
     pub forward: usize,
-    /// Registered piercings in the other.
+    /// The number of registered piercings in the other direction.
     pub backward: usize,
-    /// Registered piercings by an edge that has neither end strictly on a side
-    /// of the triangle.
+    /// The number of registered piercings by an edge with neither end strictly on a side of the triangle.
     pub undecided: usize,
-    /// Registered degeneracies between the two. What they do to the count
-    /// depends on where merged points sit and how their triangles are divided.
+    /// The number of registered degeneracies between the two. Their effect on the count depends on the locations of
+    /// merged points and on the division of their triangles.
     pub degenerate: usize,
 }
 
 impl Piercings {
-    /// Whether the law applies: it is about transversal piercings.
+    /// True if the law applies: it is about transversal piercings.
     #[must_use]
     pub fn is_applicable(&self) -> bool {
         self.degenerate == 0
     }
 
-    /// Whether the law applies and is broken.
+    /// True if the law applies and is broken.
     #[must_use]
     pub fn is_violated(&self) -> bool {
         self.is_applicable() && (self.forward != self.backward || self.undecided > 0)
     }
 }
 
-/// Counts the piercings of a closed surface (the triangles of `surface`) by a
-/// closed curve (the edges of the other complex), for each pair of components
-/// with a registered contact, in order.
+/// Counts the piercings of a closed surface by a closed curve, for each pair of components with a registered contact,
+/// in order.
 ///
-/// `session` decides on which side of a triangle an edge's end is: the exact
-/// one, or, for contacts with broken ties, the one that broke them.
+/// The surface is the triangles of `surface`, the curve the edges of the other complex.
+///
+/// `session` decides the side of a triangle that an edge's end is on. Use the exact session or, for contacts with
+/// broken ties, the session that broke them.
 ///
 /// # Errors
-/// [`NotOriented`] if the one is no closed curve or the other no closed
-/// surface that can be oriented.
+/// [`NotOriented`] if the one is not a closed curve or the other not an orientable closed surface.
 pub fn piercings<S: Predicates + ?Sized>(
     session: &S,
     complexes: [&Complex; 2],
@@ -75,7 +74,7 @@ pub fn piercings<S: Predicates + ?Sized>(
             continue;
         };
         let ((wire, along), (skin, up)) = (edges[on_wire.index as usize], triangles[on_skin.index as usize]);
-        // Where the one end is in the triangle's plane, the other one tells.
+        // If one end is in the triangle's plane, the other one decides.
         let below = session.orient3d(a, b, c, p);
         let from = if below == Sign::Zero { -session.orient3d(a, b, c, q) } else { below };
         let pair = piercings.entry([wire, skin]).or_default();
@@ -88,7 +87,7 @@ pub fn piercings<S: Predicates + ?Sized>(
     Ok(piercings)
 }
 
-/// The components of each vertex: several where they touch.
+/// The components of each vertex: several if components touch.
 fn components<const N: usize>(simplices: &[[Vertex; N]], oriented: &Oriented) -> BTreeMap<Vertex, BTreeSet<usize>> {
     let mut of_vertex: BTreeMap<Vertex, BTreeSet<usize>> = BTreeMap::new();
     for (simplex, &(component, _)) in simplices.iter().zip(oriented) {
@@ -99,7 +98,7 @@ fn components<const N: usize>(simplices: &[[Vertex; N]], oriented: &Oriented) ->
     of_vertex
 }
 
-/// The components that have all of these vertices.
+/// The components that contain all of these vertices.
 fn common(vertices: &[Vertex], of_vertex: &BTreeMap<Vertex, BTreeSet<usize>>) -> BTreeSet<usize> {
     let mut sets = vertices.iter().map(|vertex| of_vertex.get(vertex).cloned().unwrap_or_default());
     let first = sets.next().unwrap_or_default();

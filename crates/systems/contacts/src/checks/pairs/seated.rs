@@ -1,4 +1,4 @@
-//! The exact places of merged points, and turns between them.
+//! The exact locations of merged points, and turns between them.
 
 use crate::answer::Weights;
 use crate::answer::{Arrangement, MergedPoint, Seat, Side, Stand};
@@ -11,9 +11,9 @@ type Place = [Rational; 2];
 
 /// The merged points of the plane, as integers over one common denominator.
 pub(super) struct Seated {
-    /// None for points without a vertex: crossings of edges bend nothing.
+    /// The points; `None` for points without a vertex: at crossings, edges do not bend.
     points: Vec<Option<[Integer; 2]>>,
-    /// About where they are; rounding is monotone, so that what meets still does.
+    /// The rounded points; rounding is monotone, so boxes that meet still meet.
     about: Vec<Option<[f64; 2]>>,
 }
 
@@ -24,7 +24,7 @@ impl Seated {
         let places: Vec<Option<Place>> =
             points.map(|point| (!point.is_new()).then(|| rule.place(point, seat))).collect();
         let about = places.iter().map(|place| place.as_ref().map(|place| place.each_ref().map(truncated))).collect();
-        // Every denominator is a power of two: the largest is a multiple of all.
+        // Every denominator is a power of two, so the largest is a multiple of all.
         let coordinates = || places.iter().flatten().flatten();
         let denominator = coordinates().map(Rational::denom).max().cloned().unwrap_or_else(|| Integer::from(1));
         let integer = |x: &Rational| Integer::from(x.numer() * &denominator) / x.denom();
@@ -36,17 +36,17 @@ impl Seated {
         self.points[point].as_ref().expect("pieces end at points with vertices")
     }
 
-    /// A box of the piece. The boxes of pieces that meet do too.
+    /// The bounding box of a piece; pieces that meet have boxes that meet.
     pub(super) fn bounds(&self, piece: [usize; 2]) -> Extent<2> {
         extent(piece.map(|point| self.about[point].expect("pieces end at points with vertices")))
     }
 
-    /// Whether two points are in one place.
+    /// True if two points are in one place.
     pub(super) fn coincide(&self, [p, q]: [usize; 2]) -> bool {
         self.at(p) == self.at(q)
     }
 
-    /// Whether two pieces, of which the second was moved by (δ, δ²), cross.
+    /// True if two pieces cross, the second one moved by (δ, δ²).
     pub(super) fn crosses(&self, [p, q]: [usize; 2], [r, s]: [usize; 2]) -> bool {
         let ([p, q], [r, s]) = ([p, q].map(|at| self.at(at)), [r, s].map(|at| self.at(at)));
         if (0..2).any(|axis| apart([&p[axis], &q[axis]], [&r[axis], &s[axis]])) {
@@ -58,18 +58,18 @@ impl Seated {
     }
 }
 
-/// The double next to it on the side of zero, finite.
+/// The nearest finite double towards zero.
 fn truncated(x: &Rational) -> f64 {
     x.to_f64().clamp(f64::MIN, f64::MAX)
 }
 
-/// Whether two intervals have no common point, not even an end.
+/// True if two closed intervals are disjoint.
 fn apart([a, b]: [&Integer; 2], [c, d]: [&Integer; 2]) -> bool {
     a.max(b) < c.min(d) || c.max(d) < a.min(b)
 }
 
-/// The turn from a to b to the point, where the point is moved by (δ, δ²)
-/// (`by` = −1) or a and b both are (`by` = 1). Zero only where a and b coincide.
+/// The turn from a to b to the point, where the point is moved by (δ, δ²) (`by` = −1) or a and b both are (`by` = 1).
+/// Zero only if a and b coincide.
 ///
 /// With u = b − a: u × (p + (δ, δ²) − a) = u × (p − a) + δ²·u.x − δ·u.y.
 fn turn([a, b]: [&[Integer; 2]; 2], p: &[Integer; 2], by: i32) -> Sign {
@@ -101,11 +101,11 @@ impl Rule<'_> {
         place.expect("a point with vertices stands at one")
     }
 
-    /// Where the point stands on one complex.
+    /// The place of the point on one complex.
     fn on(&self, point: &MergedPoint, side: Side) -> Option<Place> {
         match point.stand(side)? {
             Stand::Vertex(vertex) => Some(self.of(vertex)),
-            // A vertex in a triangle of the plane is inside of it and stays where it is.
+            // A vertex in a triangle of the plane is inside of it and keeps its place.
             Stand::Inside(simplex, _) if simplex.rank > 1 => None,
             Stand::Inside(edge, weights) => {
                 let from = point.vertices[side.other() as usize].first().map(|&vertex| self.of(vertex));
@@ -114,8 +114,8 @@ impl Rule<'_> {
         }
     }
 
-    /// The point of an edge with these weights. What is exactly on the edge's
-    /// line is there already: its weights are rounded, its coordinates are not.
+    /// The point of an edge with these weights. A point exactly on the edge's line keeps its place: weights are
+    /// rounded, coordinates are not.
     fn along(&self, side: Side, edge: Simplex, weights: Weights, from: &Place) -> Place {
         let complex = self.complexes[side as usize];
         let ends = [0, 1].map(|end| {
@@ -157,7 +157,7 @@ mod tests {
         Seated { points: points.iter().map(|p| Some(p.map(Integer::from))).collect(), about }
     }
 
-    /// Between doubles, beyond them, and where they end.
+    /// Values between doubles, beyond the largest double, and at the ends of the range.
     #[test]
     fn truncation_keeps_the_order() {
         let third = Rational::from((1, 3));
@@ -191,8 +191,7 @@ mod tests {
         assert!(crossing > 500 && excluded > 500, "{crossing} {excluded}");
     }
 
-    /// The same with a number in place of the infinitesimal: far smaller than
-    /// any distance here, far larger than zero.
+    /// A number replaces the infinitesimal: far smaller than any distance here, and positive.
     #[test]
     fn an_infinitesimal_move_is_a_small_move() {
         let scale = 1 << 12;
@@ -205,7 +204,7 @@ mod tests {
         let mut crossing = 0;
         for code in 0..9_usize.pow(4) {
             let [p, q, r, s] = [0, 1, 2, 3].map(|digit| code / 9_usize.pow(digit) % 9);
-            // The second move of `small` is nothing to the first.
+            // The second move of `small` is negligible compared with the first.
             let expected = small.crosses([p, q], [r + 9, s + 9]);
             assert_eq!(infinitesimal.crosses([p, q], [r, s]), expected, "{p} {q} {r} {s}");
             crossing += usize::from(expected);

@@ -1,8 +1,7 @@
-//! Two complexes that touch: curves in the plane, surfaces in space.
+//! Generators of two complexes that touch: curves in the plane, surfaces in space.
 //!
-//! The sizes are those of things that meet everywhere: every edge is short and
-//! has a few of the other complex' edges around it, so that a scene of n
-//! primitives has about n pairs worth looking at, whatever n.
+//! The complexes meet everywhere: every edge is short and has a few of the other complex' edges around it. So a scene
+//! of n primitives has about n relevant pairs, for any n.
 
 mod polygons;
 mod surfaces;
@@ -29,7 +28,8 @@ fn bits(fields: &Fields<'_, '_>) -> Result<u32, CorpusError> {
 
 type Read = fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError>;
 
-/// What contacts cost depends on the scene's size and on how near things are: each scene is a family of its own.
+/// A family of scenes. The cost of contacts depends on the scene's size and on the distances, so each scene is reported
+/// as a separate family.
 const fn family(name: &'static str, parameters: &'static [&'static str], about: &'static str, read: Read) -> Family {
     Family { name, reported_as: None, parameters, about, read }
 }
@@ -87,22 +87,22 @@ pub(super) static SPACE: [Family; 5] = [
     }),
 ];
 
-/// A way to make two complexes.
+/// A generator of two complexes.
 #[derive(Clone, Copy, PartialEq, Debug)]
 enum Pair {
-    /// With coordinates of so many significant bits.
+    /// Polygons whose coordinates have this many significant bits.
     PolygonsUniform(u32),
     PolygonsNear,
     PolygonsDegen,
-    /// Moved by so many σ.
+    /// A polygon and a copy moved by this many σ.
     CopyShifted(f64),
-    /// With coordinates of so many significant bits.
+    /// Surfaces whose coordinates have this many significant bits.
     SurfacesUniform(u32),
     SurfacesNear,
     SurfacesDegen,
-    /// Moved by so many σ.
+    /// A surface and a copy moved by this many σ.
     SurfacesShifted(f64),
-    /// One pair for each test of each algorithm, over and over.
+    /// One pair for each test of each algorithm, repeated.
     Thresholds(Dimension),
 }
 
@@ -113,7 +113,7 @@ struct Shape {
 }
 
 impl Shape {
-    /// With every coordinate at the nearest number of so many significant bits.
+    /// Rounds every coordinate to the nearest number with this many significant bits.
     fn rounded(mut self, bits: u32) -> Shape {
         self.coordinates.iter_mut().for_each(|x| *x = rounded(*x, bits));
         self
@@ -138,8 +138,7 @@ impl Pair {
         }
     }
 
-    /// Two complexes with about `n` edges (in space, triangles) together; the
-    /// points of the first come first.
+    /// Makes two complexes with about `n` edges (in space, triangles) together; the points of the first come first.
     fn make(self, n: usize, rng: &mut Random) -> Parts {
         let n = n / 2;
         let [a, b] = match self {
@@ -173,7 +172,7 @@ impl Pair {
         Scene::new(self.dimension(), coordinates).expect("generators make finite points")
     }
 
-    /// σ between a shape and another whose primitives are as large.
+    /// The tolerance σ for a shape and another with primitives of the same size.
     fn sigma_of(self, shape: &Shape) -> f64 {
         let scene = self.scene(shape.coordinates.clone());
         let complex = Complex::new(&scene, &shape.simplices).expect("simplices of the scene's points");

@@ -17,9 +17,10 @@ fn count(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// A polygon around (1/2, 1/2) whose vertices lie, in turn, a random bit
-/// inside or outside a square, by as much as its edges are long: two of them
-/// cross each other all the way round. It is star-shaped, hence simple.
+/// A star-shaped polygon around (1/2, 1/2) whose vertices are alternately inside and outside a square, by a random part
+/// of its edge length.
+///
+/// Two such polygons cross each other all the way round. The polygon is star-shaped, hence simple.
 pub(super) fn wavy(n: usize, rng: &mut Random) -> Shape {
     let n = n.max(8);
     let depth = (2.0 / integer(count(n))).min(0.25);
@@ -40,8 +41,10 @@ pub(super) fn wavy(n: usize, rng: &mut Random) -> Shape {
     closed(&points)
 }
 
-/// A polygon along another: each vertex at most 2σ, along each axis, beside a
-/// vertex or a point of an edge of the other, or just there up to rounding.
+/// A polygon close to another polygon.
+///
+/// Along each axis, each vertex is at most 2σ from a vertex of the other or from a point of its edge, or exactly there
+/// up to rounding.
 pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     let around = other.coordinates.as_chunks::<2>().0;
     let points: Vec<[f64; 2]> = (0..around.len())
@@ -55,12 +58,11 @@ pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     closed(&points)
 }
 
-/// The outline of a skyline on integer coordinates: heights from 1 to 3 above
-/// a ground line with vertices of its own. Two of them share vertices, have
-/// vertices on each other's edges, run along each other and cross, all exactly.
-/// A dense one has a vertex in every column, others leave some out.
+/// The outline of a skyline on integer coordinates: heights from 1 to 3 above a ground line with its own vertices. Two
+/// such outlines share vertices, have vertices on each other's edges, run along each other and cross, all exactly. A
+/// dense outline has a vertex in every column, others skip some columns.
 pub(super) fn skyline(n: usize, dense: bool, rng: &mut Random) -> Shape {
-    // With its ground line a dense one has 3/2 edges a column.
+    // With its ground line, a dense outline has 3/2 edges per column.
     let width = count(n * 2 / 3).max(4);
     let every = if dense { 2 } else { 3 };
     let mut points = Vec::new();

@@ -13,12 +13,13 @@ fn count(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// A sphere around (1/2, 1/2, 1/2), turned at random, whose vertices lie a
-/// random bit inside or outside it, by as much as its edges are long: two of
-/// them cross each other everywhere. It is star-shaped, hence embedded.
+/// A randomly rotated, bumpy sphere around (1/2, 1/2, 1/2).
 ///
-/// An octahedron with its faces divided, pushed out to the sphere: square
-/// roots and divisions only, which round the same everywhere.
+/// Its vertices are inside or outside the sphere by a random part of its edge length, so two such spheres cross each
+/// other everywhere. It is star-shaped, hence embedded.
+///
+/// It is an octahedron with divided faces, projected to the sphere: only square roots and divisions, which round the
+/// same on every platform.
 pub(super) fn lumpy(n: usize, rng: &mut Random) -> Shape {
     let parts = count((n / 8).isqrt()).max(2);
     let depth = (0.5 / integer(parts)).min(0.2);
@@ -50,13 +51,13 @@ pub(super) fn lumpy(n: usize, rng: &mut Random) -> Shape {
     Shape { coordinates, simplices: Simplices { triangles, ..Simplices::default() } }
 }
 
-/// A surface along another, with a vertex for each of the other's: at most 2σ,
-/// along each axis, beside that vertex, a point of an edge there or a point of
-/// a triangle there, or just there up to rounding.
+/// A surface close to another surface, with a vertex for each of the other's vertices.
 ///
-/// Such points are nearer to the vertex than to any other corner. Where
-/// neighbours move towards each other, or triangles are folded by σ, the
-/// surface can cross itself: no law about its contacts needs that it does not.
+/// Along each axis, a vertex is at most 2σ from the other's vertex, or from a point of an edge or a triangle there, or
+/// exactly there up to rounding.
+///
+/// Such points are nearer to the vertex than to any other corner. If neighbours move towards each other, or triangles
+/// are folded by σ, the surface can cross itself: no law about its contacts excludes that.
 pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     let around = other.coordinates.as_chunks::<3>().0;
     let mut corners: Vec<[usize; 3]> = vec![[0; 3]; around.len()];
@@ -81,7 +82,7 @@ pub(super) fn near(other: &Shape, sigma: f64, rng: &mut Random) -> Shape {
     Shape { coordinates: coordinates.collect(), simplices: other.simplices.clone() }
 }
 
-/// The rows of a random rotation, up to rounding.
+/// The rows of a random rotation matrix, up to rounding.
 fn rotation(rng: &mut Random) -> [[f64; 3]; 3] {
     loop {
         let [a, b, c, d] = std::array::from_fn(|_| rng.between(-1.0, 1.0));
@@ -97,9 +98,10 @@ fn rotation(rng: &mut Random) -> [[f64; 3]; 3] {
     }
 }
 
-/// Boxes on integer coordinates, one in each cell of a lattice: a corner
-/// anywhere from 0 to 2, edges of 1 or 2. Two such sets have, cell by cell,
-/// boxes that share corners, edges, parts of faces, or all of it, or cross.
+/// Boxes on integer coordinates, one in each cell of a lattice.
+///
+/// A box has a corner anywhere from 0 to 2 and edges of 1 or 2. Cell by cell, the boxes of two such sets share corners,
+/// edges, parts of faces, or all of these, or cross.
 pub(super) fn boxes(n: usize, rng: &mut Random) -> Shape {
     const TRIANGLES: usize = 12;
     const PITCH: i64 = 5;
@@ -119,7 +121,7 @@ pub(super) fn boxes(n: usize, rng: &mut Random) -> Shape {
             coordinates.extend((0..3).map(|axis| integer(low[axis] + (corner >> axis & 1) * size[axis])));
         }
         for (axis, high) in [(0, 0), (0, 1), (1, 0), (1, 1), (2, 0), (2, 1)] {
-            // The corners around a face; either diagonal may divide it.
+            // The corners around a face; either diagonal may divide the face.
             let (u, v) = (1 << ((axis + 1) % 3), 1 << ((axis + 2) % 3));
             let around = [0, u, u | v, v].map(|corner| Vertex::input(first + (corner | high << axis)));
             let start = usize::from(rng.one_in(2));

@@ -1,10 +1,9 @@
-//! Pairs at a threshold of one test, all other tests of their algorithm clear.
+//! Pairs at a threshold of one test, far from the thresholds of all other tests of their algorithm.
 //!
-//! A pair of the hierarchy whose sub-pairs are apart is far from most thresholds:
-//! that is what the hierarchy is for. So these pairs are made for the test, whatever
-//! their sub-pairs are: a shape of fixed proportions, in which one value is small
-//! beside the others, at the size at which that value is T₋, T or T₊, off by up to an
-//! eighth down to 2⁻²⁴ of it, up or down.
+//! A pair of the hierarchy whose sub-pairs are apart is far from most thresholds: that is the purpose of the hierarchy.
+//! So these pairs are made for the test, with any sub-pairs: a shape of fixed proportions, in which one value is small
+//! beside the others. Its size is chosen so that the value is T₋, T or T₊, up or down by a fraction from an eighth to
+//! 2⁻²⁴.
 
 use crate::checks::audit::{PairKind, Published, Symbol};
 use predicament_corpus::Random;
@@ -74,7 +73,7 @@ struct Making<'a> {
 }
 
 impl Making<'_> {
-    /// The size at which a value of this degree is the target.
+    /// The size at which a value of this degree equals the target.
     fn size(&self, value: f64, degree: u32) -> f64 {
         let quotient = self.target / value;
         match degree {
@@ -92,7 +91,7 @@ impl Making<'_> {
         usize::try_from(self.random.integer(0, i64::try_from(N).expect("few") - 1)).expect("not negative")
     }
 
-    /// Weights that add up to one: a chosen one is `least` to 1.4 times that, the others alike.
+    /// Weights with sum 1: one weight is from `least` to 1.4 times `least`, the others are similar.
     fn weights<const N: usize>(&mut self, least: f64) -> ([f64; N], usize) {
         let chosen = self.choice::<N>();
         let small = least * self.part(1.0, 1.4);
@@ -145,7 +144,7 @@ impl Making<'_> {
         [first, vec![[-p * cosine, -p * sine, lift], [q * cosine, q * sine, lift]]]
     }
 
-    /// About equilateral; twice its area is given with it.
+    /// An approximately equilateral triangle, and twice its area.
     fn triangle(&mut self) -> ([[f64; 2]; 3], f64) {
         let corners = [[1.0, 0.0], [-0.5, 0.866], [-0.5, -0.866]];
         let corners = corners.map(|corner| corner.map(|x: f64| x + self.random.between(-0.05, 0.05)));
@@ -200,7 +199,7 @@ fn within<const N: usize, const D: usize>(corners: &[[f64; D]; N], weights: &[f6
     std::array::from_fn(|i| corners.iter().zip(weights).map(|(corner, weight)| corner[i] * weight).sum())
 }
 
-/// By Newton's iteration from the nearest power of eight: the same on every platform.
+/// The cube root, by Newton's iteration from the nearest power of eight: equal on every platform.
 fn cube_root(x: f64) -> f64 {
     let mut root = 1.0;
     while root * root * root < x {
@@ -215,7 +214,7 @@ fn cube_root(x: f64) -> f64 {
     root
 }
 
-/// Three unit vectors at right angles; in the plane the last is that of z.
+/// Three orthogonal unit vectors; in the plane, the last one is that of z.
 fn frame(random: &mut Random, dimension: Dimension) -> [Point; 3] {
     let mut direction = |axes: usize| -> Point {
         loop {
@@ -242,8 +241,8 @@ fn frame(random: &mut Random, dimension: Dimension) -> [Point; 3] {
     }
 }
 
-/// Two complexes of such pairs, `n` of them or one for each test, on a grid on which
-/// no two are near, and an edge of length 1 in each, from which L is made.
+/// Two complexes of such pairs, `n` of them and at least one for each test. The pairs are on a grid, not near each
+/// other. An edge of length 1 in each complex determines L.
 pub(super) fn shapes(dimension: Dimension, n: usize, random: &mut Random) -> [Shape; 2] {
     const PITCH: f64 = 0.25;
     let tests: Vec<_> = all(dimension).collect();

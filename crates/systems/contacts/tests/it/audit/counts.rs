@@ -1,4 +1,4 @@
-//! What an audit counts, on sets of contacts that are known by hand.
+//! The counts of an audit, on known sets of contacts.
 
 use predicament_contacts::algorithm::pairs::{Contact, Contacts, Weights, contacts};
 use predicament_contacts::checks::audit::{Audit, PairKind, Verdict, audit};
@@ -24,7 +24,7 @@ fn edges(points: &[[f64; 2]], of: [&[[usize; 2]]; 2]) -> (Scene, [Complex; 2]) {
 }
 
 /// Three edges from left to right. The first two have an end of the other complex' edges on them, a quarter and half
-/// way along; and the third one has an end on the other's third edge.
+/// way along; the third one has an end on the other's third edge.
 fn combs() -> (Scene, [Complex; 2]) {
     let points = [
         [[0.0, 0.0], [4.0, 0.0], [10.0, 0.0], [14.0, 0.0], [20.0, 0.0], [24.0, 0.0]],
@@ -42,7 +42,7 @@ fn exact_audit(bend: impl Fn(&mut Vec<Contact>)) -> Audit {
     audit(&session, &a, &b, &found)
 }
 
-/// The contact of an edge of the first complex that begins here.
+/// The contact of the edge of the first complex with this index.
 fn of_edge(registered: &mut [Contact], index: u32) -> &mut Contact {
     registered.iter_mut().find(|contact| contact.a == simplex(1, index)).unwrap()
 }
@@ -51,12 +51,12 @@ fn of_edge(registered: &mut [Contact], index: u32) -> &mut Contact {
 fn pairs_are_counted_by_kind_and_verdict() {
     let right = exact_audit(|_| {});
     assert_eq!(right.count(PairKind::EdgeVertex, Verdict::Agree), 3);
-    // The two edges of each contact have ended. Without bands nobody is asked about them.
+    // The two edges of each contact have ended. Without bands they are not queried.
     assert_eq!((right.judged(), right.ended, right.read), (3, 3, 0));
     assert_eq!(right.weight_errors, [0.0; 6]);
     let less = exact_audit(|registered| registered.truncate(2));
     assert_eq!([Verdict::Agree, Verdict::Missed].map(|verdict| less.count(PairKind::EdgeVertex, verdict)), [2, 1]);
-    // The pair of edges goes on, and does not cross.
+    // The pair of edges has not ended, and does not cross.
     assert_eq!(less.count(PairKind::EdgeEdge, Verdict::Agree), 1);
     assert_eq!((less.judged(), less.ended, less.findings.len()), (4, 2, 1));
 }
@@ -72,7 +72,7 @@ fn the_largest_error_of_a_weight_is_kept_by_kind() {
     };
     assert_eq!(bent(0.25, 0.125), [0.0, 0.25, 0.0, 0.0, 0.0, 0.0]);
     assert_eq!(bent(0.125, 0.25), [0.0, 0.25, 0.0, 0.0, 0.0, 0.0]);
-    // Where the edge is of the second complex, so are its weights.
+    // If the edge is of the second complex, so are its weights.
     let second = exact_audit(|registered| {
         let contact = registered.iter_mut().find(|contact| contact.a.rank == 0).unwrap();
         assert_eq!(contact.on_a, FIRST);
@@ -93,7 +93,7 @@ fn a_pair_that_was_never_to_be_asked_about_is_found_with_its_distance() {
     assert_eq!(found.count(PairKind::VertexVertex, Verdict::Unasked), 1);
 }
 
-/// Fans of edges without length in one place, every vertex registered with every other: all else has ended.
+/// Fans of edges without length in one place, every vertex registered with every other: all other pairs have ended.
 #[test]
 fn of_many_pairs_that_have_ended_every_third_is_asked_about() {
     let (n, m) = (250, 100);

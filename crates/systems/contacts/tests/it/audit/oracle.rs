@@ -1,5 +1,5 @@
-//! The exact distances against a second computation: the normal equations of
-//! the least squares problem, by elimination, over all pairs of faces.
+//! The exact distances, compared with a second computation: the normal equations of the least squares problem, by
+//! elimination, over all pairs of faces.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,8 +17,8 @@ fn faces(simplex: &[[f64; 3]]) -> Vec<Simplex> {
     (1_u32..1 << simplex.len()).map(chosen).collect()
 }
 
-/// The weights on both simplices where their carriers are closest, and the
-/// square of that distance; none where there is no single such place.
+/// The weights of the closest points of two simplices' carriers, and their squared distance; `None` if the closest
+/// points are not unique.
 fn closest(first: &[[f64; 3]], second: &[[f64; 3]]) -> Option<([Vec<Rational>; 2], Rational)> {
     let q = |x: f64| Rational::from_f64(x).unwrap();
     let row = |from: [f64; 3], to: [f64; 3]| -> Vec<Rational> { (0..3).map(|i| q(to[i]) - q(from[i])).collect() };
@@ -59,7 +59,7 @@ fn inside(weights: &[Vec<Rational>; 2]) -> bool {
     weights.iter().flatten().all(|weight| weight.is_positive())
 }
 
-/// The smallest distance over all pairs of faces whose closest places are inside both.
+/// The smallest distance over all pairs of faces whose closest points are inside both.
 fn distance_squared(first: &[[f64; 3]], second: &[[f64; 3]]) -> Rational {
     let (of_first, of_second) = (faces(first), faces(second));
     let pairs = of_first.iter().flat_map(|s| of_second.iter().map(move |t| (s, t)));
@@ -101,7 +101,7 @@ proptest! {
     }
 }
 
-/// All faces of a triangle with all faces of an edge, but for the two themselves, each once.
+/// All faces of a triangle with all faces of an edge, without the pair of the whole simplices, each once.
 #[test]
 fn sub_pairs_are_pairs_of_faces() {
     let triangle = [[0.0, 0.0, 1.0], [2.0, 0.0, 1.0], [0.0, 3.0, 1.0]];

@@ -1,4 +1,4 @@
-//! The published tolerances against the figures, in their own numbers.
+//! The published tolerances, compared with the numbers in the figures.
 
 use predicament_contacts::checks::audit::{Published, Symbol};
 use predicament_error_calculus::Enclosure;
@@ -9,7 +9,7 @@ use rug::Rational;
 
 use Dimension::{Three, Two};
 
-/// c of T₋, T and T₊ (the last one over √3 where it is a multiple of that), 4e and p, for c ε^e L^p.
+/// A tolerance c ε^e L^p: its symbol, c of T₋, T and T₊, true if the last c is over √3, 4e, and p.
 type Row = (Symbol, [f64; 3], bool, u32, u32);
 
 const PLANE: [Row; 4] = [
@@ -129,7 +129,7 @@ fn contacts_are_held_to_the_precision_whose_claim_is_nearer() {
 
 #[test]
 fn signs_are_held_to_bands_of_their_own_extent() {
-    // 1 along x, 4 along y and 2 along z.
+    // The lengths are 1 along x, 4 along y and 2 along z.
     let scene = Scene::from_points3(&[[-1.0, 3.0, 0.5], [0.0, -1.0, 2.5], [-0.5, 0.0, 1.0]]).unwrap();
     for (halvings, epsilon) in [(52, 2.0_f64.powi(-52)), (23, 2.0_f64.powi(-23))] {
         let three_quarters = epsilon.powf(0.75);

@@ -11,14 +11,14 @@ fn v<const N: usize>(indices: [usize; N]) -> [Vertex; N] {
     indices.map(Vertex::input)
 }
 
-/// Two complexes, with their lengths in the scene.
+/// A scene with two complexes, and their lengths set in the scene.
 fn prepared(scene: Scene, a: &Simplices, b: &Simplices) -> (Scene, [Complex; 2]) {
     let complexes = [a, b].map(|given| Complex::new(&scene, given).unwrap());
     let lengths = [0, 1].map(|i| complexes[i].primitive_length(&scene));
     (scene.with_primitive_lengths(lengths), complexes)
 }
 
-/// Strips of triangles on a coarse grid of integers, a little off it here and there.
+/// Strips of triangles on a coarse grid of integers, with small displacements of some points.
 fn plane() -> (Scene, [Complex; 2]) {
     let place = |i: i32| [f64::from(i * 7 % 5), f64::from(i * 5 % 7) + if i % 3 == 0 { 1e-8 } else { 0.0 }];
     let points: Vec<[f64; 2]> = (0..40).map(place).collect();
@@ -29,7 +29,7 @@ fn plane() -> (Scene, [Complex; 2]) {
     prepared(Scene::from_points2(&points).unwrap(), &strip(0), &strip(20))
 }
 
-/// The same with tetrahedra.
+/// Strips of tetrahedra on such a grid.
 fn space() -> (Scene, [Complex; 2]) {
     let place = |i: i32| {
         let off = if i % 3 == 0 { 1e-4 } else { 0.0 };
@@ -68,7 +68,7 @@ fn what_is_left_out_or_added_is_found() {
     for (scene, [a, b]) in [plane(), space()] {
         let session = Tolerance.prepare(&scene, Off).unwrap();
         let found = contacts(&session, &a, &b);
-        // Leaving out a pair of full dimension concerns that pair alone.
+        // If a pair of full dimension is missing, only that pair is affected.
         let last = *found.registered.last().unwrap();
         let mut without = found.clone();
         without.registered.pop();
@@ -79,7 +79,7 @@ fn what_is_left_out_or_added_is_found() {
         );
         assert!(!findings[0].registered && findings[0].distance == 0.0);
 
-        // A pair of vertices that is far apart, and far from being asked.
+        // A pair of vertices that are far apart, and must not be queried.
         let far = Contact { a: Simplex { rank: 0, index: 0 }, b: Simplex { rank: 0, index: 4 }, ..last };
         assert!(!session.vertex_vertex(a.vertices()[0], b.vertices()[4]));
         let mut with = found.clone();
@@ -115,14 +115,14 @@ fn the_printed_form_is_found() {
     }
 }
 
-/// Two edges of the plane, of which the second one begins beside the first one's beginning: so far along it, and off it.
+/// Two edges of the plane; the second one begins at this position along the first and this distance off it.
 fn beside([along, off]: [f64; 2]) -> (Scene, [Complex; 2]) {
     let points = [[0.0, 0.0], [1.0, 0.0], [along, off], [along, 1.0]];
     let edge = |from: usize| Simplices { edges: vec![v([from, from + 1])], ..Simplices::default() };
     prepared(Scene::from_points2(&points).unwrap(), &edge(0), &edge(2))
 }
 
-/// What the hierarchy has ended is asked about all the same, so that a tolerance that is none of the published ones is seen there.
+/// Ended pairs are queried all the same, so that a tolerance that differs from the published one is noticed there.
 #[test]
 fn a_tolerance_of_another_size_is_misread_where_a_pair_has_ended() {
     let (scene, _) = beside([0.0, 0.0]);
@@ -130,7 +130,8 @@ fn a_tolerance_of_another_size_is_misread_where_a_pair_has_ended() {
     let ([sigma, ..], [_, tau, beyond]) = (published.rounded(Symbol::Sigma), published.rounded(Symbol::Tau));
     let off = (beyond + sigma) / 2.0;
     assert!(beyond < off && off < sigma && off < 2.0 * tau, "σ₋ {sigma}, τ {tau}, τ₊ {beyond}");
-    // The two beginnings are one, so that nobody asks whether one of them is on the other edge. It is beyond τ₊ of it, and within 2τ.
+    // The two beginnings are one point, so the hierarchy does not query whether one of them is on the other edge. It is
+    // beyond τ₊ of that edge, and within 2τ.
     let (scene, [a, b]) = beside([0.8 * (sigma * sigma - off * off).sqrt(), off]);
     let misread = |backend: &Tolerance<f64>| {
         let session = backend.prepare(&scene, Off).unwrap();

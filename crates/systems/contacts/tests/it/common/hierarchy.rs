@@ -1,5 +1,5 @@
-//! The hierarchy once more, by brute force: every pair is looked at, boxes and
-//! reach play no part, and sub-pairs are found by trying all vertex subsets.
+//! The hierarchy by brute force: every pair is tested, boxes and reach are not used, and sub-pairs are found by trying
+//! all vertex subsets.
 
 use std::collections::{BTreeMap, HashSet};
 
@@ -20,7 +20,7 @@ pub struct Pair {
     pub on_b: Where,
 }
 
-/// What became of the pairs of two ranks: without boxes every pair is a candidate.
+/// The numbers of pairs of two ranks, by outcome: without boxes every pair is a candidate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Count {
     pub ranks: [u8; 2],
@@ -29,7 +29,7 @@ pub struct Count {
     pub registered: u64,
 }
 
-/// All simplices of the complex with so many vertices.
+/// All simplices of the complex with this number of vertices.
 pub fn cells(complex: &Complex, vertices: usize) -> Vec<Cell> {
     match vertices {
         1 => complex.vertices().iter().map(|&v| vec![v]).collect(),
@@ -47,7 +47,7 @@ fn along(edge: [Vertex; 2], fraction: f64) -> Where {
     weights(edge, [1.0 - fraction, fraction])
 }
 
-/// The answer to the question about one pair, the larger simplex first.
+/// The answer to the query about one pair, the larger simplex first.
 fn ask<S: Predicates>(session: &S, large: &[Vertex], small: &[Vertex]) -> Option<(Where, Where)> {
     Some(match (large, small) {
         (&[p], &[q]) => {
@@ -71,7 +71,7 @@ fn ask<S: Predicates>(session: &S, large: &[Vertex], small: &[Vertex]) -> Option
     })
 }
 
-/// Every pair that is registered, level by level, and the counts of each level.
+/// All registered pairs, level by level, and the counts of each level.
 pub fn brute_force<S: Predicates>(session: &S, a: &Complex, b: &Complex) -> (Vec<Pair>, Vec<Count>) {
     let (mut all, mut counts) = (Vec::new(), Vec::new());
     let mut registered: HashSet<(Cell, Cell)> = HashSet::new();

@@ -1,12 +1,12 @@
-//! A session that registers at random what is within its reach: sub-pairs of
-//! every kind are registered, also such as no geometry would bring about.
+//! A session that registers random pairs within its reach: it registers sub-pairs of every kind, including
+//! geometrically impossible ones.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use predicament_predicates::{Axis, Declined, Dimension, Plane, Predicates, Scene, Sign, Vertex};
 
-/// Answers yes to one in so many of the questions about boxes within reach,
-/// and always where a vertex is asked about itself.
+/// A session that answers yes to one of `odds` queries about boxes within reach, and always to a query of a vertex with
+/// itself.
 pub struct Whim<'s> {
     pub scene: &'s Scene,
     pub reach: f64,

@@ -1,4 +1,4 @@
-//! Contacts that take part in other ones: crossings at merged points, clusters on edges, triangles in one plane.
+//! Contacts that affect other contacts: crossings at merged points, clusters on edges, triangles in one plane.
 
 use predicament_contacts::algorithm::arrangement::Arrangement;
 use predicament_contacts::algorithm::pairs::{Contact, Contacts};
@@ -27,7 +27,8 @@ fn a_crossing_of_edges_with_a_common_merged_point_is_that_point() {
         })
     };
     assert_eq!(merged(&[]), [(2, 0); 3]);
-    // The corner (4, 4) and the other one's (2, 2) are on both pairs of edges that cross, and (4, 0) and (6, 2) on one.
+    // The corner (4, 4) and the other curve's (2, 2) are on both pairs of edges that cross, and (4, 0) and (6, 2) on
+    // one.
     assert_eq!(merged(&[[2, 0]]), [(0, 2); 3]);
     assert_eq!(merged(&[[1, 1]]), [(1, 1); 3]);
     assert_eq!(merged(&[[0, 2]]), [(2, 0); 3]);
@@ -47,7 +48,7 @@ fn a_vertex_on_an_edge_is_no_crossing_of_edges() {
 #[test]
 fn only_pairs_of_vertices_count_as_registered_in_a_cluster() {
     let pair = Pair::polygons(&SQUARE, &[[0.0, 0.0], [9.0, 0.0], [9.0, 9.0]]);
-    // One corner of the triangle is merged with two of the square, and with a side and another point of it.
+    // One corner of the triangle is merged with two corners of the square, and with a side and another point of it.
     let mut planted = vertex_pairs(&[[0, 0], [1, 0]]);
     let sides = [[2, 3], [1, 2]].map(|side| pair.a.find(&side.map(Vertex::input)).unwrap());
     let corner = Simplex { rank: 0, index: 0 };
@@ -63,7 +64,7 @@ fn only_pairs_of_vertices_count_as_registered_in_a_cluster() {
 #[test]
 fn an_edge_that_collapsed_may_still_pass_another_point() {
     let pair = Pair::polygons(&SQUARE, &[[0.0, 0.0], [9.0, 9.0], [2.0, -1.0]]);
-    // Both ends of the square's lower side are merged with one corner, and its middle with another one.
+    // Both ends of the square's lower side are merged with one corner, and its middle with another corner.
     let mut planted = vertex_pairs(&[[0, 0], [1, 0]]);
     let side = pair.a.find(&[0, 1].map(Vertex::input)).unwrap();
     planted.registered.push(Contact { a: side, b: Simplex { rank: 0, index: 2 }, on_a: HALF, on_b: WHOLE });
@@ -72,7 +73,7 @@ fn an_edge_that_collapsed_may_still_pass_another_point() {
     assert_eq!(found.iter().map(|c| (c.edge, c.between)).collect::<Vec<_>>(), [(side.index, 1)]);
 }
 
-/// Two tetrahedra that stand on one plane from either side, and their triangles there are a star.
+/// Two tetrahedra that stand on one plane from either side; their triangles there form a star.
 #[test]
 fn triangles_in_one_plane_overlap() {
     let points = [
@@ -96,7 +97,7 @@ fn triangles_in_one_plane_overlap() {
     let arrangement = Arrangement::new(&pair.scene, pair.complexes(), &found);
     let ends = loose_ends(pair.complexes(), &found, &arrangement).unwrap();
     assert_eq!((ends.piercings, ends.overlaps, ends.loose), (0, 1, vec![]));
-    // Six crossings of edges: all triangles have one on their boundary.
+    // Six crossings of edges: every triangle has a crossing on its boundary.
     let found = boundaries(pair.complexes(), &found).unwrap();
     assert_eq!((found.checked, found.degenerate, found.odd), (0, 8, vec![]));
 }

@@ -1,4 +1,4 @@
-//! Orientations of closed curves, and what is refused.
+//! Orientations of closed curves, and refused complexes.
 
 use predicament_contacts::checks::pairs::{NotOriented, Side, oriented_curve, oriented_surface};
 use predicament_mesh::{Complex, Simplices};

@@ -1,4 +1,4 @@
-//! Directions of piercings, and which components degenerate contacts are of.
+//! Directions of piercings, and the components of degenerate contacts.
 
 use std::collections::BTreeMap;
 
@@ -27,8 +27,8 @@ fn the_law_is_about_piercings_both_ways() {
     assert_eq!(violated(2, 1, 1, 1), (false, false));
 }
 
-/// A curve of three edges beside a tetrahedron, whose first edge is said to pierce the triangle in the plane z = 0. Its
-/// ends have these heights.
+/// A curve of three edges beside a tetrahedron; its first edge is registered to pierce the triangle in the plane z = 0.
+/// The edge's ends have these heights.
 fn through(heights: [f64; 2]) -> Piercings {
     let [p, q] = heights;
     let points = [
@@ -80,7 +80,8 @@ fn a_curve_of_the_second_complex_is_counted_like_one_of_the_first() {
     assert_eq!(right, BTreeMap::from([([0, 0], known)]));
 }
 
-/// Two curves, and two tetrahedra with one common vertex: a contact is of the components that have all of its vertices.
+/// Two curves, and two tetrahedra with one common vertex: a contact belongs to the components that have all of its
+/// vertices.
 #[test]
 fn a_degenerate_contact_is_of_the_components_that_have_all_of_it() {
     let point = |i: u16| [f64::from(i), f64::from(i * i % 7), f64::from(i * i * i % 11)];

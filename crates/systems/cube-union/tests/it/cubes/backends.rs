@@ -1,4 +1,4 @@
-//! What each philosophy makes of the union.
+//! The union by each kind of backend.
 
 use predicament_controls::{Epsilon, Naive};
 use predicament_cube_union::algorithm::{CubesError, Mass, cube_union, cube_union_by};
@@ -47,7 +47,7 @@ fn without_ties_signs_are_enough() {
     assert_eq!(by(&Sos::default(), &scene), Ok(truth));
 }
 
-/// Which backends find the same union as the fast path: exact, naive, epsilon, tolerance, sos.
+/// For each backend, true if it finds the same union as the fast path: exact, naive, epsilon, tolerance, sos.
 fn verdicts(lowers: &[[i64; 3]], edge: i64) -> [bool; 5] {
     let (scene, truth) = (scene(lowers, edge), cube_union(lowers, edge).unwrap());
     let found = [
@@ -70,7 +70,7 @@ fn only_broken_ties_make_a_union_of_what_coincides() {
     let mut random = Random::new(22);
     let touching = [[0, 0, 0], [0, 0, 3]];
     let at_an_edge = [[0, 0, 0], [0, 3, 3]];
-    // In this order there is a gap; in the other they overlap, and that is what closed cubes do anyway.
+    // In this order there is a gap; in the other order they overlap, as closed cubes do anyway.
     let at_a_corner = [[3, 3, 3], [0, 0, 0]];
     let twins = [[0, 0, 0], [0, 0, 0]];
     let crowd = random.lowers(60, 9);
@@ -81,7 +81,7 @@ fn only_broken_ties_make_a_union_of_what_coincides() {
 
 #[test]
 fn zeros_taken_for_inside_can_make_a_volume_negative() {
-    // Each corner of a twin is in the other, ends included; edges still meet faces, and those count as −1.
+    // Each corner of a twin is in the other, ends included. Edges still meet faces, and those vertices count as −1.
     let twins = scene(&[[0, 0, 0], [0, 0, 0]], 1);
     for mass in [by(&Exact, &twins).unwrap(), by(&Naive::default(), &twins).unwrap()] {
         assert!(mass.volume < 0 && mass.area < 0 && mass.vertices.corners == 0, "{mass:?}");

@@ -1,4 +1,4 @@
-//! Many cubes that share all their coordinates, or some.
+//! Many cubes that share all or some of their coordinates.
 
 use predicament_cube_union::algorithm::{ByIndex, Vertices, cube_union, union_in_order};
 use predicament_cube_union::checks::Measures;
@@ -7,7 +7,7 @@ use super::dense;
 use super::scenes::{Random, lattice};
 use super::union::{check, measures};
 
-/// Cubes in random places out of these, each several times in a row, more than a word holds.
+/// More cubes than a word holds, in random places of these, each several times in a row.
 fn in_runs(random: &mut Random, places: &[[i64; 3]], longest: i64) -> Vec<[i64; 3]> {
     let mut lowers = Vec::new();
     while lowers.len() <= 70 {
@@ -18,8 +18,8 @@ fn in_runs(random: &mut Random, places: &[[i64; 3]], longest: i64) -> Vec<[i64; 
     lowers
 }
 
-/// Of n identical cubes: the first one's upper corner is seen and the last one's lower corner, and six edges are
-/// stairs of n steps.
+/// The measures of n identical cubes: the upper corner of the first cube and the lower corner of the last are on the
+/// boundary, and six edges are stairs of n steps.
 fn identical(n: u32, edge: i64) -> (Measures, Vertices) {
     let (count, e) = (i128::from(n), i128::from(edge));
     let known = Measures { volume: e.pow(3), area: 6 * e * e, edge_length: (6 + 6 * (2 * count - 1)) * e };
@@ -47,7 +47,7 @@ fn runs_of_identical_cubes_are_right_whatever_is_around() {
     let mut random = Random::new(30);
     for round in 0..150 {
         let edge = 1 + random.below(3);
-        // From all at one point to all over it, on each side.
+        // From all cubes at one point to cubes that extend beyond it, on each side.
         let (end, longest) = (1 + edge + random.below(2), 1 + random.below(12));
         let places = random.lowers(2 + round % 9, end);
         let lowers = in_runs(&mut random, &places, longest);
@@ -65,7 +65,7 @@ fn long_runs_of_every_type_meet_at_a_point() {
     for _ in 0..20 {
         let order = random.shuffled(&places);
         let lowers: Vec<[i64; 3]> = order.iter().flat_map(|&place| vec![place; 4]).collect();
-        // (2, 2, 2) is covered by the one in the middle unless that one is left out.
+        // (2, 2, 2) is covered by the middle cube, unless that cube is left out.
         let around: Vec<[i64; 3]> = lowers.iter().copied().filter(|lower| *lower != [1, 1, 1]).collect();
         for lowers in [&lowers, &around] {
             let mass = cube_union(lowers, 2).unwrap();

@@ -1,20 +1,20 @@
-//! A union that is really moved: no infinitesimals, no sections.
+//! A union of cubes moved by real displacements, without infinitesimals and sections.
 //!
-//! Coordinates are multiplied by a large K and cube i is moved by N − i. What
-//! is measured is a polynomial in K, and its leading coefficient is the limit
-//! for small perturbations. Every box of the compressed grid is in the union or not.
+//! Coordinates are multiplied by a large K and cube i is moved by N − i. Each measure is a polynomial in K, and its
+//! leading coefficient is the limit for small perturbations. Every box of the compressed grid is either in the union or
+//! not.
 
 use predicament_cube_union::checks::Measures;
 
 pub const K: i64 = 1_000_000_000;
 
-/// The cubes, moved for real.
+/// The cubes with their displacements.
 pub fn moved(lowers: &[[i64; 3]]) -> Vec<[i64; 3]> {
     let last = i64::try_from(lowers.len()).unwrap();
     (0..).zip(lowers).map(|(i, lower)| lower.map(|c: i64| c * K + last - i)).collect()
 }
 
-/// n over d to the nearest integer, which is near.
+/// The nearest integer to n/d, which is close to an integer.
 fn leading(n: i128, d: i128) -> i128 {
     let nearest = (n + d / 2).div_euclid(d);
     assert!((n - nearest * d).abs() < d / 1000, "a perturbation that isn't small");
@@ -73,8 +73,8 @@ pub fn limit(lowers: &[[i64; 3]], edge: i64) -> Measures {
                     if back([0, 0]) != back([1, 0]) {
                         area += widths[axis] * widths[third];
                     }
-                    // An edge along `axis`: an odd number of the boxes around it is in the union. (Never two
-                    // across from each other: moved cubes share no planes.)
+                    // An edge along `axis`: an odd number of the boxes around it are in the union. (Never two opposite
+                    // ones: moved cubes do not share planes.)
                     let around = [back([0, 0]), back([1, 0]), back([1, 1]), back([0, 1])];
                     assert!(around[0] != around[2] || around[1] != around[3] || around[0] == around[1]);
                     if around.iter().filter(|&&is_in| is_in).count() % 2 == 1 {

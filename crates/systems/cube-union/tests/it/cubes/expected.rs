@@ -1,27 +1,24 @@
-//! Random cubes against what they have on average.
+//! Measures of random cubes, compared with their expected values.
 //!
-//! How far a mean may be off is seen from how the runs scatter. One run of
-//! 10^7 has nothing to scatter against; it is held to the scatter of smaller
-//! ones by a law. With N d³ = ρ fixed, cut the unit cube into N/ρ cells of edge d.
-//! Volume, area and edge length are sums over the cells of what is there,
-//! which depends on the cubes of a cell and its neighbours alone; so far
-//! apart, cells are all but independent, and all alike but for those at the
-//! walls. The variance of such a sum is proportional to the number of its
-//! terms and so is its mean: the standard deviation, relative to the mean, is
-//! κ(ρ) / √N, up to a part for the walls that goes to zero with d.
+//! The allowed error of a mean follows from the scatter of the runs. A single run of 10^7 cubes has no scatter, so it
+//! is compared with the scatter of smaller runs by a law. With N d³ = ρ fixed, cut the unit cube into N/ρ cells of edge
+//! d. Volume, area and edge length are sums over the cells. The term of a cell depends only on the cubes of the cell
+//! and its neighbours. So distant cells are all but independent, and all cells are alike except at the walls. The
+//! variance of such a sum is proportional to its number of terms, and so is its mean. So the standard deviation,
+//! relative to the mean, is κ(ρ) / √N, up to a part for the walls that goes to zero with d.
 
 use predicament_cube_union::algorithm::cube_union;
 use predicament_cube_union::checks::Expected;
 
 use super::scenes::uniform;
 
-/// Volume, area and edge length.
+/// The names of the measures.
 const NAMES: [&str; 3] = ["volume", "area", "edge length"];
 
-/// Measures of random unions, over the expected ones.
+/// Measures of random unions, divided by the expected ones.
 struct Sample {
     cubes: u32,
-    /// For each measure one value for each run, about 1.
+    /// For each measure, one value for each run, about 1.
     ratios: [Vec<f64>; 3],
 }
 
@@ -51,7 +48,7 @@ impl Sample {
         self.ratios.each_ref().map(|ratios| ratios.iter().sum::<f64>() / count(ratios))
     }
 
-    /// κ: the standard deviation of one run, times √N.
+    /// The scatter κ: the standard deviation of one run, times √N.
     fn scatter(&self) -> [f64; 3] {
         let means = self.means();
         [0, 1, 2].map(|at| {
@@ -60,7 +57,7 @@ impl Sample {
         })
     }
 
-    /// The means are near 1 by the scatter κ.
+    /// Asserts that the means are near 1, given the scatter κ.
     fn assert_near(&self, scatter: [f64; 3]) {
         for at in 0..3 {
             let (mean, runs) = (self.means()[at], count(&self.ratios[at]));
@@ -70,9 +67,9 @@ impl Sample {
                 "{} cubes, {runs} runs: {} {mean:.9} of the expected, off by {score:+.2} of {error:.1e}",
                 self.cubes, NAMES[at]
             );
-            // The scatter is small, or the check would be empty.
+            // The scatter has to be small, or the check would be empty.
             assert!(error < 0.01, "standard error {error} of the {}", NAMES[at]);
-            // |t| > 5 with 7 degrees of freedom or more: once in 600 for honest samples; these are seeded.
+            // |t| > 5 with 7 degrees of freedom or more: once in 600 for correct samples; these are seeded.
             assert!(score.abs() < 5.0, "{} off by {score} standard errors", NAMES[at]);
         }
     }
@@ -83,7 +80,7 @@ fn count(list: &[f64]) -> f64 {
     list.len() as f64
 }
 
-/// The runs have the expected measures, by how they scatter.
+/// Asserts that the runs have the expected measures, given their scatter.
 fn assert_expected(cubes: u32, density: f64, runs: u32) {
     let sample = Sample::new(cubes, density, runs);
     sample.assert_near(sample.scatter());
@@ -98,13 +95,13 @@ fn a_thousand_cubes_have_the_expected_measures_at_all_densities() {
 
 #[test]
 fn a_handful_of_cubes_has_the_expected_measures() {
-    // Where one cube more or less among the others makes all the difference.
+    // Few cubes: one cube more or less makes a large difference.
     for (cubes, density) in [(3, 0.3), (8, 0.9)] {
         assert_expected(cubes, density, predicament_effort::cases(4000));
     }
 }
 
-/// At whole effort; a fiftieth of them by default.
+/// At whole effort; by default with a fiftieth of the cubes.
 #[test]
 fn a_hundred_thousand_cubes_have_the_expected_measures_and_scatter_by_the_law() {
     let [few, many] = [10_000, 100_000].map(|cubes| cubes / predicament_effort::some_or_all(50, 1));
@@ -112,17 +109,18 @@ fn a_hundred_thousand_cubes_have_the_expected_measures_and_scatter_by_the_law() 
     many.assert_near(many.scatter());
     for ((name, few), many) in NAMES.iter().zip(few.scatter()).zip(many.scatter()) {
         println!("{name}: κ = {few:.4} for few cubes, {many:.4} for ten times as many");
-        // √F with 39 and 99 degrees of freedom is in there but for one in 500; without the √N it would be about 0.32.
+        // √F with 39 and 99 degrees of freedom is outside of this range once in 500; without the √N it would be about
+        // 0.32.
         assert!((0.65..1.5).contains(&(many / few)), "{name}: κ = {few} for few cubes and {many} for many");
     }
 }
 
-/// At whole effort; far fewer by default.
+/// At whole effort; by default with far fewer cubes.
 #[test]
 fn a_million_and_ten_million_cubes_have_the_expected_measures() {
     let less = predicament_effort::some_or_all(160, 1);
     let million = Sample::new(1_000_000 / less, 1.0, 8);
     million.assert_near(million.scatter());
-    // One run: what is left of the seven degrees of freedom is the scatter's own.
+    // One run: the remaining degrees of freedom, seven, are those of the scatter.
     Sample::new(10_000_000 / less, 1.0, 1).assert_near(million.scatter());
 }

@@ -1,4 +1,4 @@
-//! Lattices, whose measures are known in closed form.
+//! Lattices, whose measures have closed forms.
 
 use predicament_cube_union::algorithm::cube_union;
 use predicament_cube_union::checks::Measures;
@@ -23,11 +23,11 @@ fn cubes_that_touch_fuse_or_part_by_their_order() {
     for (n, edge) in [(2_i64, 1), (3, 4), (6, 2), (16, 5)] {
         let mut lowers = lattice(n, edge);
         let (n, e) = (i128::from(n), i128::from(edge));
-        // From below: each cube is pushed into the ones after it.
+        // In ascending order, each cube is moved into the cubes after it.
         let fused = cube_union(&lowers, edge).unwrap();
         assert_eq!((fused.volume, fused.area), ((n * e).pow(3), 6 * (n * e).pow(2)));
         assert_eq!(fused.vertices.euler_characteristic(), Some(2));
-        // From above: there is a gap on every side.
+        // In descending order, there is a gap on every side.
         lowers.reverse();
         let apart = cube_union(&lowers, edge).unwrap();
         assert_eq!(
@@ -61,7 +61,7 @@ fn lattices_in_any_order_are_right() {
 
 #[test]
 fn ties_are_broken_alike_in_large_input() {
-    // Sorted in several parts, in which the cubes must keep their places in the input.
+    // Sorted in several parts, in which the cubes must keep their order in the input.
     let (n, edge) = (predicament_effort::some_or_all(65, 70), 3);
     let mut lowers = lattice(n, edge);
     let (count, side) = (i128::from(n).pow(3), i128::from(n * edge));

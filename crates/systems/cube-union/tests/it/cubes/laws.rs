@@ -1,4 +1,4 @@
-//! What must be true of any union.
+//! Laws that hold for any union.
 
 use predicament_cube_union::algorithm::{Mass, cube_union};
 
@@ -79,7 +79,7 @@ fn a_mirror_image_and_another_order_have_the_same_volume() {
 #[test]
 fn without_ties_the_order_makes_no_difference() {
     let mut random = Random::new(13);
-    // Coordinates with all lower and upper faces apart.
+    // Coordinates for which all lower and upper faces are apart.
     let lowers: Vec<[i64; 3]> = {
         let [x, y, z] = [(); 3].map(|()| random.shuffled(&(0..800).map(|i| 10 * i).collect::<Vec<i64>>()));
         (0..800).map(|i| [x[i], y[i], z[i]]).collect()
@@ -88,7 +88,7 @@ fn without_ties_the_order_makes_no_difference() {
     assert_eq!(one, union(&random.shuffled(&lowers), 1205));
     let mirrored: Vec<[i64; 3]> = lowers.iter().map(|&[x, y, z]| [-x, y, z]).collect();
     assert_eq!(one, union(&mirrored, 1205));
-    // And with ties it does.
+    // With ties, the measures depend on the order.
     let (stack, reversed) = ([[0, 0, 0], [0, 0, 1]], [[0, 0, 1], [0, 0, 0]]);
     assert_ne!(measures(&union(&stack, 1)), measures(&union(&reversed, 1)));
 }

@@ -1,4 +1,4 @@
-//! What is no set of congruent cubes.
+//! Inputs that are not a set of congruent cubes.
 
 use predicament_cube_union::algorithm::{CubesError, ScaledCubes, cube_union, cube_union_by};
 use predicament_exact::Exact;
@@ -26,7 +26,7 @@ fn sums_must_not_overflow() {
     assert!(error.to_string().contains("8796093022208"), "{error}");
     let near = [far[0], far[1], far[2] - 1];
     assert_eq!(cube_union(&[[0, 0, 0], near], 1).unwrap().volume, 2);
-    // One cube that all but fills the range, and one that overflows 64 bits.
+    // A cube that almost fills the range, and one that overflows 64 bits.
     let large = (1_i64 << 42) + (1 << 40);
     assert_eq!(cube_union(&[[-1; 3]], large).unwrap().volume, i128::from(large).pow(3));
     let ends = [[i64::MIN; 3], [i64::MAX; 3]];
@@ -48,7 +48,7 @@ fn floating_point_is_scaled_or_refused() {
     assert!(error.to_string().contains("cube 2 and cube 1 need"), "{error}");
     let error = ScaledCubes::new(&[[0.0; 3], [0.0, 1e10, f64::NAN]], 1.0).unwrap_err();
     assert!(matches!(error, CubesError::NotFinite { cube: 1, axis: 2, .. }), "{error:?}");
-    // 62 bits are in, 63 are not.
+    // 62 bits are accepted, 63 are not.
     assert!(ScaledCubes::new(&[[0.0, 2.0_f64.powi(61), 0.0]], 1.0).is_ok());
     assert!(matches!(
         ScaledCubes::new(&[[0.0, 2.0_f64.powi(62), 0.0]], 1.0),
@@ -72,7 +72,7 @@ fn scenes_must_be_of_congruent_cubes() {
     assert_eq!(of_points(&[a, b, b, a]), Err(CubesError::Unequal { cube: 1, axis: 0 }));
     assert_eq!(of_points(&[b, a]), Err(CubesError::Edge { edge: -2.0 }));
     assert_eq!(of_points(&[a, a]), Err(CubesError::Edge { edge: 0.0 }));
-    // 0.1 + 0.2 is not 0.3: sums that round make no cubes.
+    // 0.1 + 0.2 is not 0.3: rounded sums do not give congruent cubes.
     let error = of_points(&[[0.0; 3], [0.2; 3], [0.1; 3], [0.1 + 0.2; 3]]).unwrap_err();
     assert!(error.to_string().contains("cube 1: its extent along axis 0"), "{error}");
     let flat = Scene::from_points2(&[[0.0; 2], [1.0; 2]]).unwrap();

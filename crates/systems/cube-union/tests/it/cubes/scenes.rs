@@ -1,6 +1,6 @@
-//! Cubes to try things on.
+//! Test scenes of cubes.
 
-/// SplitMix64, in a few lines.
+/// The SplitMix64 generator.
 pub struct Random(u64);
 
 impl Random {
@@ -16,12 +16,12 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Less than `end`.
+    /// A random number from 0 to below `end`.
     pub fn below(&mut self, end: i64) -> i64 {
         (self.next() % end.cast_unsigned()).cast_signed()
     }
 
-    /// So many lower corners in [0, end)³.
+    /// `count` random lower corners in [0, end)³.
     pub fn lowers(&mut self, count: usize, end: i64) -> Vec<[i64; 3]> {
         (0..count).map(|_| [(); 3].map(|()| self.below(end))).collect()
     }
@@ -36,7 +36,7 @@ impl Random {
     }
 }
 
-/// n × n × n lower corners a pitch apart, x fastest.
+/// A lattice of n × n × n lower corners a pitch apart, x fastest.
 pub fn lattice(n: i64, pitch: i64) -> Vec<[i64; 3]> {
     let at = move |i: i64| [i % n, i / n % n, i / (n * n)].map(|c| c * pitch);
     (0..n * n * n).map(at).collect()

@@ -1,4 +1,4 @@
-//! The union against the oracle.
+//! The union, compared with the oracle.
 
 use predicament_cube_union::algorithm::{ByIndex, Mass, cube_union, union_in_order};
 use predicament_cube_union::checks::{Measures, measured};
@@ -11,7 +11,7 @@ pub fn measures(mass: &Mass) -> Measures {
     Measures { volume: mass.volume, area: mass.area, edge_length: mass.edge_length }
 }
 
-/// Both paths find the oracle's measures, and a closed surface.
+/// Asserts that both paths find the oracle's measures, and a closed surface.
 pub fn check(lowers: &[[i64; 3]], edge: i64) -> Mass {
     let mass = cube_union(lowers, edge).unwrap();
     assert_eq!(measures(&mass), measured(lowers, edge), "{lowers:?} of {edge}");
@@ -74,7 +74,7 @@ fn dense_and_sparse_crowds_are_right() {
 
 #[test]
 fn many_cubes_in_few_places_are_right() {
-    // More than a word holds, in cells that are points.
+    // More cubes than a word holds, in cells that are points.
     let mut random = Random::new(5);
     for (count, end, edge) in [(70, 1, 1), (150, 1, 5), (400, 2, 1), (300, 2, 3), (500, 3, 2)] {
         check(&random.lowers(count, end), edge);

@@ -2,7 +2,7 @@
 
 use predicament_predicates::{Predicates, Question, Scene, Sign, Vertex, answer_by};
 
-/// Answers any sign, the same to the same question, with one zero in so many.
+/// A session that answers any sign, the same to the same query, with one zero in `zeros`.
 pub struct Liar<'s> {
     pub scene: &'s Scene,
     pub seed: u64,
@@ -39,7 +39,7 @@ impl Predicates for Liar<'_> {
     answer_by!(sign);
 }
 
-/// Right, but for one answer in so many.
+/// A session with right answers, except for one in `odds`.
 pub struct Slip<'s, P> {
     pub honest: &'s P,
     pub liar: Liar<'s>,

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use predicament_predicates::Vertex;
 
-/// Places of the points, of several at one place the first.
+/// The indices of the points; of several at one place, the first.
 fn places<const D: usize>(points: &[[i64; D]]) -> Vec<usize> {
     (0..points.len()).filter(|&at| !points[..at].contains(&points[at])).collect()
 }
@@ -13,7 +13,7 @@ fn turn(a: [i64; 2], b: [i64; 2], c: [i64; 2]) -> i64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether b is in the line between a and c or one of them; the three are collinear.
+/// True if b is on the segment between a and c; the three are collinear.
 fn is_between(a: [i64; 2], b: [i64; 2], c: [i64; 2]) -> bool {
     (0..2).all(|axis| a[axis].min(c[axis]) <= b[axis] && b[axis] <= a[axis].max(c[axis]))
 }
@@ -60,7 +60,8 @@ pub fn space(points: &[[i64; 3]]) -> (Vec<Vertex>, Vec<Vec<Vertex>>) {
                     continue;
                 }
                 let on: Vec<usize> = places.iter().copied().filter(|&at| height(at) == 0).collect();
-                // Seen along an axis in which the normal points: with the other two in cyclic order, or reversed.
+                // Projected along an axis in which the normal has a component: with the other two axes in cyclic order,
+                // or reversed.
                 let axis = (0..3).find(|&axis| normal[axis] != 0).expect("a normal");
                 let flat: Vec<[i64; 2]> =
                     on.iter().map(|&at| [1, 2].map(|step| points[at][(axis + step) % 3])).collect();

@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Code that the tests share.
 
 pub mod by_definition;
 #[path = "../../../../delaunay/tests/it/common/liar.rs"]

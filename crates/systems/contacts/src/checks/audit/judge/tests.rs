@@ -1,4 +1,4 @@
-//! Bounds by their formulas, and verdicts at the limits of a band.
+//! Tests of bounds by their formulas, and of verdicts at the limits of a band.
 
 use predicament_predicates::Dimension::{Three, Two};
 
@@ -8,7 +8,7 @@ fn rationals(numbers: &[u32]) -> Vec<Rational> {
     numbers.iter().map(|&x| Rational::from(x)).collect()
 }
 
-/// T₋² and T₊²: σ 90 and 100, τ 40 and 50, γ 20 and 27, δ 10 and 13.
+/// The squares T₋² and T₊²: σ 90 and 100, τ 40 and 50, γ 20 and 27, δ 10 and 13.
 fn limits() -> [[Rational; 2]; 4] {
     [[90, 100], [40, 50], [20, 27], [10, 13]].map(|pair| pair.map(Rational::from))
 }
@@ -33,13 +33,13 @@ fn bounds_are_those_of_the_formulas() {
     assert_eq!(of(PairKind::TriangleEdge, Three), rationals(&[64_000, 64_000, 64_000, 432_000]));
     // δ₋⁶ (6√3)²
     assert_eq!(of(PairKind::TetrahedronVertex, Three), rationals(&[108_000]));
-    // Of γ and δ the smaller one counts.
+    // The smaller of γ and δ counts.
     let mut other = limits();
     other[3] = [30, 31].map(Rational::from);
     assert_eq!(bounds(PairKind::TriangleEdge, Three, &other)[0], 400 * 20 * 16);
 }
 
-/// σ from 2.5 to 3 and τ from 1 to 1.5, so that the foot of an edge is at least 2 from its ends.
+/// Bands with σ from 2.5 to 3 and τ from 1 to 1.5, so that the foot of an edge is at least 2 from its ends.
 fn bands() -> Bands {
     let band = |lower: f64, upper: f64| Some(Band { lower, width: f64::midpoint(lower, upper), upper });
     Bands::new(Two, |ranks| match ranks {
@@ -51,7 +51,7 @@ fn bands() -> Bands {
 
 const START: [Weights; 2] = [[0.5, 0.5, 0.0, 0.0], [1.0, 0.0, 0.0, 0.0]];
 
-/// The verdicts where the pair was not registered and where it was.
+/// The verdicts for a pair that is not registered and for a registered one.
 fn verdicts(bands: &Bands, pair: &Pair) -> [Verdict; 2] {
     [bands.judge(pair, None).verdict, bands.judge(pair, Some(&START)).verdict]
 }
@@ -60,12 +60,12 @@ fn vertices(distance: f64) -> Pair {
     Pair::new(&[[0.0, 0.0]], &[[distance, 0.0]])
 }
 
-/// An edge of length 8 and a vertex so far along it, and off it.
+/// An edge of length 8 and a vertex at this position along it and this distance off it.
 fn beside(along: f64, off: f64) -> Pair {
     Pair::new(&[[0.0, 0.0], [8.0, 0.0]], &[[along, off]])
 }
 
-/// An edge of length 8 and one across its middle, from here to there.
+/// An edge of length 8 and an edge across its middle, from `from` to `to`.
 fn across(from: f64, to: f64) -> Pair {
     Pair::new(&[[0.0, 0.0], [8.0, 0.0]], &[[4.0, from], [4.0, to]])
 }
@@ -79,7 +79,7 @@ fn up_to_the_lower_limit_a_pair_is_registered_and_beyond_the_upper_one_it_is_not
     assert_eq!([0.0, 2.5, 2.5_f64.next_up(), 3.0, 3.0_f64.next_up()].map(at), [up_to, up_to, between, between, beyond]);
     let at = |off: f64| verdicts(&bands(), &beside(4.0, off));
     assert_eq!([0.0, 1.0, 1.0_f64.next_up(), 1.5, 1.5_f64.next_up()].map(at), [up_to, up_to, between, between, beyond]);
-    // Beside the edge's end there is no foot, and with no tolerance there is no band.
+    // Beside the edge's end there is no foot, and without a tolerance there is no band.
     assert_eq!(verdicts(&bands(), &beside(-1.0, 0.0)), beyond);
     let none = Bands::new(Two, |_| None);
     assert_eq!([0.0, f64::MIN_POSITIVE].map(|at| verdicts(&none, &vertices(at))), [up_to, beyond]);
@@ -122,7 +122,7 @@ fn a_judgement_says_how_near_it_was() {
         let Judgement { weight_error, from_threshold, room, .. } = bands().judge(pair, got);
         [weight_error, from_threshold, room]
     };
-    // The foot is 3 and 5 from the ends, and 2 would do. The weights are 5/8 and 3/8.
+    // The foot is 3 and 5 from the ends; at least 2 is required. The weights are 5/8 and 3/8.
     assert_eq!(judged(&beside(3.0, 0.75), Some(&START)), [Some(0.125), Some(0.25), Some(2.25)]);
     assert_eq!(
         judged(&beside(6.5, 1.25), Some(&START)),
@@ -145,7 +145,7 @@ fn what_is_guarded_is_claimed_of_pairs_without_a_sub_pair_only() {
     assert_eq!(bands.guard(&beside(2.0, 1.5)), None);
     assert!(bands.guard(&beside(2.0_f64.next_up(), 1.5)).is_some_and(|room| (1.0..1.0001).contains(&room)));
     assert_eq!(bands.guard(&beside(-1.0, 0.0)), None, "no foot");
-    // Both ends are beyond 1 of the other edge: 8 · 1.25 is five times what is claimed.
+    // Both ends are beyond 1 of the other edge: 8 · 1.25 is five times the claimed bound.
     assert_eq!(bands.guard(&across(-1.25, 4.0)), Some(25.0));
     assert_eq!(bands.guard(&across(-1.0, 4.0)), None);
     assert_eq!(bands.guard(&vertices(1.0)), None, "nothing is guarded");
@@ -159,7 +159,7 @@ fn bands_reach_as_far_as_the_widest_of_them() {
 
 #[test]
 fn tests_are_promised_something_by_published_bands_alone() {
-    // ε = 1/16 and L = 1: σ from 1.5 to 1.75, τ from 1 to 1.25, σ̂ from 1.25 to 1.5.
+    // Tolerances for ε = 1/16 and L = 1: σ from 1.5 to 1.75, τ from 1 to 1.25, σ̂ from 1.25 to 1.5.
     let published = Bands::published(Published::new(Two, 4, &Enclosure::exact(1.into())));
     assert_eq!([&published, &bands()].map(Bands::has_readings), [true, false]);
     let misreads = |bands: &Bands, pair: &Pair| [false, true].map(|registered| bands.misreads(pair, registered));

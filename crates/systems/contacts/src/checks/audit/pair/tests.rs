@@ -1,11 +1,11 @@
-//! The quantities that the paper bounds away from zero, of pairs whose values are known by hand.
+//! Tests of the quantities that the paper bounds away from zero, for pairs with known values.
 
 use super::*;
 
 /// The pair's feet: its squared distance and its guarded quantities.
 fn values<const D: usize>(first: &[[f64; D]], second: &[[f64; D]]) -> (Rational, Vec<Rational>) {
     let pair = Pair::new(first, second);
-    // Coordinates are quarters, so that a power of two that is lost or counted twice shows.
+    // Coordinates are quarters, so that a lost or doubled power of two is noticed.
     assert!(pair.exponent < -1, "{pair:?}");
     let feet = pair.feet().unwrap();
     (feet.distance_squared.value(), feet.guarded.iter().map(Quantity::value).collect())
@@ -27,17 +27,17 @@ fn the_feet_of_an_edge_guard_their_distances_to_its_ends() {
 
 #[test]
 fn crossings_of_the_plane_guard_areas() {
-    // Twice the areas with the second edge are 2 and 6, with the first one 1 and 7.
+    // Twice the areas with the second edge are 2 and 6, with the first edge 1 and 7.
     let edges = values(&[[0.0, 0.0], [4.0, 0.0]], &[[1.0, -0.25], [1.0, 1.75]]);
     assert_eq!(edges, (Rational::new(), all(&[4.0, 36.0, 1.0, 49.0])));
-    // Of 16 the vertex leaves 7 to the first corner, 4 and 5 to the others.
+    // Of 16, the vertex gives 7 to the first corner, 4 and 5 to the others.
     let triangle = values(&[[0.0, 0.0], [4.0, 0.0], [0.0, 4.0]], &[[1.0, 1.25]]);
     assert_eq!(triangle, (Rational::new(), all(&[49.0, 16.0, 25.0])));
 }
 
 #[test]
 fn near_pairs_of_space_guard_squared_areas_and_weights() {
-    // m² = (4 · 4)², and the feet are at a quarter of the one and three eighths of the other.
+    // m² = (4 · 4)², and the feet are at a quarter of one edge and three eighths of the other.
     let edges = values(&CORNER[..2], &[[1.0, -1.5, 0.25], [1.0, 2.5, 0.25]]);
     let squares = [65_536.0, 64.0 * 64.0, 96.0 * 96.0, 192.0 * 192.0, 160.0 * 160.0];
     assert_eq!(edges, (Rational::from((1, 16)), all(&squares)));
@@ -49,10 +49,10 @@ fn near_pairs_of_space_guard_squared_areas_and_weights() {
 
 #[test]
 fn crossings_of_space_guard_volumes() {
-    // Of 32 by the corners, and 16 times the heights of the ends.
+    // The corners give parts of 32, and the heights of the ends times 16.
     let edge = values(&CORNER[..3], &[[1.0, 2.5, -0.25], [1.0, 2.5, 1.75]]);
     assert_eq!(edge, (Rational::new(), all(&[16.0, 64.0, 400.0, 16.0, 784.0])));
-    // Of 64: 1/2, 1, 5/4 and 5/4 of 4.
+    // The weights are 1/2, 1, 5/4 and 5/4 of 4, in parts of 64.
     let vertex = values(&CORNER, &[[1.0, 1.25, 1.25]]);
     assert_eq!(vertex, (Rational::new(), all(&[64.0, 256.0, 400.0, 400.0])));
 }

@@ -1,4 +1,4 @@
-//! What each algorithm compares, by hand, and what comes out at the limits of a tolerance.
+//! Tests of the values that each algorithm compares, and of the outcomes at the limits of a tolerance.
 
 use predicament_error_calculus::Enclosure;
 use predicament_predicates::Dimension::{Three, Two};
@@ -7,13 +7,13 @@ use super::*;
 
 const CORNER: [[f64; 3]; 4] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
 
-/// Tolerances for ε = 1/16 and this L.
+/// The tolerances for ε = 1/16 and this L.
 fn published(dimension: Dimension, length: Rational) -> Published {
     Published::new(dimension, 4, &Enclosure::exact(length))
 }
 
-/// The squares that are compared with a tolerance. Coordinates with quarters have a power of two that shows where it is
-/// lost or counted twice.
+/// The squares that are compared with a tolerance. Coordinates are quarters, so that a lost or doubled power of two is
+/// noticed.
 fn compared<const D: usize>(first: &[[f64; D]], second: &[[f64; D]]) -> Vec<(Symbol, f64)> {
     let dimension = if D == 2 { Two } else { Three };
     let read = Readings::of(&published(dimension, 1.into()), &Pair::new(first, second));
@@ -52,14 +52,14 @@ fn squared_areas_heights_and_weights_are_compared_in_scene_units() {
     let triangle = compared(&CORNER[..3], &[[1.0, 2.5, 0.25]]);
     let parts = all(Symbol::Zeta, &[32.0, 64.0, 160.0]);
     assert_eq!(triangle, [all(Symbol::Nu, &[256.0]), all(Symbol::Delta, &[0.25]), parts].concat());
-    // Parallel edges and a triangle without an area have no height; their weights are not positive.
+    // Parallel edges and a triangle without area have no height; their weights are not positive.
     let parallel =
         Readings::of(&published(Three, 1.into()), &Pair::new(&CORNER[..2], &[[0.0, 1.0, 0.25], [1.0, 1.0, 0.25]]));
     assert_eq!(parallel.compared.iter().map(|(symbol, _)| *symbol).collect::<Vec<_>>(), [Symbol::Lambda]);
     assert_eq!(parallel.outcomes, [Outcome::Fails; 5]);
 }
 
-/// Outcomes of a value against σ, from 1.5 to 1.75, as what is wanted up to it and beyond it.
+/// Outcomes of a value compared with σ, from 1.5 to 1.75, for tests that pass up to σ and beyond it.
 #[test]
 fn a_test_has_a_choice_between_the_limits_only() {
     let published = published(Two, 1.into());
@@ -74,7 +74,7 @@ fn a_test_has_a_choice_between_the_limits_only() {
     assert_eq!(outcome(6), [Outcome::Passes, Outcome::Fails]);
     assert_eq!(outcome(7), [Outcome::Either; 2]);
     assert_eq!(outcome(8), [Outcome::Fails, Outcome::Passes]);
-    // Beyond, and positive: φ of ε = 1/16 and L = 1 is from 150/16 to 760.5/16, so 9.375 to 47.53.
+    // Beyond, and positive: φ for ε = 1/16 and L = 1 is from 150/16 to 760.5/16, so 9.375 to 47.53.
     let published = self::published(Three, 1.into());
     let positive = |value: i32| {
         let mut all = Readings::default();
@@ -100,7 +100,7 @@ fn one_test_that_fails_decides_and_one_with_a_choice_leaves_it() {
 /// A vertex far along an edge, and beside its ends by 19 and 26 times εL in the plane, 31 and 42 times in space.
 #[test]
 fn the_sign_of_a_foot_is_certain_beyond_its_error_only() {
-    // ε = 2^-40 and L = 2^11; the edge is so long that nothing but a foot near an end is in doubt.
+    // ε = 2^-40 and L = 2^11; the edge is so long that only a foot near an end is in doubt.
     let (halvings, length) = (40, Rational::from(1_u32 << 11));
     let unit = 2.0_f64.powi(11 - 40);
     for (dimension, errors) in [(Two, [19.0, 26.0]), (Three, [31.0, 42.0])] {
@@ -143,7 +143,7 @@ fn signs_have_to_fit_whatever_the_sizes_are() {
 
 #[test]
 fn a_hit_is_near_a_limit_and_says_on_which_side() {
-    // σ is 1.5, 1.625 and 1.75: from the middle one it is 1/12 of the first one and 1/14 of the last one.
+    // σ is 1.5, 1.625 and 1.75: the middle value is 1/12 of the first and 1/14 of the last away from them.
     let published = published(Two, 1.into());
     let hits = |distance: f64, near: f64| {
         let read = Readings::of(&published, &Pair::new(&[[0.0, 0.0]], &[[distance, 0.0]]));

@@ -1,16 +1,16 @@
-//! The sweep against all pairs.
+//! Tests of the sweep by all pairs.
 
 use super::*;
 use predicament_mesh::Simplices;
 use predicament_predicates::Vertex;
 
-/// A number below `end`, from a fixed sequence.
+/// A pseudorandom number below `end`, from a fixed sequence.
 fn below(state: &mut u64, end: u64) -> u64 {
     *state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
     (*state >> 33) % end
 }
 
-/// Tetrahedra, or triangles of the plane, of very different sizes, with integer coordinates.
+/// Tetrahedra, or triangles in the plane, of very different sizes, with integer coordinates.
 fn complexes(dimension: Dimension, seed: u64) -> (Scene, [Complex; 2]) {
     let mut state = seed;
     let corners = dimension.count() + 1;
@@ -53,7 +53,7 @@ fn count(complex: &Complex, rank: u8) -> usize {
     }
 }
 
-/// Whether the boxes are within reach, by the coordinates of their vertices along each axis.
+/// True if the boxes are within reach, by the coordinates of their vertices along each axis.
 fn are_near(scene: &Scene, [s, t]: [&[Vertex]; 2], reach: f64) -> bool {
     let axes = scene.point(s[0]).len();
     (0..axes).all(|axis| {
