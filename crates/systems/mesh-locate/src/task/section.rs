@@ -1,4 +1,4 @@
-//! `mesh_locate.csv` and what a report makes of it.
+//! The table `mesh_locate.csv` and its section in a report.
 
 use crate::algorithm::Location;
 use predicament_records::{Error, Row, RowError, RunDir};
@@ -10,7 +10,7 @@ use super::content::ProbeKind;
 use predicament_tasks::{Asked, Case, Class};
 
 predicament_records::table! {
-    /// `mesh_locate.csv`: where the probes of a mesh were found.
+    /// `mesh_locate.csv`: the locations of the probes of a mesh.
     pub struct MeshLocateRow [Clone, PartialEq, Eq, Debug] in "mesh_locate.csv" {
         /// The suite's name.
         pub suite: String,
@@ -22,21 +22,21 @@ predicament_records::table! {
         pub backend: String,
         /// The number of triangles.
         pub triangles: u64,
-        /// How these probes were chosen: `vertex`, `midpoint`, …
+        /// The rule by which these probes were chosen: `vertex`, `midpoint`, …
         pub kind: String,
-        /// How many probes there were.
+        /// The number of probes.
         pub probes: u64,
-        /// Probes that were found in one region.
+        /// Probes located in one region.
         pub in_region: u64,
-        /// Probes that were found on the mesh.
+        /// Probes located on the mesh.
         pub on_mesh: u64,
         /// Probes in no region, or in several.
         pub contradictions: u64,
-        /// Probes that were left undecided, by zeros within a band.
+        /// Probes left undecided by zeros within a band.
         pub undecided: u64,
-        /// Probes that were held against all triangles.
+        /// Probes compared with all triangles.
         pub known: u64,
-        /// Answers that are wrong, or contradict others: the points that are lost.
+        /// Lost points: answers that are wrong, or contradict others.
         pub lost: u64,
     }
 
@@ -84,7 +84,7 @@ impl MeshLocateRow {
     }
 }
 
-/// The section of a report: none where no point was located.
+/// The section of a report; `None` if no point was located.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Probes of meshes")
