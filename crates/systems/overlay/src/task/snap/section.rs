@@ -1,11 +1,11 @@
-//! `snap.csv` and what a report makes of it: what rounding did to drawings, by method.
+//! The table `snap.csv` and its section in a report: the effect of rounding on drawings, by method.
 
 use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `snap.csv`: a drawing after it was rounded.
+    /// `snap.csv`: a rounded drawing.
     pub struct SnapRow [Clone, PartialEq, Debug] in "snap.csv" {
         /// The suite's name.
         pub suite: String,
@@ -15,15 +15,15 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// `naive`, `snap` or `iterated`.
+        /// The method: `naive`, `snap` or `iterated`.
         pub method: String,
         /// The binary logarithm of a pixel's side.
         pub pixel: i32 ["power of two"],
-        /// Hot pixels.
+        /// The number of hot pixels.
         pub hot: u64,
-        /// Points and crossings that share their pixel with one before them.
+        /// Points and crossings that share their pixel with an earlier one.
         pub merged: u64,
-        /// Edges of chains, each once.
+        /// The number of edges of chains, each once.
         pub edges: u64,
         /// Pairs of these edges that cross, or of which one passes over an end of the other.
         pub new_crossings: u64,
@@ -36,7 +36,7 @@ predicament_records::table! {
     }
 }
 
-/// The section of a report: none where nothing was rounded.
+/// The section of a report; `None` if nothing was rounded.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Drawings after rounding")
         .words(run_head(runs))
