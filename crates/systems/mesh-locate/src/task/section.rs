@@ -10,7 +10,7 @@ use super::content::ProbeKind;
 use predicament_tasks::{Asked, Case, Class};
 
 predicament_records::table! {
-    /// `mesh_locate.csv`: the locations of the probes of a mesh.
+    /// `mesh_locate.csv`: where the probes of a mesh were found.
     pub struct MeshLocateRow [Clone, PartialEq, Eq, Debug] in "mesh_locate.csv" {
         /// The suite's name.
         pub suite: String,
@@ -22,21 +22,21 @@ predicament_records::table! {
         pub backend: String,
         /// The number of triangles.
         pub triangles: u64,
-        /// The rule by which these probes were chosen: `vertex`, `midpoint`, …
+        /// How these probes were chosen: `vertex`, `midpoint`, …
         pub kind: String,
-        /// The number of probes.
+        /// How many probes there were.
         pub probes: u64,
-        /// Probes located in one region.
+        /// Probes that were found in one region.
         pub in_region: u64,
-        /// Probes located on the mesh.
+        /// Probes that were found on the mesh.
         pub on_mesh: u64,
         /// Probes in no region, or in several.
         pub contradictions: u64,
-        /// Probes left undecided by zeros within a band.
+        /// Probes that were left undecided, by zeros within a band.
         pub undecided: u64,
-        /// Probes compared with all triangles.
+        /// Probes that were held against all triangles.
         pub known: u64,
-        /// Lost points: answers that are wrong, or contradict others.
+        /// Answers that are wrong, or contradict others: the points that are lost.
         pub lost: u64,
     }
 

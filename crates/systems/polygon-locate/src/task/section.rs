@@ -5,7 +5,7 @@ use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `locate.csv`: the number of regions in which probes of a tiling were found.
+    /// `locate.csv`: in how many regions of a tiling the probes were found.
     pub struct LocateRow [Clone, PartialEq, Eq, Debug] in "locate.csv" {
         /// The suite's name.
         pub suite: String,
@@ -15,15 +15,15 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The map around these probes: `land`, `coast`, `sea`, …
+        /// What the map is like around these probes: `land`, `coast`, `sea`, …
         pub surroundings: String,
-        /// The number of probes.
+        /// How many probes there were.
         pub probes: u64,
         /// Probes found in no region.
         pub in_none: u64,
-        /// Probes found in exactly one region.
+        /// Probes found in exactly one.
         pub in_one: u64,
-        /// Probes found in two or more regions.
+        /// Probes found in two or more.
         pub in_many: u64,
         /// Probes reported to be on a boundary.
         pub on_boundary: u64,

@@ -31,8 +31,8 @@ pub(super) struct Chains {
     pub first: Vec<u32>,
     /// The nodes on each segment in order, segment after segment.
     pub along: Vec<u32>,
-    /// For each entry of `along`, the piece to the next node on its segment; [`NONE`](super::NONE) after the last, and
-    /// where no edge passes.
+    /// For each entry of `along`, the piece to the next node on its segment; `NONE` after the last, and where no edge
+    /// passes.
     pub piece: Vec<u32>,
     /// The pieces: parts of segments, then runs.
     pub pieces: Vec<Piece>,

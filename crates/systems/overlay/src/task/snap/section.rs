@@ -5,7 +5,7 @@ use predicament_report::layout::{run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `snap.csv`: a rounded drawing.
+    /// `snap.csv`: a drawing after it was rounded.
     pub struct SnapRow [Clone, PartialEq, Debug] in "snap.csv" {
         /// The suite's name.
         pub suite: String,
@@ -15,15 +15,15 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The method: `naive`, `snap` or `iterated`.
+        /// `naive`, `snap` or `iterated`.
         pub method: String,
         /// The binary logarithm of a pixel's side.
         pub pixel: i32 ["power of two"],
-        /// The number of hot pixels.
+        /// Hot pixels.
         pub hot: u64,
-        /// Points and crossings that share their pixel with an earlier one.
+        /// Points and crossings that share their pixel with one before them.
         pub merged: u64,
-        /// The number of edges of chains, each once.
+        /// Edges of chains, each once.
         pub edges: u64,
         /// Pairs of these edges that cross, or of which one passes over an end of the other.
         pub new_crossings: u64,
