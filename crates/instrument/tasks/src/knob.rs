@@ -102,9 +102,9 @@ impl Knob {
         }
     }
 
-    /// Tells if turning the knob rounds the coordinates of a scene, so that the scene itself changes: nearly degenerate
-    /// points may become degenerate. A knob that does not round keeps each sign of the scene at rest, as far as its map
-    /// keeps signs.
+    /// The positions at which turning the knob rounds the coordinates of a scene, so that the scene itself changes:
+    /// nearly degenerate points may become degenerate. At other positions the knob keeps each sign of the scene at
+    /// rest, as far as its map keeps signs.
     #[must_use]
     pub const fn rounds(self) -> RoundsScene {
         match self {
@@ -155,7 +155,7 @@ pub enum Turns {
     Everywhere,
     /// Positions of at most this magnitude, and the reason for the limit.
     UpTo(i32, &'static str),
-    /// None, and the reason.
+    /// No positions, and the reason.
     Nowhere(&'static str),
 }
 

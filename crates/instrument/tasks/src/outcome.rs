@@ -1,4 +1,4 @@
-//! The result of one backend on one scene.
+//! The outcome of one backend on one scene.
 
 use predicament_predicates::{Query, Sign, Vertex};
 use predicament_records::{Record, Row};

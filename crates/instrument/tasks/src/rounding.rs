@@ -172,12 +172,12 @@ pub fn spoiled<const D: usize>(
     Some(all)
 }
 
-/// The coordinate plus one unit in the last place, which rounding explains.
+/// The next double above the coordinate, which rounding explains.
 pub fn one_place(x: f64) -> f64 {
     x.next_up()
 }
 
-/// The coordinate plus a thousandth, which rounding does not explain.
+/// The coordinate moved by a thousandth of itself, which rounding does not explain.
 pub fn far(x: f64) -> f64 {
     if x == 0.0 { 1e-3 } else { x * 1.001 }
 }

@@ -47,7 +47,7 @@ fn solver<'a>(contestant: &'a dyn Contestant, case: &dyn AnyCase) -> &'a dyn cra
     contestant.solver(task).unwrap_or_else(|| panic!("{} was not told of the task {task}", contestant.name()))
 }
 
-/// The result of `work`, or the way in which a backend broke in it: by a panic, or because its process has ended.
+/// The result of `work`, or the reason why a backend broke off in it: a panic, or a failed process behind it.
 ///
 /// # Errors
 /// [`Broken`], of class [`Class::Panic`] and check `panic` for a panic of its own.

@@ -1,4 +1,4 @@
-//! Families that were timed on several threads.
+//! Names of families that were timed on several threads.
 
 /// The name of a family that was timed on a number of threads.
 #[must_use]

@@ -18,7 +18,7 @@ use predicament_tasks::{Class, Contestant, Outcome, digest};
 use super::Quarry;
 use super::twofold::{Points, Rounding};
 
-/// A measure.
+/// A measure of a scene's height.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Height {
     /// Its name.

@@ -259,7 +259,7 @@ impl<'a> Hunt<'a> {
         let is_fresh = place >= islands.len() * FROM_ISLAND + FROM_CURIOUS || members.is_empty();
         let on_rounding = place / FROM_ISLAND == heights::ROUNDING && island.is_some();
         let slot = place % FROM_ISLAND;
-        // One of the climbs starts anew each time.
+        // The first two slots of the rounding island climb; the first of them starts from a fresh scene.
         let climbs = on_rounding && slot < CLIMBED;
         let parent = if is_fresh || (climbs && slot == 0) {
             self.fresh(&mut random)

@@ -176,8 +176,9 @@ impl Rounding {
         Rounding { computed, nearly: pair.0, error, permanent }
     }
 
-    /// How nearly rounding carries the determinant to the other side, in units of u times the permanent: the error,
-    /// less the price of a nonzero determinant. If that is not a number, the result is an arbitrary negative number.
+    /// The margin by which rounding carries the determinant to the other side, in units of u times the permanent: the
+    /// error, less the price of a nonzero determinant. If that is not a number, the result is an arbitrary negative
+    /// number.
     pub(super) fn carried(&self, price: f64) -> f64 {
         if !self.is_in_range() {
             return -1e9;

@@ -11,7 +11,7 @@ use super::{exactly, rounded};
 
 /// The longer side of a picture, in pixels.
 const SIDE: f64 = 960.0;
-/// The margin around it.
+/// The margin around the picture, in pixels.
 const MARGIN: f64 = 20.0;
 /// The maximum number of vertices for which a picture has dots on them.
 const DOTTED: usize = 500;

@@ -265,7 +265,7 @@ fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &m
     out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
 }
 
-/// Example points for which plain doubles are wrong, or nearly.
+/// Example points of the template, for which plain doubles are wrong, or nearly.
 fn first_points(kind: PredicateKind) -> &'static [&'static str] {
     match kind {
         PredicateKind::Compare => &["[0, 0]", "[\"0x1p-1074\", 0]"],

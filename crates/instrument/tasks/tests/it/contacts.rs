@@ -22,7 +22,7 @@ fn complexes(loaded: &LoadedScene) -> [&Complex; 2] {
     complexes.unwrap_or_else(|| panic!("{} asks for no contacts", loaded.name)).both()
 }
 
-/// One scene from a suite in a folder.
+/// Loads a scene from a suite in a folder.
 fn load(folder: &Path, scene: &str) -> LoadedScene {
     let text = format!("title = \"t\"\n[[scene]]\nname = \"x\"\n{scene}");
     let suite =

@@ -290,7 +290,7 @@ fn pixel_maps_are_squares_of_neighbours_that_naive_arithmetic_gets_wrong() {
         let mut wrong = 0;
         for j in 0..side {
             for i in 0..side {
-                // The columns go from 0.5 upwards: neighbours are 2^-53 apart.
+                // Coordinates ascend from 0.5: neighbours are 2^-53 apart.
                 let right = pixel(i, j);
                 if i + 1 < side {
                     assert_eq!(right[0].next_up(), pixel(i + 1, j)[0]);

@@ -55,7 +55,7 @@ impl Answer for Count {
     }
 }
 
-/// `turns.csv`.
+/// A row of `turns.csv`.
 #[derive(PartialEq, Debug, Serialize, Deserialize)]
 struct TurnRow {
     scene: String,

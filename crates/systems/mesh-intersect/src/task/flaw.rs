@@ -27,7 +27,7 @@ pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
 
 /// A flaw of a mesh.
 pub(super) enum Flaw {
-    /// These triangles pass through each other.
+    /// Two triangles pass through each other.
     Crossing([usize; 2]),
     /// The stated region in front of this triangle, or behind it, is wrong.
     Side { triangle: usize, is_front: bool, region: u32, place: Place },

@@ -8,9 +8,9 @@ use super::content::TwoMeshes;
 /// The way in which a session overlays meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Manner {
-    /// By orientation signs.
+    /// Orientation signs decide passages.
     Signs(Zeros),
-    /// By registered contacts: the session's zeros are bands, which the hierarchy of contacts interprets.
+    /// Registered contacts decide passages: the session's zeros are bands, which the hierarchy of contacts interprets.
     Contacts,
 }
 

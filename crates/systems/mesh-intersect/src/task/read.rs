@@ -13,7 +13,7 @@ use super::flaw::{CHECKED, Flaw, flaw};
 use predicament_mesh_locate::task::read::{MeshSource, Place, Simplices, simplices};
 use predicament_mesh_locate::task::regions::Regions;
 
-/// One of the two meshes.
+/// An operand: one of the two meshes, as the suite gives it.
 enum Operand {
     Triangles { triangles: Simplices<3>, regions: Option<Regions> },
     File(MeshSource),

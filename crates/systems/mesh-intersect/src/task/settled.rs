@@ -18,7 +18,7 @@ pub struct Settled {
     pub constructions: Vec<Construction>,
 }
 
-/// One of the results.
+/// The unperturbed result of an operation.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Result {
     /// The limit.

@@ -34,9 +34,8 @@ impl All {
         let sos = Sos::default();
         let sos =
             if by_sos { pair.check(&mut sos.prepare(scene, Off).unwrap(), Zeros::Refused) } else { Seen::default() };
-        // Vertices of the first mesh have lower numbers and move further: all vertices of a plane of either mesh move
-        // to one side of the other mesh. So no edge that is parallel to a plane passes through a triangle of it, and
-        // nothing is declined.
+        // Vertices of the first mesh have lower numbers and move further: relative to a plane of either mesh, all move
+        // to one side. So no edge that is parallel to a plane passes through a triangle of it, and nothing is declined.
         assert_eq!((sos.touching, sos.refused, sos.done), (0, 0, usize::from(by_sos)), "{:?}", pair.shapes);
         let per_mesh = pair.check(&mut PerMesh.prepare(scene, Off).unwrap(), Zeros::Refused);
         assert_eq!(per_mesh.done, 1, "{:?}", pair.shapes);

@@ -131,7 +131,7 @@ pub enum ProbeKind {
     Midpoint,
     /// At the centroid of a triangle, rounded.
     Centroid,
-    /// One double beside the centroid of a triangle, along an axis.
+    /// A point one double beside the centroid of a triangle, along an axis.
     Ulp,
     /// On a line through a vertex along an axis.
     Line,
@@ -139,7 +139,7 @@ pub enum ProbeKind {
     EdgeLine,
     /// With the coordinates of three vertices, one of each.
     Lattice,
-    /// Outside of the bounding box, on a line through a vertex along an axis.
+    /// Outside the bounding box, on a line through a vertex along an axis.
     Far,
     /// Anywhere in the bounding box.
     Random,

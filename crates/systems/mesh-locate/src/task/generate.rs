@@ -1,4 +1,4 @@
-//! Multi-material meshes by size.
+//! Generated multi-material meshes of a given size.
 
 use predicament_corpus::{Family, Making, Random, Recipe};
 use predicament_formats::bits::{integer, power_of_two};

@@ -178,7 +178,7 @@ fn turned(
     Ok(found.into_iter().flatten().collect())
 }
 
-/// A place in words.
+/// The location as text.
 pub(super) fn told(place: &Place) -> String {
     match place {
         Place::In(OUTSIDE) => "outside".to_owned(),

@@ -328,7 +328,7 @@ impl Task for MeshLocate {
     }
 }
 
-/// A location in words.
+/// The location as text.
 #[must_use]
 pub fn named(location: Location) -> String {
     match location {

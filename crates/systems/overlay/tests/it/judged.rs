@@ -248,7 +248,7 @@ fn each_law_of_results_is_violated_by_something() {
     // The right area in the wrong place.
     let moved = violated(&|results| results.regions[1][0][0] = square(1, 3));
     assert_eq!(moved, [Check::Membership]);
-    // A hole outside of its region.
+    // A hole outside its region.
     let outside = violated(&|results| results.regions[2][0][1] = reversed(square(10, 12)));
     assert_eq!(outside, [Check::Orientation, Check::Membership]);
     // Regions on top of each other.

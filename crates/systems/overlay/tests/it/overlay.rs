@@ -43,7 +43,7 @@ fn meet([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Option<Point> {
     Some([0, 1].map(|i: usize| Rational::from(&part * &u[i]) + &a[i]))
 }
 
-/// A vertex' coordinates.
+/// The coordinates of a vertex.
 fn at(scene: &Scene, v: Vertex) -> Point {
     match scene.construction(v) {
         None => point(scene, v),

@@ -54,7 +54,7 @@ impl LocateIndex {
         let owner_sets = sets.sets.len();
 
         let point = |v| scene.point2(Plane::Xy, v);
-        // A query's candidates share an x: keep them close together in memory.
+        // A query's candidates share an x: their edges are adjacent in memory.
         for edge in &mut edges {
             let [u, v] = edge.ends;
             if point(v)[0] < point(u)[0] {

@@ -205,7 +205,7 @@ impl<P: Predicates + ?Sized> Query<'_, P> {
     }
 }
 
-/// The rule of 4.2 for one edge, with all queries to the session.
+/// The rule of the paper's section 4.2 for one edge, with all queries to the session.
 fn meet<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     let of_u = session.compare(Axis::X, u, q);
     let of_v = session.compare(Axis::X, v, q);

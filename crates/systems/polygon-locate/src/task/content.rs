@@ -97,11 +97,11 @@ pub struct Probe {
 pub enum ProbeKind {
     /// On a vertex of the map.
     Vertex,
-    /// On an edge: its midpoint, where that is a pair of doubles.
+    /// On an edge: its midpoint, if that is a pair of doubles.
     Midpoint,
-    /// One double straight below a vertex.
+    /// A point one double straight below a vertex.
     Below,
-    /// One double straight above a vertex.
+    /// A point one double straight above a vertex.
     Above,
     /// Anywhere; if chosen, in the bounding box.
     Random,

@@ -65,7 +65,7 @@ impl Content for Solid {
     }
 }
 
-/// One of the three points of a plane.
+/// A point of the three that span a plane.
 #[derive(Clone, Copy, Debug)]
 enum PlanePoint {
     Index(Vertex),

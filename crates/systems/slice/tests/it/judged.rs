@@ -80,7 +80,7 @@ const SPOILT: &[Spoilt] = &[
     (
         "a point of the cut is moved off the plane, in its face",
         |slices| slices.points[8][2] += Rational::from((1, 1 << 30)),
-        // The point is one of the plane's three, so the plane moves and the other points are off it.
+        // The point is one of the plane's three, so the plane moves and the fourth point is off it.
         &[Check::Side, Check::CapInPlane],
     ),
     (

@@ -55,7 +55,7 @@ impl Corners {
         self.order.last().is_some_and(|&last| self.rank[last as usize] as usize + 1 < self.order.len())
     }
 
-    /// Whether the corner is in a walk.
+    /// True if the corner is in a walk.
     pub fn is_linked(&self, corner: u32) -> bool {
         self.next[corner as usize] != NONE
     }

@@ -27,7 +27,7 @@ struct Region {
     low: u32,
     /// The upper end of the chain.
     high: u32,
-    /// The newest node of the chain: every later vertex in the region sees it.
+    /// The newest node of the chain: nothing hides it from the next vertex in the region.
     last: u32,
 }
 

@@ -10,7 +10,7 @@ use super::Polygon;
 /// The maximum number of triangles for which all pairs are compared.
 const MOST_PAIRED: usize = 150;
 
-/// Where triangles may be flat.
+/// The triangles that may be flat.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Flat {
     /// Only where loops touch.
@@ -116,8 +116,8 @@ fn is_at_touch(polygon: &Polygon, [a, b, c]: [usize; 3]) -> bool {
     polygon.touches.on_edges.iter().any(|on_edge| of_one(&on_edge))
 }
 
-/// A side between two indices in order, and how often it occurs in that direction and back: in triangles, then in
-/// loops.
+/// A side between two indices in order, and the number of times that it occurs in that direction and back: in
+/// triangles, then in loops.
 struct Side {
     ends: [usize; 2],
     triangles: [usize; 2],

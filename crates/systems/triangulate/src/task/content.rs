@@ -1,4 +1,4 @@
-//! `points` and `loops`, or `map`: polygons to triangulate, in the plane or in space.
+//! The keys of the task: `points` and `loops`, or `map`; polygons to triangulate, in the plane or in space.
 
 use crate::algorithm::Method;
 use crate::checks::Polygon;
@@ -13,7 +13,7 @@ use crate::truth::seen;
 use predicament_tasks::map_loops::{Loops, MapLoops, labelled_loops, read_loops};
 use predicament_tasks::map_source::MapSource;
 
-/// Polygons and how they are triangulated.
+/// Polygons and the method to triangulate them.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Polygons {
     /// The loops of each polygon, in either direction: a point is inside if an odd number of loops surrounds it. In

@@ -11,7 +11,7 @@ use predicament_predicates::{Axis, Plane, Predicates, Vertex};
 use super::places::Places;
 use predicament_grid::sort::sort_by_sign;
 
-/// The vertices inside of edges.
+/// The vertices inside edges.
 pub(crate) struct Joints {
     /// For each edge, from the smaller vertex to the larger, the vertices inside it in order.
     inside: HashMap<[Vertex; 2], Vec<Vertex>>,

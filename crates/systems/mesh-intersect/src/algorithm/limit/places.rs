@@ -10,7 +10,7 @@ use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 /// The doubles nearest to all vertices of a scene.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Places {
-    /// By the index of the construction: the doubles, and the direction of the point from them.
+    /// For each construction, by index: the nearest doubles, and the direction of the point from them.
     constructed: Vec<([f64; 3], [Ordering; 3])>,
 }
 
@@ -76,8 +76,8 @@ pub(crate) struct Same {
 }
 
 impl Same {
-    /// Finds coinciding vertices. The first of each group represents it: an input vertex, if there is one. Coinciding
-    /// input vertices of a single mesh are kept.
+    /// Finds coinciding vertices. The first of each group represents it: an input vertex, if there is one. Groups that
+    /// consist only of input vertices of one mesh are kept.
     pub fn of(session: &dyn Predicates, places: &Places, mut vertices: Vec<Vertex>) -> Same {
         vertices.sort_unstable();
         vertices.dedup();

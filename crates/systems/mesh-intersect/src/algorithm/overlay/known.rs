@@ -13,7 +13,8 @@ use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 pub(super) struct Known<'a> {
     session: &'a dyn Predicates,
     corners: [Vertex; 3],
-    /// By vertex, ascending: a bit for each line. The first three lines are the edges of the triangle.
+    /// The lines through each vertex, sorted by vertex: a bit for each line. The first three lines are the edges of the
+    /// triangle.
     lines: Vec<(Vertex, u64)>,
     /// Three vertices of the plane through each of the other lines, from the fourth on.
     planes: Vec<[Vertex; 3]>,

@@ -26,7 +26,7 @@ pub(super) struct Hit {
     pub is_first_behind: bool,
 }
 
-/// The tests in one direction: the edges of one mesh, and the triangles of the other.
+/// The edges of one mesh and the triangles of the other, to be tested in one direction.
 pub(super) struct Question<'a> {
     pub session: &'a dyn Predicates,
     /// The mesh of the edges, 0 or 1.
@@ -161,7 +161,7 @@ struct Asked {
     edges: Vec<u32>,
     /// For each edge, the indices of its ends.
     places: Vec<[u32; 2]>,
-    /// Each vertex once.
+    /// The ends of all edges, each vertex once.
     ends: Vec<Vertex>,
     signs: Vec<Sign>,
     /// A hash table by vertex with linear probing: index plus one, or zero. Its size is a power of two; half of it is

@@ -244,12 +244,12 @@ pub fn mesh_overlay_by_steps(
     run(session, meshes, zeros, Extent::Whole, done)
 }
 
-/// The given part of two meshes.
+/// The part of two meshes that an overlay is given.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Extent {
     /// Both whole meshes.
     Whole,
-    /// Of each mesh at least all triangles above and below the box of the other, and those that meet it.
+    /// At least all triangles of each mesh above and below the other's box, and those that meet it.
     Columns,
 }
 
@@ -286,7 +286,7 @@ fn run(
     finish(session, &meshes, before, (near, &bounds), hits, extent, done)
 }
 
-/// The steps after all passages are known.
+/// Runs the steps after all passages are known.
 fn finish(
     session: &mut dyn Predicates,
     meshes: &[Arc<MaterialMesh>; 2],

@@ -23,7 +23,7 @@ use predicament_contacts::algorithm::pairs::{Contact, contacts};
 #[derive(Clone, Debug)]
 pub struct Registered {
     scene: Scene,
-    /// The registered positions by definition.
+    /// For each definition, its registered position.
     places: BTreeMap<Construction, [f64; 3]>,
     /// The constructed vertices, in order.
     points: Vec<[f64; 3]>,

@@ -45,7 +45,7 @@ const MOST: usize = 512;
 const NONE: u32 = u32::MAX;
 
 /// The triangles of either mesh that must be tested, ascending: all except those set aside. `None` if setting aside is
-/// not worthwhile, or the session does not move a mesh as a whole.
+/// not worthwhile, or the session is not known to move a mesh as a whole.
 pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> Option<[Vec<u32>; 2]> {
     let is_one_surface = |mesh: &MaterialMesh| mesh.sides().iter().all(|sides| sides == &mesh.sides()[0]);
     let is_large = meshes.iter().all(|mesh| mesh.triangles().len() >= FEWEST);
@@ -210,7 +210,7 @@ fn clear_vertices(session: &dyn Predicates, mesh: &MaterialMesh, of: Vertices) -
     const UP: u8 = 1;
     const DOWN: u8 = 2;
     const OTHER: u8 = 4;
-    /// The count for a triangle that crosses the ray from the vertex along y; two or more of them disqualify it.
+    /// The increment for a triangle that crosses the ray from the vertex along y: exactly one crossing is required.
     const CROSSING: u8 = 8;
     let turn = |&[a, b, c]: &[Vertex; 3]| session.orient2d(Plane::Yz, a, b, c);
     let turns = predicament_grid::parallel::all(mesh.triangles(), &turn);

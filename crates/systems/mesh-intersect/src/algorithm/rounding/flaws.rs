@@ -99,9 +99,9 @@ fn vertex(v: u32) -> Vertex {
 /// The kind of flaw of two triangles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Flaw {
-    /// One lies on the other along a common edge, or they have the same corners.
+    /// The triangles overlap along a common edge, or have the same corners.
     Fold,
-    /// They have another point in common.
+    /// The triangles have another point in common.
     Crossing,
 }
 

@@ -64,7 +64,7 @@ impl Wedge {
         height.cmp0().is_ne().then_some(Wedge { corners, is_outward, sides, base, about })
     }
 
-    /// False if a side of this wedge clearly separates it from the other.
+    /// True unless a side of this wedge clearly separates it from the other.
     fn may_reach(&self, other: &Wedge) -> bool {
         let beyond = |side: &[f64; 3], p: &[f64; 3]| (0..3).map(|i| side[i] * p[i]).sum::<f64>() < -1e-9;
         !self.about[1].iter().any(|side| other.about[0].iter().all(|p| beyond(side, p)))

@@ -36,7 +36,7 @@ pub(super) struct Meetings {
     pub same: Vec<[Vertex; 2]>,
     /// Pairs on one line that have more than a point in common.
     pub overlaps: Vec<Pair>,
-    /// For each bundle, the segments through one point, ascending, and a pair of them that crosses there.
+    /// For each point with many segments, these segments, ascending; at least one pair of them crosses there.
     pub bundles: Vec<Vec<u32>>,
     /// True if there are more than [`MOST_CROSSINGS`].
     pub too_many: bool,

@@ -105,7 +105,7 @@ impl Arrangement {
 pub struct Overlay {
     /// The arrangement.
     pub arrangement: Arrangement,
-    /// By faces, for each operand: its winding number, or 0 and 1 if its rule is even-odd.
+    /// The winding numbers of each face, for each operand; 0 and 1 if its rule is even-odd.
     pub windings: Vec<[i32; 2]>,
     rules: [Rule; 2],
 }

@@ -15,7 +15,7 @@ use super::polygon::Edge;
 use super::supports::Supports;
 use crate::algorithm::snap::crossing_estimate;
 
-/// A box as [low x, low y, high x, high y].
+/// A box: low x, low y, high x, high y.
 pub(super) type Extent = [f64; 4];
 
 /// The maximum error of an end, as a fraction of the segment's extent: far below a thousandth of one of 4,096 cells.

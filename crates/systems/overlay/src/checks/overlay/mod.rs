@@ -59,7 +59,7 @@ pub enum Check {
     ResultCrossing,
     /// Areas of results add up, and equal those of the operands.
     Area,
-    /// Points are inside of results by their winding numbers in the operands.
+    /// A point is inside a result if and only if its winding numbers in the operands say so.
     Membership,
 }
 

@@ -7,10 +7,10 @@ use super::{Check, Flaw, Flaws, Graph};
 /// The winding numbers of faces that an overlay claims, and the passes that imply them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Windings {
-    /// By the graph's segments, for each operand: the number of times that its loops pass from the first end to the
-    /// second, less the times back.
+    /// The passes of each of the graph's segments, for each operand: the number of times that its loops pass from the
+    /// first end to the second, less the times back.
     pub passes: Vec<[i64; 2]>,
-    /// By faces, for each operand: its winding number.
+    /// The winding number of each face, for each operand.
     pub faces: Vec<[i32; 2]>,
     /// True if only the parity is known.
     pub modulo_two: bool,

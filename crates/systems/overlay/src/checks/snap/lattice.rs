@@ -87,7 +87,7 @@ mod tests {
         let determinant = Rational::from(&u[1] * &v[0]) - Rational::from(&u[0] * &v[1]);
         let is_inner = |s: &Rational| *s > 0 && *s < 1;
         if determinant.is_zero() {
-            // On a line or parallel: an end inside of the other edge.
+            // On a line or parallel: an end inside the other edge.
             let inside = |edge: [Pixel; 2], p: Pixel| place_on(edge, p).is_some_and(|s| is_inner(&s));
             return e.iter().any(|&p| inside(f, p)) || f.iter().any(|&p| inside(e, p));
         }

@@ -1,4 +1,4 @@
-//! How edges of a small grid meet, by definition.
+//! Tests of the ways in which edges of a small grid meet, by definition.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off};

@@ -62,8 +62,8 @@ impl Probed {
         }
     }
 
-    /// The positions at which a session that should be exact, one that should break ties, or a determinant that should
-    /// be right, is wrong.
+    /// Descriptions of the positions at which a session that should be exact, one that should break ties, or a
+    /// determinant that should be right, is wrong.
     pub fn disagreements(
         &self,
         exact: &impl Predicates,

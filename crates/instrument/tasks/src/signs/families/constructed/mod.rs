@@ -61,7 +61,7 @@ pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>, kinds: &'static 
     Arrangement { kinds, trouble: Trouble::Near { ulps }, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
-/// The kinds of constructions in a scene, and of its ties.
+/// The kinds of constructions in a scene, and their degeneracy.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Arrangement {
     kinds: &'static [Kind],
