@@ -4,10 +4,9 @@
 //! Backends take turns; the benchmark prints medians, and ratios of totals to the first. Volumes are compared before
 //! any time is shown.
 //!
-//! Arguments (default: all): numbers of subdivisions of an icosahedron's faces into four, `6`, `7` and `8`, for two
-//! spheres of 81,920, 327,680 or 1,310,720 triangles each, the second of which is moved by (0.5, 0.3, 0.1); `same` for
-//! a mesh with itself, and `cubes` for two stacks of boxes that share faces, both with ties broken for a mesh as a
-//! whole.
+//! Arguments (default: all): `6`, `7` and `8` are numbers of subdivisions of an icosahedron's faces into four, for two
+//! spheres of 81,920, 327,680 or 1,310,720 triangles each. The second sphere is moved by (0.5, 0.3, 0.1). `same` is a
+//! mesh with itself, and `cubes` is two stacks of boxes that share faces, both with ties broken for a mesh as a whole.
 //!
 //! Programs of other libraries take part if `MESH_OVERLAY_PROGRAMS` names them: `name=command`, separated by
 //! semicolons, words of a command separated by blanks. They get the files of two closed meshes, each counterclockwise

@@ -256,8 +256,8 @@ const fn subsets_of_three() -> [[usize; 2]; 3] {
     [[0, 1], [0, 2], [1, 2]]
 }
 
-/// A fingerprint of a scene's behaviour: classes and stages by orders of magnitude, checks with findings, how large and
-/// fine its coordinates are, and how degenerate it is.
+/// A hash of a scene's behaviour: classes and stages by orders of magnitude, checks with findings, how large and fine
+/// its coordinates are, and how degenerate it is.
 pub(super) fn conduct(loaded: &LoadedScene, outcomes: &[Outcome], heights: &[i64]) -> u64 {
     let order = |count: u64| u64::BITS - count.leading_zeros();
     let mut text = String::new();

@@ -39,7 +39,7 @@ pub(super) struct Seen {
     pub findings: Vec<Finding>,
     /// The scene's height by each measure.
     pub heights: Vec<i64>,
-    /// A fingerprint of its behaviour: scenes with new behaviour are kept for that alone.
+    /// A hash of the scene's behaviour: scenes with new behaviour are kept for that alone.
     pub conduct: u64,
     /// The reason why a backend declines the scene.
     pub declined: Option<String>,

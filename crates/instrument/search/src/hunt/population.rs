@@ -8,7 +8,7 @@ pub(super) struct Member {
     pub spelled: Spelled,
     /// The scene's height by each measure.
     pub heights: Vec<i64>,
-    /// A fingerprint of its behaviour.
+    /// A hash of the scene's behaviour.
     pub conduct: u64,
     /// The number of the scene in its hunt, from 1.
     pub number: u64,

@@ -1,4 +1,4 @@
-//! Solids to cut whose difficulty is that many of their parts are in line, in one plane, or next to each other.
+//! Solids for cutting: many of their parts are in line, in one plane, or next to each other.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};

@@ -21,8 +21,8 @@ pub(super) struct Cap {
 
 /// A mesh that planes cut one after the other.
 ///
-/// The user data of a face is the face of the input that it is a piece of, or a cap (numbered after all faces); that of
-/// a half-edge its line; that of a vertex its part.
+/// The user data of a face is the face of the input that it is a piece of, or a cap (numbered after all faces). The
+/// user data of a half-edge is its line; that of a vertex is its part.
 pub(super) struct Cutter<'a> {
     pub(super) session: &'a mut dyn Predicates,
     pub(super) mesh: HalfEdgeMesh,

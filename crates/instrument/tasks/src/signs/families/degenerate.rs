@@ -86,7 +86,7 @@ fn plane(sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
 /// Distinct points on one circle (N = 2) or sphere (N = 3).
 ///
 /// A rational point of the unit circle or sphere is n/d with the numerators (2ps, …, s² − Σp²) over d = s² + Σp² for
-/// integers p, s; times the product of all the denominators it is an integer point of one large circle or sphere.
+/// integers p, s. Times the product of all the denominators it is an integer point of one large circle or sphere.
 fn round<const N: usize>(count: usize, sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
     let mut points: Vec<([i64; N], i64)> = Vec::with_capacity(count);
     while points.len() < count {

@@ -43,7 +43,7 @@ struct Facing {
     turn: Sign,
 }
 
-/// The uncovered rest of parts: the indices of the removed parts, and their replacements.
+/// The uncovered remainder of parts: the indices of the removed parts, and their replacements.
 #[derive(Default)]
 pub(super) struct Left {
     pub gone: Vec<u32>,
@@ -60,7 +60,7 @@ pub(super) struct Gone {
     pub cancelled: Vec<[Part; 2]>,
 }
 
-/// The uncovered rest of the parts of both meshes that face each other.
+/// The uncovered remainder of the parts of both meshes that face each other.
 pub(super) fn left(
     session: &mut dyn Predicates,
     places: &Places,
@@ -188,7 +188,7 @@ struct Border {
     is_up: bool,
 }
 
-/// The rest of some parts that others do not cover, counterclockwise in a coordinate plane.
+/// The remainder of some parts that others do not cover, counterclockwise in a coordinate plane.
 fn uncovered(
     session: &mut dyn Predicates,
     places: &Places,

@@ -26,9 +26,9 @@
 //! 3D*, subdivide in advance instead). It stops early if the pairs that meet become more. It keeps the pass with the
 //! fewest pairs.
 //!
-//! **Guaranteed**, if it ends with nothing [left](Counts::left): the mesh is closed, no triangle is without area,
-//! triangles meet in common corners and edges only, the winding number is 0 or 1 everywhere off the surface, and each
-//! point of the surface is within [`Counts::farthest`] in each coordinate of a point of the given surface.
+//! **Guaranteed**, if it ends with nothing [left](Counts::left): the mesh is closed, each triangle has an area, and
+//! triangles meet in common corners and edges only. The winding number is 0 or 1 everywhere off the surface. Each point
+//! of the surface is within [`Counts::farthest`] in each coordinate of a point of the given surface.
 //!
 //! **Not guaranteed** is that it ends so: in each pass another rounded vertex may pass through a triangle that was
 //! beside it. Crossings after the last pass are counted. The topology is not kept either where parts are nearer to each

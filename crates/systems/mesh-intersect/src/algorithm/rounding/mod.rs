@@ -14,9 +14,9 @@
 //!
 //! # What is guaranteed
 //! The result is closed and has no triangle without area. If no flaw is left, its triangles meet in common vertices and
-//! edges only, or where they met before and none of them has a moved vertex; no triangle is reversed, and each vertex
-//! is within one ulp of its exact position in each coordinate. It is not guaranteed that no flaws stay: for that,
-//! vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
+//! edges only, or where they met before and none of them has a moved vertex. Then no triangle is reversed, and each
+//! vertex is within one ulp of its exact position in each coordinate. It is not guaranteed that no flaws stay: for
+//! that, vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
 
 pub mod flaws;
 

@@ -63,8 +63,8 @@ pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, val
 /// known.
 ///
 /// The crossing is a + t(b − a), t = n/(n − m) with the turns n and m of a and b around the other line. Let e and f be
-/// bounds on their errors. If their signs are certain and opposite, |n − m| = |n| + |m|, and the error of t is (|e||m|
-/// + |f||n|)/(|n − m||n' − m'|) ≤ (e + f)/|n' − m'|, primes for computed values. The roundings of the difference, the
+/// bounds on their errors. If their signs are certain and opposite, |n − m| = |n| + |m|, and t is wrong by (|e||m| +
+/// |f||n|)/(|n − m||n' − m'|) ≤ (e + f)/|n' − m'|, primes for computed values. The roundings of the difference, the
 /// quotient, the product and the sum add less than 5u|b − a| + 2u(|a| + |b|), u = 2^-53.
 pub fn crossing_estimate([a, b]: [Point; 2], [c, d]: [Point; 2]) -> (Point, Point) {
     let turn = |p: Point| {

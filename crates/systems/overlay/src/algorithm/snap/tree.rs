@@ -51,7 +51,8 @@ impl Tree {
 fn beside([a, b]: [[f64; 2]; 2], low: [f64; 2], high: [f64; 2]) -> bool {
     let side = |x: f64, y: f64| {
         let [left, right] = [(b[0] - a[0]) * (y - a[1]), (b[1] - a[1]) * (x - a[0])];
-        // Four roundings of relative 2^-53 each are less than 2^-50 of the magnitudes; underflow is below the least normal.
+        // Four roundings of relative 2^-53 each are less than 2^-50 of the magnitudes; underflow is below the least
+        // normal double.
         let error = (left.abs() + right.abs()) * (8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
         let side = left - right;
         if side > error {
