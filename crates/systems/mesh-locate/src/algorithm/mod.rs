@@ -1,9 +1,9 @@
 //! Location of points in a multi-material mesh: PinMesh (Franklin and Magalhães, section 4.4; Magalhães, Andrade,
 //! Franklin and Li, *PinMesh: fast and exact 3D point location queries using a uniform grid*, 2016).
 //!
-//! All connected cells of the grid without triangles lie in one region of the mesh, which is found once
-//! ([`MeshIndex::labels`]); so do the points in them. From any other point a ray goes straight up, to the nearest
-//! triangle above; the region is the one below this triangle. The only predicates are `compare`, `orient2d` and
+//! Each set of connected grid cells without triangles lies in one region of the mesh, and so do the points in these
+//! cells. That region is found once ([`MeshIndex::labels`]). From any other point a ray goes straight up, to the
+//! nearest triangle above; the region is the one below this triangle. The only predicates are `compare`, `orient2d` and
 //! `orient3d`, and there is no division:
 //! * the ray meets a triangle iff three `orient2d` in the plane across the ray agree, and `orient3d` says that the
 //!   point is below;
