@@ -1,11 +1,11 @@
-//! Edits of a scene that is written out: vertices are left out, merged and numbered anew.
+//! Edits of a scene that is written out: vertices are removed, merged and renumbered.
 //!
-//! The order of the vertices that stay is kept, since Simulation of Simplicity moves them by it.
+//! The remaining vertices keep their order, because Simulation of Simplicity perturbs them by it.
 
 use predicament_corpus::{Items, Spelled};
 use predicament_predicates::{Construction, Vertex};
 
-/// Leaves out points, with all constructions, items and corners that name them.
+/// Removes points, with all constructions, items and corners that name them.
 ///
 /// `keep` has an entry for each point.
 #[must_use]
@@ -16,7 +16,7 @@ pub fn drop_points(spelled: &Spelled, keep: &[bool]) -> Spelled {
     restrict(spelled, keep, &constructions)
 }
 
-/// Leaves out constructions, with all items that name them.
+/// Removes constructions, with all items that name them.
 ///
 /// `keep` has an entry for each construction.
 #[must_use]
@@ -24,13 +24,13 @@ pub fn drop_constructions(spelled: &Spelled, keep: &[bool]) -> Spelled {
     restrict(spelled, &vec![true; spelled.points.len()], keep)
 }
 
-/// Leaves out the points that nothing names.
+/// Removes the points that nothing names.
 #[must_use]
 pub fn drop_unnamed(spelled: &Spelled) -> Spelled {
     drop_points(spelled, &spelled.named())
 }
 
-/// Leaves out items of the list with this number.
+/// Keeps only the selected items of the list with this index.
 #[must_use]
 pub fn keep_items(spelled: &Spelled, list: usize, keep: impl FnMut(usize) -> bool) -> Spelled {
     let mut left = spelled.clone();
@@ -38,8 +38,8 @@ pub fn keep_items(spelled: &Spelled, list: usize, keep: impl FnMut(usize) -> boo
     left
 }
 
-/// Puts one point in the place of another: each item and construction that names `from` names `into`. Items that then name a
-/// vertex twice go, loops lose the corner, and so does the point.
+/// Replaces one point by another: each item and construction that names `from` names `into`. Items that then name a
+/// vertex twice are removed, loops lose the corner, and `from` is removed.
 #[must_use]
 pub fn merge(spelled: &Spelled, from: usize, into: usize) -> Spelled {
     let mut merged = spelled.clone();
@@ -85,7 +85,7 @@ fn has_twice(corners: &[Vertex]) -> bool {
     corners.iter().enumerate().any(|(at, v)| corners[..at].contains(v))
 }
 
-/// What is left of a scene with these points and constructions.
+/// The scene restricted to these points and constructions.
 fn restrict(spelled: &Spelled, points: &[bool], constructions: &[bool]) -> Spelled {
     let [point_numbers, construction_numbers] = [numbers(points), numbers(constructions)];
     let number = |v: Vertex| match v.construction() {
@@ -115,7 +115,7 @@ fn restrict(spelled: &Spelled, points: &[bool], constructions: &[bool]) -> Spell
     left
 }
 
-/// For each place its number among those that are kept.
+/// For each index, its new number among the kept ones.
 fn numbers(keep: &[bool]) -> Vec<Option<usize>> {
     let mut next = 0;
     keep.iter().map(|&is_kept| is_kept.then(|| (next, next += 1).0)).collect()

@@ -1,14 +1,14 @@
-//! Why a search does not begin, or cannot go on.
+//! Errors that prevent or end a search.
 
 use predicament_formats::CorpusError;
 
-/// Why a search does not begin, or cannot go on.
+/// The reason why a search does not begin, or cannot continue.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum SearchError {
     /// A scene cannot be read from its text.
     Scene(CorpusError),
-    /// A text has none or more than one scene.
+    /// A text has no scene, or more than one.
     NotOneScene,
     /// The task cannot write its scenes out.
     NotWritten {
@@ -17,42 +17,42 @@ pub enum SearchError {
     },
     /// A scene of the population cannot be read.
     Member {
-        /// Its number.
+        /// The scene's number.
         number: u64,
-        /// Why.
+        /// The reason.
         why: Box<SearchError>,
     },
     /// A find cannot be read.
     Find {
-        /// Its number, from 1.
+        /// The number of the find, from 1.
         number: usize,
-        /// Why.
+        /// The reason.
         why: Box<SearchError>,
     },
-    /// The population has another number of islands than the task has measures.
+    /// The population's number of islands differs from the task's number of measures.
     Islands {
-        /// How many islands there are.
+        /// The number of islands.
         found: usize,
-        /// How many measures the task has.
+        /// The number of measures of the task.
         measures: usize,
     },
-    /// The suites have no small scene of the task to begin with.
+    /// The suites contain no small scene of the task to start from.
     NoSeeds {
         /// The task.
         task: String,
     },
-    /// The scene that is to be made smaller cannot be read from its text.
+    /// The scene to shrink cannot be read from its text.
     Start(CorpusError),
-    /// The scene that is to be made smaller, written out, does not show the finding.
+    /// The scene to shrink, written out, does not show the finding.
     NotShown,
-    /// The search was interrupted before it looked at a scene.
+    /// The search was interrupted before it evaluated a scene.
     Interrupted,
 }
 
 impl std::fmt::Display for SearchError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            // The text is in no file of its own.
+            // The text is not in a separate file.
             SearchError::Scene(error) => {
                 if let Some(line) = error.line() {
                     write!(f, "line {line} of the scene: ")?;

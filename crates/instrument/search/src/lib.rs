@@ -1,13 +1,13 @@
-//! Searching among scenes: from a finding to the smallest scene that shows it, and from any scenes to a finding.
+//! Searches among scenes: from a finding to the smallest scene that shows it, and from any scenes to a finding.
 //!
-//! Both edit scenes as they are [written out](predicament_corpus::Spelled), so they know no task, and ask a
-//! [`Witness`] what a backend does on each, so they know no backend. What is found is a scene of a suite.
+//! Both searches edit scenes as they are [written out](predicament_corpus::Spelled), so they do not depend on a task.
+//! They query a [`Witness`] about each scene, so they do not depend on a backend. The result is a scene of a suite.
 //!
 //! * [`hunt`]: scenes that show a finding, from any scenes.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //! * [`snippets`]: such a scene as a test in Rust, C++ and Python.
-//! * [`Witness`], [`Wanted`]: what is asked of a scene.
-//! * [`SearchError`]: why a search does not begin, or cannot go on.
+//! * [`Witness`], [`Wanted`]: the finding that a scene must show.
+//! * [`SearchError`]: errors that prevent or end a search.
 
 pub mod hunt;
 pub mod shrink;

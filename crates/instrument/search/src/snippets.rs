@@ -1,7 +1,7 @@
-//! A shrunk scene as a test in Rust, C++ and Python, to be pasted beside somebody's own predicates.
+//! A shrunk scene as a test in Rust, C++ and Python, to paste beside other predicates.
 //!
-//! Coordinates are exact: bits in Rust, hex floats in C++ (17) and Python. A predicate is called by its name with the points in the
-//! order of the query; of other tasks the data are there, the call, and what the check says.
+//! Coordinates are exact: bits in Rust, hex floats in C++ (17) and Python. A predicate is called by its name with the
+//! points in the order of the query. For other tasks the test has the data, the call, and the message of the check.
 
 use std::fmt::Write as _;
 
@@ -10,22 +10,22 @@ use predicament_formats::hexfloat;
 use predicament_predicates::{Plane, Query, Question, Sign, Vertex};
 use predicament_tasks::Finding;
 
-/// What a test is about.
+/// The content of a test.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject<'a> {
     /// The scene.
     pub spelled: &'a Spelled,
-    /// What it shows.
+    /// The finding that it shows.
     pub finding: &'a Finding,
     /// The backend that shows it.
     pub backend: &'a str,
     /// The name of the scene.
     pub name: &'a str,
-    /// The file of the suite that has the scene.
+    /// The file of the suite that contains the scene.
     pub suite: &'a str,
 }
 
-/// A call of a predicate on points, and the sign that is true.
+/// A call of a predicate on points, and the true sign.
 struct Call {
     function: &'static str,
     points: Vec<Vec<f64>>,
@@ -53,7 +53,7 @@ impl Subject<'_> {
         text.replace('\n', " ")
     }
 
-    /// The calls of the finding's queries; none where one is no predicate of input points.
+    /// The calls of the finding's queries; empty if a query is not a predicate of input points.
     fn calls(&self) -> Vec<Call> {
         let calls: Option<Vec<Call>> = self.finding.queries.iter().map(|query| self.call(query)).collect();
         calls.unwrap_or_default()
@@ -80,7 +80,7 @@ impl Subject<'_> {
         Some(Call { function, points: points.into_iter().map(seen).collect(), truth, query: query.to_string() })
     }
 
-    /// A test in Rust.
+    /// The test in Rust.
     #[must_use]
     pub fn rust(&self) -> String {
         let mut text = format!("/// {}.\n#[test]\nfn {}() {{\n", self.what(), self.identifier());
@@ -109,7 +109,7 @@ impl Subject<'_> {
         text + "}\n"
     }
 
-    /// A test in C++17.
+    /// The test in C++17.
     #[must_use]
     pub fn cpp(&self) -> String {
         let mut text = format!("// {}.\nvoid {}() {{\n", self.what(), self.identifier());
@@ -138,7 +138,7 @@ impl Subject<'_> {
         text + "}\n"
     }
 
-    /// A test in Python.
+    /// The test in Python.
     #[must_use]
     pub fn python(&self) -> String {
         let mut text = format!("# {}.\ndef test_{}():\n    h = float.fromhex\n", self.what(), self.identifier());
@@ -181,7 +181,8 @@ impl Subject<'_> {
         text
     }
 
-    /// What is no list of points or vertices: options of the scene, and what its constructed vertices are.
+    /// Writes the parts that are not lists of points or vertices as comments: options of the scene, and definitions of
+    /// its constructed vertices.
     fn rest(&self, text: &mut String, comment: &str) {
         for (key, value) in &self.spelled.words {
             let _ = writeln!(text, "{comment}{key} = {value}");
@@ -191,7 +192,7 @@ impl Subject<'_> {
         }
     }
 
-    /// Points and lists as declarations.
+    /// Writes points and lists as declarations.
     fn data(&self, text: &mut String, indent: &str, declare: &dyn Fn(&str, &str, &str) -> String) {
         let rows = |rows: &[Vec<f64>]| {
             let rows: Vec<String> = rows.iter().map(|row| format!("{{{}}}", hexes(row))).collect();
@@ -257,7 +258,7 @@ fn fromhexes(row: &[f64]) -> String {
     row.iter().map(|&x| format!("h(\"{}\")", hexfloat::format(x))).collect::<Vec<_>>().join(", ")
 }
 
-/// Lists of vertices; constructed ones by their name between these quotes.
+/// Lists of vertices as text; constructed vertices as their names between these quotes.
 fn tuples(items: &Items, [open, close]: [char; 2], quote: &str) -> String {
     let name = |v: &Vertex| if v.is_constructed() { format!("{quote}{v}{quote}") } else { v.to_string() };
     let tuple = |at: usize| {

@@ -1,62 +1,62 @@
-//! What a scene has to show.
+//! The finding that a scene must show.
 
 use predicament_corpus::LoadedScene;
 use predicament_tasks::{AnyTask, Budget, Class, Contestant, Finding, Outcome, Stop, Watch, run};
 
-/// What is looked for: a class of findings, of one check or of any.
+/// A wanted finding: a class, and one check or any.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Wanted {
-    /// The class; any that is a finding where there is none.
+    /// The class; `None` means any class that is a finding.
     pub class: Option<Class>,
-    /// The check; any where there is none.
+    /// The check; `None` means any.
     pub check: Option<String>,
 }
 
 impl Wanted {
-    /// A class of findings by a check.
+    /// The wanted finding of a class and a check.
     #[must_use]
     pub fn finding(class: Class, check: &str) -> Wanted {
         Wanted { class: Some(class), check: Some(check.to_owned()) }
     }
 
-    /// Whether a finding is one of these.
+    /// True if a finding is wanted.
     #[must_use]
     pub fn is(&self, finding: &Finding) -> bool {
         self.class.is_none_or(|class| class == finding.class)
             && self.check.as_ref().is_none_or(|check| *check == finding.check)
     }
 
-    /// The first finding of an outcome that is one of these.
+    /// The first wanted finding of an outcome.
     #[must_use]
     pub fn of<'o>(&self, outcome: &'o Outcome) -> Option<&'o Finding> {
         outcome.findings.iter().find(|finding| self.is(finding))
     }
 }
 
-/// Says whether a scene shows what is looked for.
+/// The interface that decides if a scene shows the wanted finding.
 pub trait Witness {
-    /// The finding that the scene shows, if it does.
+    /// The finding that the scene shows, if any.
     ///
     /// # Errors
-    /// [`Stop::Interrupted`]; a scene that takes too long shows nothing else.
+    /// [`Stop::Interrupted`]; a scene that takes too long shows only a timeout.
     fn look(&self, loaded: &LoadedScene) -> Result<Option<Finding>, Stop>;
 }
 
-/// Backends in this process: some have to show a finding, others have to show none.
+/// Backends in this process: some must show a finding, others must not.
 pub struct Backends<'a> {
     /// The task of the scenes.
     pub task: &'a dyn AnyTask,
-    /// What is looked for.
+    /// The wanted finding.
     pub wanted: Wanted,
-    /// All of these have to show it. The finding is that of the first.
+    /// The backends that must all show it. The returned finding is that of the first.
     pub shown_by: Vec<&'a dyn Contestant>,
-    /// None of these may show it.
+    /// The backends that must not show it.
     pub not_by: Vec<&'a dyn Contestant>,
-    /// How much the judge samples.
+    /// The sample sizes of the judge.
     pub budget: Budget,
-    /// What ends the work. A time limit is for each backend on each scene.
+    /// The watch that can end the work. A time limit applies to each backend on each scene.
     pub watch: &'a Watch<'a>,
-    /// Seconds for a backend on a scene; none without a limit.
+    /// The time limit of a backend on a scene; `None` means unlimited.
     pub limit: Option<std::time::Duration>,
 }
 
@@ -68,7 +68,7 @@ impl Witness for Backends<'_> {
             Err(Stop::Timeout) => return Ok(None),
             Err(Stop::Interrupted) => return Err(Stop::Interrupted),
         };
-        // What came with the data contradicts the truth: nothing is compared.
+        // Published data contradict the truth: nothing is compared.
         if case.dispute().is_some() {
             return Ok(None);
         }

@@ -1,4 +1,4 @@
-//! Tasks with their types hidden, for crates that handle all of them alike.
+//! Tasks with erased types, for crates that treat all tasks alike.
 
 use std::any::Any;
 use std::collections::BTreeMap;
@@ -15,30 +15,30 @@ use crate::{
     Phase, Stop, Task, Turns, Watch,
 };
 
-/// A [`Task`] whose types are hidden. Every task is one.
+/// A [`Task`] with erased types. Every task implements it.
 pub trait AnyTask: SceneFormat {
-    /// [`Task::asks`].
+    /// Calls [`Task::asks`].
     fn kinds(&self, scene: &Scene) -> Vec<PredicateKind>;
 
-    /// [`Task::looks_at_watch`].
+    /// Calls [`Task::looks_at_watch`].
     fn looks_at_the_watch(&self) -> bool;
 
     /// A loaded scene of this task with the truth about it.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     fn case<'a>(&'a self, loaded: &'a LoadedScene, watch: &Watch) -> Result<Box<dyn AnyCase + 'a>, Stop>;
 
-    /// [`Task::describe`].
+    /// Calls [`Task::describe`].
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     fn describe_scene(&self, loaded: &LoadedScene, watch: &Watch) -> Result<String, Stop>;
 
-    /// [`Task::explain`].
+    /// Calls [`Task::explain`].
     ///
     /// # Errors
-    /// [`ExplainError`] where the query is not one of this task or the scene.
+    /// [`ExplainError`] if the query does not belong to this task or scene.
     fn explain_query(
         &self,
         loaded: &LoadedScene,
@@ -46,31 +46,31 @@ pub trait AnyTask: SceneFormat {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, ExplainError>;
 
-    /// [`Task::write`].
+    /// Calls [`Task::write`].
     ///
     /// # Errors
-    /// That of the file system.
+    /// The error of the file system.
     fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
 
-    /// [`Task::draw`], with an answer of the task's type.
+    /// Calls [`Task::draw`], with an answer of the task's type.
     ///
     /// # Errors
-    /// Where a vertex of the answer is no point.
+    /// If a vertex of the answer is not a point.
     fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()>;
 
-    /// [`Task::size`].
+    /// Calls [`Task::size`].
     fn size_of(&self, loaded: &LoadedScene) -> usize;
 
-    /// [`Task::takes_threads`].
+    /// Calls [`Task::takes_threads`].
     fn is_threaded(&self) -> bool;
 
-    /// [`Task::primitives`].
+    /// Calls [`Task::primitives`].
     fn primitives_of(&self, loaded: &LoadedScene) -> Option<u64>;
 
-    /// [`Task::timed`].
+    /// Calls [`Task::timed`].
     ///
     /// # Errors
-    /// Where a table of the run cannot be read.
+    /// If a table of the run cannot be read.
     fn timed_in(
         &self,
         run: &RunDir,
@@ -78,33 +78,33 @@ pub trait AnyTask: SceneFormat {
         threads: &[usize],
     ) -> Result<String, predicament_records::Error>;
 
-    /// [`Task::building`].
+    /// Calls [`Task::building`].
     fn building_phases(&self, loaded: &LoadedScene) -> Vec<Phase>;
 
-    /// [`Task::constructs`].
+    /// Calls [`Task::constructs`].
     fn constructs_vertices(&self) -> bool;
-    /// [`Task::judges_whole`].
+    /// Calls [`Task::judges_whole`].
     fn is_judged_whole(&self) -> bool;
 
-    /// [`Task::compared`].
+    /// Calls [`Task::compared`].
     fn compared_on(&self) -> &'static [Compared];
 
-    /// [`Task::turns`].
+    /// Calls [`Task::turns`].
     fn turned_by(&self, knob: Knob) -> Turns;
 
-    /// [`Task::checks`].
+    /// Calls [`Task::checks`].
     fn declared_checks(&self) -> &'static [Check];
 
-    /// [`Task::spoiled`].
+    /// Calls [`Task::spoiled`].
     fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>>;
 
-    /// [`Task::tables`].
+    /// Calls [`Task::tables`].
     fn own_tables(&self) -> Vec<TableSpec>;
 
-    /// [`Task::section`].
+    /// Calls [`Task::section`].
     ///
     /// # Errors
-    /// Where a table of a run cannot be read.
+    /// If a table of a run cannot be read.
     fn own_section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error>;
 }
 
@@ -114,31 +114,31 @@ impl std::fmt::Debug for dyn AnyTask {
     }
 }
 
-/// A task is told from others by its name.
+/// Tasks are equal if their names are equal.
 impl PartialEq for dyn AnyTask {
     fn eq(&self, other: &dyn AnyTask) -> bool {
         self.name() == other.name()
     }
 }
 
-/// A [`Case`] whose types are hidden.
+/// A [`Case`] with erased types.
 pub trait AnyCase: Send + Sync {
     /// The scene.
     fn loaded(&self) -> &LoadedScene;
 
-    /// Its task.
+    /// The scene's task.
     fn task(&self) -> &dyn AnyTask;
 
-    /// [`Task::sampled`].
+    /// Calls [`Task::sampled`].
     fn sampled(&self) -> Option<String>;
 
-    /// [`Task::dispute`].
+    /// Calls [`Task::dispute`].
     fn dispute(&self) -> Option<Dispute>;
 
-    /// [`Task::judge`], of an answer of the task's type.
+    /// Calls [`Task::judge`], with an answer of the task's type.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the judge.
     fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop>;
 
     /// The truth, a [`Task::Truth`].

@@ -1,22 +1,20 @@
-//! Budgets: how much a judge samples beyond the queries themselves.
+//! Budgets: the sample sizes of a judge, beyond the queries themselves.
 
-/// How much is sampled when answers are judged. All samples are spread evenly
-/// and by index only, so they are the same in every run.
+/// The sample sizes of a judge. Samples are spread evenly and by index only, so they are the same in every run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Budget {
     /// Findings kept per class; all are counted.
     pub findings_per_class: usize,
-    /// Evaluations spent on argument permutations; none where it is zero.
+    /// Evaluations spent on argument permutations; zero means none.
     pub permutations: usize,
     /// Tuples tried for relations between answers (Grassmann-Plücker, transitivity).
     pub relations: usize,
-    /// Whether all laws are tried that apply: the relations of circles and
-    /// spheres and the mixed ones too, in all planes, of single calls and
-    /// batches, of the scene and its first half.
+    /// True if all applicable laws are checked: also the relations of circles and spheres and the mixed ones, in all
+    /// planes, of single calls and batches, of the scene and its first half.
     pub thorough: bool,
-    /// Broken ties held against explicit infinitesimals.
+    /// The number of broken ties that are compared with explicit infinitesimals.
     pub ties: usize,
-    /// Whether every answer is written down: see [`Outcome::answers`](crate::Outcome::answers).
+    /// True if every answer is recorded: see [`Outcome::answers`](crate::Outcome::answers).
     pub answers: bool,
 }
 
@@ -40,8 +38,7 @@ impl Budget {
         answers: false,
     };
 
-    /// Numbers below `n`, spread evenly, as many as `budget` pays for at this
-    /// cost each; none without a budget.
+    /// Evenly spread numbers below `n`, as many as `budget` allows at this cost each; empty without a budget.
     pub fn spread(n: usize, cost: usize, budget: usize) -> impl Iterator<Item = usize> {
         let step = (n * cost).div_ceil(budget.max(1)).max(1);
         (0..if budget == 0 { 0 } else { n }).step_by(step)

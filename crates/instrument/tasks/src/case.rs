@@ -1,4 +1,4 @@
-//! One loaded scene with the truth about it, ready for one backend after another.
+//! A loaded scene with the truth about it, shared by all backends.
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Contract, PredicateKind, Predicates, Scene};
@@ -7,11 +7,11 @@ use crate::{Budget, Contestant, Task, Watch};
 
 /// A scene with the truth about it.
 pub struct Case<'a, T: Task> {
-    /// The scene and what its suite says about it.
+    /// The scene and its suite's information about it.
     pub loaded: &'a LoadedScene,
-    /// What is asked.
+    /// The questions that the scene asks.
     pub content: &'a T::Content,
-    /// What is true.
+    /// The truth.
     pub truth: T::Truth,
 }
 
@@ -23,34 +23,34 @@ impl<'a, T: Task> Case<'a, T> {
     }
 }
 
-/// The backend that is judged, its session, and how thoroughly it is judged.
+/// The judged backend, its session, and the thoroughness of judging.
 #[derive(Clone, Copy)]
 pub struct Asked<'a> {
     /// The backend.
     pub backend: &'a dyn Contestant,
-    /// Its session, for the questions of a judge's own.
+    /// Its session, for additional queries of the judge.
     pub session: &'a dyn Predicates,
-    /// How much to sample.
+    /// The sample sizes.
     pub budget: Budget,
-    /// Whether to go on.
+    /// The watch that can end the work.
     pub watch: &'a Watch<'a>,
 }
 
 impl Asked<'_> {
-    /// What the backend promises about a predicate.
+    /// The backend's contract for a predicate.
     #[must_use]
     pub fn contract(&self, kind: PredicateKind) -> Contract {
         self.backend.contract(kind)
     }
 }
 
-/// A scene whose author and the judge disagree: one of the two is wrong, and
-/// nothing is compared until a person has looked.
+/// A disagreement between a scene's author and the judge: one of the two is wrong, and nothing is compared until a
+/// person has looked.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Dispute {
-    /// How many answers differ.
+    /// The number of different answers.
     pub count: usize,
-    /// The first one, in words.
+    /// The first of them, in words.
     pub first: String,
 }
 

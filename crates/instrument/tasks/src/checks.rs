@@ -1,61 +1,60 @@
-//! The checks that a judge can report, declared: each has a class, a name and a meaning.
+//! Declarations of the checks that a judge can report: each has a class, a name and a meaning.
 //!
-//! A task lists its own in [`Task::checks`](crate::Task::checks); what can happen to any scene on any backend is in
-//! [`ON_EVERY_TASK`]. A finding that no list has is a mistake in the judge: `selftest` and `gate` are red then. The
-//! other way round each check has to be needed by a planted fault, or it would not be known whether it works.
+//! A task lists its own checks in [`Task::checks`](crate::Task::checks); [`ON_EVERY_TASK`] lists those that can occur
+//! for any scene on any backend. A finding that no list declares is a mistake in the judge: `selftest` and `gate` fail
+//! then. Conversely, a planted fault must need each check; otherwise nobody knows if the check works.
 
 use crate::{AnyTask, Class};
 
-/// A check: two that are equal are one, whatever tasks declare it.
+/// A check; equal checks of different tasks are one check.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Check {
     /// The class of its findings.
     pub class: Class,
-    /// Its name, as findings have it.
+    /// Its name in findings.
     pub name: &'static str,
-    /// What holds where it finds nothing, in one line.
+    /// The property that holds if the check finds nothing, in one line.
     pub means: &'static str,
-    /// Whether it is one of the relations that are tried with plenty of time only: see
-    /// [`Budget::thorough`](crate::Budget::thorough).
+    /// True if it runs only with plenty of time: see [`Budget::thorough`](crate::Budget::thorough).
     pub thorough: bool,
-    /// The names that findings have instead of this one: the statements that an algorithm found violated.
+    /// The names that findings have instead of this one: the invariants that an algorithm can find violated.
     pub rules: &'static [&'static [&'static str]],
 }
 
 impl Check {
-    /// A check with a name of its own.
+    /// A check with its own name.
     #[must_use]
     pub const fn new(class: Class, name: &'static str, means: &'static str) -> Check {
         Check { class, name, means, thorough: false, rules: &[] }
     }
 
-    /// One of what holds of a whole scene.
+    /// A check of a property of a whole scene.
     #[must_use]
     pub const fn topology(name: &'static str, means: &'static str) -> Check {
         Check::new(Class::Topology, name, means)
     }
 
-    /// A metric law that is violated by the rounding of vertices alone; what is violated by more is
-    /// [`topology`](Check::topology) of the same name.
+    /// A metric law that rounding of vertices alone violates; larger violations belong to [`topology`](Check::topology)
+    /// of the same name.
     #[must_use]
     pub const fn rounded(name: &'static str, means: &'static str) -> Check {
         Check::new(Class::Rounded, name, means)
     }
 
-    /// The statements that an algorithm looks after itself: where signs contradict each other it stops and says which does
-    /// not hold, and that is the name of the finding.
+    /// The invariants that an algorithm checks during its run: if signs contradict each other it stops and names the
+    /// violated invariant, which becomes the name of the finding.
     #[must_use]
     pub const fn invariants(means: &'static str, rules: &'static [&'static [&'static str]]) -> Check {
         Check { rules, ..Check::topology("invariant", means) }
     }
 
-    /// The same, for plenty of time only.
+    /// The check, restricted to runs with plenty of time.
     #[must_use]
     pub const fn with_time(self) -> Check {
         Check { thorough: true, ..self }
     }
 
-    /// Whether a finding of this class and check is one of its own.
+    /// True if a finding of this class and check name belongs to the check.
     #[must_use]
     pub fn has(&self, class: Class, check: &str) -> bool {
         let is_rule = || self.rules.iter().any(|rules| rules.contains(&check));
@@ -63,14 +62,14 @@ impl Check {
     }
 }
 
-/// `class (name)`.
+/// Formats the check as `class (name)`.
 impl std::fmt::Display for Check {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ({})", self.class.name(), self.name)
     }
 }
 
-/// What can happen to a scene whatever its task is: a refusal, or the end of the backend.
+/// Checks of every task: a refusal, or the end of the backend.
 pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Panic, "panic", "the backend does not panic"),
     Check::new(Class::Panic, "crashed", "its process ends when it is told to, and not before"),
@@ -89,8 +88,8 @@ pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Declined, "coordinates", "a library takes the coordinates"),
 ];
 
-/// Whether a finding of this class and name is one that a task declares, or one of every task. A task without a list
-/// declares nothing, and is not held to it.
+/// True if the task, or the list for every task, declares a finding of this class and name. A task without a list
+/// declares nothing, and every finding counts as declared.
 #[must_use]
 pub fn is_declared(task: &dyn AnyTask, class: Class, check: &str) -> bool {
     let own = task.declared_checks();

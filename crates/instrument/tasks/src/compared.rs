@@ -1,18 +1,18 @@
-//! The scenes on which backends are compared: each task names its own.
+//! The scenes of each task on which backends are compared.
 
-/// How special the position of a scene's primitives is.
+/// The degeneracy of the position of a scene's primitives.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Kind {
-    /// Nothing is near to anything.
+    /// General position: no primitives are near each other.
     General,
-    /// What nearly touches does so by a few roundings, or by a few tolerances.
+    /// Nearly degenerate: primitives miss contact by a few roundings, or by a few tolerances.
     Near,
-    /// Zeros everywhere.
+    /// Degenerate: zeros everywhere.
     Degenerate,
 }
 
 impl Kind {
-    /// All of them, in the order of tables.
+    /// All kinds, in the order of tables.
     pub const ALL: [Kind; 3] = [Kind::General, Kind::Near, Kind::Degenerate];
 
     /// The name in tables.
@@ -29,11 +29,11 @@ impl Kind {
 /// Scenes of one kind on which a task is compared: a family of its generators.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Compared {
-    /// How special they are.
+    /// The degeneracy of the scenes.
     pub kind: Kind,
-    /// What makes them.
+    /// The generator's family.
     pub family: &'static str,
-    /// About how large each is, in the family's own unit.
+    /// The approximate size of each scene, in the family's own unit.
     pub n: usize,
     /// Other keys of the generator, in TOML.
     pub keys: &'static str,
@@ -46,19 +46,19 @@ impl Compared {
         Compared { kind: Kind::General, family, n, keys: "" }
     }
 
-    /// Scenes that are nearly degenerate.
+    /// Nearly degenerate scenes.
     #[must_use]
     pub const fn near(family: &'static str, n: usize) -> Compared {
         Compared { kind: Kind::Near, family, n, keys: "" }
     }
 
-    /// Scenes that are degenerate.
+    /// Degenerate scenes.
     #[must_use]
     pub const fn degenerate(family: &'static str, n: usize) -> Compared {
         Compared { kind: Kind::Degenerate, family, n, keys: "" }
     }
 
-    /// The same with these keys.
+    /// The same scenes with these generator keys.
     #[must_use]
     pub const fn with(self, keys: &'static str) -> Compared {
         Compared { keys, ..self }

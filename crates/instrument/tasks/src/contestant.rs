@@ -1,4 +1,4 @@
-//! Backends picked by name at run time.
+//! Backends selected by name at run time.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -13,33 +13,33 @@ use predicament_predicates::{
 use crate::list::solvers;
 use crate::{AnswerError, How, Purpose, Solver, Task, TaskList, Watch};
 
-/// A backend that the command line can pick.
+/// A backend that the command line can select.
 pub trait Contestant: Send + Sync {
     /// The full name, with parameters.
     fn name(&self) -> String;
 
-    /// What it promises.
+    /// The backend's contract for a predicate.
     fn contract(&self, kind: PredicateKind) -> Contract;
 
     /// The names of its stages, cheapest first.
     fn stages(&self) -> &'static [&'static str];
 
-    /// Whether it answers batches of this predicate by code of its own.
+    /// The backend's own batch support for this predicate.
     fn batches(&self, kind: PredicateKind) -> Batches;
 
-    /// The version of the library behind it, where that is another one's.
+    /// The version of the library behind it, if it is an external library.
     fn version(&self) -> Option<String>;
 
-    /// The same backend with predicates that return at once, where the way to them costs something.
+    /// The same backend with predicates that return at once, if calls to it have a cost; it measures that cost.
     fn binding(&self) -> Option<Box<dyn Contestant>>;
 
-    /// Prepares a scene and hands the session over, where what is asked need not be fast.
+    /// Prepares a scene and passes the session to `ask`, for queries that need not be fast.
     ///
     /// # Errors
     /// [`Declined`]; then `ask` is not called.
     fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined>;
 
-    /// The same, and counts which stage settled what.
+    /// Prepares a scene like `with_session`, and counts the stages that settle queries.
     ///
     /// # Errors
     /// [`Declined`]; then `ask` is not called.
@@ -50,10 +50,10 @@ pub trait Contestant: Send + Sync {
         ask: &mut dyn FnMut(&mut dyn Predicates),
     ) -> Result<(), Declined>;
 
-    /// The independent judge of how it breaks ties, if it does.
+    /// The independent judge of its tie-breaking, if it breaks ties.
     fn tie_judge(&self) -> Option<&TieJudge>;
 
-    /// Itself on the task with this name.
+    /// The backend as a solver of the task with this name.
     fn solver(&self, task: &str) -> Option<&dyn Solver>;
 }
 
@@ -61,7 +61,7 @@ impl dyn Contestant + '_ {
     /// The answer to a scene of a task.
     ///
     /// # Errors
-    /// [`AnswerError`] where the backend declines or does not know the task.
+    /// [`AnswerError`] if the backend declines or does not know the task.
     pub fn answer<T: Task>(&self, task: &T, scene: &Scene, content: &T::Content) -> Result<T::Answer, AnswerError> {
         let mut found = None;
         self.answer_any(task.name(), scene, content, Purpose::Use, &mut |answer| {
@@ -70,10 +70,10 @@ impl dyn Contestant + '_ {
         found.ok_or_else(|| AnswerError::TwoTasks { task: task.name() })
     }
 
-    /// The answer to a scene of the task with this name, of the task's type, handed to `then`.
+    /// Passes the answer to a scene of the task with this name, of the task's type, to `then`.
     ///
     /// # Errors
-    /// [`AnswerError`] where the backend declines or does not know the task.
+    /// [`AnswerError`] if the backend declines or does not know the task.
     pub fn answer_any(
         &self,
         task: &str,
@@ -95,7 +95,7 @@ impl dyn Contestant + '_ {
         Ok(solved?)
     }
 
-    /// Asks one query alone in a scene: the sign, and the stage that settled it.
+    /// Evaluates one query alone in a scene; returns the sign, and the stage that settled it.
     ///
     /// # Errors
     /// [`Declined`].
@@ -119,7 +119,7 @@ pub(crate) fn stage(stages: &[&'static str], counts: &Counts, kind: PredicateKin
     stages.iter().enumerate().find(|&(stage, _)| counts.get(kind, stage) > 0).map(|(_, &name)| name)
 }
 
-/// A backend with what judging needs to know about it: on the tasks that ask for signs, and those of a list.
+/// A backend with the data that judging needs, on the tasks of signs and those of a list.
 pub struct Entry<B, L = ()> {
     backend: Arc<B>,
     tie_judge: Option<Box<TieJudge>>,
@@ -128,12 +128,12 @@ pub struct Entry<B, L = ()> {
 }
 
 impl<B: Backend + 'static> Entry<B> {
-    /// A backend as it is.
+    /// A backend without tie-breaking.
     pub fn new(backend: B) -> Entry<B> {
         Entry::shared(Arc::new(backend), None, ())
     }
 
-    /// A backend that breaks ties, with an independent judge of how it should.
+    /// A backend that breaks ties, with an independent judge of its tie-breaking.
     pub fn breaking_ties(
         backend: B,
         judge: impl Fn(&Scene, Question, &[Vertex]) -> Sign + Send + Sync + 'static,
@@ -143,7 +143,7 @@ impl<B: Backend + 'static> Entry<B> {
 }
 
 impl<B: Backend + 'static, L: TaskList> Entry<B, L> {
-    /// A backend that is shared with its other owners, with a judge of how it breaks ties, if it does, on these tasks besides signs.
+    /// A shared backend on the tasks of signs and these tasks, with a judge of its tie-breaking, if it breaks ties.
     pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>, tasks: L) -> Entry<B, L> {
         Entry { solvers: solvers(&backend, &tasks), backend, tie_judge, tasks }
     }

@@ -1,8 +1,8 @@
-//! Counts of classes.
+//! Counts of answers by class.
 
 use predicament_predicates::Class;
 
-/// How many of each class.
+/// The number of answers of each class.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct ClassCounts([u64; Class::ALL.len()]);
 
@@ -13,12 +13,12 @@ impl ClassCounts {
         self.0[class as usize]
     }
 
-    /// Counts `n` more of a class.
+    /// Adds `n` to the count of a class.
     pub const fn add(&mut self, class: Class, n: u64) {
         self.0[class as usize] += n;
     }
 
-    /// Moves `n` from one class to another, as far as there are any.
+    /// Moves up to `n` from one class to another.
     pub fn reclassify(&mut self, from: Class, to: Class, n: u64) {
         let n = n.min(self.get(from));
         self.0[from as usize] -= n;

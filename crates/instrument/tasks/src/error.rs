@@ -1,10 +1,10 @@
-//! Why a backend gives no answer, and why a query cannot be asked again.
+//! Reasons why a backend gives no answer, and why a query cannot be repeated.
 
 use predicament_predicates::{Declined, Query, Vertex};
 
 use crate::{Halt, Refusal};
 
-/// Why a backend gives no answer to a scene, or is not timed on it.
+/// The reason why a backend gives no answer to a scene, or is not timed on it.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum AnswerError {
@@ -15,18 +15,18 @@ pub enum AnswerError {
         /// The task's name.
         task: String,
     },
-    /// Two tasks have the same name, and the answer is one of the other task.
+    /// Two tasks have the same name, and the answer belongs to the other task.
     TwoTasks {
-        /// The name of both.
+        /// The name of both tasks.
         task: &'static str,
     },
     /// The backend declines the scene, a predicate or a construction.
     Refused(Refusal),
     /// The watch stopped it.
     Stopped,
-    /// The backend times its predicates by a clock of its own, and the task is timed as a whole.
+    /// The backend times its predicates with its own clock, and the task is timed as a whole.
     OwnClock,
-    /// The operating system gives no threads to time it on: its reason.
+    /// The operating system does not provide threads for timing: its reason.
     Threads(String),
 }
 
@@ -56,7 +56,7 @@ impl std::fmt::Display for AnswerError {
 
 impl std::error::Error for AnswerError {}
 
-/// Why the query of a finding cannot be asked again.
+/// The reason why a finding's query cannot be repeated.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum ExplainError {
@@ -67,18 +67,18 @@ pub enum ExplainError {
         /// The vertex.
         vertex: Vertex,
     },
-    /// The query is not one of the task: it lacks what the task asks about.
+    /// The query does not belong to the task: it lacks the objects of its questions.
     NotOfTask {
         /// The query.
         query: Query,
-        /// What is wrong with it, as the end of a sentence: `names no probe`.
+        /// The error, as the end of a sentence: `names no probe`.
         what: &'static str,
     },
-    /// The scene does not have what the query names by its vertices.
+    /// The scene lacks the object that the query's vertices name.
     NotInScene {
         /// The query.
         query: Query,
-        /// What the scene does not have, as a sentence: `the scene has no such segment`.
+        /// The missing object, as a sentence: `the scene has no such segment`.
         what: &'static str,
     },
     /// The scene has no such predicate.
@@ -86,13 +86,13 @@ pub enum ExplainError {
 }
 
 impl ExplainError {
-    /// The query is not one of the task.
+    /// The error for a query that does not belong to the task.
     #[must_use]
     pub fn not_of_task(query: &Query, what: &'static str) -> ExplainError {
         ExplainError::NotOfTask { query: query.clone(), what }
     }
 
-    /// The scene does not have what the query names.
+    /// The error for a query that names a missing object.
     #[must_use]
     pub fn not_in_scene(query: &Query, what: &'static str) -> ExplainError {
         ExplainError::NotInScene { query: query.clone(), what }

@@ -1,31 +1,33 @@
-//! Ways to make scenes harder, and how far scenes of a task can be moved so.
+//! Knobs: transformations that make scenes harder, and their limits for each task.
 
-/// One way to make scenes harder.
+/// A transformation that makes scenes harder.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Knob {
-    /// Degenerate scenes, each coordinate moved at random by up to so much of the scene's extent.
+    /// Degenerate scenes, with each coordinate moved at random by up to a fraction of the scene's extent.
     Noise,
-    /// General scenes, moved away from the origin by 2^k of their extent: coordinates are rounded, to 53 - k bits of the extent.
+    /// General scenes, translated from the origin by 2^k of their extent: coordinates are rounded, to 53 - k bits of
+    /// the extent.
     Translation,
-    /// General scenes, coordinates rounded to [`SHIFTED_BITS`] bits of their extent, then moved by 2^k of it: the move rounds nothing.
+    /// General scenes, with coordinates rounded to [`SHIFTED_BITS`] bits of their extent, then translated by 2^k of it
+    /// without rounding.
     Shift,
     /// General scenes, times 2^k.
     Scale,
     /// General scenes, the last coordinate times 2^-k.
     Aspect,
-    /// General scenes of k times as many primitives.
+    /// General scenes with k times as many primitives.
     Size,
-    /// General scenes, coordinates rounded to k bits of their extent.
+    /// General scenes, with coordinates rounded to k bits of their extent.
     Precision,
-    /// Degenerate scenes of integers, turned k times by the angle of a Pythagorean triangle, and five times as large (in space 25 times): exactly,
-    /// as long as coordinates have no more than 53 bits.
+    /// Degenerate scenes of integers, rotated k times by the angle of a Pythagorean triangle, and five times as large
+    /// (in space 25 times). This is exact while coordinates have at most 53 bits.
     Pythagorean,
-    /// Degenerate scenes, turned by k sixteenths of a right angle.
+    /// Degenerate scenes, rotated by k sixteenths of a right angle.
     Turn,
 }
 
 impl Knob {
-    /// All of them.
+    /// All knobs.
     pub const ALL: [Knob; 9] = [
         Knob::Noise,
         Knob::Translation,
@@ -54,7 +56,7 @@ impl Knob {
         }
     }
 
-    /// What it does to which scenes, in a sentence.
+    /// The transformation and its scenes, in a sentence.
     #[must_use]
     pub const fn about(self) -> &'static str {
         match self {
@@ -70,7 +72,7 @@ impl Knob {
         }
     }
 
-    /// What its numbers are.
+    /// The unit of its positions.
     #[must_use]
     pub const fn unit(self) -> &'static str {
         match self {
@@ -84,7 +86,7 @@ impl Knob {
         }
     }
 
-    /// Where it can be, from easy to hard as far as that is known.
+    /// Its positions, from easy to hard as far as that is known.
     #[must_use]
     pub const fn positions(self) -> &'static [i32] {
         match self {
@@ -100,8 +102,9 @@ impl Knob {
         }
     }
 
-    /// Whether turning the knob rounds the coordinates of a scene, so that the scene itself changes: nearly degenerate points may become
-    /// degenerate. A knob that does not keeps each sign of the scene at rest, as far as its map keeps signs.
+    /// The positions at which turning the knob rounds the coordinates of a scene, so that the scene itself changes:
+    /// nearly degenerate points may become degenerate. At other positions the knob keeps each sign of the scene at
+    /// rest, as far as its map keeps signs.
     #[must_use]
     pub const fn rounds(self) -> RoundsScene {
         match self {
@@ -111,29 +114,30 @@ impl Knob {
         }
     }
 
-    /// Whether it begins with degenerate scenes.
+    /// True if it starts from degenerate scenes.
     #[must_use]
     pub const fn is_of_degenerate(self) -> bool {
         matches!(self, Knob::Noise | Knob::Pythagorean | Knob::Turn)
     }
 }
 
-/// The bits of a coordinate, over the extent, that [`Knob::Shift`] keeps: with 28 of the way and one of the sum these are 53.
+/// The bits of a coordinate, over the extent, that [`Knob::Shift`] keeps: with 28 for the translation and one for the
+/// sum these are 53.
 pub const SHIFTED_BITS: i32 = 24;
 
-/// Whether a knob rounds the coordinates of a scene.
+/// The positions at which a knob rounds the coordinates of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RoundsScene {
-    /// Not at any of its positions.
+    /// At none of its positions.
     Never,
-    /// At each position but rest.
+    /// At each position except rest.
     Always,
-    /// Where coordinates would have more than 53 bits.
+    /// At positions where coordinates would need more than 53 bits.
     Beyond53Bits,
 }
 
 impl RoundsScene {
-    /// The word in tables.
+    /// The name in tables.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -144,19 +148,19 @@ impl RoundsScene {
     }
 }
 
-/// How far a knob can be turned until the scenes of a task are no scenes of it any more.
+/// The positions of a knob for which scenes of a task remain valid.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Turns {
-    /// To each of its positions.
+    /// All positions.
     Everywhere,
-    /// To positions of at most this magnitude, and what is wrong beyond them.
+    /// Positions of at most this magnitude, and the reason for the limit.
     UpTo(i32, &'static str),
-    /// Nowhere, and why.
+    /// No positions, and the reason.
     Nowhere(&'static str),
 }
 
 impl Turns {
-    /// Whether a scene at this position is one of the task.
+    /// True if a scene at this position is a valid scene of the task.
     #[must_use]
     pub fn reaches(self, position: i32) -> bool {
         match self {

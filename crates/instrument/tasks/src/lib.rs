@@ -1,24 +1,21 @@
-//! Tasks: what can be asked of a scene.
+//! Tasks: the questions that can be asked about a scene.
 //!
-//! A [`Task`] is everything about one question: its keys in suites, its
-//! generators, its truth, how it is solved by any backend, how answers are
-//! judged and explained, and its section of a report. The other crates see a
-//! task only as [`AnyTask`]; none of them names one. A new task is a crate
-//! and one line in a list: `docs/TASKS.md` walks through one.
+//! A [`Task`] is everything about one question: its keys in suites, its generators, its truth, the solution by any
+//! backend, judging and explaining of answers, and its section of a report. The other crates see a task only as
+//! [`AnyTask`]; none of them names one. A new task is a crate and one line in a list: `docs/TASKS.md` is a tutorial.
 //!
-//! This crate never names a backend. What runs tasks on backends, with time
-//! limits and expectations, is the crate `oracle`.
+//! This crate never names a backend. The crate `oracle` runs tasks on backends, with time limits and expectations.
 //!
-//! * [`Task`], [`Case`], [`Asked`]: what a task implements and is handed.
-//! * [`Contestant`], [`Entry`], [`Solver`]: a backend picked at run time, on the tasks of a [`TaskList`].
-//! * [`AnswerError`], [`ExplainError`]: why a backend gives no answer, and why a query cannot be asked again.
-//! * [`Outcome`], [`Finding`], [`ClassCounts`]: what judging gives.
-//! * [`Check`]: what a judge can report. [`Spoiled`]: answers that prove that it does.
-//! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the ways in which they can be made harder.
+//! * [`Task`], [`Case`], [`Asked`]: the trait of a task and its arguments.
+//! * [`Contestant`], [`Entry`], [`Solver`]: a backend selected at run time, on the tasks of a [`TaskList`].
+//! * [`AnswerError`], [`ExplainError`]: reasons why a backend gives no answer, and why a query cannot be repeated.
+//! * [`Outcome`], [`Finding`], [`ClassCounts`]: the results of judging.
+//! * [`Check`]: a check that a judge can report. [`Spoiled`]: answers that prove that it does.
+//! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the transformations that make them harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
-//! * [`signs`]: the tasks that ask for single signs. All others are crates of their own.
-//! * [`map_source`], [`map_loops`], [`segment_source`], [`solids`]: what scenes of several tasks are made of.
-//! * [`rounding`]: what the rounding of output coordinates excuses.
+//! * [`signs`]: the tasks that ask for single signs. Every other task is a separate crate.
+//! * [`map_source`], [`map_loops`], [`segment_source`], [`solids`]: input shared by several tasks.
+//! * [`rounding`]: violations that the rounding of output coordinates excuses.
 
 mod any;
 mod budget;

@@ -1,4 +1,4 @@
-//! Tasks that come together: the signs, which every tool has, and lists of tasks of other crates.
+//! Lists of tasks: the tasks of signs, which every tool has, and lists of tasks of other crates.
 
 use std::sync::Arc;
 
@@ -11,13 +11,13 @@ use crate::{AnyTask, OnTask, Solver, Task};
 /// The tasks that ask for single signs, in the order of reports and messages.
 const SIGNS: [&Signs; 5] = [&Signs::COMPARE, &Signs::ORIENT2D, &Signs::ORIENT3D, &Signs::INCIRCLE, &Signs::INSPHERE];
 
-/// The tasks of this list behind those that ask for single signs: what a tool with the list can be asked.
+/// The tasks of signs, then the tasks of this list: all tasks of a tool with the list.
 #[must_use]
 pub fn with_signs(tasks: &impl TaskList) -> Vec<&'static dyn AnyTask> {
     SIGNS.into_iter().map(|task| task as &'static dyn AnyTask).chain(tasks.tasks()).collect()
 }
 
-/// A backend on each of these tasks, and on those that ask for single signs.
+/// A backend as a solver of the tasks of signs and of these tasks.
 pub(crate) fn solvers<B: Backend + 'static>(backend: &Arc<B>, tasks: &impl TaskList) -> Vec<Box<dyn Solver>> {
     let signs = SIGNS.into_iter().map(|task| Box::new(OnTask::new(backend, *task)) as Box<dyn Solver>);
     signs.chain(tasks.solvers(backend)).collect()
@@ -29,12 +29,12 @@ pub fn vocabulary(tasks: &[&'static dyn AnyTask]) -> Vocabulary {
     Vocabulary::new(tasks.iter().map(|&task| task as &'static dyn SceneFormat).collect())
 }
 
-/// A list of tasks: `()`, or a task behind those of a list.
+/// A list of tasks: `()`, or a task and the list before it.
 pub trait TaskList: Clone + Send + Sync + 'static {
-    /// The tasks, which live as long as the program.
+    /// The tasks; they live as long as the program.
     fn tasks(&self) -> Vec<&'static dyn AnyTask>;
 
-    /// A backend on each of them.
+    /// A backend as a solver of each task.
     fn solvers<B: Backend + 'static>(&self, backend: &Arc<B>) -> Vec<Box<dyn Solver>>;
 }
 
@@ -50,7 +50,7 @@ impl TaskList for () {
 
 impl<T: Task + Clone, Rest: TaskList> TaskList for (T, Rest) {
     fn tasks(&self) -> Vec<&'static dyn AnyTask> {
-        // A task lives as long as the program that it is part of.
+        // A task lives as long as the program.
         let task: &'static T = Box::leak(Box::new(self.0.clone()));
         let mut tasks = self.1.tasks();
         tasks.push(task);

@@ -1,17 +1,17 @@
-//! Maps as loops of the indices of points: the form in which vertices keep their numbers.
+//! Maps as loops of point indices: in this form vertices keep their numbers.
 //!
-//! Maps of coordinates weld points at one place and number them as they come. A perturbation that goes by the number
-//! then is another one, so what is written out to be edited needs indices.
+//! Maps of coordinates merge points at one position and number them in the order of appearance. That changes a
+//! perturbation that depends on the number, so a scene that is written out for editing needs indices.
 
 use predicament_corpus::{Context, Items, List, PointSource};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, ImportedMap};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Dimension, Vertex};
 
-/// More regions than this are a slip of the pen.
+/// The maximum number of regions; more are a typing error.
 pub const MOST_REGIONS: usize = 1 << 22;
 
-/// What a scene about a map has.
+/// The keys that a scene about a map needs.
 pub const NEEDED: &str = "`map`, or `points` and `loops`";
 
 const LOOPS: &str = "loops: arrays of the indices of points, one for each loop";
@@ -20,7 +20,7 @@ const REGIONS: &str = "an array of the numbers of regions, one for each loop";
 /// Each loop with its line in the suite.
 pub type Loops = Vec<(usize, Vec<Vertex>)>;
 
-/// Loops of points, each of a region.
+/// Loops of points, each belonging to a region.
 #[derive(Clone, Debug)]
 pub struct MapLoops {
     points: PointSource,
@@ -40,7 +40,7 @@ pub fn read_loops(field: &Field<'_, '_>) -> Result<Loops, CorpusError> {
 }
 
 impl MapLoops {
-    /// Reads `points`, `loops` and `regions`; without the last, each loop is a region of its own.
+    /// Reads `points`, `loops` and `regions`; without `regions`, each loop is a separate region.
     pub fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<MapLoops, CorpusError> {
         let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
         let loops = fields.get("loops").ok_or_else(|| {
@@ -89,7 +89,7 @@ impl MapLoops {
         Ok(ImportedMap { points, map, notes })
     }
 
-    /// What is wrong with a loop over so many points, and the cure.
+    /// The error of a loop over `points` points, and the fix.
     fn check(&self, one: &[Vertex], points: usize) -> Result<(), (String, &'static str)> {
         if let Some(unknown) = one.iter().find(|v| v.index() >= points) {
             let message = format!("the corner {unknown} is out of range: the scene has {points} points");
@@ -105,13 +105,13 @@ impl MapLoops {
         }
     }
 
-    /// The fetched file that holds the points, if one does.
+    /// The fetched file that holds the points, if any.
     pub fn entry(&self) -> Option<&Entry> {
         self.points.entry()
     }
 }
 
-/// The loops of regions under `loops`, with `regions` where that does not number them one after the other. None where
+/// Writes the loops of regions under `loops`, with `regions` unless these are numbered consecutively. Returns `None` if
 /// there are too many regions. A last region without loops is left out.
 pub fn spelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
     let loops: Vec<Vec<Vertex>> = regions.iter().flatten().cloned().collect();
@@ -121,7 +121,7 @@ pub fn spelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
     labelled_loops(regions)
 }
 
-/// The same with `regions` in any case.
+/// Writes the loops like `spelled_loops`, always with `regions`.
 pub fn labelled_loops(regions: &[Vec<Vec<Vertex>>]) -> Option<List> {
     let loops: Vec<Vec<Vertex>> = regions.iter().flatten().cloned().collect();
     let labels = (0_u32..).zip(regions).flat_map(|(region, loops)| std::iter::repeat_n(vec![region], loops.len()));

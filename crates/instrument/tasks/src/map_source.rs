@@ -1,4 +1,4 @@
-//! Maps that a table refers to or writes out: TopoJSON, GeoJSON, WKT, or polygons; whole, or some of their regions.
+//! Maps that a table refers to or contains: TopoJSON, GeoJSON, WKT, or polygons; whole maps, or some of their regions.
 
 use predicament_corpus::{Context, Origin};
 use predicament_formats::{
@@ -11,7 +11,7 @@ use crate::map_loops::{MapLoops, NEEDED};
 static MAP: TableKind =
     TableKind::new("map", &["path", "topojson", "fetch", "object", "member", "polygons", "ids", "regions"]);
 
-/// Where a map is.
+/// The source of a map.
 #[derive(Clone, Debug)]
 pub enum MapSource {
     /// An object of a TopoJSON file.
@@ -20,20 +20,20 @@ pub enum MapSource {
         origin: Origin,
         /// The object's name.
         object: String,
-        /// Whether decimals that are no doubles are rounded.
+        /// True if decimals that are not doubles are rounded.
         round: bool,
-        /// Which of its regions.
+        /// The selection of its regions.
         selected: Selected,
     },
     /// A GeoJSON or WKT file, or a member of a JSON file.
     Geometry {
         /// The file.
         origin: Origin,
-        /// The member, where the file has several.
+        /// The member, if the file has several.
         member: Option<String>,
-        /// Whether decimals that are no doubles are rounded.
+        /// True if decimals that are not doubles are rounded.
         round: bool,
-        /// Which of its regions.
+        /// The selection of its regions.
         selected: Selected,
     },
     /// Polygons in the suite.
@@ -116,7 +116,7 @@ impl MapSource {
         }
     }
 
-    /// The fetched file, if it needs one.
+    /// The fetched file, if any.
     pub fn entry(&self) -> Option<&Entry> {
         match self {
             MapSource::Topology { origin, .. } | MapSource::Geometry { origin, .. } => origin.entry(),
@@ -126,23 +126,23 @@ impl MapSource {
     }
 }
 
-/// Which regions of a file are the map.
+/// The selection of a file's regions that form the map.
 #[derive(Clone, Debug)]
 pub enum Selected {
     /// All regions of the file.
     All,
-    /// The regions whose ids begin with a text.
+    /// The regions whose ids begin with a prefix.
     Ids {
-        /// The text.
+        /// The prefix.
         begin: String,
-        /// The suite that says so.
+        /// The suite that contains it.
         file: String,
         /// Its line.
         line: usize,
     },
-    /// The regions with these numbers.
+    /// The regions with these indices.
     Numbers {
-        /// The numbers, ascending, from 0 in the file's order, each with its line in the suite.
+        /// The indices, ascending, from 0 in the file's order, each with its line in the suite.
         numbers: Vec<(usize, usize)>,
         /// The suite.
         file: String,
@@ -179,7 +179,7 @@ impl Selected {
         }
     }
 
-    /// What is read with these regions only; an error where there are none of them.
+    /// Reads with only these regions; an error if there are none.
     fn of<T>(&self, read: impl FnOnce(&mut Keeps<'_>) -> Result<T, CorpusError>) -> Result<T, CorpusError> {
         match self {
             Selected::All => read(&mut |_, _| true),
@@ -213,7 +213,7 @@ impl Selected {
     }
 }
 
-/// A map with the number of decimals that were rounded in its notes.
+/// A map whose notes include the number of rounded decimals.
 fn rounding(
     round: bool,
     read: impl FnOnce(&Decimals) -> Result<ImportedMap, CorpusError>,

@@ -1,4 +1,4 @@
-//! The result of one backend on one scene.
+//! The outcome of one backend on one scene.
 
 use predicament_predicates::{Query, Sign, Vertex};
 use predicament_records::{Record, Row};
@@ -6,20 +6,20 @@ use sha2::{Digest, Sha256};
 
 use crate::{Class, ClassCounts};
 
-/// One disagreement, with all that is needed to ask again.
+/// A disagreement, with all data needed to repeat the query.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Finding {
     /// Its class; never a legal one.
     pub class: Class,
     /// The check that found it.
     pub check: String,
-    /// The queries that it is about; none where it is about the whole scene.
+    /// The queries of the finding; empty if it is about the whole scene.
     pub queries: Vec<Query>,
-    /// What the backend answered.
+    /// The backend's answer.
     pub got: String,
-    /// What would have been right.
+    /// The right answer.
     pub truth: String,
-    /// log2(|det| / permanent); none for exact zeros and for checks without a determinant.
+    /// The value log2(|det| / permanent); `None` for exact zeros and for checks without a determinant.
     pub log2_relative_det: Option<f64>,
     /// The distance of the last vertex to the feature of the others, in units
     /// of the scene's largest bounding-box edge.
@@ -29,7 +29,7 @@ pub struct Finding {
 }
 
 impl Finding {
-    /// One without a determinant.
+    /// A finding without a determinant.
     #[must_use]
     pub fn plain(class: Class, check: impl Into<String>, queries: Vec<Query>, got: String, truth: String) -> Finding {
         Finding {
@@ -51,27 +51,27 @@ impl Finding {
     }
 }
 
-/// One answer, whatever its class.
+/// The record of one answer, of any class.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct AnswerLine {
-    /// The number of the query in its scene, from 0.
+    /// The index of the query in its scene, from 0.
     pub query: usize,
-    /// The vertices that it is about.
+    /// The vertices of the query.
     pub args: Vec<Vertex>,
-    /// What the backend answered.
+    /// The backend's answer.
     pub answer: String,
-    /// What is true without a perturbation or a band.
+    /// The exact answer, without a perturbation or a band.
     pub exact: String,
-    /// The class of the answer by itself: what contradicts another answer is a finding.
+    /// The class of the answer alone: a contradiction to another answer is a separate finding.
     pub class: Class,
-    /// The stage that settled it, where it was asked alone; empty where there is none.
+    /// The stage that settled it when it was asked alone; empty if there is none.
     pub stage: &'static str,
 }
 
 /// The result of one backend on one scene.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Outcome {
-    /// How many queries or points were asked.
+    /// The number of queries or points asked.
     pub queries: u64,
     /// Queries by class; `inconsistent` also counts violated relations between
     /// answers, and the last four classes count the scene.
@@ -80,19 +80,19 @@ pub struct Outcome {
     pub findings: Vec<Finding>,
     /// Queries by the stage that settled them.
     pub stages: Vec<(&'static str, u64)>,
-    /// A digest of the answers as users get them (for [`Purpose::Use`](crate::Purpose)); none where there are none.
+    /// A digest of the answers as users get them (for [`Purpose::Use`](crate::Purpose)); `None` if there are none.
     pub digest: Option<u64>,
-    /// What the truth is about, where that is not the whole scene.
+    /// The part of the scene that the truth covers, if not all.
     pub sampled: Option<String>,
     /// Rows of the task's own tables.
     pub rows: Vec<Record>,
-    /// Every answer, in query order, where the [`Budget`](crate::Budget) asks for them and the task has an answer to each
-    /// query; empty for tasks whose answer is a whole.
+    /// Every answer, in query order, if the [`Budget`](crate::Budget) asks for them and the task has an answer to each
+    /// query; empty for tasks that are judged as a whole.
     pub answers: Vec<AnswerLine>,
 }
 
 impl Outcome {
-    /// A scene-level class and nothing else.
+    /// The outcome with a single scene-level class.
     #[must_use]
     pub fn of_scene(queries: u64, class: Class, check: &str, reason: String) -> Outcome {
         let mut outcome = Outcome { queries, ..Outcome::default() };
@@ -112,7 +112,7 @@ impl Outcome {
     /// Adds a row to a table of the task.
     ///
     /// # Panics
-    /// If the row fails its own check: a judge wrote nonsense.
+    /// If the row fails its own check: then the judge has an error.
     pub fn row<R: Row>(&mut self, row: &R) {
         self.rows.push(Record::of(row).unwrap_or_else(|error| panic!("{error}")));
     }

@@ -1,32 +1,32 @@
-//! The parts of an algorithm, timed one by one.
+//! Timings of the parts of an algorithm.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
-/// What a phase took, for all that it counts.
+/// The timing of one phase, for all its items.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Phase {
     /// Its name: `grid`, `queries`, …
     pub name: &'static str,
-    /// What is counted: `triangle`, `query`, …
+    /// The counted unit: `triangle`, `query`, …
     pub unit: &'static str,
-    /// How many of them there are.
+    /// The number of units.
     pub count: usize,
-    /// The time of all of them.
+    /// The total time.
     pub elapsed: Duration,
-    /// The memory of what was made, in bytes; none where that is not known.
+    /// The memory of the result, in bytes; `None` if it is not known.
     pub bytes: Option<usize>,
 }
 
 impl Phase {
-    /// Times the making of something, and hands it over.
+    /// Times a computation, and returns its result with the phase.
     pub fn timed<T>(name: &'static str, unit: &'static str, count: usize, make: impl FnOnce() -> T) -> (Phase, T) {
         let start = Instant::now();
         let made = black_box(make());
         (Phase { name, unit, count, elapsed: start.elapsed(), bytes: None }, made)
     }
 
-    /// The phase with the memory of what was made.
+    /// The phase with the memory of its result.
     #[must_use]
     pub fn with_bytes(self, bytes: usize) -> Phase {
         Phase { bytes: Some(bytes), ..self }

@@ -1,33 +1,37 @@
-//! How far rounded vertices are from where they are exactly, and which violated laws that explains.
+//! Errors of rounded vertices, and the violated laws that they excuse.
 //!
-//! A session that keeps constructed vertices as doubles cannot put them where they are. A cap is off its plane then, and areas add
-//! up to a little less, though each sign may be right. Such a finding is of the class [`Class::Rounded`], and not
-//! [`Class::Topology`], where all of this holds:
+//! A session that keeps constructed vertices as doubles cannot represent them exactly. Then a cap is off its plane, and
+//! areas add up to a little less, though each sign may be right. Such a finding has the class [`Class::Rounded`], not
+//! [`Class::Topology`], if all of this holds:
 //!
-//! 1. The law is metric: it is about distances, areas or volumes. That a triangle is turned over, a surface is open or two edges cross is
-//!    never excused, also where rounding is what did it.
-//! 2. The law holds of the same answer with each vertex where it is exactly: where its definition says that it is, in rationals.
+//! 1. The law is metric: it is about distances, areas or volumes. A reversed triangle, an open surface or two crossing
+//!    edges are never excused, even if rounding caused them.
+//! 2. The law holds for the same answer with each vertex at its exact position, which is the rational point of its
+//!    definition.
 //! 3. Each coordinate of each constructed vertex is at most [`BOUND`] units from there.
 //!
 //! # The unit
-//! The unit of a vertex is the unit in the last place of the largest coordinate, along any axis, of the input vertices that define it,
-//! through other constructed vertices or not. Those are the numbers that arithmetic has seen: a coordinate near
-//! zero between points far from it is a difference of large numbers, and its own last place is nothing that arithmetic in doubles
-//! could keep. The largest coordinate of the scene would be simpler, but one far point would excuse gross errors everywhere.
+//! The unit of a vertex is the unit in the last place of the largest coordinate, along any axis, of the input vertices
+//! that define it, directly or through other constructed vertices. The arithmetic has worked with these numbers: a
+//! coordinate near zero between points far from it is a difference of large numbers, and arithmetic in doubles could
+//! not keep its last place. The largest coordinate of the scene would be simpler, but one far point would excuse gross
+//! errors everywhere.
 //!
 //! # The bound
-//! The nearest doubles are off by half a unit at most. Four units are eight times that: what is left to who rounds twice or
-//! thrice on the way, as x + t·(y − x) with a well-conditioned t does, and not to who divides by a number that is mostly
-//! error.
+//! The nearest doubles are off by half a unit at most. Four units are eight times that. This allows two or three
+//! roundings on the way, as x + t·(y − x) with a well-conditioned t has them, but not a division by a number that is
+//! mostly error.
 //!
-//! With d coordinates each off by at most K units of size u, a vertex is at most δ = √d·K·u away from its place. So what is excused
-//! is bounded, too, as the law holds at the places:
+//! With d coordinates each off by at most K units of size u, a vertex is at most δ = √d·K·u from its exact position. So
+//! the excused error is bounded, too, because the law holds at the exact positions:
 //!
 //! * A vertex is at most δ off its plane or segment, and at most δ beyond a plane.
-//! * A region with a boundary of length p has an area that is at most pδ + nπδ² off, for n corners: all that changes is within δ of the boundary.
-//! * A solid with a surface of area A and edges of length p together has a volume that is at most Aδ + πpδ² + 4nπδ³/3 off, by the same reason.
+//! * A region with a boundary of length p has an area that is at most pδ + nπδ² off, for n corners: all changes are
+//!   within δ of the boundary.
+//! * A solid with a surface of area A and edges of length p together has a volume that is at most Aδ + πpδ² + 4nπδ³/3
+//!   off, for the same reason.
 //!
-//! What is decided is decided in rationals; only what is told is rounded.
+//! All decisions use rationals; only reported numbers are rounded.
 
 use predicament_judge::{Points, nearest, rational};
 use predicament_predicates::{Construction, Scene, Vertex};
@@ -35,19 +39,19 @@ use rug::Rational;
 
 use crate::Class;
 
-/// The most units that each coordinate of a vertex may be off its exact place, to be called rounded.
+/// The maximum error of each coordinate of a vertex, in units, for the class `Rounded`.
 pub const BOUND: u32 = 4;
 
-/// Where rounded vertices are exactly.
+/// The exact positions of rounded vertices.
 pub struct Rounding<const D: usize> {
-    /// In the order of the vertices; those that are no point, where they were rounded to.
+    /// The exact positions, in the order of the vertices; a vertex that is not a point keeps its rounded position.
     pub exact: Vec<[Rational; D]>,
-    /// The vertex that is farthest from its place, in its units; nothing where one has no place.
+    /// The vertex with the largest error, in its units; the error is `None` if the vertex is not a point.
     worst: Option<(Vertex, Option<Rational>)>,
 }
 
 impl<const D: usize> Rounding<D> {
-    /// Vertices of a scene, and what each was rounded to, finite coordinates.
+    /// Compares vertices of a scene with their rounded positions, which have finite coordinates.
     pub fn new(scene: &Scene, rounded: impl IntoIterator<Item = (Vertex, [f64; D])>) -> Rounding<D> {
         let (points, largest) = (Points::of(scene), largest(scene));
         let mut all = Rounding { exact: Vec::new(), worst: None };
@@ -75,18 +79,18 @@ impl<const D: usize> Rounding<D> {
         all
     }
 
-    /// The same of vertices that these definitions add to a scene.
+    /// Compares the vertices that these definitions add to a scene with their rounded positions.
     pub fn of_definitions(scene: &Scene, definitions: &[Construction], rounded: &[[f64; D]]) -> Rounding<D> {
         let (scene, vertices) = defined(scene, definitions);
         Rounding::new(&scene, vertices.into_iter().zip(rounded.iter().copied()))
     }
 
-    /// Whether all vertices are within the bound.
+    /// True if all vertices are within the bound.
     pub fn is_within(&self) -> bool {
         self.worst.as_ref().is_none_or(|(_, off)| off.as_ref().is_some_and(|off| *off <= BOUND))
     }
 
-    /// The class of a violated metric law, and why, for the end of what is told of it.
+    /// The class of a violated metric law, and the reason, as the end of the finding's text.
     pub fn class(&self, holds_exactly: bool) -> (Class, String) {
         let class = if holds_exactly && self.is_within() { Class::Rounded } else { Class::Topology };
         let far = match &self.worst {
@@ -99,16 +103,16 @@ impl<const D: usize> Rounding<D> {
     }
 }
 
-/// What rounding explains of the laws that an answer violates.
+/// The rounding errors of an answer, and the laws that they do not excuse.
 pub struct Excuse<const D: usize, L> {
-    /// How far vertices are from their places.
+    /// The errors of the vertices.
     pub rounding: Rounding<D>,
-    /// The metric laws that are violated with vertices in their exact places, too.
+    /// The metric laws that are also violated with vertices at their exact positions.
     pub violated: Vec<L>,
 }
 
 impl<const D: usize, L: PartialEq> Excuse<D, L> {
-    /// The class of a violated law, and what is told of it. Only a metric law has an excuse.
+    /// The class of a violated law, and the finding's text. Only a metric law has an excuse.
     pub fn judged(excuse: Option<&Excuse<D, L>>, law: &L, told: String) -> (Class, String) {
         let Some(Excuse { rounding, violated }) = excuse else { return (Class::Topology, told) };
         let (class, why) = rounding.class(!violated.contains(law));
@@ -116,7 +120,7 @@ impl<const D: usize, L: PartialEq> Excuse<D, L> {
     }
 }
 
-/// A number of units, and the part of the largest coordinate that it is.
+/// An error in units, and as a fraction of the largest coordinate.
 fn told(off: &Rational) -> String {
     let off = nearest(off);
     if off < 1e4 { format!("{off:.2} ulp") } else { format!("{off:.1e} ulp") }
@@ -129,7 +133,7 @@ fn defined(scene: &Scene, definitions: &[Construction]) -> (Scene, Vec<Vertex>) 
     (scene, vertices)
 }
 
-/// For each construction the largest absolute coordinate of the input vertices that define it.
+/// For each construction, the largest absolute coordinate of the input vertices that define it.
 fn largest(scene: &Scene) -> Vec<f64> {
     let mut all: Vec<f64> = Vec::with_capacity(scene.constructions().len());
     for definition in scene.constructions() {
@@ -143,14 +147,14 @@ fn largest(scene: &Scene) -> Vec<f64> {
     all
 }
 
-/// The unit in the last place of a number that is not negative.
+/// The unit in the last place of a nonnegative number.
 fn last_place(x: f64) -> f64 {
     let next = x.next_up();
     if next.is_finite() { next - x } else { x - x.next_down() }
 }
 
-/// The doubles nearest to the vertices that these definitions add to a scene, of which the first is moved besides, in each coordinate; for faults. None where
-/// one is no point, or there are none.
+/// The doubles nearest to the vertices that these definitions add to a scene, with each coordinate of the first vertex
+/// moved; for planted faults. `None` if a vertex is not a point, or there are none.
 pub fn spoiled<const D: usize>(
     scene: &Scene,
     definitions: &[Construction],
@@ -168,12 +172,12 @@ pub fn spoiled<const D: usize>(
     Some(all)
 }
 
-/// A coordinate one place further: what rounding explains.
+/// The next double above the coordinate, which rounding explains.
 pub fn one_place(x: f64) -> f64 {
     x.next_up()
 }
 
-/// A coordinate a thousandth further: what no rounding explains.
+/// The coordinate moved by a thousandth of itself, which rounding does not explain.
 pub fn far(x: f64) -> f64 {
     if x == 0.0 { 1e-3 } else { x * 1.001 }
 }
@@ -184,7 +188,7 @@ mod tests {
 
     use super::*;
 
-    /// Two segments that cross in (1/3, 1/3), about a point that is far away from them.
+    /// Two segments that cross in (1/3, 1/3), and a point far away from them.
     fn scene() -> (Scene, Vertex) {
         let coordinates = [[0.0, 0.0], [1.0, 1.0], [0.0, 0.5], [1.0, 0.0], [1e9, 1e9]];
         let mut scene = Scene::new(Dimension::Two, coordinates.as_flattened().to_vec()).unwrap();
@@ -199,7 +203,8 @@ mod tests {
         let third = 1.0 / 3.0;
         let unit = f64::EPSILON;
         let at = |steps: f64| Rounding::new(&scene, [(v, [third + steps * unit, third])]);
-        // The unit is that of 1.0, the largest coordinate of a definition: not that of a third, nor that of the far point.
+        // The unit is that of 1.0, the largest coordinate of a definition: not that of a third, nor that of the far
+        // point.
         for (steps, is_within) in [(0.0, true), (1.0, true), (-3.75, true), (4.25, false), (-1e6, false)] {
             let rounding = at(steps);
             assert_eq!(rounding.is_within(), is_within, "{steps}");

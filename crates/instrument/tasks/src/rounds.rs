@@ -1,9 +1,9 @@
-//! Queries of one predicate in orders that no branch predictor can learn.
+//! Query orders of one predicate that a branch predictor cannot learn.
 //!
-//! A processor learns the answers of a few thousand queries that are asked again and again in the same order, and whoever branches on
-//! signs then looks several times faster than on new input. So a round asks all queries of a scene in a random order of its own, and
-//! rounds are joined until the clock sees [`PLENTY`] queries at once. A scene of so many queries is asked in its own order: a predictor
-//! holds fewer.
+//! A processor learns the answers of a few thousand queries that repeat in the same order; code that branches on signs
+//! then looks several times faster than on new input. So each round evaluates all queries of a scene in a different
+//! random order, and rounds are joined until the clock measures [`PLENTY`] queries at once. A scene with that many
+//! queries is evaluated in its own order: a predictor holds fewer.
 
 use std::time::Duration;
 
@@ -13,26 +13,27 @@ use predicament_predicates::Sign;
 use crate::Answer;
 use crate::signs::Answers;
 
-/// As many queries are not learnt, whatever their order.
+/// The number of queries that a predictor cannot learn, whatever their order.
 pub const PLENTY: usize = 200_000;
 
-/// The orders in which the queries of one scene are timed, and whether all rounds gave the same answers.
+/// The orders in which the queries of one scene are timed, and a check that all rounds gave the same answers.
 pub struct Rounds {
-    /// Queries of the scene.
+    /// The number of queries of the scene.
     queries: usize,
     random: Random,
-    /// The places in the scene of the queries that are timed together, round after round; empty where they are asked in their own order.
+    /// The indices of the queries that are timed together, round after round; empty if they are evaluated in their own
+    /// order.
     order: Vec<u32>,
-    /// The answers to these, in the order in which they were asked.
+    /// The answers to these, in the order of evaluation.
     signs: Vec<Sign>,
     /// The answers of the first round, in the scene's order.
     answers: Answers,
-    /// Whether a later round answered something else.
+    /// True if a later round gave different answers.
     differ: bool,
 }
 
 impl Rounds {
-    /// No round yet of so many queries.
+    /// The state before the first round, for a number of queries.
     #[must_use]
     pub fn of(queries: usize) -> Rounds {
         Rounds {
@@ -45,8 +46,8 @@ impl Rounds {
         }
     }
 
-    /// The time of so many rounds. `ask` is told the places in the scene of the queries to ask, or nothing where these are all in the
-    /// scene's order. It arranges them, then asks them between two looks at a clock, and says how long that took.
+    /// The time of `count` rounds. `ask` gets the indices of the queries, or `None` for all in the scene's order. It
+    /// arranges the queries, evaluates them between two readings of a clock, and returns the time.
     pub fn time(&mut self, count: u32, mut ask: impl FnMut(Option<&[u32]>, &mut [Sign]) -> Duration) -> Duration {
         let together = if self.queries == 0 { 1 } else { PLENTY.div_ceil(self.queries) };
         let (mut left, mut total) = (count as usize, Duration::ZERO);
@@ -60,13 +61,13 @@ impl Rounds {
         total
     }
 
-    /// A digest of the answers in the scene's order: of no answers, where rounds differed.
+    /// A digest of the answers in the scene's order; that of no answers, if rounds differed.
     #[must_use]
     pub fn digest(&self) -> u64 {
         if self.differ { !self.answers.digest() } else { self.answers.digest() }
     }
 
-    /// Orders for so many rounds.
+    /// Makes orders for `rounds` rounds.
     fn shuffle(&mut self, rounds: usize) {
         self.signs.resize(rounds * self.queries, Sign::Zero);
         if self.queries >= PLENTY {
@@ -82,7 +83,7 @@ impl Rounds {
         }
     }
 
-    /// Holds the answers of all rounds against those of the first.
+    /// Compares the answers of all rounds with those of the first.
     fn verify(&mut self) {
         let Rounds { queries, order, signs, answers: Answers(answers), differ, .. } = self;
         let is_first = answers.is_empty();
@@ -112,7 +113,7 @@ mod tests {
 
     const SIGNS: [Sign; 3] = [Sign::Negative, Sign::Zero, Sign::Positive];
 
-    /// Answers as a backend would whose signs depend on the query alone, and keeps the orders in which it was asked.
+    /// Answers like a backend whose signs depend on the query alone, and keeps the orders of evaluation.
     fn time(rounds: &mut Rounds, count: u32, mut keep: impl FnMut(&[u32])) {
         let queries = rounds.queries;
         rounds.time(count, |order, out| {

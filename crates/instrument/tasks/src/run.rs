@@ -1,4 +1,4 @@
-//! Runs one backend on one scene: refusals, panics and timeouts become outcomes.
+//! One backend on one scene: refusals, panics and timeouts become outcomes.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -7,8 +7,8 @@ use predicament_predicates::{Broken, Counts, PredicateKind};
 
 use crate::{AnyCase, AnySpoiled, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch};
 
-/// Runs one backend on one scene and judges what it answers. A panic is a
-/// finding about the backend and stays here, as do refusals and timeouts.
+/// Runs one backend on one scene and judges its answers. A panic becomes a finding about the backend, as do refusals
+/// and timeouts.
 ///
 /// # Errors
 /// [`Stop::Interrupted`]; a timeout is an outcome.
@@ -17,7 +17,7 @@ pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watc
     guarded(queries, || judged(case, contestant, budget, watch, queries))
 }
 
-/// Judges the right answer of a backend once it is spoiled.
+/// Judges the right answer of a backend after spoiling it.
 ///
 /// # Errors
 /// [`Stop::Interrupted`]; a timeout is an outcome.
@@ -41,13 +41,13 @@ pub fn run_spoiled(
     })
 }
 
-/// The backend on the task of a scene.
+/// The backend as a solver of the task of a scene.
 fn solver<'a>(contestant: &'a dyn Contestant, case: &dyn AnyCase) -> &'a dyn crate::Solver {
     let task = case.task().name();
     contestant.solver(task).unwrap_or_else(|| panic!("{} was not told of the task {task}", contestant.name()))
 }
 
-/// What this gives, or how a backend broke off in it: by a panic, or because what is behind it has gone.
+/// The result of `work`, or the reason why a backend broke off in it: a panic, or a failed process behind it.
 ///
 /// # Errors
 /// [`Broken`], of class [`Class::Panic`] and check `panic` for a panic of its own.
@@ -84,21 +84,21 @@ fn judged(
     let mut outcome = Outcome { queries, ..Outcome::default() };
     let how = How { purpose: Purpose::Judge, watch };
     solver.solve(&loaded.scene, loaded.content.as_ref(), &counts, &how, &mut |session, answer| {
-        // Counted before the judge asks questions of its own.
+        // Counted before the judge makes its own queries.
         outcome.stages = stages(contestant, &counts, &kinds);
         case.judge(&Asked { backend: contestant, session, budget, watch }, answer, &mut outcome)
     })?;
     Ok(outcome)
 }
 
-/// How many queries of these kinds each stage has settled, without those that settled none.
+/// The number of queries of these kinds that each stage has settled, without stages that settled none.
 fn stages(contestant: &dyn Contestant, counts: &Counts, kinds: &[PredicateKind]) -> Vec<(&'static str, u64)> {
     let settled = |stage| kinds.iter().map(|&kind| counts.get(kind, stage)).sum();
     let stages = contestant.stages().iter().enumerate().map(|(stage, &name)| (name, settled(stage)));
     stages.filter(|&(_, settled)| settled > 0).collect()
 }
 
-/// What a panic said, in one line.
+/// The message of a panic, in one line.
 fn message(payload: &(dyn Any + Send)) -> String {
     let text = payload.downcast_ref::<&str>().map(ToString::to_string);
     let text = text.or_else(|| payload.downcast_ref::<String>().cloned());

@@ -1,4 +1,4 @@
-//! Segments that a table lists or refers to, for tasks about segments of the plane.
+//! Segments that a table lists or refers to, for tasks about segments in the plane.
 
 use predicament_corpus::{Context, Origin, PointSource};
 use predicament_formats::{Cache, CorpusError, Decimals, Entry, Fields, ImportNotes, TableKind, geometry};
@@ -8,16 +8,16 @@ use crate::{ExplainError, Explanation};
 
 static SEGMENTS: TableKind = TableKind::new("reference to segments", &["path", "fetch"]);
 
-/// Where segments are.
+/// The source of segments.
 pub enum SegmentSource {
-    /// The edges of the lines in a geometry file; vertices with equal coordinates are one point.
+    /// The edges of the lines in a geometry file; vertices with equal coordinates are merged.
     File {
         /// The file.
         origin: Origin,
-        /// Whether decimals that are no doubles are rounded.
+        /// True if decimals that are not doubles are rounded.
         round: bool,
     },
-    /// Segments between points that are written out or in a data file; every two points where none are listed.
+    /// Segments between points that are written out or in a data file; without a list, every two consecutive points.
     Points {
         /// The points.
         points: PointSource,
@@ -25,12 +25,12 @@ pub enum SegmentSource {
         segments: Option<Vec<(usize, [Vertex; 2])>>,
         /// The suite.
         file: String,
-        /// The task that asks.
+        /// The task that reads them.
         task: &'static str,
     },
 }
 
-/// The place of the segment that a query names by its ends, and an explanation about these.
+/// The index of the segment that a query names by its ends, and an explanation with these ends.
 pub fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanation), ExplainError> {
     let ends: Vec<Vertex> = query.vertices().collect();
     let at = segments.iter().position(|segment| *segment == *ends);
@@ -38,11 +38,11 @@ pub fn named(segments: &[[Vertex; 2]], query: &Query) -> Result<(usize, Explanat
     Ok((at, Explanation { vertices: ends, ..Explanation::default() }))
 }
 
-/// A scene, its segments, and what reading changed.
+/// A scene, its segments, and the changes made by reading.
 pub type Read = (Scene, Vec<[Vertex; 2]>, ImportNotes);
 
 impl SegmentSource {
-    /// Reads `points` and `segments`; without the latter, every two points in turn are a segment.
+    /// Reads `points` and `segments`; without `segments`, every two consecutive points are a segment.
     pub fn read(
         context: &Context<'_>,
         fields: &Fields<'_, '_>,
@@ -79,12 +79,12 @@ impl SegmentSource {
         Ok(SegmentSource::Points { points, segments: segments.transpose()?, file: fields.file().to_owned(), task })
     }
 
-    /// Whether everything is written out, so that nothing is read from files.
+    /// True if everything is written out, so that no file is read.
     pub fn is_written(&self) -> bool {
         matches!(self, SegmentSource::Points { points, .. } if points.is_written())
     }
 
-    /// The fetched file, if it needs one.
+    /// The fetched file, if any.
     pub fn entry(&self) -> Option<&Entry> {
         match self {
             SegmentSource::File { origin, .. } => origin.entry(),

@@ -1,4 +1,4 @@
-//! Solids by size. Square roots and divisions only, which round the same everywhere.
+//! Generated solids of a given size. They use only square roots and divisions, which round the same on every platform.
 
 use std::collections::BTreeMap;
 
@@ -6,12 +6,12 @@ use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
 use predicament_mesh::half_edge::IndexedFaces;
 
-/// Points and faces, which are seen counterclockwise from outside.
+/// Points and faces; faces are counterclockwise as seen from outside.
 #[derive(Default)]
 pub struct Shape {
     /// The points.
     pub points: Vec<[f64; 3]>,
-    /// The faces, by the indices of points.
+    /// The faces, as indices of points.
     pub faces: IndexedFaces,
 }
 
@@ -31,7 +31,7 @@ fn count(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// An octahedron with its faces divided, pushed out to a sphere around the origin.
+/// An octahedron with subdivided faces, projected to a sphere around the origin.
 pub fn sphere(n: usize, _: &mut Random) -> Shape {
     let parts = count((n / 8).isqrt()).max(1);
     let mut shape = Shape::default();
@@ -99,7 +99,7 @@ pub fn torus(n: usize, _: &mut Random) -> Shape {
     shape
 }
 
-/// The surface of a cube of unit cells, a square for each.
+/// The surface of a cube of unit cells, with a square for each.
 pub fn lattice(n: usize, _: &mut Random) -> Shape {
     let side = count((n / 6).isqrt()).max(1);
     let mut shape = Shape::default();
@@ -124,7 +124,7 @@ pub fn lattice(n: usize, _: &mut Random) -> Shape {
     shape
 }
 
-/// A prism over a polygon of the plane, one unit high.
+/// A prism over a polygon in the plane, one unit high.
 fn prism(polygon: &[[f64; 2]]) -> Shape {
     let mut shape = Shape::default();
     let [low, high] = [0.0, 1.0].map(|z| polygon.iter().map(|&[x, y]| shape.point([x, y, z])).collect::<Vec<u32>>());
@@ -137,7 +137,7 @@ fn prism(polygon: &[[f64; 2]]) -> Shape {
     shape
 }
 
-/// Teeth that end on one line, and gaps of which each is a little less deep than the one before.
+/// A comb: teeth that end on one line, and gaps whose depth decreases a little from each to the next.
 pub fn comb(n: usize, _: &mut Random) -> Shape {
     let teeth = count(n / 4).max(1);
     let mut polygon = vec![[0.0, -1.0], [integer(2 * teeth - 1), -1.0]];
@@ -161,7 +161,7 @@ pub fn fold(n: usize, _: &mut Random) -> Shape {
     prism(&polygon)
 }
 
-/// Cubes in each other, of which every second one is a hole.
+/// Nested cubes, of which every second one is a hole.
 pub fn shells(n: usize, _: &mut Random) -> Shape {
     let shells = count(n / 6).max(1);
     let mut shape = Shape::default();

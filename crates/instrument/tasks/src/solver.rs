@@ -1,8 +1,7 @@
-//! One backend on one task: where generic code is compiled.
+//! A backend as a solver of a task: the place where generic code is compiled.
 //!
-//! Hot loops that are timed are generic over the session, the command line is not. A
-//! [`Solver`] is where the two meet: one dynamic call per timed scene, none per query. What is
-//! judged costs a dynamic call per query.
+//! Timed hot loops are generic over the session; the command line is not. A [`Solver`] connects the two: one dynamic
+//! call per timed scene, none per query. Judging makes a dynamic call per query.
 
 use std::any::Any;
 use std::hint::black_box;
@@ -17,27 +16,27 @@ use predicament_records::Interface;
 
 use crate::{Answer, AnswerError, AnyTask, Class, Outcome, Phase, Rounds, Stop, Task, Watch};
 
-/// What an answer is for.
+/// The purpose of an answer.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Purpose {
-    /// To be judged: a task may ask every question that its shortcuts leave out.
+    /// Judging: a task may make every query that its shortcuts leave out.
     Judge,
-    /// To be used: the fastest way, which is what is timed.
+    /// Use: the fastest method, which is the one that is timed.
     Use,
-    /// To be written to files: with everything that users of these want.
+    /// Output to files: with everything that users of the files need.
     Files,
 }
 
-/// How a task is solved.
+/// Options for solving a task.
 #[derive(Clone, Copy)]
 pub struct How<'a> {
-    /// What the answer is for.
+    /// The purpose of the answer.
     pub purpose: Purpose,
-    /// Whether to go on.
+    /// The watch that can end the work.
     pub watch: &'a Watch<'a>,
 }
 
-/// Why there is no answer.
+/// The reason why there is no answer.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Halt {
     /// The backend declined.
@@ -46,7 +45,7 @@ pub enum Halt {
     Stopped(Stop),
 }
 
-/// What takes a session and the answer that it gave.
+/// A function that takes a session and the answer that it gave.
 type Then<'t> = dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop> + 't;
 
 impl From<Stop> for Halt {
@@ -61,17 +60,17 @@ impl From<Refused> for Halt {
     }
 }
 
-/// A backend that declines a scene, a predicate or a construction.
+/// A backend's refusal of a scene, a predicate or a construction.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Refusal {
-    /// `prepare`, `supports` or `construct`.
+    /// The refused step: `prepare`, `supports` or `construct`.
     pub check: &'static str,
     /// Its reason.
     pub why: Declined,
 }
 
 impl Refusal {
-    /// The outcome of a scene of so many queries.
+    /// The outcome of a scene with this number of queries.
     #[must_use]
     pub fn outcome(&self, queries: u64) -> Outcome {
         Outcome::of_scene(queries, Class::Declined, self.check, self.why.to_string())
@@ -84,16 +83,16 @@ impl std::fmt::Display for Refusal {
     }
 }
 
-/// One backend on one task.
+/// A backend on a task.
 pub trait Solver: Send + Sync {
     /// The task.
     fn task(&self) -> &dyn AnyTask;
 
-    /// Prepares the backend for the scene, solves, and hands session and answer
-    /// (the task's [`Answer`](Task::Answer)) to `then`.
+    /// Prepares the backend for the scene, solves, and passes session and answer (the task's [`Answer`](Task::Answer))
+    /// to `then`.
     ///
     /// # Errors
-    /// [`Halt`] where the backend declines or the watch says so.
+    /// [`Halt`] if the backend declines or the watch stops the work.
     fn solve(
         &self,
         scene: &Scene,
@@ -103,15 +102,16 @@ pub trait Solver: Send + Sync {
         then: &mut Then<'_>,
     ) -> Result<(), Halt>;
 
-    /// The interfaces by which the content of a scene is timed: single queries and batches of them where it asks one predicate, else the
-    /// answer to the whole scene.
+    /// The interfaces by which the content of a scene is timed: single queries and batches if the scene asks one
+    /// predicate, otherwise the answer to the whole scene.
     fn interfaces(&self, content: &dyn Content) -> Vec<Interface>;
 
-    /// Prepares the backend for timed passes by one of these [interfaces](Solver::interfaces), on so many threads; none for single queries
-    /// of a session with a clock of its own: each would be a message to a program of another language.
+    /// Prepares the backend for timed passes by one of these [interfaces](Solver::interfaces), on a number of threads.
+    /// Returns `None` for single queries of a session with its own clock: each would be a message to a program in
+    /// another language.
     ///
     /// # Errors
-    /// [`AnswerError`] where the backend declines.
+    /// [`AnswerError`] if the backend declines.
     fn stopwatch<'a>(
         &'a self,
         scene: &'a Scene,
@@ -121,24 +121,23 @@ pub trait Solver: Send + Sync {
     ) -> Result<Option<Box<dyn Stopwatch + 'a>>, AnswerError>;
 }
 
-/// A prepared session that can be timed again and again, so that backends can take turns.
+/// A prepared session that can be timed repeatedly, so that backends can take turns.
 pub trait Stopwatch {
-    /// Answers everything once and says how long it took. Preparing the scene
-    /// is not in it.
+    /// Answers everything once and returns the time, without the preparation of the scene.
     fn pass(&mut self) -> Duration;
 
-    /// The time of so many passes together. The pool of threads is entered once, which takes longer than a pass over a
-    /// small scene.
+    /// The total time of `count` passes. The thread pool is entered once, which takes longer than a pass over a small
+    /// scene.
     fn passes(&mut self, count: u32) -> Duration {
         (0..count).map(|_| self.pass()).sum()
     }
 
-    /// Times the parts of one pass, where the task has them: see [`Task::asking`].
+    /// Times the parts of one pass, if the task has them: see [`Task::asking`].
     fn phases(&mut self) -> Vec<Phase> {
         Vec::new()
     }
 
-    /// A digest of the last pass' answers: see [`Answer::digest`].
+    /// A digest of the last pass's answers: see [`Answer::digest`].
     fn digest(&self) -> u64;
 }
 
@@ -149,20 +148,20 @@ pub struct OnTask<B, T> {
 }
 
 impl<B: Backend, T: Task> OnTask<B, T> {
-    /// This backend on this task.
+    /// Combines a backend and a task.
     #[must_use]
     pub fn new(backend: &Arc<B>, task: T) -> OnTask<B, T> {
         OnTask { backend: Arc::clone(backend), task }
     }
 
-    /// A session that supports what the task asks.
+    /// The session, if it supports the task's predicates.
     fn supported<P: Predicates>(&self, session: Result<P, Declined>) -> Result<P, Refusal> {
         let session = session.map_err(|why| Refusal { check: "prepare", why })?;
         self.task.supported(&session).map_err(|why| Refusal { check: "supports", why })?;
         Ok(session)
     }
 
-    /// A session to be timed.
+    /// A session for timing.
     fn prepare<'s>(&'s self, scene: &'s Scene) -> Result<B::Session<'s, Off>, Refusal> {
         self.supported(self.backend.prepare(scene, Off))
     }
@@ -191,7 +190,8 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
         how: &How<'_>,
         then: &mut Then<'_>,
     ) -> Result<(), Halt> {
-        // What is judged is not timed: behind a pointer, the task is compiled once for the sessions of all backends that count.
+        // Judging is not timed: behind a pointer, the task is compiled once for the sessions of all backends that
+        // count.
         let mut session = self.supported(self.backend.boxed(scene, Some(counts))).map_err(Halt::Refused)?;
         let mut answer = T::Answer::default();
         self.task.solve(&mut session, self.content(content), how, &mut answer)?;
@@ -220,7 +220,7 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
     ) -> Result<Option<Box<dyn Stopwatch + 'a>>, AnswerError> {
         let session = self.prepare(scene).map_err(AnswerError::Refused)?;
         let has_own_clock = session.own_nanoseconds().is_some();
-        // Algorithms would use all threads that there are.
+        // Without a pool, algorithms would use all threads.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
         let pool = pool.map_err(|error| AnswerError::Threads(error.to_string()))?;
         Ok(match self.task.queries(self.content(content)) {
@@ -244,16 +244,17 @@ impl<B: Backend + 'static, T: Task> Solver for OnTask<B, T> {
     }
 }
 
-/// What a timed pass says.
+/// The result of a timed pass.
 struct Passed {
-    /// Whether it came to its end.
+    /// True if the pass was completed.
     done: bool,
-    /// The session's own clock before and after it, where it has one.
+    /// The session's own clock before and after the pass, if it has one.
     own: Option<[u64; 2]>,
 }
 
-/// How long this takes so many times in a pool of threads, by the session's own clock where it has one. It is behind a
-/// pointer, so that the pool's part is compiled once. A pass that does not come to its end, as where a backend declines in the middle, throws [`Broken`].
+/// The time of `count` passes in a thread pool, by the session's own clock if it has one. It is behind a pointer, so
+/// that the pool's part is compiled once. An incomplete pass, for example if a backend declines in the middle, throws
+/// [`Broken`].
 fn timed(pool: &rayon::ThreadPool, count: u32, solve: &mut (dyn FnMut() -> Passed + Send)) -> Duration {
     pool.install(|| {
         let mut total = Duration::ZERO;
@@ -273,7 +274,7 @@ fn timed(pool: &rayon::ThreadPool, count: u32, solve: &mut (dyn FnMut() -> Passe
 
 struct Passes<'a, B: Backend + 'static, T: Task> {
     solver: &'a OnTask<B, T>,
-    /// None where the last pass has constructed vertices in it.
+    /// The session; `None` if it contains vertices that the last pass constructed.
     session: Option<B::Session<'a, Off>>,
     scene: &'a Scene,
     content: &'a dyn Content,
@@ -288,7 +289,7 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
 
     fn passes(&mut self, count: u32) -> Duration {
         if self.solver.task.constructs() {
-            // The next pass would find the vertices of the last one ready.
+            // The next pass would find the last pass's vertices ready.
             return (0..count)
                 .map(|_| {
                     let time = self.on_one_session(1);
@@ -309,7 +310,7 @@ impl<B: Backend + 'static, T: Task> Stopwatch for Passes<'_, B, T> {
             *session = None;
         }
         let session = session.get_or_insert_with(|| solver.prepared(scene));
-        // A session with a clock of its own has no part of the algorithm on it.
+        // The clock of a session with its own clock does not cover the algorithm's parts.
         let phases = match session.own_nanoseconds() {
             None => pool.install(|| solver.task.asking(session, content)),
             Some(_) => Vec::new(),
@@ -344,7 +345,7 @@ impl<B: Backend + 'static, T: Task> Passes<'_, B, T> {
     }
 }
 
-/// Queries of one predicate that are timed by themselves.
+/// Queries of one predicate, timed without an algorithm.
 struct Queries<'a, P> {
     session: P,
     queries: &'a QuerySet,

@@ -1,8 +1,8 @@
-//! Right answers with faults planted in them, for `selftest`.
+//! Right answers with planted faults, for `selftest`.
 //!
-//! A backend with a fault answers questions wrongly; here the questions are answered well, by an honest backend, and what is
-//! handed over is wrong. Each check of a judge that no backend's fault needs has such an answer: a task lists them in
-//! [`Task::spoiled`]. That scenes lead an algorithm to the places where it can go wrong is for `cargo xtask mutants --planted`.
+//! A faulty backend gives wrong signs. Here an honest backend answers, and the answer is damaged afterwards. Each check
+//! of a judge that no backend's fault needs has such an answer: a task lists them in [`Task::spoiled`]. `cargo xtask
+//! mutants --planted` tests that scenes lead an algorithm to the places where it can go wrong.
 
 use std::any::Any;
 
@@ -11,26 +11,26 @@ use predicament_predicates::Scene;
 
 use crate::{Class, Task};
 
-/// A class of answers and the check that finds them.
+/// A class of findings, and the check that reports them.
 pub type Catch = (Class, &'static str);
 
 /// The right answer of a task with a fault planted in it.
 pub struct Spoiled<T: Task> {
     /// The name of the fault.
     pub name: &'static str,
-    /// What is wrong, in one line.
+    /// The fault, in one line.
     pub what: &'static str,
-    /// The backend that gives the right answer: one of those that `selftest` takes for honest,
-    /// `exact`, `sos`, `sos:edelsbrunner-mucke`, `sos:per-mesh` and `tolerance`.
+    /// The backend that gives the right answer: one of those that `selftest` takes for honest, `exact`, `sos`,
+    /// `sos:edelsbrunner-mucke`, `sos:per-mesh` and `tolerance`.
     pub backend: &'static str,
-    /// The checks that have to find it.
+    /// The checks that must find it.
     pub caught_by: &'static [Catch],
-    /// Spoils an answer.
+    /// The function that damages an answer.
     pub spoil: Spoil<T>,
 }
 
 impl<T: Task> Spoiled<T> {
-    /// A fault with this name: what is wrong, on a backend, caught by these checks.
+    /// A fault with a name, a description, a backend and the checks that must find it.
     #[must_use]
     pub fn new(
         name: &'static str,
@@ -43,24 +43,24 @@ impl<T: Task> Spoiled<T> {
     }
 }
 
-/// How an answer to a scene is spoiled.
+/// A function that damages an answer to a scene.
 pub type Spoil<T> = fn(&Scene, &<T as Task>::Content, &mut <T as Task>::Answer);
 
-/// A [`Spoiled`] whose types are hidden.
+/// A [`Spoiled`] with erased types.
 pub trait AnySpoiled {
     /// The name of the fault.
     fn name(&self) -> &'static str;
 
-    /// What is wrong, in one line.
+    /// The fault, in one line.
     fn what(&self) -> &'static str;
 
     /// The backend that gives the right answer.
     fn backend(&self) -> &'static str;
 
-    /// The checks that have to find it.
+    /// The checks that must find it.
     fn caught_by(&self) -> &'static [Catch];
 
-    /// A right answer once it is spoiled.
+    /// Returns the damaged copy of a right answer.
     fn spoil(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Box<dyn Any>;
 }
 

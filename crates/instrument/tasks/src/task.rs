@@ -1,4 +1,4 @@
-//! The trait that a task implements.
+//! The trait of a task.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -15,21 +15,18 @@ use crate::{
     Turns, Watch,
 };
 
-/// An answer to everything that a scene asks. It is reused from pass to pass
-/// where time is measured, so that memory is not.
+/// An answer to everything that a scene asks. Timed passes reuse it, so that they do not time memory allocation.
 pub trait Answer: Default + Clone + Send + Sync + 'static {
-    /// A digest of all that is judged: equal digests, equal answers (with the
-    /// usual odds for 64 bits).
+    /// A digest of everything that is judged: equal digests mean equal answers (with the usual odds for 64 bits).
     fn digest(&self) -> u64;
 }
 
-/// One task: keys, truth, solving, judging, explaining, output and report of one kind of question.
+/// A task: keys, truth, solving, judging, explaining, output and report of one kind of question.
 ///
-/// How its scenes are written in suites is [`SceneFormat`]; the rest is here.
-/// A value is a task with its parameters (`orient2d` and `orient3d` are values of
-/// one type), so every method takes `&self`.
+/// [`SceneFormat`] defines its scenes in suites; this trait defines the rest. A value is a task with its parameters
+/// (`orient2d` and `orient3d` are values of one type), so every method takes `&self`.
 pub trait Task: SceneFormat + Sized + 'static {
-    /// What a scene asks besides its points.
+    /// The questions of a scene, besides its points.
     type Content: Content;
     /// The right answers, from the crate `judge` or another computation that shares nothing with
     /// [`solve`](Task::solve).
@@ -37,11 +34,11 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// The answers of a backend to one scene.
     type Answer: Answer;
 
-    /// The predicates that it asks: a session that refuses one of them declines the
-    /// scene, and stages are counted for these.
+    /// The predicates that the task uses: a session that refuses one of them declines the scene, and stages are counted
+    /// for these.
     fn asks(&self, scene: &Scene) -> Vec<PredicateKind>;
 
-    /// Whether a session can be asked at all.
+    /// Checks that a session supports the task.
     ///
     /// # Errors
     /// [`Declined`] with the session's reason.
@@ -49,19 +46,19 @@ pub trait Task: SceneFormat + Sized + 'static {
         self.asks(session.scene()).into_iter().try_for_each(|kind| session.supports(kind))
     }
 
-    /// Whether solving adds vertices to the session: timed passes then begin with a fresh one.
+    /// True if solving adds vertices to the session: timed passes then begin with a fresh session.
     fn constructs(&self) -> bool {
         false
     }
 
-    /// Whether the answer to a scene is judged as a whole: if one law is broken, the answer is. Otherwise each query has an
-    /// answer of its own, with a class.
+    /// True if the answer to a scene is judged as a whole: one broken law makes it wrong. Otherwise each query has its
+    /// own answer, with a class.
     fn judges_whole(&self) -> bool {
         false
     }
 
-    /// Whether [`solve`](Task::solve) looks at its watch often enough to be stopped by it. What
-    /// does not runs in a process of its own under a time limit.
+    /// True if [`solve`](Task::solve) checks its watch often enough to be stopped by it. Otherwise it runs in a
+    /// separate process under a time limit.
     fn looks_at_watch(&self) -> bool {
         false
     }
@@ -69,26 +66,26 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// Computes the truth about a scene, once for all backends.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     fn truth(&self, scene: &Scene, content: &Self::Content, watch: &Watch) -> Result<Self::Truth, Stop>;
 
-    /// How much of the scene the truth is about, where that is not all of it.
+    /// The part of the scene that the truth covers, if not all, as text.
     fn sampled(&self, truth: &Self::Truth) -> Option<String> {
         let _ = truth;
         None
     }
 
-    /// Holds what came with the data, if anything, against the truth.
+    /// Compares published answers, if any, with the truth.
     fn dispute(&self, case: &Case<'_, Self>) -> Option<Dispute> {
         let _ = case;
         None
     }
 
-    /// Answers everything. Run, bench, replay and pictures all come through here.
-    /// Where it needs no speed of its own it asks through `&dyn Predicates`.
+    /// Answers everything that the scene asks. `run`, `bench`, `replay` and pictures all use it. A task without special
+    /// speed needs can query through `&dyn Predicates`.
     ///
     /// # Errors
-    /// [`Halt`] where the watch says so, or the session refuses to construct a vertex.
+    /// [`Halt`] if the watch stops the work, or the session refuses to construct a vertex.
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
@@ -100,7 +97,7 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// Classifies an answer and adds findings and rows to the outcome.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the judge.
     fn judge(
         &self,
         case: &Case<'_, Self>,
@@ -109,16 +106,16 @@ pub trait Task: SceneFormat + Sized + 'static {
         outcome: &mut Outcome,
     ) -> Result<(), Stop>;
 
-    /// A scene in a few lines of text, for `corpus gen`.
+    /// Describes a scene in a few lines of text, for `corpus gen`.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     fn describe(&self, loaded: &LoadedScene, content: &Self::Content, watch: &Watch) -> Result<String, Stop>;
 
-    /// Asks one query of a finding again, alone, for `replay`.
+    /// Repeats one query of a finding alone, for `replay`.
     ///
     /// # Errors
-    /// [`ExplainError`] where the query is not one of this task or the scene.
+    /// [`ExplainError`] if the query does not belong to this task or scene.
     fn explain(
         &self,
         scene: &Scene,
@@ -127,10 +124,10 @@ pub trait Task: SceneFormat + Sized + 'static {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, ExplainError>;
 
-    /// Writes an answer for other programs into a folder that exists; the files written.
+    /// Writes an answer for other programs into an existing folder; returns the files written.
     ///
     /// # Errors
-    /// That of the file system.
+    /// The error of the file system.
     fn write(
         &self,
         scene: &Scene,
@@ -139,10 +136,10 @@ pub trait Task: SceneFormat + Sized + 'static {
         folder: &Path,
     ) -> std::io::Result<Vec<PathBuf>>;
 
-    /// Draws a scene, and an answer to it if there is one: its points, where a task has nothing else to show.
+    /// Draws a scene, and an answer to it if there is one; by default, only the points.
     ///
     /// # Errors
-    /// Where a vertex of the answer is no point.
+    /// If a vertex of the answer is not a point.
     fn draw(
         &self,
         scene: &Scene,
@@ -154,33 +151,35 @@ pub trait Task: SceneFormat + Sized + 'static {
         canvas.points(scene, "points", Role::Given, scene.vertices()).map(|_| ())
     }
 
-    /// The queries of a scene that asks nothing but one predicate. They are timed one by one and in batches, in
-    /// [orders](crate::Rounds) that no branch predictor can learn; of other scenes whole answers are timed.
+    /// The queries of a scene that only asks one predicate. They are timed one by one and in batches, in
+    /// [orders](crate::Rounds) that a branch predictor cannot learn. For other scenes, whole answers are timed.
     fn queries<'c>(&self, content: &'c Self::Content) -> Option<&'c QuerySet> {
         let _ = content;
         None
     }
 
-    /// How large a scene is, by which the growth of times is told: the number of queries where it has no better measure.
+    /// The size of a scene, for the growth of times; by default the number of queries.
     fn size(&self, content: &Self::Content) -> usize {
         content.count()
     }
 
-    /// Whether solving takes all threads of the current pool: benches time it on each number of threads that they are given.
+    /// True if solving uses all threads of the current pool: benches time it on each requested number of threads.
     fn takes_threads(&self) -> bool {
         false
     }
 
-    /// By how many primitives the tables of a bench divide the time of a scene; none where the task has no such tables.
+    /// The number of primitives by which the tables of a bench divide the time of a scene; `None` if the task has no
+    /// such tables.
     fn primitives(&self, scene: &Scene, content: &Self::Content) -> Option<u64> {
         let _ = (scene, content);
         None
     }
 
-    /// What a bench folder says about its scenes, as Markdown: `primitives` by the id of each scene that has some, on so many threads.
+    /// The text of a bench folder about its scenes, as Markdown: `primitives` by the id of each scene that has some, on
+    /// a number of threads.
     ///
     /// # Errors
-    /// Where a table of the run cannot be read.
+    /// If a table of the run cannot be read.
     fn timed(
         &self,
         run: &RunDir,
@@ -191,39 +190,39 @@ pub trait Task: SceneFormat + Sized + 'static {
         Ok(String::new())
     }
 
-    /// Times the parts of using the algorithm that ask no predicate, one after the other, on all threads of the current
-    /// pool. `bench` has them for all backends at once.
+    /// Times the parts of the algorithm that use no predicate, one after the other, on all threads of the current pool.
+    /// `bench` reports them once for all backends.
     fn building(&self, scene: &Scene, content: &Self::Content) -> Vec<Phase> {
         let _ = (scene, content);
         Vec::new()
     }
 
-    /// Times the parts of [`solve`](Task::solve) that ask predicates, one after the other, on all threads of the current pool. A session that
-    /// solving adds vertices to is a new one.
+    /// Times the parts of [`solve`](Task::solve) that use predicates, one after the other, on all threads of the
+    /// current pool. If solving adds vertices to a session, the session is fresh.
     fn asking<P: Predicates>(&self, session: &mut P, content: &Self::Content) -> Vec<Phase> {
         let _ = (session, content);
         Vec::new()
     }
 
-    /// The scenes on which `compare` holds backends against each other and from which `stress` begins, at most one of each
-    /// [kind](crate::Kind); none where the task takes no part.
+    /// The scenes on which `compare` compares backends and from which `stress` starts, at most one of each
+    /// [kind](crate::Kind); empty if the task takes no part.
     fn compared(&self) -> &'static [Compared] {
         &[]
     }
 
-    /// How far `stress` can turn a knob until its scenes are no scenes of the task any more.
+    /// The positions of a knob at which `stress` keeps scenes of the task valid.
     fn turns(&self, knob: Knob) -> Turns {
         let _ = knob;
         Turns::Nowhere("the task does not say how far")
     }
 
-    /// The checks that its judge can report, each with its meaning: a finding that none of these has is a mistake. Without any
-    /// nothing is declared.
+    /// The checks that its judge can report, each with its meaning: a finding outside this list is a mistake. An empty
+    /// list declares nothing.
     fn checks(&self) -> &'static [Check] {
         &[]
     }
 
-    /// Its answers with faults planted in them, each of which its judge has to find.
+    /// Answers with planted faults, each of which the judge must find.
     fn spoiled(&self) -> Vec<Spoiled<Self>> {
         Vec::new()
     }
@@ -233,10 +232,10 @@ pub trait Task: SceneFormat + Sized + 'static {
         Vec::new()
     }
 
-    /// Its section of a report.
+    /// The task's section of a report.
     ///
     /// # Errors
-    /// Where a table of a run cannot be read.
+    /// If a table of a run cannot be read.
     fn section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
         let _ = runs;
         Ok(None)
@@ -246,21 +245,21 @@ pub trait Task: SceneFormat + Sized + 'static {
 /// The truth about one query and each backend's answer to it, for `replay`.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Explanation {
-    /// The vertices that it is about, for their coordinates.
+    /// The vertices of the query, for their coordinates.
     pub vertices: Vec<Vertex>,
-    /// What is true, in lines.
+    /// The truth, as lines.
     pub truth: Vec<String>,
-    /// The heads of the columns after the backend's name; none where one needs no head.
+    /// The heads of the columns after the backend's name; empty if the single column needs no head.
     pub heads: Vec<String>,
     /// For each backend its name and its cells.
     pub rows: Vec<(String, Vec<String>)>,
-    /// For each backend its name and its signs of all permutations of the vertices, in lexicographic order, each sign turned where the
-    /// permutation is odd: one who contradicts nothing has one sign. The exact signs come first.
+    /// For each backend its name and its signs of all permutations of the vertices, in lexicographic order, negated for
+    /// odd permutations: a consistent backend has equal signs. The exact signs come first.
     pub permutations: Vec<(String, Vec<Sign>)>,
 }
 
 impl Explanation {
-    /// One cell for each backend: what it answers, or why it declines.
+    /// A table with one cell for each backend: its answer, or the reason why it declines.
     #[must_use]
     pub fn with_answers<E: std::fmt::Display>(
         mut self,

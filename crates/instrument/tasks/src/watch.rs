@@ -4,7 +4,7 @@ use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 use std::time::{Duration, Instant};
 
-/// Why work stopped early.
+/// The reason why work stopped early.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Stop {
     /// The user interrupted.
@@ -13,7 +13,7 @@ pub enum Stop {
     Timeout,
 }
 
-/// A flag, a deadline and a progress hook, looked at between chunks of work from any thread.
+/// A flag, a deadline and a progress hook, checked between chunks of work from any thread.
 pub struct Watch<'a> {
     cancel: &'a AtomicBool,
     deadline: Option<Instant>,
@@ -21,19 +21,19 @@ pub struct Watch<'a> {
 }
 
 impl<'a> Watch<'a> {
-    /// Watches a flag and a time limit that starts now; `progress` is told of work as it gets done.
+    /// Watches a flag and a time limit that starts now; `progress` gets the amount of work done.
     #[must_use]
     pub fn new(cancel: &'a AtomicBool, limit: Option<Duration>, progress: &'a (dyn Fn(u64) + Sync)) -> Watch<'a> {
         Watch { cancel, deadline: limit.map(|limit| Instant::now() + limit), progress }
     }
 
-    /// The same flag and progress with the time limit started again.
+    /// The same flag and progress hook with a restarted time limit.
     #[must_use]
     pub fn restarted(&self, limit: Option<Duration>) -> Watch<'a> {
         Watch::new(self.cancel, limit, self.progress)
     }
 
-    /// Reports work done and asks whether to go on.
+    /// Reports work done and checks for a stop.
     ///
     /// # Errors
     /// [`Stop`] with the reason.
@@ -48,10 +48,10 @@ impl<'a> Watch<'a> {
         }
     }
 
-    /// Runs something that tells how many items it has done so far, as long as the watch lets it.
+    /// Runs a function that reports the number of items done so far, until the watch stops it.
     ///
     /// # Errors
-    /// [`Stop`] with the reason, once it was told to end.
+    /// [`Stop`] with the reason, after it was asked to end.
     pub fn counted<T>(&self, all: impl FnOnce(&(dyn Fn(usize) -> bool + Sync)) -> T) -> Result<T, Stop> {
         let (before, stop) = (AtomicUsize::new(0), OnceLock::new());
         let made = all(&|done| {

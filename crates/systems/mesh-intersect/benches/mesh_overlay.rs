@@ -1,15 +1,19 @@
-//! Unions of two meshes: checking them, preparing a session, the overlay, and taking the solid, on one thread and on all. Backends take
-//! turns, and medians, and ratios of totals to the first, are printed. Volumes are compared before any time is shown.
+//! Benchmark: unions of two meshes, on one thread and on all. The phases: checking the meshes, preparing a session, the
+//! overlay, and taking the solid.
 //!
-//! Arguments, all of them without any: numbers of times that each face of an icosahedron is divided in four, `6`, `7` and `8`, for two
-//! spheres of 81,920, 327,680 or 1,310,720 triangles each, the second of which is moved by (0.5, 0.3, 0.1); `same` for a mesh with itself, and
-//! `cubes` for two stacks of boxes that share faces, both with ties broken for a mesh as a whole.
+//! Backends take turns; the benchmark prints medians, and ratios of totals to the first. Volumes are compared before
+//! any time is shown.
 //!
-//! Programs of other libraries take their turns where `MESH_OVERLAY_PROGRAMS` names them: `name=command` with semicolons between, words of a
-//! command with blanks. They are given the files of two closed meshes, each seen counterclockwise from outside: two 64-bit counts, of
-//! points and of triangles, then coordinates as doubles, three a point, then 32-bit indices, three a triangle; all little-endian.
-//! They print the seconds that the union took (without reading), and the number of its triangles and its volume. How many threads
-//! they take is theirs to choose. `mesh_overlay.py` beside this file is one for Manifold, libigl and trueform.
+//! Arguments (default: all): `6`, `7` and `8` are numbers of subdivisions of an icosahedron's faces into four, for two
+//! spheres of 81,920, 327,680 or 1,310,720 triangles each. The second sphere is moved by (0.5, 0.3, 0.1). `same` is a
+//! mesh with itself, and `cubes` is two stacks of boxes that share faces, both with ties broken for a mesh as a whole.
+//!
+//! Programs of other libraries take part if `MESH_OVERLAY_PROGRAMS` names them: `name=command`, separated by
+//! semicolons, words of a command separated by blanks. They get the files of two closed meshes, each counterclockwise
+//! as seen from outside: two 64-bit counts, of points and of triangles, then coordinates as doubles, three for each
+//! point, then 32-bit indices, three for each triangle; all little-endian. They print the seconds that the union took
+//! (without reading), the number of its triangles, and its volume. They choose their number of threads.
+//! `mesh_overlay.py` beside this file is such a program for Manifold, libigl and trueform.
 
 use std::collections::HashMap;
 use std::hint::black_box;
@@ -25,17 +29,17 @@ use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Backend, Construction, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
 
-/// Rounds of up to so many triangles a mesh, and of more.
+/// Pairs of a maximum number of triangles in a mesh and the number of rounds.
 const ROUNDS: [(usize, usize); 2] = [(100_000, 5), (usize::MAX, 3)];
 const PHASES: [&str; 4] = ["check", "prepare", "overlay", "solid"];
-/// Volumes are the same if they differ by at most this part: they are sums of doubles.
+/// The maximum relative difference of equal volumes: they are sums of doubles.
 const ALIKE: f64 = 1e-9;
 
-/// What a union took, in seconds, and what came of it.
+/// The time of a union, in seconds, and its result.
 #[derive(Clone, Copy, Default)]
 struct Run {
     total: f64,
-    /// By [`PHASES`]; zeros where they are not told.
+    /// The times of [`PHASES`]; zeros if they are not reported.
     phases: [f64; 4],
     triangles: usize,
     volume: f64,
@@ -51,7 +55,7 @@ struct Closed {
 }
 
 impl Closed {
-    /// An icosahedron, each face in four so many times, on a sphere around the origin.
+    /// An icosahedron, with each face subdivided into four `levels` times, projected to a sphere around the origin.
     fn sphere(levels: usize) -> Closed {
         let on_sphere = |p: [f64; 3]| {
             let length = p.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -108,7 +112,7 @@ impl Closed {
         Closed { points, triangles }
     }
 
-    /// Unit cubes apart from each other, so many along each axis, with room for another between each and the next above.
+    /// Separate unit cubes, `side` along each axis, with gaps large enough for another cube.
     fn stacks(side: u32) -> Closed {
         let mut all = Closed { points: Vec::new(), triangles: Vec::new() };
         let cells = (0..side.pow(3)).map(|cell| [cell / side / side, cell / side % side, cell % side]);
@@ -153,12 +157,12 @@ fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {
     a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
 }
 
-/// The volume between a triangle and the origin.
+/// Six times the volume between a triangle and the origin.
 fn sixth(triangle: [[f64; 3]; 3]) -> f64 {
     determinant(triangle) / 6.0
 }
 
-/// Where a vertex is, about.
+/// The approximate position of a vertex.
 fn place(scene: &Scene, v: Vertex) -> [f64; 3] {
     match scene.construction(v) {
         Some(Construction::Lpi { line, plane }) => {
@@ -194,7 +198,7 @@ impl Pair {
         Pair { closed, scene, corners }
     }
 
-    /// The union by a backend, in phases.
+    /// The union by a backend, timed by phase.
     fn union<B: Backend>(&self, backend: &B) -> Run {
         let corners = self.corners.clone();
         let mut times = [Instant::now(); 5];
@@ -213,7 +217,7 @@ impl Pair {
             triangles.iter().map(|triangle| sixth(triangle.map(|v| place(session.scene(), v)))).sum()
         };
         let volume = volume_of(&union.triangles);
-        // What is in one is in the union, and what is in both besides in the intersection.
+        // The volume of union and intersection together is that of both meshes together.
         let both = volume_of(&overlay.solid(Operation::Intersection).triangles);
         let sum: f64 = self.closed.iter().map(Closed::volume).sum();
         assert!((volume + both - sum).abs() <= ALIKE * sum, "{volume} and {both} are not {sum}");
@@ -221,7 +225,7 @@ impl Pair {
         Run { total: seconds(0, 4), phases, triangles: union.triangles.len(), volume }
     }
 
-    /// Writes both meshes for programs.
+    /// Writes both meshes to files, for other programs.
     fn files(&self) -> [PathBuf; 2] {
         [0, 1].map(|mesh: usize| {
             let name = format!("predicament-mesh-overlay-{}-{mesh}.bin", std::process::id());
@@ -232,7 +236,7 @@ impl Pair {
     }
 }
 
-/// What a program says about two files.
+/// Runs a program on two files and reads its output.
 fn program(command: &str, files: &[PathBuf; 2]) -> Run {
     let mut words = command.split_whitespace();
     let output = Command::new(words.next().expect("a program")).args(words).args(files).output();
@@ -247,13 +251,13 @@ fn program(command: &str, files: &[PathBuf; 2]) -> Run {
     Run { total, phases: [0.0; 4], triangles, volume }
 }
 
-/// The middle of some times.
+/// The median of measured times.
 fn median(mut times: Vec<f64>) -> f64 {
     times.sort_unstable_by(f64::total_cmp);
     times[times.len() / 2]
 }
 
-/// Runs all in turns on so many threads; prints medians, and ratios to the first.
+/// Runs all contestants in turns on `threads` threads; prints medians, and ratios to the first.
 fn compare(what: &str, threads: usize, rounds: usize, contestants: &[Contestant<'_>]) {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
     let mut runs: Vec<Vec<Run>> = vec![Vec::new(); contestants.len()];
@@ -283,7 +287,7 @@ fn compare(what: &str, threads: usize, rounds: usize, contestants: &[Contestant<
     }
 }
 
-/// A pair of meshes by these of our backends, and by all programs.
+/// Compares some of our backends and all programs on a pair of meshes.
 fn pair(name: &str, closed: [Closed; 2], backends: &[&str]) {
     let pair = Pair::new(closed);
     let count = pair.closed[0].triangles.len();

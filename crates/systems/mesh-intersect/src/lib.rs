@@ -1,10 +1,10 @@
-//! Boolean operations on meshes, and what becomes of results in doubles (3D-EPUG-Overlay, 4.5)
+//! Boolean operations on meshes, and their results in doubles (3D-EPUG-Overlay, 4.5)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`answer`]: the overlay as it is answered, for all of these.
-//! * [`truth`]: where its vertices are, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`answer`]: the type of the overlay's answer, for all other modules.
+//! * [`truth`]: the positions of its vertices, found without the algorithm.
+//! * [`checks`]: exact checks of the answers.
+//! * [`task`]: the task: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod answer;

@@ -1,5 +1,5 @@
-//! Where the vertices of an overlay are, as they are defined. What is true about pieces and results is said by the
-//! [checks](crate::checks): by crossing sums of the judge, and in rationals.
+//! The positions of an overlay's vertices by their definitions. The [checks](crate::checks) say what must hold for
+//! pieces and results: by crossing sums of the judge, and in rationals.
 
 use predicament_judge::rational;
 use predicament_predicates::{Construction, Scene};
@@ -7,7 +7,7 @@ use rug::Rational;
 
 pub use predicament_slice::truth::constructed;
 
-/// A point of space.
+/// A point in space.
 pub type Point = [Rational; 3];
 
 /// The points of a scene.
@@ -19,7 +19,7 @@ pub fn given(scene: &Scene) -> Vec<Point> {
 /// The points of a scene, then the constructed ones.
 ///
 /// # Errors
-/// The place of the first construction that is no point.
+/// The index of the first construction that is not a point.
 pub fn points(scene: &Scene, constructions: &[Construction]) -> Result<Vec<Point>, usize> {
     let mut all = given(scene);
     all.extend(constructed(scene, constructions)?);

@@ -1,14 +1,17 @@
-//! Points in multi-material meshes, phase by phase: checking the mesh, the grid with its regions of empty cells, preparing a session,
-//! labels, and queries, random ones and degenerate ones, on one thread and on all; and the memory that each takes.
+//! Benchmark of point location in multi-material meshes, phase by phase, on one thread and on all, with the memory of
+//! each phase.
 //!
-//! Degenerate queries are the vertices of the mesh, midpoints of edges, and points on vertical lines through vertices.
+//! The phases: checking the mesh, the grid with its regions of empty cells, preparing a session, labels, random queries
+//! and degenerate queries. Degenerate queries are the vertices of the mesh, midpoints of edges, and points on vertical
+//! lines through vertices.
 //!
-//! Arguments: numbers of triangles, 10^6 if left out, up to 5 × 10^7 (which takes a minute and 6 GiB); `grid=X,Y,Z,FINE,FULL` for a
-//! grid of these sizes; names of backends, `exact`, `sos` and `per-mesh`, all if left out.
+//! Arguments: numbers of triangles, default 10^6, up to 5 × 10^7 (which takes a minute and 6 GiB);
+//! `grid=X,Y,Z,FINE,FULL` for a grid of these sizes; names of backends, `exact`, `sos` and `per-mesh`, default all.
 //!
-//! A program of another library can take part: the environment variable `PREDICAMENT_MESH_LOCATE` names one that is given the files of
-//! a mesh and of the four kinds of queries, in this order, and prints what it likes. A mesh is two 64-bit counts, of
-//! points and triangles, then coordinates as doubles, then 32-bit indices; queries are a 64-bit count, then coordinates; all little-endian.
+//! A program of another library can take part: the environment variable `PREDICAMENT_MESH_LOCATE` names it. It gets the
+//! files of a mesh and of the four kinds of queries, in this order; its output is printed. A mesh is two 64-bit counts,
+//! of points and triangles, then coordinates as doubles, then 32-bit indices; queries are a 64-bit count, then
+//! coordinates; all little-endian.
 
 use std::hint::black_box;
 use std::sync::Arc;
@@ -58,7 +61,7 @@ fn torus(n: usize) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
     (points, triangles)
 }
 
-/// Half as many rounds for each ten times as many triangles above a million; one at last.
+/// The number of rounds: halved for each factor of ten above a million triangles, and at least one.
 fn rounds(n: usize) -> usize {
     if n <= 1_000_000 {
         5
@@ -128,7 +131,7 @@ fn ask<P: Predicates>(name: &str, rounds: usize, index: &MeshIndex, session: &P,
     }
 }
 
-/// The largest memory of the process so far, where the system tells.
+/// The peak memory of the process so far, if the system reports it.
 fn peak() -> String {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find(|line| line.starts_with("VmHWM:"));

@@ -1,8 +1,8 @@
-//! In which region of a mesh does a point lie? (PinMesh, 4.4)
+//! Location of points in multi-material meshes (PinMesh, 4.4)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`truth`]: the truth about a scene, found without the algorithm.
+//! * [`task`]: the task: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod task;

@@ -1,5 +1,5 @@
-//! What is true about the probes of a mesh: which region each is in, by crossing sums over all triangles, and by
-//! tetrahedra where the mesh is made of some.
+//! The truth about the probes of a mesh: their regions, by crossing sums over all triangles, and by tetrahedra if the
+//! mesh is made of them.
 
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{Sample, sign};
@@ -10,24 +10,25 @@ use rayon::prelude::*;
 
 use crate::task::content::{Probe, ProbedMesh};
 
-/// The work that the truth of one scene may be: triangles looked at.
+/// The work limit for the truth of one scene, in triangles tested.
 const BUDGET: u64 = 60_000_000;
-/// What the exact signs for one probe cost, in triangles looked at.
+/// The cost of the exact signs for one probe, in triangles tested.
 const SIGNS: u64 = 20_000;
 
-/// What is true about the probes of a mesh.
+/// The truth about the probes of a mesh.
 pub struct Truth {
     places: Vec<Place>,
-    /// Where the probes are among tetrahedra, by their own faces; none where the mesh is not made of any.
+    /// The locations of the probes among tetrahedra, by the tetrahedra's faces; `None` if the mesh is not made of
+    /// tetrahedra.
     solids: Vec<Option<Place>>,
     sample: Sample,
 }
 
 impl Truth {
-    /// Finds where a sample of the probes is, by all triangles.
+    /// Locates a sample of the probes, by all triangles.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     pub fn new(scene: &Scene, content: &ProbedMesh, watch: &Watch) -> Result<Truth, Stop> {
         let triangles = content.mesh.triangles();
         let sample = Sample::within(BUDGET, content.probes.len(), triangles.len() as u64 + SIGNS);
@@ -43,21 +44,21 @@ impl Truth {
         Ok(Truth { places, solids, sample })
     }
 
-    /// How many probes were located by all triangles, if not all.
+    /// The number of probes located by all triangles, as text, if not all are.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
             .then(|| format!("probes by all triangles: {}; the others along all axes or by sums alone", self.sample))
     }
 
-    /// The region that a probe is in, if it is of the sample and in one.
+    /// The true location of a probe, if it is in the sample; the second value is its location among tetrahedra.
     #[must_use]
     pub fn of(&self, at: usize) -> Option<(&Place, Option<&Place>)> {
         let place = at / self.sample.step();
         self.sample.has(at).then(|| (&self.places[place], self.solids[place].as_ref()))
     }
 
-    /// How many probes of the sample are in a region, and how many on the mesh.
+    /// The numbers of sampled probes in a region, on the mesh, and in neither.
     #[must_use]
     pub fn counts(&self) -> [usize; 3] {
         let count = |which: fn(&Place) -> bool| self.places.iter().filter(|place| which(place)).count();
@@ -69,7 +70,8 @@ impl Truth {
     }
 }
 
-/// Where a point is among tetrahedra, each a region: strictly in one, on the border of some, or in none. Borders have no triangles here.
+/// The location of a point among tetrahedra, each a region: strictly inside one, on the border of some, or in none.
+/// Borders have no triangles here.
 fn among(scene: &Scene, tetrahedra: &[[Vertex; 4]], q: Vertex) -> Place {
     let p = scene.point3(q);
     let mut within = Vec::new();
@@ -80,7 +82,7 @@ fn among(scene: &Scene, tetrahedra: &[[Vertex; 4]], q: Vertex) -> Place {
         if (0..3).any(is_beside) {
             continue;
         }
-        // With the point in the place of each corner.
+        // The signs with the point in place of each corner.
         let signs = [0, 1, 2, 3].map(|at: usize| {
             let mut args = *corners;
             args[at] = q;

@@ -1,13 +1,15 @@
-//! The counties of the United States dissolved into states, on one thread: 3,231 regions in 56 groups. With the feature `peers`
-//! beside `i_overlay` and `geo`, on the same coordinates in the same run, in turns. The aim: faster than GEOS, with areas that add up
-//! exactly, which the suite `map-dissolves` checks.
+//! Benchmark: the counties of the United States dissolved into states, on one thread; 3,231 regions in 56 groups.
 //!
-//! Programs of other libraries take their turns where `DISSOLVE_PROGRAMS` names them: `name=command` with semicolons between, words of a
-//! command with blanks. They read a WKT polygon a line, an empty line after each group, and print the seconds that it took, the number of corners
-//! of the result, and the number of groups that they have no union of; `dissolve.py` beside this file is one for GEOS.
+//! With the feature `peers`, `i_overlay` and `geo` run on the same coordinates in the same run, in turns. The aim:
+//! faster than GEOS, with areas that add up exactly, which the suite `map-dissolves` checks.
 //!
-//! Ours is given rings of coordinates or, as from a file of arcs, of vertices; sessions are prepared in its time. The map is fetched by
-//! `predicament corpus fetch us-counties`.
+//! Programs of other libraries take part if `DISSOLVE_PROGRAMS` names them: `name=command`, separated by semicolons,
+//! words of a command separated by blanks. They read one WKT polygon per line, with an empty line after each group.
+//! They print the seconds that it took, the number of corners of the result, and the number of groups for which they
+//! have no union; `dissolve.py` beside this file is such a program for GEOS.
+//!
+//! Our algorithm gets rings of coordinates or, as from a file of arcs, of vertices; its time includes preparing the
+//! sessions. `predicament corpus fetch us-counties` fetches the map.
 
 use std::collections::{BTreeSet, HashMap};
 use std::fmt::Write as _;
@@ -26,9 +28,9 @@ const ROUNDS: usize = 15;
 /// The counties of a state.
 struct State {
     points: Vec<[f64; 2]>,
-    /// All rings, by vertices.
+    /// All rings, as vertices.
     loops: Vec<Vec<Vertex>>,
-    /// The counties' polygons, by coordinates: an outer ring, then its holes.
+    /// The counties' polygons, as coordinates: an outer ring, then its holes.
     polygons: Vec<Vec<Vec<[f64; 2]>>>,
 }
 
@@ -48,12 +50,12 @@ impl State {
         State { points: map.points, loops, polygons }
     }
 
-    /// The corners of the union of the counties.
+    /// The number of corners of the union of the counties.
     fn dissolved<B: Backend>(&self, backend: &B, method: Method) -> usize {
         dissolved(backend, &self.points, &self.loops, method)
     }
 
-    /// The same from coordinates.
+    /// The number of corners of the union, computed from coordinates.
     fn dissolved_from_coordinates<B: Backend>(&self, backend: &B, method: Method) -> usize {
         let rings = || self.polygons.iter().flatten();
         let most = rings().map(Vec::len).sum();
@@ -102,18 +104,18 @@ fn states() -> Vec<State> {
     ids.iter().map(|begin| State::new(state(begin))).collect()
 }
 
-/// What came of one way to do it.
+/// The result of one program or method.
 #[derive(Clone, Copy, Default)]
 struct Made {
-    /// The corners of all results.
+    /// The number of corners of all results.
     corners: usize,
-    /// States without a result.
+    /// The number of states without a result.
     missing: usize,
-    /// The time by its own clock, if it has one.
+    /// The time by the program's own clock, if it has one.
     own: Option<Duration>,
 }
 
-/// One way to do it.
+/// A program or method with its name.
 type Way<'a> = (String, Box<dyn Fn() -> Made + 'a>);
 
 fn way<'a>(name: &str, states: &'a [State], one: impl Fn(&'a State) -> usize + 'a) -> Way<'a> {
@@ -152,7 +154,7 @@ fn areas(states: &[State]) -> Vec<Vec<geo::Polygon>> {
     states.iter().map(|state| state.polygons.iter().map(area).collect()).collect()
 }
 
-/// All polygons, for programs.
+/// All polygons as WKT text, for other programs.
 fn wkt(states: &[State]) -> String {
     let mut text = String::new();
     for state in states {
@@ -169,7 +171,7 @@ fn wkt(states: &[State]) -> String {
     text
 }
 
-/// What a program says.
+/// Runs a program and reads its output.
 fn told(command: &str, text: &str) -> Made {
     let mut words = command.split_whitespace();
     let mut program = Command::new(words.next().expect("a program"));
@@ -186,7 +188,7 @@ fn told(command: &str, text: &str) -> Made {
 }
 
 fn main() {
-    // Constructing and the rest take one thread; index structures would take all.
+    // One thread for everything; index structures would use all.
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("no pool before");
     let states = states();
     let sos = Sos::default();
@@ -227,7 +229,7 @@ fn main() {
     }
 }
 
-/// The median of some times, in milliseconds.
+/// The median of measured times, in milliseconds.
 fn median(times: &mut [Duration]) -> f64 {
     times.sort_unstable();
     times[times.len() / 2].as_secs_f64() * 1e3

@@ -1,14 +1,16 @@
-//! Unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep; with the feature
-//! `peers` beside `i_overlay` and `geo`, on the same coordinates in the same run, in turns. The aim: two stars of 10^5 edges
-//! each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than `geo` and GEOS.
+//! Benchmark: unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep.
 //!
-//! A program of another library can take part: the environment variable `PREDICAMENT_OVERLAY` names one that reads two rings, each as
-//! a line of coordinates with blanks between them, and prints the seconds that their union took.
+//! With the feature `peers`, `i_overlay` and `geo` run on the same coordinates in the same run, in turns. The aim: two
+//! stars of 10^5 edges each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than
+//! `geo` and GEOS.
 //!
-//! Ours is given loops of vertices and nothing else, and makes oriented regions; sessions are prepared in its time, as
-//! crossings are constructed in them.
+//! A program of another library can take part: the environment variable `PREDICAMENT_OVERLAY` names it. It reads two
+//! rings, each as a line of coordinates separated by blanks, and prints the seconds that their union took.
 //!
-//! Arguments: the shapes to run, of `stars`, `smooth`, `combs` and `segments`; without any, all.
+//! Our algorithm gets only loops of vertices, and makes oriented regions. Its time includes preparing the sessions,
+//! because they construct the crossings.
+//!
+//! Arguments: the shapes to run, of `stars`, `smooth`, `combs` and `segments`; default all.
 
 use std::fmt::Write as _;
 use std::hint::black_box;
@@ -36,7 +38,7 @@ fn scene(family: &str, n: usize) -> (Scene, Layers) {
     (loaded.scene.clone(), content.layers.clone())
 }
 
-/// Circles of n corners, slightly off each other: short edges, few crossings.
+/// Circles of n corners with slightly different centres: short edges, few crossings.
 fn smooth(n: usize) -> (Scene, Layers) {
     let mut points = Vec::with_capacity(2 * n);
     for shift in [0.0, 0.25] {
@@ -51,7 +53,7 @@ fn smooth(n: usize) -> (Scene, Layers) {
     (Scene::from_points2(&points).expect("finite"), Layers::Polygons([ids(0), ids(n)], Rule::NonZero))
 }
 
-/// One way to do it: the number of corners of the result, or of edges of the arrangement.
+/// A method with its name; the function returns the number of corners of the result, or of edges of the arrangement.
 type Way<'a> = (&'static str, Box<dyn Fn() -> (usize, Option<Duration>) + 'a>);
 
 fn ours<'a, B: Backend>(
@@ -80,7 +82,7 @@ fn ours<'a, B: Backend>(
     (name, Box::new(move || (made(), None)))
 }
 
-/// The rings of both operands.
+/// The rings of both operands, as coordinates.
 fn rings(scene: &Scene, layers: &Layers) -> Option<[Vec<Vec<[f64; 2]>>; 2]> {
     let Layers::Polygons(loops, _) = layers else { return None };
     let ring = |one: &Vec<Vertex>| one.iter().map(|&v| scene.point2(Plane::Xy, v)).collect();
@@ -117,7 +119,7 @@ fn peers(_: &[Vec<Vec<[f64; 2]>>; 2]) -> Vec<Way<'_>> {
     Vec::new()
 }
 
-/// A program of another library, by its own clock.
+/// Runs a program of another library, timed by its own clock.
 fn program(rings: &[Vec<Vec<[f64; 2]>>; 2]) -> Option<Way<'_>> {
     let program = std::env::var_os("PREDICAMENT_OVERLAY")?;
     let run = move || {
@@ -139,7 +141,7 @@ fn program(rings: &[Vec<Vec<[f64; 2]>>; 2]) -> Option<Way<'_>> {
 }
 
 fn main() {
-    // Constructing and the rest take one thread; index structures would take all.
+    // One thread for everything; index structures would use all.
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("no pool before");
     let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     let sizes = [
@@ -168,7 +170,7 @@ fn main() {
             let mut corners = vec![0; ways.len()];
             for _ in 0..ROUNDS {
                 for ((_, way), (times, corners)) in ways.iter().zip(times.iter_mut().zip(&mut corners)) {
-                    // What takes long is measured once.
+                    // A slow run is measured once.
                     if times.first().is_none_or(|first: &Duration| first.as_secs_f64() < 2.0) {
                         let start = Instant::now();
                         let (count, own) = black_box(way());
@@ -187,7 +189,7 @@ fn main() {
     }
 }
 
-/// The median of some times, in milliseconds.
+/// The median of measured times, in milliseconds.
 fn median(times: &mut [Duration]) -> f64 {
     times.sort_unstable();
     times[times.len() / 2].as_secs_f64() * 1e3

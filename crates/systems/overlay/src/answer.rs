@@ -1,15 +1,15 @@
-//! The Boolean operations: which there are, and what each holds.
+//! The Boolean operations and their definitions.
 
 /// A Boolean operation on two polygons.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Operation {
-    /// What is inside of the first, of the second or of both.
+    /// The points inside the first polygon, the second or both.
     Union,
-    /// What is inside of both.
+    /// The points inside both.
     Intersection,
-    /// What is inside of the first and not of the second.
+    /// The points inside the first and not the second.
     Difference,
-    /// What is inside of one and not of both.
+    /// The points inside exactly one.
     SymmetricDifference,
 }
 
@@ -29,7 +29,7 @@ impl Operation {
         }
     }
 
-    /// Whether a point is in the result, by whether it is in each operand.
+    /// True if a point is in the result; the argument says if it is in each operand.
     #[must_use]
     pub const fn holds(self, [a, b]: [bool; 2]) -> bool {
         match self {

@@ -1,10 +1,10 @@
 //! Arrangements of segments, Boolean operations on polygons, and snap rounding (Rhodes; Hobby)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`answer`]: the operations, for all of these.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`answer`]: the Boolean operations, for all other modules.
+//! * [`truth`]: the truth about a scene, found without the algorithm.
+//! * [`checks`]: exact checks of the answers.
+//! * [`task`]: the tasks: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod answer;

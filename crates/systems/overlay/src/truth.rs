@@ -1,25 +1,25 @@
-//! What is true about drawings that are rounded to pixels: which of their segments cross, in rationals.
+//! The truth about drawings that are rounded to pixels: the crossings of their segments, in rationals.
 //!
-//! Overlays have no truth but their laws, which are in the [checks](crate::checks::overlay).
+//! Overlays have no truth except their laws, which are in the [checks](crate::checks::overlay).
 
 use predicament_predicates::{Scene, Vertex};
 use predicament_tasks::{Stop, Watch};
 
-/// Segments that are held against their definition; an even sample of more.
+/// The maximum number of segments that are checked by their definition; of more, an even sample is checked.
 pub(crate) const SEGMENTS: usize = 300;
 
 /// The pairs of segments that cross, exactly.
 pub struct Truth {
-    /// By their places, ascending.
+    /// Pairs of indices, ascending.
     pub crossings: Vec<[u32; 2]>,
     segments: usize,
 }
 
 impl Truth {
-    /// All pairs.
+    /// Finds all pairs that cross.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     ///
     /// # Panics
     /// If there are 2^32 segments.
@@ -34,7 +34,7 @@ impl Truth {
         Ok(Truth { crossings, segments: segments.len() })
     }
 
-    /// What is sampled.
+    /// The parts of the check that are sampled, as text.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (self.segments > SEGMENTS)

@@ -1,16 +1,16 @@
-//! Where points are: what the algorithm answers, and the truth with it.
+//! Locations of points: the type of the algorithm's answers and of the truth.
 
-/// Where a point is: the regions it is inside of and those whose boundary it
-/// is on, ascending; no region is in both.
+/// The location of a point: the regions that contain it and the regions whose boundary contains it, ascending; no
+/// region is in both.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Location<'a> {
     /// Regions with an odd crossing number.
     pub inside: &'a [u32],
-    /// Regions that own an edge which the point is on, by the session's answers.
+    /// Regions that own an edge through the point, by the session's answers.
     pub boundary: &'a [u32],
 }
 
-/// The answers to many queries, in their order, in two flat arrays.
+/// The answers to many queries, in order, in two flat arrays.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Locations {
     inside: Lists,
@@ -21,7 +21,7 @@ pub struct Locations {
 /// Lists of regions, one after another.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 struct Lists {
-    /// The place where each list ends.
+    /// The end index of each list.
     ends: Vec<usize>,
     items: Vec<u32>,
 }
@@ -34,7 +34,7 @@ impl Lists {
         self.ends.push(self.items.len());
     }
 
-    /// Makes room for all these lists at once.
+    /// Reserves memory for all these lists at once.
     fn reserve<'a>(&mut self, lists: impl Iterator<Item = &'a Lists>) {
         let [ends, items] =
             lists.fold([0, 0], |[ends, items], list| [ends + list.ends.len(), items + list.items.len()]);
@@ -59,7 +59,7 @@ impl Locations {
         Locations { inside: Lists::EMPTY, boundary: Lists::EMPTY, asked }
     }
 
-    /// No answers yet to so many queries, and room for them.
+    /// An empty result with capacity for `asked` queries.
     pub(crate) fn with_capacity(asked: usize) -> Locations {
         let mut all = Locations::none(asked);
         all.inside.ends.reserve_exact(asked);
@@ -73,7 +73,7 @@ impl Locations {
         self.boundary.push(location.boundary);
     }
 
-    /// The answers of all parts, one after the other, to so many queries.
+    /// Concatenates the answers of all parts, for `asked` queries.
     pub(crate) fn joined<'a, I: Iterator<Item = &'a Locations>>(asked: usize, parts: impl Fn() -> I) -> Locations {
         let mut all = Locations::none(asked);
         all.inside.reserve(parts().map(|part| &part.inside));
@@ -85,7 +85,8 @@ impl Locations {
         all
     }
 
-    /// These answers: the regions that each query is inside of, and those whose boundary it is on, both ascending.
+    /// Collects answers: the regions that contain each query, and the regions whose boundary contains it, both
+    /// ascending.
     #[must_use]
     pub fn of(answers: impl Iterator<Item = (Vec<u32>, Vec<u32>)>) -> Locations {
         let mut all = Locations::none(0);
@@ -96,25 +97,25 @@ impl Locations {
         all
     }
 
-    /// How many queries are answered: the first so many.
+    /// The number of answered queries; these are the first ones.
     #[must_use]
     pub fn len(&self) -> usize {
         self.inside.ends.len()
     }
 
-    /// Whether no query is answered.
+    /// True if no query is answered.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Whether all queries are answered, and not only those up to an early stop.
+    /// True if all queries are answered; false after an early stop.
     #[must_use]
     pub fn is_complete(&self) -> bool {
         self.len() == self.asked
     }
 
-    /// The regions that query `at` is inside of, ascending.
+    /// The regions that contain query `at`, ascending.
     ///
     /// # Panics
     /// If the query is not answered.
@@ -123,7 +124,7 @@ impl Locations {
         self.inside.get(at)
     }
 
-    /// The regions whose boundary query `at` is on, ascending.
+    /// The regions whose boundary contains query `at`, ascending.
     ///
     /// # Panics
     /// If the query is not answered.
@@ -132,7 +133,7 @@ impl Locations {
         self.boundary.get(at)
     }
 
-    /// Where query `at` is.
+    /// The location of query `at`.
     ///
     /// # Panics
     /// If the query is not answered.

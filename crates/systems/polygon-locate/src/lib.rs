@@ -1,10 +1,10 @@
-//! In which region of a map does a point lie? (4.2)
+//! Location of points in the regions of a map (4.2)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`answer`]: what both the algorithm and the truth answer.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`answer`]: the type of the algorithm's answers and of the truth.
+//! * [`truth`]: the truth about a scene, found without the algorithm.
+//! * [`checks`]: exact checks of the answers.
+//! * [`task`]: the task: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod answer;

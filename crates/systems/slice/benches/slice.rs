@@ -1,9 +1,9 @@
-//! A million triangles split by 10 to 100 planes through vertices, on one thread: the time beside the number of faces that
-//! planes cross. The aim is a time that goes with the latter.
+//! Benchmark: a million triangles split by 10 to 100 planes through vertices, on one thread; each time is listed beside
+//! the number of crossed faces. The aim is a time proportional to that number.
 //!
-//! Apart from them stands what does not: the mesh is built once, each plane is asked about every vertex in one batch and
-//! every edge is looked at, and in the end every triangle is listed. So times are of runs with more planes minus
-//! that with the fewest, for each face crossed, and the batches of vertices alone are timed beside them.
+//! Three costs do not depend on it: the mesh is built once, each plane tests every vertex in one batch and visits every
+//! edge, and the end lists every triangle. So the reported time per crossed face is the difference between a run with
+//! more planes and the run with the fewest planes. The batches of vertices are also timed alone.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -16,7 +16,7 @@ use predicament_predicates::{Backend, Off, Predicates, Scene, Sign, Vertex};
 use predicament_slice::algorithm::slice;
 use predicament_sos::Sos;
 
-/// Cells around the torus, both ways: 999,698 triangles.
+/// The number of cells around the torus in each direction: 999,698 triangles.
 const AROUND: u32 = 707;
 const PLANES: [usize; 4] = [10, 30, 60, 100];
 const ROUNDS: usize = 3;

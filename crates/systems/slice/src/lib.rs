@@ -1,9 +1,9 @@
 //! A mesh split by planes, its parts capped and triangulated (Rhodes)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`truth`]: where constructed vertices are, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`truth`]: the positions of constructed vertices, found without the algorithm.
+//! * [`checks`]: exact checks of the answers.
+//! * [`task`]: the task: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod checks;

@@ -1,13 +1,14 @@
-//! Where constructed vertices are, as they are defined. What is true about parts is said by the [checks](crate::checks).
+//! The positions of constructed vertices by their definitions. The [checks](crate::checks) say what must hold for
+//! parts.
 
 use predicament_judge::Points;
 use predicament_predicates::{Construction, Scene};
 use rug::Rational;
 
-/// Where these constructed vertices are.
+/// The positions of constructed vertices.
 ///
 /// # Errors
-/// The place of the first one that is no point.
+/// The index of the first construction that is not a point.
 pub fn constructed(scene: &Scene, constructions: &[Construction]) -> Result<Vec<[Rational; 3]>, usize> {
     let mut points = Points::of(scene);
     let vertices = points.construct(constructions).map_err(|why| why.index().unwrap_or(0))?;

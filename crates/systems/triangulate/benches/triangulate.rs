@@ -1,11 +1,15 @@
-//! Large polygons on one thread, by the sweep and by ears under exact and perturbed predicates; with the feature `peers`
-//! beside `earcutr` and `i_triangle`, on the same coordinates in the same run, in turns. The aims: a star of 10^5 vertices
-//! faster than `earcutr` and within 1.5 times `i_triangle`; a spiral and combs as n·log n.
+//! Triangulation of large polygons on one thread, by the sweep and by ear clipping, under exact and perturbed
+//! predicates.
 //!
-//! Ours is given the loop and nothing else: sorting is in its time. Sessions are prepared before.
+//! With the feature `peers`, `earcutr` and `i_triangle` run on the same coordinates in the same run, in turns. The
+//! aims: a star of 10^5 vertices faster than `earcutr` and within 1.5 times `i_triangle`; a spiral and combs as n·log
+//! n.
 //!
-//! Arguments: the shapes to run, of `star`, `spiral`, `comb` and `sideways`, without any, all; and `sweeps`, to leave out
-//! the peers and ears, which are quadratic on some of these.
+//! Our algorithm gets the loop and nothing else, so its time includes sorting. Sessions are prepared before the clock
+//! starts.
+//!
+//! Arguments: the shapes to run, of `star`, `spiral`, `comb` and `sideways` (default: all); and `sweeps`, which leaves
+//! out the peers and ear clipping, because they are quadratic on some shapes.
 
 use std::hint::black_box;
 use std::time::{Duration, Instant};
@@ -20,7 +24,7 @@ use predicament_triangulate::task::Polygons;
 
 const ROUNDS: usize = 7;
 
-/// A generated polygon of about n vertices.
+/// A generated polygon with about n vertices.
 fn polygon(family: &str, n: usize) -> (Scene, Vec<Vec<Vertex>>) {
     let text = format!("title = \"t\"\n[[generate]]\n{family}\ntask = \"triangulate\"\nn = {n}\nseed = 1\n");
     let suite = Suite::parse(predicament_bundle::vocabulary(), "bench.toml", &text, None, &Manifest::default());
@@ -30,7 +34,7 @@ fn polygon(family: &str, n: usize) -> (Scene, Vec<Vec<Vertex>>) {
     (loaded.scene, loops)
 }
 
-/// One way to triangulate: the number of triangles.
+/// A triangulation method with its name; the function returns the number of triangles.
 type Way<'a> = (&'static str, Box<dyn Fn() -> usize + 'a>);
 
 fn ours<'a, P: Predicates>(name: &'static str, session: &'a P, loops: &'a [Vec<Vertex>], method: Method) -> Way<'a> {
@@ -62,7 +66,7 @@ fn peers(_: &[[f64; 2]]) -> Vec<Way<'_>> {
     Vec::new()
 }
 
-/// The median of some times, in milliseconds.
+/// The median of measured times, in milliseconds.
 fn median(times: &mut [Duration]) -> f64 {
     times.sort_unstable();
     times[times.len() / 2].as_secs_f64() * 1e3
@@ -104,7 +108,7 @@ fn main() {
             let mut triangles = vec![0; ways.len()];
             for _ in 0..ROUNDS {
                 for ((_, way), (times, triangles)) in ways.iter().zip(times.iter_mut().zip(&mut triangles)) {
-                    // What takes long is measured once.
+                    // A slow run is measured once.
                     if times.first().is_none_or(|first: &Duration| first.as_secs_f64() < 2.0) {
                         let start = Instant::now();
                         *triangles = black_box(way());

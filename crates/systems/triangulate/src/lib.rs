@@ -1,9 +1,9 @@
-//! Triangles of polygons with holes, by ears and by a plane sweep (Rhodes)
+//! Triangulation of polygons with holes, by ear clipping and by a plane sweep (Rhodes)
 //!
 //! * [`algorithm`]: the algorithm, generic over the session.
-//! * [`truth`]: what is true about a scene, found without the algorithm.
-//! * [`checks`]: what must hold for its answers, decided exactly.
-//! * [`task`]: how it is asked, judged, drawn and reported.
+//! * [`truth`]: the truth about a scene, found without the algorithm.
+//! * [`checks`]: exact checks of the answers.
+//! * [`task`]: the task: scenes, judging, drawing and report.
 
 pub mod algorithm;
 pub mod checks;

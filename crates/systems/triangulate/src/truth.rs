@@ -1,24 +1,24 @@
-//! What is true about polygons: which of their edges touch, which loop is inside of which, from where each is seen.
+//! The truth about polygons: edges that touch, the nesting of loops, and the plane in which each polygon is seen.
 
 use crate::checks::Polygon;
 use predicament_judge::sign;
 use predicament_predicates::{Dimension, Plane, Question, Scene, Sign, Vertex};
 use predicament_tasks::{Stop, Watch};
 
-/// What is true about each polygon of a scene.
+/// The truth about each polygon of a scene.
 #[derive(Debug)]
 pub struct Truth {
-    /// In the scene's order.
+    /// The polygons in the scene's order.
     pub polygons: Vec<Polygon>,
-    /// The plane in which each was looked at, and whether it is seen from behind there.
+    /// The plane in which each polygon is seen, and true if it is seen from behind.
     pub seen: Vec<(Plane, bool)>,
 }
 
 impl Truth {
-    /// The truth, polygon by polygon.
+    /// Computes the truth, polygon by polygon.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     pub fn new(scene: &Scene, polygons: &[Vec<Vec<Vertex>>], watch: &Watch) -> Result<Truth, Stop> {
         let mut truth = Truth { polygons: Vec::with_capacity(polygons.len()), seen: Vec::new() };
         for loops in polygons {
@@ -30,7 +30,7 @@ impl Truth {
         Ok(truth)
     }
 
-    /// What was not looked at.
+    /// The comparisons left out, as text.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         let all = self.polygons.len();
@@ -49,15 +49,16 @@ impl Truth {
         (!said.is_empty()).then(|| said.join("; "))
     }
 
-    /// Whether a region of a map is no polygon: what a single one is not is a finding.
+    /// True if a polygon is not judged: a region of a map that is not a polygon. A single polygon with that flaw is a
+    /// finding instead.
     #[must_use]
     pub fn is_left_out(&self, polygon: &Polygon) -> bool {
         self.polygons.len() > 1 && polygon.fault().is_some()
     }
 }
 
-/// The first coordinate plane in which the face has area, and whether it is seen from behind there: the outer loop of
-/// the first corner in order goes the right way.
+/// The first coordinate plane in which the face has area, and true if the face is seen from behind there. The turn of
+/// the outer loop at its first corner in order decides.
 pub(crate) fn seen(scene: &Scene, loops: &[Vec<Vertex>]) -> (Plane, bool) {
     if scene.dimension() == Dimension::Two {
         return (Plane::Xy, false);

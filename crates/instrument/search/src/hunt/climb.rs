@@ -1,9 +1,9 @@
-//! Climbing by the rounding of one determinant alone: no backend is asked, so a step costs a tenth of a microsecond.
+//! Climbing by the rounding of one determinant alone: no backend runs, so a step costs a tenth of a microsecond.
 //!
-//! Simulated annealing towards points at which plain doubles err as much as they can. First by the error over the
-//! permanent, of determinants that are small beside it; then the price of a determinant that is not zero goes up, until what
-//! is left is carried by its error to the other side. What bound a filter has is not known here: it is the backend that
-//! says whether it was fooled.
+//! Simulated annealing towards points at which plain doubles err as much as they can. At first the merit is the error
+//! over the permanent, for determinants that are small beside it. Then the price of a nonzero determinant rises, until
+//! the error carries the remaining determinant to the other side. The bound of a filter is not known here: only the
+//! backend shows if it was fooled.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{power_of_two, scale, step, top_exponent};
@@ -11,7 +11,7 @@ use predicament_predicates::PredicateKind;
 
 use super::twofold::{Points, Rounding};
 
-/// A generator of random numbers for steps that cost no more than it does (splitmix64).
+/// A random number generator that is cheap enough for climbing steps (splitmix64).
 struct Quick(u64);
 
 impl Quick {
@@ -36,32 +36,33 @@ impl Quick {
         integer * power_of_two(-53)
     }
 
-    /// Nearly exponentially distributed, and the same on every machine, as the logarithm isn't.
+    /// A nearly exponentially distributed number that is the same on every machine; a logarithm would not be.
     fn patience(&mut self) -> f64 {
         std::f64::consts::LN_2 * (f64::from(self.bits().leading_zeros()) + self.unit())
     }
 
-    /// A number within a half, of any size down to 2^-`bits`.
+    /// A number of magnitude at most one half, of any size down to 2^-`bits`.
     fn small(&mut self, bits: i32) -> f64 {
         (self.unit() - 0.5) * power_of_two(-i64::from(self.exponent(bits)))
     }
 }
 
-/// How one determinant is climbed.
+/// The options of a climb of one determinant.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Climb {
     /// The predicate.
     pub kind: PredicateKind,
-    /// How many of the coordinates are its own.
+    /// The number of coordinates of a point that the predicate uses.
     pub dimension: usize,
-    /// Changes to try.
+    /// The number of changes to try.
     pub steps: u32,
-    /// The temperature to begin with, in u.
+    /// The initial temperature, in u.
     pub temperature: f64,
 }
 
 impl Climb {
-    /// The points that a climb ends with: those that are carried farthest to the wrong side, or most nearly there.
+    /// Climbs from `start`; returns the points whose determinant is carried farthest to the wrong side, or most nearly
+    /// there.
     pub(super) fn run(self, start: &Points, random: &mut Random) -> Points {
         let mut quick = Quick(random.integer(0, i64::MAX).cast_unsigned());
         let (mut points, mut score) = (*start, f64::NEG_INFINITY);
@@ -102,14 +103,14 @@ impl Climb {
                 let pivot = points[other][axis];
                 pivot + (x - pivot) * (1.0 + quick.small(53))
             }
-            // Just beside a power of two: half an ulp is most of what it can be.
+            // Just beside a power of two, where half an ulp is relatively largest.
             5 => {
                 let exponent = top_exponent(x).unwrap_or(0) + i64::from(quick.exponent(2));
                 let size =
                     power(exponent) * (1.0 + (quick.unit() - 0.25) * power_of_two(-i64::from(quick.exponent(53))));
                 size.copysign(x)
             }
-            // Half an ulp of another coordinate, nearly: it turns the rounding of their difference.
+            // By nearly half an ulp of another coordinate: it changes the rounding of their difference.
             6 => {
                 let half = 0.5 * ulp(points[other][beside]);
                 let half = if quick.below(2) == 0 { half } else { -half };
@@ -127,18 +128,19 @@ impl Climb {
     }
 }
 
-/// What a determinant that is not zero has to pay: nearly nothing first, so that errors can grow, and twice itself in the end.
+/// The price of a nonzero determinant: nearly zero at first, so that errors can grow, and twice the determinant in the
+/// end.
 fn price(progress: f64) -> f64 {
     if progress < 0.5 {
         return 15.0 * f64::EPSILON / 2.0;
     }
-    // From 2^-50 to 2^1, by factors of two, so that it is the same on every machine.
+    // From 2^-50 to 2^1, by factors of two, so that the price is the same on every machine.
     #[allow(clippy::cast_possible_truncation)] // a small number
     let doublings = ((progress - 0.5) / 0.3 * 51.0).min(51.0) as i64;
     power_of_two(doublings - 50)
 }
 
-/// Whether the sign is wrong comes first, then by how much.
+/// The merit of a rounding: a wrong sign ranks first, then the amount.
 fn merit(rounding: &Rounding) -> f64 {
     rounding.wrong().unwrap_or_else(|| rounding.carried(2.0) - 20.0)
 }

@@ -1,11 +1,12 @@
-//! How high a scene is: what a hunt climbs where nothing is found yet.
+//! The height of a scene: the measure that a hunt climbs before it finds anything.
 //!
-//! Each measure has an island of its own, so none has to be weighed against another. They are whole numbers (thousandths), so
-//! that a hunt can be written down and gone on with. Nothing is decided by them.
+//! Each measure has its own island, so that measures need not be weighed against each other. Heights are integers
+//! (thousandths), so that a hunt can be saved and resumed exactly. They decide nothing.
 //!
-//! Of signs: how degenerate a query is that is no tie, how far rounding carries plain doubles, how degenerate a query is that
-//! a backend settles before its last stage, and how many ties there are. Of other tasks: how near points are to points and
-//! lines, how many are on them, how many answers lie within a promise, and how many findings are not those that are wanted.
+//! Measures of signs: how degenerate a query is that is not a tie, how far rounding carries plain doubles, how
+//! degenerate a query is that a backend settles before its last stage, and the number of ties. Measures of other tasks:
+//! how near points are to points and lines, the number of points on them, the number of answers within a promise, and
+//! the number of unwanted findings.
 
 use predicament_corpus::LoadedScene;
 use predicament_formats::bits::{lowest_bit, top_exponent};
@@ -17,16 +18,16 @@ use predicament_tasks::{Class, Contestant, Outcome, digest};
 use super::Quarry;
 use super::twofold::{Points, Rounding};
 
-/// A measure.
+/// A measure of a scene's height.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Height {
     /// Its name.
     pub name: &'static str,
-    /// What it is, and in which unit.
+    /// Its meaning and unit.
     pub what: &'static str,
 }
 
-/// Of signs, in this order.
+/// The measures of signs, in this order.
 const OF_SIGNS: [Height; 4] = [
     Height { name: "degenerate", what: "-log2(|det| / permanent) of the most degenerate query that is no tie" },
     Height {
@@ -39,10 +40,10 @@ const OF_SIGNS: [Height; 4] = [
     },
     Height { name: "ties", what: "ties among the first vertices, of the predicate and those of fewer dimensions" },
 ];
-/// The one of these that is climbed without a backend.
+/// The index of the measure that is climbed without a backend.
 pub(super) const ROUNDING: usize = 1;
 
-/// Of other tasks, in this order.
+/// The measures of other tasks, in this order.
 const OF_OTHERS: [Height; 4] = [
     Height { name: "near", what: "-log2 of the least distance of a point to a point or a line, over the extent" },
     Height { name: "ties", what: "points on points and lines" },
@@ -61,22 +62,22 @@ pub(super) fn kind_of(task: &str) -> Option<PredicateKind> {
     PredicateKind::ALL.into_iter().find(|kind| kind.name() == task)
 }
 
-/// More is not more degenerate, but of another range.
+/// The maximum degeneracy; larger values come from another range, not from more degeneracy.
 const MOST_DEGENERATE: f64 = 160.0;
 
-/// A measure in thousandths.
+/// A measure, converted to thousandths.
 fn thousandths(x: f64) -> i64 {
     #[allow(clippy::cast_possible_truncation)] // clamped
     let whole = (x.clamp(-1e6, 1e6) * 1000.0).floor() as i64;
     whole
 }
 
-/// Queries that are looked at, at most.
+/// The maximum number of queries that are measured.
 const QUERIES: usize = 6;
-/// Vertices among which ties are counted, at most.
+/// The maximum number of vertices among which ties are counted.
 const VERTICES: usize = 7;
 
-/// How high a scene is by each measure of its task.
+/// The heights of a scene by each measure of its task.
 pub(super) fn of(loaded: &LoadedScene, quarry: &Quarry<'_>, outcomes: &[Outcome]) -> Vec<i64> {
     match loaded.content::<SignQueries>() {
         Some(content) => of_signs(&loaded.scene, content, &quarry.shown_by),
@@ -108,7 +109,7 @@ fn of_signs(scene: &Scene, content: &SignQueries, backends: &[&dyn Contestant]) 
     ]
 }
 
-/// The coordinates that a query is about, those of a plane in front; none where a vertex is constructed.
+/// The coordinates of a query's points, with those of its plane first; `None` if a vertex is constructed.
 pub(super) fn points(scene: &Scene, question: Question, args: &[Vertex]) -> Option<Points> {
     let mut points = [[0.0; 3]; 5];
     for (place, &v) in points.iter_mut().zip(args) {
@@ -122,7 +123,7 @@ pub(super) fn points(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
     Some(points)
 }
 
-/// The axes that a question looks at, in its order.
+/// The axes that a question uses, in its order.
 pub(super) fn axes(question: Question) -> Vec<usize> {
     match question {
         Question::Compare(axis) => vec![axis.index()],
@@ -132,7 +133,7 @@ pub(super) fn axes(question: Question) -> Vec<usize> {
     }
 }
 
-/// How degenerate a query is that a backend settles before its last stage.
+/// The degeneracy of the most degenerate query that a backend settles before its last stage.
 fn shortcut(scene: &Scene, content: &SignQueries, backend: &dyn Contestant, relative: &[f64]) -> f64 {
     let (question, stages) = (content.queries.question(), backend.stages().len());
     if stages < 2 {
@@ -140,7 +141,7 @@ fn shortcut(scene: &Scene, content: &SignQueries, backend: &dyn Contestant, rela
     }
     let counts = Counts::new();
     let mut highest = 0.0_f64;
-    // One that declines has no shortcut.
+    // A backend that declines the predicate has no shortcut.
     let _ = backend.with_counted_session(scene, &counts, &mut |session| {
         if session.supports(question.kind()).is_err() {
             return;
@@ -157,7 +158,8 @@ fn shortcut(scene: &Scene, content: &SignQueries, backend: &dyn Contestant, rela
     highest
 }
 
-/// Ties among the first vertices at different places: of the predicate and of turns in the first plane; and points at one place.
+/// The number of ties among the first vertices at different positions: ties of the predicate, and of turns in the first
+/// plane. Points at one position count too.
 fn ties_of(scene: &Scene, question: Question) -> i64 {
     let vertices: Vec<Vertex> = scene.vertices().take(VERTICES).collect();
     let mut ties = 0;
@@ -175,7 +177,7 @@ fn ties_of(scene: &Scene, question: Question) -> i64 {
             }
             let places = &points[..kind.arity()];
             let coincide = (1..places.len()).any(|at| places[..at].contains(&places[at]));
-            // Points at one place make every query about them a tie: one is enough.
+            // Points at one position make every query about them a tie: one tie is enough.
             ties += i64::from(if kind.arity() == 2 {
                 coincide
             } else {
@@ -201,7 +203,7 @@ fn subsets(n: usize, k: usize, visit: &mut impl FnMut(&[usize])) {
     go(0, n, k, &mut Vec::new(), visit);
 }
 
-/// Points among which distances are taken, at most.
+/// The maximum number of points whose distances are measured.
 const NEIGHBOURS: usize = 16;
 
 fn of_others(scene: &Scene, quarry: &Quarry<'_>, outcomes: &[Outcome]) -> Vec<i64> {
@@ -218,7 +220,8 @@ fn of_others(scene: &Scene, quarry: &Quarry<'_>, outcomes: &[Outcome]) -> Vec<i6
     vec![thousandths(near), ties, whole(legal), whole(unwanted)]
 }
 
-/// How near the points of a scene are to each other and to the lines through two of them, and how many are on them.
+/// The nearness of a scene's points to each other and to the lines through two of them, and the number of points on
+/// them.
 fn nearness(scene: &Scene) -> (f64, i64) {
     let points: Vec<&[f64]> = scene.vertices().take(NEIGHBOURS).map(|v| scene.point(v)).collect();
     let apart = |p: &[f64], q: &[f64]| p.iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
@@ -253,8 +256,8 @@ const fn subsets_of_three() -> [[usize; 2]; 3] {
     [[0, 1], [0, 2], [1, 2]]
 }
 
-/// What a scene does, in a number: classes and stages by orders of magnitude, checks that found something, how large and
-/// fine its coordinates are, and how degenerate it is.
+/// A hash of a scene's behaviour: classes and stages by orders of magnitude, checks with findings, how large and fine
+/// its coordinates are, and how degenerate it is.
 pub(super) fn conduct(loaded: &LoadedScene, outcomes: &[Outcome], heights: &[i64]) -> u64 {
     let order = |count: u64| u64::BITS - count.leading_zeros();
     let mut text = String::new();

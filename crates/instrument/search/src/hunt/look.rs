@@ -1,4 +1,4 @@
-//! What a scene shows on the backends, and how high it is.
+//! Evaluation of a scene on the backends: its findings and its heights.
 
 use std::time::Duration;
 
@@ -8,57 +8,59 @@ use predicament_tasks::{AnyTask, Budget, Class, Contestant, Finding, Outcome, St
 use super::heights;
 use crate::{Backends, Wanted};
 
-/// What is hunted, and on which backends.
+/// The target of a hunt: the wanted finding, and the backends.
 #[derive(Clone)]
 pub struct Quarry<'a> {
-    /// The tasks, as suites know them.
+    /// The tasks, as suites name them.
     pub vocabulary: &'a Vocabulary,
     /// The task of the scenes.
     pub task: &'a dyn AnyTask,
-    /// What is looked for. Without a class neither a refusal nor a timeout counts.
+    /// The wanted finding. Without a class, refusals and timeouts do not count.
     pub wanted: Wanted,
-    /// All of these have to show it.
+    /// The backends that must all show the finding.
     pub shown_by: Vec<&'a dyn Contestant>,
-    /// None of these may show it.
+    /// The backends that must not show the finding.
     pub not_by: Vec<&'a dyn Contestant>,
-    /// How much the judge samples.
+    /// The sample sizes of the judge.
     pub budget: Budget,
-    /// What ends the work.
+    /// The watch that can end the work.
     pub watch: &'a Watch<'a>,
-    /// How long one backend may take for one scene.
+    /// The time limit of one backend on one scene.
     pub limit: Option<Duration>,
 }
 
-/// What a scene shows.
+/// The result of evaluating a scene.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    /// The scene as its text is read: what is derived from it does not depend on whether the hunt was stopped and read from its file.
+    /// The scene as read back from its text, so that scenes derived from it do not depend on whether the hunt was
+    /// stopped and resumed.
     pub spelled: Spelled,
-    /// What is wanted, of the first backend; the others show findings of the same class and check.
+    /// The wanted findings of the first backend; the other backends show findings of the same class and check.
     pub findings: Vec<Finding>,
-    /// How high it is by each measure.
+    /// The scene's height by each measure.
     pub heights: Vec<i64>,
-    /// What it does, in a number: scenes that do something new are kept for that alone.
+    /// A hash of the scene's behaviour: scenes with new behaviour are kept for that alone.
     pub conduct: u64,
-    /// Why a backend declines it.
+    /// The reason why a backend declines the scene.
     pub declined: Option<String>,
 }
 
 impl Quarry<'_> {
-    /// How much the judge samples in a hunt: the laws between predicates only where contradictions are wanted.
+    /// The sample sizes of the judge in a hunt; it checks the laws between predicates only if contradictions are
+    /// wanted.
     #[must_use]
     pub fn budget(wanted: &Wanted) -> Budget {
         let thorough = wanted.class.is_none_or(|class| class == Class::Inconsistent);
         Budget { findings_per_class: 100, permutations: 720, relations: 48, thorough, ties: 50, answers: false }
     }
 
-    /// Whether a finding is one that is hunted.
+    /// True if a finding is wanted.
     fn is_wanted(&self, finding: &Finding) -> bool {
         let quiet = matches!(finding.class, Class::Declined | Class::Timeout) && self.wanted.class.is_none();
         self.wanted.is(finding) && !quiet
     }
 
-    /// What a scene shows; none where it is no scene of the task, or what came with it contradicts the truth.
+    /// Evaluates a scene; `None` if it is not a scene of the task, or its published data contradict the truth.
     ///
     /// # Errors
     /// [`Stop::Interrupted`].
@@ -101,7 +103,7 @@ impl Quarry<'_> {
         Ok(Some(Seen { spelled, findings, heights, conduct, declined: declined.map(|one| one.got.clone()) }))
     }
 
-    /// The same backends, asked for one class and check alone.
+    /// A witness for one class and check, with the same backends.
     pub(super) fn witness(&self, wanted: Wanted) -> Backends<'_> {
         Backends {
             task: self.task,

@@ -1,11 +1,13 @@
 //! Hunting: scenes are changed and recombined until one shows a finding.
 //!
-//! A corpus samples: what nobody thought of is not in it. A hunt climbs. It holds scenes that are high by some [measure](Height)
-//! of how near they are to a disagreement, and others that make a backend do something new, derives more from them by
-//! moves, and lets backends answer those. It is told the backend, the task and the class, and not where to look.
+//! A corpus is a sample: it lacks the cases that nobody thought of. A hunt climbs. It keeps scenes that are high by
+//! some [measure](Height) of how near they are to a disagreement, and scenes with new behaviour of a backend. It
+//! derives more scenes from them by moves, and backends answer these. Its input is the backend, the task and the class,
+//! not the place to search.
 //!
-//! Each scene is made from the hunt's seed, its generation and its place there, from what the population was when
-//! the generation began. So the finds are the same on any number of threads, and a hunt that was stopped goes on as if it had not been.
+//! Each scene is made from the hunt's seed, its generation and its index there, from the population at the start of the
+//! generation. So the finds are the same on any number of threads, and a hunt that was stopped continues as if it had
+//! not been.
 
 mod climb;
 mod heights;
@@ -36,20 +38,20 @@ use seeds::shape;
 pub use seeds::{Seed, has_shapes, seeds};
 pub use state::{Find, State, read};
 
-/// How a hunt goes.
+/// The options of a hunt.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Options {
-    /// What random numbers begin with.
+    /// The seed of the random numbers.
     pub seed: u64,
-    /// Finds after which it ends.
+    /// The number of finds after which the hunt ends.
     pub finds: usize,
-    /// Scenes to look at to shrink each find, at most.
+    /// The maximum number of scenes evaluated to shrink each find.
     pub shrinking: u64,
-    /// Whether it also begins with shapes of small whole numbers, where the task has some.
+    /// True if the hunt also starts from shapes of small integers, if the task has some.
     pub shapes: bool,
 }
 
-/// A hunt under way.
+/// A running hunt.
 pub struct Hunt<'a> {
     quarry: Quarry<'a>,
     options: Options,
@@ -58,20 +60,21 @@ pub struct Hunt<'a> {
     state: State,
 }
 
-/// Scenes to a generation: from each island, from the curious ones, and from seeds and shapes.
+/// The number of scenes in a generation from each island; the next two constants are those from the curious scenes, and
+/// from seeds and shapes.
 const FROM_ISLAND: usize = 6;
 const FROM_CURIOUS: usize = 8;
 const FROM_SEEDS: usize = 6;
-/// How many of an island's scenes are climbed by rounding alone, on the island of that.
+/// The number of scenes of the rounding island that are climbed by rounding alone.
 const CLIMBED: usize = 2;
-/// Shapes in the first generation.
+/// The number of shapes in the first generation.
 const SHAPES: usize = 24;
-/// What a shape is called.
+/// The name of a shape in a find's story.
 const SHAPE: &str = "a shape of whole numbers";
-/// Moves of a scene's past that are told.
+/// The maximum number of moves in a find's story.
 const STORY: usize = 12;
 
-/// A scene that was made, and where it is from.
+/// A new scene and its origin.
 struct Child {
     spelled: Spelled,
     parents: Vec<u64>,
@@ -79,10 +82,10 @@ struct Child {
 }
 
 impl<'a> Hunt<'a> {
-    /// A hunt that begins, or goes on from what was written down.
+    /// Starts a hunt, or resumes it from a saved state.
     ///
     /// # Errors
-    /// One line, where what was written down is of another task, or there is nothing to begin with.
+    /// One line, if the saved state is of another task, or there is nothing to start from.
     pub fn new(quarry: Quarry<'a>, options: Options, seeds: Vec<Seed>, state: State) -> Result<Hunt<'a>, SearchError> {
         let task = quarry.task.name();
         let population = state.population(quarry.vocabulary, heights(task).len())?;
@@ -94,19 +97,19 @@ impl<'a> Hunt<'a> {
         Ok(hunt)
     }
 
-    /// Scenes that show it already are nothing to derive from: what is derived would be no find.
+    /// Removes seeds that already show the finding: scenes derived from them would not be finds.
     fn leave_out_known(&mut self) {
         let known = &self.state.known;
         self.seeds.retain(|seed| !known.contains(&seed.name));
     }
 
-    /// How far it has come.
+    /// The progress of the hunt.
     #[must_use]
     pub fn state(&self) -> &State {
         &self.state
     }
 
-    /// The same with the population, to be written down.
+    /// The state with the population, for saving.
     #[must_use]
     pub fn saved(&self) -> State {
         let mut state = self.state.clone();
@@ -114,23 +117,24 @@ impl<'a> Hunt<'a> {
         state
     }
 
-    /// Whether there is nothing more to look for.
+    /// True if the hunt has reached its number of finds.
     #[must_use]
     pub fn is_done(&self) -> bool {
         let nothing_left = self.seeds.is_empty() && self.shapes() == 0;
         self.state.finds.len() >= self.options.finds || nothing_left
     }
 
-    /// The measures with the greatest height that was reached, in thousandths, and the number of the scene.
+    /// The measures, each with the greatest height reached, in thousandths, and the number of that scene.
     pub fn peaks(&self) -> impl Iterator<Item = (Height, Option<(i64, u64)>)> {
         let measures = heights(self.quarry.task.name()).iter().copied();
         measures.zip(self.population.islands.iter().map(|island| island.peak))
     }
 
-    /// One generation: scenes are made, answered and taken in, and finds are shrunk. `elapsed` says how many seconds have gone.
+    /// Runs one generation: makes scenes, evaluates them, adds them to the population, and shrinks finds. `elapsed`
+    /// returns the elapsed seconds.
     ///
     /// # Errors
-    /// [`Stop::Interrupted`]; the hunt is then what it was before the generation.
+    /// [`Stop::Interrupted`]; the hunt then has the state of before the generation.
     pub fn generation(&mut self, elapsed: &dyn Fn() -> f64) -> Result<(), Stop> {
         let first = self.state.generations == 0;
         let count = if first { self.seeds.len() + self.shapes() } else { self.places() };
@@ -143,7 +147,7 @@ impl<'a> Hunt<'a> {
             })
             .collect();
         let children = children?;
-        // What is changed is put in place at the end, so that an interrupt changes nothing.
+        // Changes are stored at the end, so that an interrupt changes nothing.
         let (mut state, mut population) = (self.state.clone(), self.population.clone());
         let mut candidates = Vec::new();
         let mut declined = Vec::new();
@@ -194,12 +198,13 @@ impl<'a> Hunt<'a> {
         Ok(())
     }
 
-    /// Whether a class and a check are named: then finds differ by their scenes only.
+    /// True if a class and a check are given: then finds differ by their scenes only.
     fn pinned(&self) -> bool {
         self.quarry.wanted.class.is_some() && self.quarry.wanted.check.is_some()
     }
 
-    /// Whether a find like this is wanted yet: one of each class and check, or more where only that is hunted.
+    /// True if a find like this is still wanted: one find for each class and check, or more if only that class and
+    /// check are hunted.
     fn is_new(&self, state: &State, finding: &Finding) -> bool {
         let like = |find: &Find| find.class == finding.class.name() && find.check == finding.check;
         self.pinned() || !state.finds.iter().any(like)
@@ -209,7 +214,7 @@ impl<'a> Hunt<'a> {
         if self.options.shapes && has_shapes(self.quarry.task.name()) { SHAPES } else { 0 }
     }
 
-    /// Scenes to a generation.
+    /// The number of scenes in a generation.
     fn places(&self) -> usize {
         self.population.islands.len() * FROM_ISLAND + FROM_CURIOUS + FROM_SEEDS
     }
@@ -219,7 +224,7 @@ impl<'a> Hunt<'a> {
         Random::new(&stream, self.quarry.task.name(), self.options.seed)
     }
 
-    /// A seed as it is, or a shape.
+    /// An unchanged seed, or a shape.
     fn beginning(&self, place: usize) -> Child {
         let shape = || shape(self.quarry.task.name(), &mut self.random(place));
         match self.seeds.get(place) {
@@ -230,7 +235,7 @@ impl<'a> Hunt<'a> {
         }
     }
 
-    /// A seed or a shape to derive from.
+    /// A seed or a shape to derive scenes from.
     fn fresh(&self, random: &mut Random) -> Child {
         let shape = if self.shapes() > 0 { shape(self.quarry.task.name(), random) } else { None };
         let last = i64::try_from(self.seeds.len()).unwrap_or(i64::MAX) - 1;
@@ -243,7 +248,7 @@ impl<'a> Hunt<'a> {
         }
     }
 
-    /// A scene derived from others, by its place in the generation.
+    /// A scene derived from others, by its index in the generation.
     fn child(&self, place: usize) -> Child {
         let mut random = self.random(place);
         let islands = &self.population.islands;
@@ -255,12 +260,12 @@ impl<'a> Hunt<'a> {
         let is_fresh = place >= islands.len() * FROM_ISLAND + FROM_CURIOUS || members.is_empty();
         let on_rounding = place / FROM_ISLAND == heights::ROUNDING && island.is_some();
         let slot = place % FROM_ISLAND;
-        // One of the climbs begins anew each time.
+        // The first two slots of the rounding island climb; the first of them starts from a fresh scene.
         let climbs = on_rounding && slot < CLIMBED;
         let parent = if is_fresh || (climbs && slot == 0) {
             self.fresh(&mut random)
         } else {
-            // On an island the higher the likelier.
+            // On an island, higher scenes are more likely.
             let draw = if island.is_some() { random.unit() * random.unit() } else { random.unit() };
             derived(&members[at(draw, members.len())])
         };
@@ -276,14 +281,14 @@ impl<'a> Hunt<'a> {
         Child { spelled: draft.spelled, parents, story: shortened(story) }
     }
 
-    /// A member of any kind.
+    /// A random member of the population.
     fn mate(&self, random: &mut Random) -> Option<&Member> {
         let all: Vec<&Member> =
             self.population.islands.iter().flat_map(|island| &island.members).chain(&self.population.curious).collect();
         (!all.is_empty()).then(|| all[at(random.unit(), all.len())])
     }
 
-    /// A scene in which one query is climbed by rounding alone; none where that is nothing for the class that is wanted.
+    /// A scene in which one query is climbed by rounding alone; `None` if that cannot give the wanted class.
     fn climbed(&self, parent: &Child, anew: bool, random: &mut Random) -> Option<Child> {
         use Class::{Inconsistent, MissedZero, Overreach, SignFlip};
         let of_signs = self
@@ -302,7 +307,8 @@ impl<'a> Hunt<'a> {
         let args = queries.args(at(random.unit(), queries.len()));
         let start = heights::points(&loaded.scene, queries.question(), args)?;
         let axes = heights::axes(queries.question());
-        // Longer and longer, as long as nothing is found; but only now and then, as long climbs take most of the time.
+        // Climbs get longer while nothing is found, but only in every fourth generation, because long climbs take most
+        // of the time.
         let longest = (self.state.generations / 6).min(7);
         let doublings = if self.state.generations.is_multiple_of(4) { longest } else { longest.min(3) };
         let cost = match kind {
@@ -325,7 +331,8 @@ impl<'a> Hunt<'a> {
         Some(Child { spelled, parents: parent.parents.clone(), story: shortened(story) })
     }
 
-    /// A find: the scene and the smallest that shows the same. None where it does not show it again, as after a time limit.
+    /// A find: the scene, and the smallest scene that shows the same. `None` if the scene does not show it again, for
+    /// example after a time limit.
     fn shrunk(
         &self,
         member: &Member,
@@ -364,7 +371,7 @@ impl<'a> Hunt<'a> {
     }
 }
 
-/// A place among so many, by a number from 0 to 1.
+/// An index below `count`, from a number between 0 and 1.
 fn at(draw: f64, count: usize) -> usize {
     #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     // few, and not negative
@@ -380,7 +387,7 @@ fn derived(member: &Member) -> Child {
     Child { spelled: member.spelled.clone(), parents: vec![member.number], story: member.story.clone() }
 }
 
-/// The origin and the last moves.
+/// The origin and the last moves of a story.
 fn shortened(mut story: Vec<String>) -> Vec<String> {
     if story.len() > STORY {
         let surplus = story.len() - STORY;

@@ -1,46 +1,46 @@
-//! The scenes that a hunt derives others from: an island for each measure, and scenes that do something of their own.
+//! The population of a hunt: an island of scenes for each measure, and scenes with unusual behaviour.
 
 use predicament_corpus::Spelled;
 
-/// A scene with what is known about it.
+/// A scene and its evaluation.
 #[derive(Clone, Debug)]
 pub(super) struct Member {
     pub spelled: Spelled,
-    /// How high it is by each measure.
+    /// The scene's height by each measure.
     pub heights: Vec<i64>,
-    /// What it does, in a number.
+    /// A hash of the scene's behaviour.
     pub conduct: u64,
     /// The number of the scene in its hunt, from 1.
     pub number: u64,
-    /// The numbers of those that it was derived from.
+    /// The numbers of the scenes that it was derived from.
     pub parents: Vec<u64>,
-    /// The scene of a suite that it goes back to, and the last moves.
+    /// The suite's scene at its origin, and the last moves.
     pub story: Vec<String>,
 }
 
 /// Scenes that are high by one measure.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Island {
-    /// The highest first, all of different height.
+    /// The members, highest first, all of different height.
     pub members: Vec<Member>,
     /// Generations since the last rise.
     pub idle: u64,
-    /// The greatest height that was reached on it, before it was left as well, and the number of that scene.
+    /// The greatest height ever reached on the island, and the number of that scene.
     pub peak: Option<(i64, u64)>,
 }
 
-/// Members of an island, at most.
+/// The maximum number of members of an island.
 const MEMBERS: usize = 12;
-/// Scenes that are kept for what they do, at most.
+/// The maximum number of scenes that are kept for their behaviour.
 const CURIOUS: usize = 192;
-/// Generations without a rise after which an island is left.
+/// The number of generations without a rise after which an island is cleared.
 const PATIENCE: u64 = 60;
 
-/// All of them.
+/// All islands and curious scenes.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Population {
     pub islands: Vec<Island>,
-    /// Scenes that did something new, the latest last.
+    /// Scenes with new behaviour, the latest last.
     pub curious: Vec<Member>,
 }
 
@@ -49,7 +49,7 @@ impl Population {
         Population { islands: vec![Island::default(); measures], curious: Vec::new() }
     }
 
-    /// Takes in a scene where it is high enough, or does something new.
+    /// Adds a scene if it is high enough, or shows new behaviour.
     pub(super) fn add(&mut self, member: &Member) {
         for (measure, island) in self.islands.iter_mut().enumerate() {
             island.add(measure, member);
@@ -62,7 +62,7 @@ impl Population {
         }
     }
 
-    /// Ends a generation: islands that have not risen for long are left, and begin again from elsewhere.
+    /// Ends a generation: clears islands without a recent rise, which restart from other scenes.
     pub(super) fn age(&mut self) {
         for island in &mut self.islands {
             island.idle += 1;
@@ -73,7 +73,7 @@ impl Population {
         }
     }
 
-    /// Leaves all islands: what is found next comes from elsewhere.
+    /// Clears all islands, so that the next find comes from elsewhere.
     pub(super) fn scatter(&mut self) {
         for island in &mut self.islands {
             island.members.clear();
@@ -86,7 +86,7 @@ impl Island {
     fn add(&mut self, measure: usize, member: &Member) {
         let height = |member: &Member| member.heights.get(measure).copied().unwrap_or(i64::MIN);
         let new = height(member);
-        // Equally high scenes are most often the same one again.
+        // Scenes of equal height are most often the same scene.
         if new <= 0 || self.members.iter().any(|other| height(other) == new) {
             return;
         }

@@ -1,4 +1,4 @@
-//! What a hunt begins with: small scenes of suites, and points with small whole coordinates.
+//! The start of a hunt: small scenes of suites, and points with small integer coordinates.
 
 use predicament_corpus::{Level, LoadedScene, Random, SceneDef, Spelled, Suite};
 use predicament_formats::{Cache, CorpusError};
@@ -10,26 +10,28 @@ use super::heights::kind_of;
 use super::moves::MOST_ROWS;
 use crate::{drop_unnamed, edit::keep_items};
 
-/// A scene to begin with.
+/// A scene that a hunt starts from.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Seed {
-    /// Suite and scene, as people find it.
+    /// The names of the suite and the scene.
     pub name: String,
     /// The scene.
     pub spelled: Spelled,
 }
 
-/// Probes of a scene that has many.
+/// The number of probes kept of a scene that has many.
 const PROBES: usize = 8;
 
-/// Queries of a scene that has many: each is a seed of its own, with the vertices that it names.
+/// The number of queries kept of a scene that has many: each becomes a separate seed, with the vertices that it names.
 const QUERIES: usize = 3;
 
-/// The scenes of suites that are of this task and written out in them, where they are small or consist of queries. Where there is none,
-/// those that are read when they are asked for: maps and meshes to locate in are, also where they stand in a suite's text.
+/// The seeds of a task: scenes that are written out in suites, and are small or consist of queries.
+///
+/// If there are none, the seeds are scenes that are read on demand. Maps and meshes for point location are always read
+/// on demand, even if a suite's text contains them.
 ///
 /// # Errors
-/// [`CorpusError`] where a scene cannot be loaded.
+/// [`CorpusError`] if a scene cannot be loaded.
 pub fn seeds(suites: &[Suite], task: &str) -> Result<Vec<Seed>, CorpusError> {
     let of_task = || suites.iter().flat_map(|suite| &suite.scenes).filter(|def| def.task == task && !def.needs_fetch());
     let is_held = of_task().any(SceneDef::is_written);
@@ -56,20 +58,21 @@ fn of_scene(loaded: &LoadedScene) -> Vec<Seed> {
     parts.into_iter().filter(small).map(|spelled| Seed { name: name.clone(), spelled }).collect()
 }
 
-/// The scene with some of its probes, where it has many: maps and meshes to locate in have them by the hundred.
+/// The scene with some of its probes, if it has many: maps and meshes for point location have hundreds.
 fn fewer_probes(spelled: Spelled) -> Spelled {
     let Some(list) = spelled.lists.iter().position(|list| list.key == "probes") else { return spelled };
     let kept: Vec<usize> = Budget::spread(spelled.lists[list].items.len(), 1, PROBES).collect();
     keep_items(&spelled, list, |at| kept.contains(&at))
 }
 
-/// Whether there are shapes for a task, points with small whole coordinates and queries about them: for those of signs.
+/// True if a task has shapes, which are points with small integer coordinates and queries about them: the tasks of
+/// signs have.
 #[must_use]
 pub fn has_shapes(task: &str) -> bool {
     kind_of(task).is_some()
 }
 
-/// A few points with small whole coordinates, and queries of a predicate about them; none for other tasks.
+/// A few points with small integer coordinates, and queries of a predicate about them; `None` for tasks without shapes.
 #[must_use]
 pub(super) fn shape(task: &str, random: &mut Random) -> Option<Spelled> {
     let kind = kind_of(task)?;

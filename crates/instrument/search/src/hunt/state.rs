@@ -1,4 +1,4 @@
-//! A hunt written down: all that is needed to go on as if it had never stopped.
+//! The saved state of a hunt: everything needed to resume it as if it had never stopped.
 
 use crate::SearchError;
 use predicament_corpus::{Heading, Level, Spelled, Suite, Vocabulary};
@@ -8,20 +8,20 @@ use serde::{Deserialize, Serialize};
 use super::heights::heights;
 use super::population::{Island, Member, Population};
 
-/// How far a hunt has come, and what it has found.
+/// The progress of a hunt, and its finds.
 #[derive(Clone, PartialEq, Debug, Default, Serialize, Deserialize)]
 pub struct State {
-    /// Generations that are over.
+    /// The number of completed generations.
     pub generations: u64,
-    /// Scenes that were made: their numbers go up to this.
+    /// The number of scenes made; scenes are numbered up to it.
     pub scenes: u64,
-    /// Scenes of these that backends have answered: the others were none of the task.
+    /// The number of these scenes that backends have answered; the others were not scenes of the task.
     pub evaluations: u64,
-    /// Seeds that show what is wanted as they are: they are none of the hunt's finds, and left out.
+    /// Seeds that show the wanted finding unchanged: they are not finds, and are left out.
     pub known: Vec<String>,
     /// The reason of a backend that has declined every scene of the first generation.
     pub declined: Option<String>,
-    /// What was found.
+    /// The finds.
     pub finds: Vec<Find>,
     islands: Vec<SavedIsland>,
     curious: Vec<SavedMember>,
@@ -30,35 +30,35 @@ pub struct State {
 /// A find.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Find {
-    /// The finding.
+    /// The finding's class.
     pub class: String,
     /// The check that shows it.
     pub check: String,
     /// The queries that it is about.
     pub query: String,
-    /// What the backend answers.
+    /// The backend's answer.
     pub got: String,
-    /// What is true.
+    /// The true answer.
     pub truth: String,
     /// The number of the scene in the hunt.
     pub number: u64,
-    /// Scenes that backends had answered with the generation in which it was found.
+    /// The number of scenes that backends had answered at the end of the find's generation.
     pub evaluations: u64,
-    /// Seconds until then.
+    /// The seconds until the find.
     pub seconds: f64,
     /// The numbers of the scenes that it was derived from.
     pub parents: Vec<u64>,
-    /// Where it comes from, in words.
+    /// The scene's origin, in words.
     pub story: String,
-    /// The scene as it was found, and shrunk, as suites of one scene.
+    /// The scene as it was found, as a suite of one scene.
     pub found: String,
-    /// The shrunk scene.
+    /// The shrunk scene, as a suite of one scene.
     pub shrunk: String,
     /// The content id of the shrunk scene.
     pub scene_id: String,
-    /// Scenes that were looked at to shrink it.
+    /// The number of scenes evaluated to shrink it.
     pub shrinking: u64,
-    /// Points, constructions, items and what they name, before and after.
+    /// The number of points, constructions, items and vertices named by them, before and after shrinking.
     pub pieces: [usize; 2],
 }
 
@@ -79,15 +79,15 @@ struct SavedIsland {
     peak: Option<(i64, u64)>,
 }
 
-/// A scene as a suite of its own.
+/// Writes a scene as a suite of one scene.
 pub(super) fn text(spelled: &Spelled) -> String {
     spelled.suite("A hunt", Heading { name: "scene", ..Heading::default() })
 }
 
-/// The scene of such a suite.
+/// Reads the scene of such a suite.
 ///
 /// # Errors
-/// One line, where it is none, or of a task that cannot write it out.
+/// One line, if the text is not such a suite, or its task cannot write it out.
 pub fn read(vocabulary: &Vocabulary, text: &str) -> Result<Spelled, SearchError> {
     let suite = Suite::parse(vocabulary, "hunt", text, None, &Manifest::default()).map_err(SearchError::Scene)?;
     let [def] = suite.scenes.as_slice() else { return Err(SearchError::NotOneScene) };
@@ -109,7 +109,7 @@ impl SavedMember {
 }
 
 impl State {
-    /// Whether everything in it can be read, for a hunt of this task.
+    /// Checks that everything in the state can be read, for a hunt of this task.
     ///
     /// # Errors
     /// [`SearchError`] with the first find or scene that cannot be read.
@@ -120,7 +120,7 @@ impl State {
         self.population(vocabulary, heights(task).len()).map(drop)
     }
 
-    /// Takes the population down.
+    /// Stores the population in the state.
     pub(super) fn save(&mut self, population: &Population) {
         let all = |members: &[Member]| members.iter().map(SavedMember::of).collect();
         self.curious = all(&population.curious);
@@ -129,7 +129,7 @@ impl State {
         self.islands = population.islands.iter().map(island).collect();
     }
 
-    /// The population as it was taken down; an empty one with so many islands before the first generation.
+    /// The saved population; before the first generation, an empty one with `measures` islands.
     pub(super) fn population(&self, vocabulary: &Vocabulary, measures: usize) -> Result<Population, SearchError> {
         if self.islands.is_empty() {
             return Ok(Population::new(measures));

@@ -1,4 +1,4 @@
-//! Hunts on backends that are known to be wrong, and on one that is not.
+//! Tests of hunts on backends that are known to be wrong, and on one that is right.
 
 use std::sync::atomic::AtomicBool;
 
@@ -10,7 +10,7 @@ use crate::Wanted;
 
 static GO_ON: AtomicBool = AtomicBool::new(false);
 
-/// What a hunt is told.
+/// The settings of a test hunt.
 #[derive(Clone)]
 struct Order {
     task: &'static str,
@@ -25,7 +25,7 @@ impl Order {
         Order { task, backend, wanted: Wanted { class, check: None }, seeds: Vec::new(), finds: 10 }
     }
 
-    /// The state after so many evaluations, from that of an earlier hunt on.
+    /// The state after a number of evaluations, starting from an earlier state.
     fn hunt(&self, evaluations: u64, state: State) -> State {
         let quiet = |_: u64| {};
         let watch = Watch::new(&GO_ON, None, &quiet);
@@ -62,7 +62,7 @@ fn a_sign_flip_of_naive_is_found_soon_and_shrunk() {
     assert!(find.story.contains("shape"), "{}", find.story);
 }
 
-/// Several generations, the first of which find something.
+/// A number of evaluations for several generations, the first of which have finds.
 const MANY: u64 = 150;
 
 #[test]
@@ -80,7 +80,7 @@ fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
     assert_eq!(order.hunt(MANY, stopped), one, "what was stopped goes on as if it had not been");
 }
 
-/// Scenes of some tasks are read in another order than they are written: edges that are turned, triangles that are there twice.
+/// Some tasks read scenes in another order than they are written: edges that are turned, triangles that occur twice.
 #[test]
 fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
@@ -102,7 +102,7 @@ fn a_right_backend_gives_no_find() {
     }
 }
 
-/// What a seed shows by itself is nothing that was found.
+/// A finding that a seed already shows is not a find.
 #[test]
 fn seeds_that_show_it_already_are_left_out() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();

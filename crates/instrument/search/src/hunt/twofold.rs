@@ -1,14 +1,15 @@
 //! Determinants in plain doubles, in pairs of doubles, and by magnitude.
 //!
-//! What rounding does to a determinant is the difference of the first two over the third. Pairs hold some 106 bits, which is
-//! plenty for an objective: nothing is decided by it. Where a product underflows or overflows they are as wrong as doubles.
+//! The rounding error of a determinant is the difference of the first two; it is divided by the third. Pairs hold some
+//! 106 bits, which is enough for an objective: it decides nothing. If a product underflows or overflows, pairs are as
+//! wrong as doubles.
 
 use predicament_predicates::PredicateKind;
 
-/// The points of a query, with zeros where it has fewer or they have no third coordinate.
+/// The points of a query, with zeros for missing points and third coordinates.
 pub(super) type Points = [[f64; 3]; 5];
 
-/// What a determinant can be computed in.
+/// A number type for the computation of determinants.
 trait Ring: Copy {
     fn difference(a: f64, b: f64) -> Self;
     fn plus(self, other: Self) -> Self;
@@ -34,24 +35,24 @@ impl Ring for f64 {
     }
 }
 
-/// An unevaluated sum, the second much smaller than the first.
+/// An unevaluated sum of two doubles, the second much smaller than the first.
 #[derive(Clone, Copy)]
 struct Pair(f64, f64);
 
-/// The sum of two doubles without an error (Knuth).
+/// The exact sum of two doubles (Knuth).
 fn sum(a: f64, b: f64) -> Pair {
     let s = a + b;
     let of_b = s - a;
     Pair(s, (a - (s - of_b)) + (b - of_b))
 }
 
-/// The same where the first is the larger (Dekker).
+/// The exact sum of two doubles, the first at least as large as the second (Dekker).
 fn sum_of_large_and_small(a: f64, b: f64) -> Pair {
     let s = a + b;
     Pair(s, b - (s - a))
 }
 
-/// The product of two doubles without an error (Dekker), as long as nothing overflows.
+/// The exact product of two doubles, unless it overflows (Dekker).
 fn product(a: f64, b: f64) -> Pair {
     let halves = |x: f64| {
         let wide = 134_217_729.0 * x;
@@ -83,7 +84,7 @@ impl Ring for Pair {
     }
 }
 
-/// Terms taken by magnitude: a permanent.
+/// The magnitude of terms; a determinant of magnitudes is a permanent.
 #[derive(Clone, Copy)]
 struct Magnitude(f64);
 
@@ -105,7 +106,7 @@ impl Ring for Magnitude {
     }
 }
 
-/// The textbook formula with the last point for a pivot.
+/// The determinant by the textbook formula, with the last point as pivot.
 fn determinant<T: Ring>(kind: PredicateKind, points: &Points) -> T {
     let d = |row: usize, axis: usize, pivot: usize| T::difference(points[row][axis], points[pivot][axis]);
     match kind {
@@ -139,7 +140,7 @@ fn determinant<T: Ring>(kind: PredicateKind, points: &Points) -> T {
     }
 }
 
-/// The minors of the first two columns that leave out each row.
+/// The 2×2 minors of the first two columns, without each row in turn.
 fn minors<T: Ring>([a, b, c]: [[T; 3]; 3]) -> [T; 3] {
     let minor = |p: [T; 3], q: [T; 3]| p[0].times(q[1]).minus(q[0].times(p[1]));
     [minor(b, c), minor(c, a), minor(a, b)]
@@ -149,20 +150,20 @@ fn expand<T: Ring>(column: [T; 3], minors: [T; 3]) -> T {
     column[0].times(minors[0]).plus(column[1].times(minors[1])).plus(column[2].times(minors[2]))
 }
 
-/// What plain floating point makes of a determinant.
+/// A determinant in plain floating point, and its rounding error.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub(super) struct Rounding {
     /// The determinant in doubles.
     pub computed: f64,
-    /// The determinant, nearly exactly.
+    /// The determinant in pairs of doubles, nearly exact.
     pub nearly: f64,
-    /// How far the first is from it.
+    /// The difference of the two.
     pub error: f64,
     /// The permanent.
     pub permanent: f64,
 }
 
-/// 1/u: errors are told in units of u times the permanent.
+/// The value 1/u: errors are in units of u times the permanent.
 const PER_ROUNDOFF: f64 = 2.0 / f64::EPSILON;
 
 impl Rounding {
@@ -175,8 +176,9 @@ impl Rounding {
         Rounding { computed, nearly: pair.0, error, permanent }
     }
 
-    /// How nearly rounding carries the determinant to the other side, in units of u times the permanent: the error, less
-    /// what the determinant has to pay for being away from zero. A negative number of no meaning where that is no number.
+    /// The margin by which rounding carries the determinant to the other side, in units of u times the permanent: the
+    /// error, less the price of a nonzero determinant. If that is not a number, the result is an arbitrary negative
+    /// number.
     pub(super) fn carried(&self, price: f64) -> f64 {
         if !self.is_in_range() {
             return -1e9;
@@ -184,18 +186,18 @@ impl Rounding {
         (self.error - price * self.nearly.abs()) / self.permanent * PER_ROUNDOFF
     }
 
-    /// How far on the wrong side the computed determinant is, in the same units; none on the right one.
+    /// The distance of the computed determinant on the wrong side, in the same units; `None` if the sign is right.
     pub(super) fn wrong(&self) -> Option<f64> {
         let is_wrong = (self.computed > 0.0 && self.nearly <= 0.0) || (self.computed < 0.0 && self.nearly >= 0.0);
         (is_wrong && self.is_in_range()).then(|| self.computed.abs() / self.permanent * PER_ROUNDOFF)
     }
 
-    /// Whether what underflows or overflows can be no matter: elsewhere pairs of doubles say nothing, nor do units of u.
+    /// True if underflow and overflow cannot matter; otherwise pairs of doubles and units of u mean nothing.
     fn is_in_range(&self) -> bool {
         (1e-180..1e270).contains(&self.permanent) && self.error.is_finite()
     }
 
-    /// Whether it vanishes, as far as pairs of doubles tell.
+    /// True if the determinant is zero, as far as pairs of doubles show.
     pub(super) fn vanishes(&self) -> bool {
         self.nearly == 0.0
     }
@@ -231,7 +233,7 @@ mod tests {
                 let exact = truth.determinant.to_f64();
                 assert!((rounding.nearly - exact).abs() <= 1e-12 * exact.abs(), "{kind:?}: {rounding:?}, {exact}");
                 let permanent = truth.permanent.to_f64();
-                // Of a comparison it is that of the difference here.
+                // For a comparison, the permanent is that of the difference.
                 let is_same = (rounding.permanent - permanent).abs() <= 1e-13 * permanent;
                 assert!(is_same || kind == PredicateKind::Compare, "{kind:?}: {rounding:?}, {permanent}");
                 assert!(rounding.carried(0.0) <= 15.0, "{kind:?}: {rounding:?}");

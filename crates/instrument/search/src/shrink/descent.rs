@@ -1,23 +1,23 @@
 //! Delta debugging of anything that has a size: each smaller candidate that shows the finding replaces the best one.
 //!
-//! A candidate that is not smaller is never looked at, so a descent ends, whatever is tried.
+//! Only smaller candidates are evaluated, so a descent ends, whatever is tried.
 
 use super::End;
 
-/// The candidates that were looked at, and how many may be.
+/// The number of candidates evaluated, and its limit.
 #[derive(Clone, Copy, Debug)]
 pub struct Evaluations {
-    /// Candidates that were looked at.
+    /// The number of candidates evaluated.
     pub made: u64,
-    /// Candidates that may be looked at.
+    /// The maximum number of candidates.
     pub most: u64,
 }
 
 impl Evaluations {
-    /// Counts a candidate that is looked at.
+    /// Counts one evaluation of a candidate.
     ///
     /// # Errors
-    /// [`End::Evaluations`] if no more may be looked at.
+    /// [`End::Evaluations`] if the maximum is reached.
     pub fn count(&mut self) -> Result<(), End> {
         if self.made >= self.most {
             return Err(End::Evaluations);
@@ -27,7 +27,7 @@ impl Evaluations {
     }
 }
 
-/// Says whether a candidate shows the finding. It counts the candidate before it looks.
+/// A function that returns true if a candidate shows the finding. It counts the candidate before the evaluation.
 pub type Shows<'s, S> = dyn FnMut(&S, &mut Evaluations) -> Result<bool, End> + 's;
 
 /// A search for the smallest candidate that shows a finding.
@@ -36,24 +36,24 @@ pub struct Descent<'s, S, K> {
     pub best: S,
     /// The size of the best candidate.
     pub size: K,
-    /// How many candidates replaced the best one.
+    /// The number of candidates that replaced the best one.
     pub taken: u64,
-    /// The candidates that were looked at.
+    /// The count of evaluated candidates.
     pub evaluations: Evaluations,
     size_of: fn(&S) -> K,
     shows: &'s mut Shows<'s, S>,
 }
 
 impl<'s, S, K: Ord> Descent<'s, S, K> {
-    /// A search that starts from a candidate that shows the finding.
+    /// Starts a search from a candidate that shows the finding.
     pub fn new(start: S, size_of: fn(&S) -> K, evaluations: Evaluations, shows: &'s mut Shows<'s, S>) -> Self {
         Descent { size: size_of(&start), best: start, taken: 0, evaluations, size_of, shows }
     }
 
-    /// Whether a candidate is smaller and shows the finding. Then it replaces the best one.
+    /// Tries a candidate: if it is smaller and shows the finding, it replaces the best one, and the result is true.
     ///
     /// # Errors
-    /// Why the search ends.
+    /// The reason why the search ends.
     pub fn try_one(&mut self, candidate: S) -> Result<bool, End> {
         let size = (self.size_of)(&candidate);
         if size >= self.size || !(self.shows)(&candidate, &mut self.evaluations)? {
@@ -64,10 +64,10 @@ impl<'s, S, K: Ord> Descent<'s, S, K> {
         Ok(true)
     }
 
-    /// Whether one of these candidates replaces the best one; those after it are not tried.
+    /// Tries candidates until one replaces the best one; then the result is true.
     ///
     /// # Errors
-    /// Why the search ends.
+    /// The reason why the search ends.
     pub fn try_each(&mut self, candidates: impl IntoIterator<Item = S>) -> Result<bool, End> {
         for candidate in candidates {
             if self.try_one(candidate)? {
@@ -77,13 +77,13 @@ impl<'s, S, K: Ord> Descent<'s, S, K> {
         Ok(false)
     }
 
-    /// Leaves out of `n` pieces as many as it can: by halves first, then by smaller and smaller chunks, from the last piece to the
-    /// first, until no single one can go.
+    /// Removes as many of `n` pieces as it can: by halves first, then by smaller and smaller chunks, from the last
+    /// piece to the first, until no single piece can be removed.
     ///
-    /// `without` is the best candidate with only the pieces that are marked.
+    /// `without` returns the best candidate with only the marked pieces.
     ///
     /// # Errors
-    /// Why the search ends.
+    /// The reason why the search ends.
     pub fn leave_out(
         &mut self,
         mut n: usize,
@@ -99,7 +99,7 @@ impl<'s, S, K: Ord> Descent<'s, S, K> {
                 let keep: Vec<bool> = (0..n).map(|at| !(start..end).contains(&at)).collect();
                 if self.try_one(without(&self.best, &keep))? {
                     changed = true;
-                    // What went may have taken others with it.
+                    // The removal may have taken other pieces with it.
                     n = count(&self.best);
                     end = start.min(n);
                 } else {

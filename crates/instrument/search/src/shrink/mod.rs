@@ -1,9 +1,9 @@
-//! The smallest scene that still shows a finding.
+//! Shrinking: the smallest scene that still shows a finding.
 //!
-//! A finding in a scene of 10^5 points says little to a person and costs a regression test its time. Shrinking tries
-//! smaller scenes and keeps each that still shows it: first what the finding does not name goes, then items and
-//! vertices by halves, quarters and so on (delta debugging: Zeller and Hildebrandt 2002), then vertices that can be
-//! merged, then the coordinates become simpler. What is kept is always [smaller](Size), so it ends.
+//! A finding in a scene of 10^5 points says little to a person and makes a regression test slow. Shrinking tries
+//! smaller scenes and keeps each that still shows the finding. First it removes everything that the finding does not
+//! name. Then it removes items and vertices by halves, quarters and so on (delta debugging: Zeller and Hildebrandt
+//! 2002), merges vertices, and simplifies coordinates. Each kept scene is [smaller](Size), so shrinking ends.
 
 pub mod descent;
 
@@ -23,41 +23,41 @@ use crate::{SearchError, Witness};
 use descent::{Descent, Evaluations};
 pub use size::Size;
 
-/// How much is tried.
+/// The limits of shrinking.
 #[derive(Clone, Copy, Debug)]
 pub struct Limits {
-    /// Scenes that are looked at.
+    /// The maximum number of scenes evaluated.
     pub evaluations: u64,
 }
 
-/// What came of shrinking.
+/// The result of shrinking.
 #[derive(Clone, Debug)]
 pub struct Shrunk {
     /// The smallest scene.
     pub spelled: Spelled,
-    /// The same, as it is read from its text.
+    /// The smallest scene, as it is read from its text.
     pub loaded: LoadedScene,
-    /// What it shows.
+    /// The finding that it shows.
     pub finding: Finding,
-    /// Scenes that were looked at.
+    /// The number of scenes evaluated.
     pub evaluations: u64,
-    /// Why it ended.
+    /// The reason why shrinking ended.
     pub end: End,
 }
 
-/// Why shrinking ended.
+/// The reason why shrinking ended.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum End {
-    /// Nothing smaller that is tried shows the finding.
+    /// No smaller scene among those tried shows the finding.
     Smallest,
-    /// So many scenes were looked at as were allowed.
+    /// The maximum number of scenes was evaluated.
     Evaluations,
-    /// It was interrupted.
+    /// Shrinking was interrupted.
     Interrupted,
 }
 
 impl End {
-    /// A word for tables and files.
+    /// A short name for tables and files.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -68,16 +68,15 @@ impl End {
     }
 }
 
-/// Each scene that is kept, as it is found: to be written down, so that nothing is lost, and for progress.
+/// A callback for each scene that is kept: it saves the scene, so that nothing is lost, and shows progress.
 pub type Kept<'k> = dyn FnMut(&Spelled, &Finding, u64) + 'k;
 
-/// Shrinks a scene.
+/// Shrinks a scene to the smallest that still shows the finding.
 ///
-/// `named` are the vertices that the finding is about. `evaluations` that were made before, by a process that was
-/// interrupted, count.
+/// `named` are the vertices of the finding. `evaluations` counts scenes that an interrupted process evaluated before.
 ///
 /// # Errors
-/// [`SearchError`] where the scene cannot be read from its text, or does not show the finding any more.
+/// [`SearchError`] if the scene cannot be read from its text, or does not show the finding any more.
 pub fn shrink(
     vocabulary: &Vocabulary,
     witness: &dyn Witness,
@@ -98,7 +97,7 @@ pub fn shrink(
         if !tried.insert(hasher.finish()) {
             return Ok(false);
         }
-        // What the task refuses costs little, and is no scene.
+        // Scenes that the task refuses are cheap, and are not counted.
         let Ok(read) = candidate.loaded(vocabulary, NAME) else { return Ok(false) };
         evaluations.count()?;
         let found = witness.look(&read).map_err(|stop| match stop {
@@ -121,10 +120,10 @@ pub fn shrink(
 
 const NAME: &str = "shrunk";
 
-/// A search under way.
+/// A running search.
 type Search<'s> = Descent<'s, Spelled, Size>;
 
-/// Everything, until nothing changes.
+/// Repeats all steps until nothing changes.
 fn all(search: &mut Search<'_>, named: &[Vertex]) -> Result<(), End> {
     pieces::focus(search, named)?;
     loop {
@@ -147,7 +146,7 @@ mod tests {
     use super::*;
     use crate::hunt;
 
-    /// Shows a finding so many times, and is interrupted then.
+    /// A witness that shows a finding a number of times, then is interrupted.
     struct Interrupted(Cell<u64>);
 
     impl Witness for Interrupted {
@@ -158,7 +157,7 @@ mod tests {
         }
     }
 
-    /// What is killed before it finds a smaller scene has written something down, and can be gone on with.
+    /// A search that is killed before it finds a smaller scene has saved something, and can be resumed.
     #[test]
     fn the_first_scene_is_kept_before_any_smaller_one_is_looked_at() {
         let text = "title = \"a\"\n[[scene]]\nname = \"own\"\ntask = \"orient2d\"\n\

@@ -1,13 +1,13 @@
-//! Simpler coordinates: a dimension less, small integers, few bits, no offset.
+//! Simplification of coordinates: one dimension less, small integers, few bits, no offset.
 //!
-//! First all of them at once, since most findings live on relations between coordinates; then one at a time.
+//! First all coordinates at once, since most findings depend on relations between coordinates; then one at a time.
 
 use predicament_corpus::Spelled;
 
 use super::size::{cost, exponent};
 use super::{End, Search};
 
-/// Rows whose coordinates are simplified together: beyond so many, one at a time has to do.
+/// The maximum number of rows whose coordinates are simplified together; beyond it, they are simplified one at a time.
 const MOST_ROWS: usize = 50;
 
 /// Simplifies all coordinates.
@@ -32,7 +32,7 @@ pub(super) fn simplify(search: &mut Search<'_>) -> Result<(), End> {
     }
 }
 
-/// A scene with every coordinate replaced; the function takes the axis and the coordinate.
+/// A copy of the scene with every coordinate replaced; the function takes the axis and the coordinate.
 fn mapped(spelled: &Spelled, mut with: impl FnMut(usize, f64) -> f64) -> Option<Spelled> {
     let mut changed = spelled.clone();
     let mut finite = true;
@@ -49,7 +49,7 @@ fn axes(spelled: &Spelled) -> usize {
     spelled.rows().iter().map(|row| row.len()).max().unwrap_or(0)
 }
 
-/// One coordinate less, or the same everywhere.
+/// Removes one coordinate axis, or makes it constant.
 fn flatten(search: &mut Search<'_>) -> Result<(), End> {
     for axis in (0..axes(&search.best)).rev() {
         let mut less = search.best.clone();
@@ -57,7 +57,7 @@ fn flatten(search: &mut Search<'_>) -> Result<(), End> {
             less.points.iter_mut().for_each(|point| {
                 point.remove(axis);
             });
-            // A plane of projection is the plane itself then.
+            // In 2D the plane of projection is the plane itself.
             less.words.retain(|(key, _)| *key != "plane" && *key != "axis");
             let with_axis = |axis: &str| {
                 let mut less = less.clone();
@@ -77,7 +77,7 @@ fn flatten(search: &mut Search<'_>) -> Result<(), End> {
     Ok(())
 }
 
-/// Small integers in the same order: on each axis for itself, and over all axes.
+/// Replaces coordinates by small integers in the same order: on each axis separately, and over all axes.
 fn ranks(search: &mut Search<'_>) -> Result<(), End> {
     let ranked = |values: Vec<f64>| {
         let mut values = values;
@@ -106,7 +106,7 @@ fn small(n: usize) -> f64 {
     f64::from(u32::try_from(n).unwrap_or(u32::MAX))
 }
 
-/// The first row, or the least coordinate of each axis, becomes the origin; only where no coordinate is rounded.
+/// Moves the first row, or the least coordinate of each axis, to the origin, if no coordinate is rounded.
 fn translate(search: &mut Search<'_>) -> Result<(), End> {
     let rows = search.best.rows();
     let Some(first) = rows.first().map(|row| (*row).clone()) else { return Ok(()) };
@@ -114,7 +114,7 @@ fn translate(search: &mut Search<'_>) -> Result<(), End> {
         .map(|axis| rows.iter().filter_map(|row| row.get(axis).copied()).fold(f64::INFINITY, f64::min))
         .collect();
     for origin in [first, least] {
-        // By axis, as often only one of them has an offset, and all together.
+        // By axis, as often only one axis has an offset, then all together.
         let count = origin.len();
         for axes in (0..count).map(|axis| axis..axis + 1).chain(std::iter::once(0..count)) {
             let mut exact = true;
@@ -134,7 +134,7 @@ fn translate(search: &mut Search<'_>) -> Result<(), End> {
     Ok(())
 }
 
-/// A power of two times all coordinates, so that the largest is about one, or the smallest bit one.
+/// Multiplies all coordinates by a power of two, so that the largest is about one, or the smallest bit is one.
 fn scale(search: &mut Search<'_>) -> Result<(), End> {
     let values: Vec<f64> = search.best.rows().into_iter().flatten().copied().filter(|&x| x != 0.0).collect();
     let Some(largest) = values.iter().map(|&x| exponent(x)).max() else { return Ok(()) };
@@ -155,7 +155,7 @@ fn scale(search: &mut Search<'_>) -> Result<(), End> {
     Ok(())
 }
 
-/// x · 2^by, in steps that each are a double.
+/// The value x · 2^by, in steps that are doubles.
 fn times_power(x: f64, by: i32) -> f64 {
     let mut scaled = x;
     let mut left = by;
@@ -167,7 +167,7 @@ fn times_power(x: f64, by: i32) -> f64 {
     scaled
 }
 
-/// The nearest double with a significand of so many bits.
+/// The nearest double with a significand of `bits` bits.
 fn rounded(x: f64, bits: u32) -> f64 {
     if x == 0.0 || bits >= 53 {
         return x;
@@ -177,13 +177,13 @@ fn rounded(x: f64, bits: u32) -> f64 {
     f64::from_bits((x.to_bits() + half) >> drop << drop)
 }
 
-/// x rounded to a multiple of 2^unit.
+/// The value x rounded to a multiple of 2^unit.
 fn to_multiple(x: f64, unit: i32) -> f64 {
     let scaled = times_power(x, -unit);
     if scaled.is_finite() { times_power(scaled.round(), unit) } else { x }
 }
 
-/// Fewer bits of the coordinates at these rows and axes at once: of their significands, and below one power of two.
+/// Removes bits of the selected coordinates at once: from their significands, and below one power of two.
 fn fewer_bits(search: &mut Search<'_>, is_one: &dyn Fn(usize, usize) -> bool) -> Result<(), End> {
     for bits in [1, 2, 3, 4, 6, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 50, 51, 52] {
         if try_some(search, is_one, &|x| rounded(x, bits))? {
@@ -202,7 +202,7 @@ fn fewer_bits(search: &mut Search<'_>, is_one: &dyn Fn(usize, usize) -> bool) ->
     Ok(())
 }
 
-/// Whether the scene with some of its coordinates replaced is better.
+/// Tries the scene with some of its coordinates replaced; true if it replaces the best one.
 fn try_some(
     search: &mut Search<'_>,
     is_one: &dyn Fn(usize, usize) -> bool,
@@ -219,7 +219,7 @@ fn try_some(
     if finite { search.try_one(changed) } else { Ok(false) }
 }
 
-/// Each coordinate for itself.
+/// Simplifies each coordinate separately.
 fn each(search: &mut Search<'_>) -> Result<(), End> {
     let rows = search.best.rows().len();
     for row in 0..rows {
@@ -248,7 +248,7 @@ fn simpler(x: f64) -> Vec<f64> {
         let power = exponent(x);
         all.extend([power, power + 1].map(|power| sign * times_power(1.0, power)));
         all.extend([1, 2, 3, 4, 6, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 50, 51, 52].map(|bits| rounded(x, bits)));
-        // The same bits nearer to one: what only has to be small or large.
+        // The same bits nearer to one, for numbers that only have to be small or large.
         all.extend([power / 2, power - power.signum()].map(|shift| times_power(x, shift - power)));
     }
     let mut simple: Vec<f64> = Vec::new();

@@ -1,4 +1,4 @@
-//! Leaving out: what a finding does not need.
+//! Removal of the parts of a scene that a finding does not need.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -8,10 +8,10 @@ use predicament_predicates::Vertex;
 use super::{End, Search};
 use crate::edit::{drop_constructions, drop_points, drop_unnamed, merge};
 
-/// Scenes with more points are not tried for merging every two neighbours.
+/// The maximum number of points of a scene for which merging of all neighbours is tried.
 const MOST_MERGED: usize = 200;
 
-/// Tries what the finding names alone, then with the items around it, then with those around these.
+/// Tries the vertices that the finding names alone, then with the items around them, then with the items around those.
 pub(super) fn focus(search: &mut Search<'_>, named: &[Vertex]) -> Result<(), End> {
     if named.is_empty() {
         return Ok(());
@@ -28,7 +28,7 @@ pub(super) fn focus(search: &mut Search<'_>, named: &[Vertex]) -> Result<(), End
                 return Ok(());
             }
         }
-        // Everything that is next to it.
+        // All vertices next to the current ones.
         let mut wider = centre.clone();
         for list in &start.lists {
             for corners in (0..list.items.len()).map(|at| list.items.vertices(at)) {
@@ -45,7 +45,8 @@ pub(super) fn focus(search: &mut Search<'_>, named: &[Vertex]) -> Result<(), End
     Ok(())
 }
 
-/// The items that name these vertices, all of their corners or some, and the points that these name. Lists without vertices stay.
+/// The items that name these vertices (all of their corners, or some), and the points that these items name. Lists
+/// without vertices stay.
 fn around(start: &Spelled, centre: &BTreeSet<Vertex>, only_within: bool) -> Spelled {
     let mut left = start.clone();
     let mut stay: Vec<bool> = (0..left.points.len()).map(|at| centre.contains(&Vertex::input(at))).collect();
@@ -76,7 +77,7 @@ fn around(start: &Spelled, centre: &BTreeSet<Vertex>, only_within: bool) -> Spel
     drop_points(&drop_constructions(&left, &constructions), &stay_for_constructions)
 }
 
-/// Leaves out items, points with all that names them, constructions, corners.
+/// Removes items, points with all items that name them, constructions, and corners.
 pub(super) fn drop_all(search: &mut Search<'_>) -> Result<(), End> {
     search.try_one(drop_unnamed(&search.best))?;
     drop_components(search)?;
@@ -87,7 +88,7 @@ pub(super) fn drop_all(search: &mut Search<'_>) -> Result<(), End> {
             left.lists[list].items.keep(|at| keep[at]);
             left
         };
-        // With what only these items name, or without it.
+        // With the points that only these items name, or without them.
         let with_points = move |spelled: &Spelled, keep: &[bool]| drop_unnamed(&without(spelled, keep));
         let names = !matches!(search.best.lists[list].items, Items::Rows(_) | Items::Polygons(_));
         if names {
@@ -101,7 +102,7 @@ pub(super) fn drop_all(search: &mut Search<'_>) -> Result<(), End> {
     drop_corners(search)
 }
 
-/// Leaves out items that hang together: of a mesh that has to be closed, no single triangle can go, but a part of it can.
+/// Removes connected items together: no single triangle of a closed mesh can be removed, but a component can.
 fn drop_components(search: &mut Search<'_>) -> Result<(), End> {
     for list in 0..search.best.lists.len() {
         let count = move |spelled: &Spelled| components(&spelled.lists[list].items).1;
@@ -119,7 +120,8 @@ fn drop_components(search: &mut Search<'_>) -> Result<(), End> {
     Ok(())
 }
 
-/// For each item the number of its component, in the order of their first items, and how many there are: items with a vertex in common hang together.
+/// For each item the number of its component, in the order of their first items, and the number of components. Items
+/// with a common vertex are connected.
 fn components(items: &Items) -> (Vec<usize>, usize) {
     let mut parent: Vec<usize> = (0..items.len()).collect();
     fn root(parent: &mut [usize], mut at: usize) -> usize {
@@ -146,23 +148,23 @@ fn components(items: &Items) -> (Vec<usize>, usize) {
     (component, numbers.len())
 }
 
-/// Leaves out single corners of loops, rings, and points of rings.
+/// Removes single corners of loops, rings, and points of rings.
 fn drop_corners(search: &mut Search<'_>) -> Result<(), End> {
     for list in 0..search.best.lists.len() {
         let mut at = (0, 0, 0);
         while let Some((left, next)) = without_corner(&search.best, list, at) {
             let went = left.map_or(Ok(false), |left| search.try_one(left))?;
-            // Then the next one has come to this place.
+            // After a removal, the next corner has this index.
             at = if went { at } else { next };
         }
     }
     Ok(())
 }
 
-/// A place in a list: item, ring, corner.
+/// The position of a corner in a list: item, ring, corner.
 type Place = (usize, usize, usize);
 
-/// The scene without the corner at a place, if there is one, and the next place; none behind the last.
+/// The scene without the corner at a position, if there is one, and the next position; `None` after the last.
 fn without_corner(spelled: &Spelled, list: usize, (item, ring, corner): Place) -> Option<(Option<Spelled>, Place)> {
     let mut left = spelled.clone();
     let next_item = (item + 1, 0, 0);
@@ -175,7 +177,7 @@ fn without_corner(spelled: &Spelled, list: usize, (item, ring, corner): Place) -
             one.remove(corner);
             Some((Some(drop_unnamed(&left)), (item, 0, corner + 1)))
         }
-        // Loops with labels; where these are triangles, no corner can go.
+        // Loops with labels; if these are triangles, no corner can be removed.
         Items::Labelled { tuples, .. } => {
             let one = tuples.get_mut(item)?;
             if corner >= one.len() || one.len() <= 3 {
@@ -187,7 +189,7 @@ fn without_corner(spelled: &Spelled, list: usize, (item, ring, corner): Place) -
         Items::Polygons(polygons) => {
             let rings = polygons.get_mut(item)?;
             let Some(points) = rings.get_mut(ring) else { return Some((None, next_item)) };
-            // The ring as a whole, then each of its points.
+            // The whole ring first, then each of its points.
             if corner == 0 {
                 let next = (item, ring, 1);
                 if rings.len() < 2 {
@@ -206,7 +208,7 @@ fn without_corner(spelled: &Spelled, list: usize, (item, ring, corner): Place) -
     }
 }
 
-/// Puts vertices in the place of neighbours: an edge of a closed mesh can go where none of its triangles can.
+/// Merges vertices with neighbours: an edge of a closed mesh can be removed where none of its triangles can.
 pub(super) fn merge_all(search: &mut Search<'_>) -> Result<(), End> {
     if search.best.points.len() > MOST_MERGED {
         return Ok(());
@@ -225,7 +227,7 @@ pub(super) fn merge_all(search: &mut Search<'_>) -> Result<(), End> {
     Ok(())
 }
 
-/// The points that stand in an item or construction with this one.
+/// The points that share an item or construction with this one.
 fn neighbours(spelled: &Spelled, point: usize) -> BTreeSet<usize> {
     let this = Vertex::input(point);
     let items = spelled.lists.iter().flat_map(|list| (0..list.items.len()).map(|at| list.items.vertices(at)));

@@ -1,19 +1,19 @@
-//! How large a scene is: what shrinking makes smaller.
+//! The size of a scene, which shrinking reduces.
 
 use predicament_corpus::{Items, Spelled};
 use predicament_formats::bits::lowest_bit;
 
-/// The size of a scene that is written out: first its pieces, then what its coordinates cost to write.
+/// The size of a scene that is written out: first its pieces, then the cost of its coordinates.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Size {
-    /// Points, constructions, items and all that these name or hold.
+    /// The number of points, constructions, items and everything that these name or hold.
     pub pieces: usize,
-    /// What all coordinates cost to write: bits of significands, bits of exponents, minuses.
+    /// The cost of all coordinates: bits of significands, bits of exponents, minus signs.
     pub digits: u64,
 }
 
 impl Size {
-    /// The size of a scene.
+    /// Computes the size of a scene.
     #[must_use]
     pub fn of(spelled: &Spelled) -> Size {
         let of_lists: usize = spelled.lists.iter().map(|list| items(&list.items)).sum();
@@ -37,7 +37,8 @@ fn items(items: &Items) -> usize {
     }
 }
 
-/// What a coordinate costs: 0 for zero, else the bits of its odd significand, the bits of its exponent, and one for a minus.
+/// The cost of a coordinate: 0 for zero, otherwise the bits of its odd significand, the bits of its exponent, and one
+/// for a minus sign.
 #[must_use]
 pub fn cost(x: f64) -> u64 {
     let Some(lowest) = lowest_bit(x) else { return u64::from(x.is_sign_negative()) };
@@ -47,7 +48,7 @@ pub fn cost(x: f64) -> u64 {
     significand + u64::from(of_exponent) + u64::from(x < 0.0)
 }
 
-/// floor(log2 |x|) of a number that is not zero.
+/// The value floor(log2 |x|) of a nonzero number.
 pub(super) fn exponent(x: f64) -> i32 {
     let bits = x.to_bits() << 1 >> 1;
     match i32::try_from(bits >> 52).unwrap_or(0) {

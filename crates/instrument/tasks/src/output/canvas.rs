@@ -1,4 +1,4 @@
-//! Where the vertices of a scene are in a drawing: as offsets from an origin, from exact coordinates, rounded once.
+//! Positions of a scene's vertices in a drawing: offsets from an origin, from exact coordinates, rounded once.
 
 use predicament_judge::{Points, nearest, rational};
 use predicament_predicates::{Dimension, Scene, Vertex};
@@ -11,7 +11,7 @@ use super::exactly;
 pub struct Canvas {
     drawing: Drawing,
     origin: [Rational; 3],
-    /// The origin as doubles, where it is made of doubles.
+    /// The origin as doubles, if it consists of doubles.
     doubles: Option<[f64; 3]>,
 }
 
@@ -19,7 +19,7 @@ impl Canvas {
     /// An empty canvas of a scene's dimension; offsets are from this vertex, or from zero.
     ///
     /// # Errors
-    /// Where the vertex is no point.
+    /// If the vertex is not a point.
     pub fn new(scene: &Scene, origin: Option<Vertex>) -> std::io::Result<Canvas> {
         let is_space = scene.dimension() == Dimension::Three;
         let drawing = Drawing { is_space, layers: Vec::new() };
@@ -38,10 +38,10 @@ impl Canvas {
         self.drawing
     }
 
-    /// A layer of single vertices.
+    /// Adds a layer of single vertices.
     ///
     /// # Errors
-    /// Where a vertex is no point.
+    /// If a vertex is not a point.
     pub fn points(
         &mut self,
         scene: &Scene,
@@ -53,10 +53,10 @@ impl Canvas {
         self.layer(scene, name, role, Shape::Points, parts)
     }
 
-    /// A layer of paths from vertex to vertex.
+    /// Adds a layer of paths from vertex to vertex.
     ///
     /// # Errors
-    /// Where a vertex is no point.
+    /// If a vertex is not a point.
     pub fn lines<L: AsRef<[Vertex]>>(
         &mut self,
         scene: &Scene,
@@ -68,10 +68,10 @@ impl Canvas {
         self.layer(scene, name, role, Shape::Lines, parts)
     }
 
-    /// A layer of faces, each one ring.
+    /// Adds a layer of faces, one ring each.
     ///
     /// # Errors
-    /// Where a vertex is no point.
+    /// If a vertex is not a point.
     pub fn faces<F: AsRef<[Vertex]>>(
         &mut self,
         scene: &Scene,
@@ -83,10 +83,10 @@ impl Canvas {
         self.layer(scene, name, role, Shape::Areas, parts)
     }
 
-    /// A layer of what rings bound; in space, where rings need not be convex, their lines.
+    /// Adds a layer of areas bounded by rings; in space, where rings need not be convex, only their lines.
     ///
     /// # Errors
-    /// Where a vertex is no point.
+    /// If a vertex is not a point.
     pub fn areas(
         &mut self,
         scene: &Scene,
@@ -105,7 +105,7 @@ impl Canvas {
         self.layer(scene, name, role, Shape::Lines, parts)
     }
 
-    /// A layer of places that are no vertices.
+    /// Adds a layer of positions that are not vertices.
     pub fn places(
         &mut self,
         name: &str,
@@ -157,7 +157,7 @@ impl Canvas {
     }
 }
 
-/// Coordinates with zeros for those that are not there.
+/// Coordinates, padded with zeros.
 fn padded(point: &[f64]) -> [f64; 3] {
     [0, 1, 2].map(|axis: usize| point.get(axis).copied().unwrap_or(0.0))
 }

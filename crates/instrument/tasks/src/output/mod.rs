@@ -1,7 +1,7 @@
-//! Answers as files that other programs read, their vertices exactly, and drawings.
+//! Answers as files for other programs, with exact vertices, and drawings.
 //!
-//! Formats for meshes and maps hold doubles, or decimals that are read as doubles: a constructed vertex is rounded
-//! there to the nearest. Beside them `vertices.json` has every vertex as it is, and what it was constructed from.
+//! Formats for meshes and maps hold doubles, or decimals that are read as doubles: there a constructed vertex is
+//! rounded to the nearest. Beside them `vertices.json` has the exact coordinates and the definition of every vertex.
 
 mod canvas;
 mod placed;
@@ -18,10 +18,10 @@ pub use vertices::vertices;
 use predicament_judge::{Points, nearest};
 use predicament_predicates::Vertex;
 
-/// The doubles that are nearest to a vertex's coordinates.
+/// The doubles nearest to a vertex's coordinates.
 ///
 /// # Errors
-/// Where its lines and planes meet in no single point.
+/// If its lines and planes do not meet in a single point.
 fn rounded(points: &Points, v: Vertex) -> std::io::Result<Vec<f64>> {
     match v.construction() {
         None => Ok(points.scene().point(v).to_vec()),
@@ -32,7 +32,7 @@ fn rounded(points: &Points, v: Vertex) -> std::io::Result<Vec<f64>> {
 /// The exact coordinates of a vertex.
 ///
 /// # Errors
-/// Where its lines and planes meet in no single point.
+/// If its lines and planes do not meet in a single point.
 fn exactly(points: &Points, v: Vertex) -> std::io::Result<Vec<rug::Rational>> {
     let point = points.point(v).map(std::borrow::Cow::into_owned);
     point.ok_or_else(|| std::io::Error::other(format!("{v} is no point, and in the answer")))

@@ -1,8 +1,9 @@
-//! Where the vertices of an answer are: exactly, and as doubles for formats that hold doubles.
+//! Positions of an answer's vertices: exact, and as doubles for formats that hold doubles.
 
 use predicament_predicates::{Construction, Predicates, Scene, Vertex};
 
-/// What a session has rounded the vertices to that it has constructed after the first `before`; none where it keeps them, or has none.
+/// The session's rounded positions of the vertices that it constructed after the first `before`; `None` if it keeps
+/// them exactly, or has none.
 #[must_use]
 pub fn rounded_points(session: &dyn Predicates, before: usize, count: usize) -> Option<Vec<[f64; 3]>> {
     let vertices = (0..count).map(|at| Vertex::constructed(before + at));
@@ -13,19 +14,20 @@ pub fn rounded_points(session: &dyn Predicates, before: usize, count: usize) -> 
 
 /// The scene of an answer in space.
 pub struct Placed {
-    /// The scene with all that was constructed.
+    /// The scene with all constructed vertices.
     pub exact: Scene,
-    /// The scene that meshes are written from: a session that rounds has its own points there.
+    /// The scene for mesh files: a session that rounds has its own points there.
     pub meshes: Scene,
-    /// The constructions before those of the answer, and the place of the first of its points, where these are rounded.
+    /// The number of constructions before those of the answer, and the index of the first of its points, if these are
+    /// rounded.
     rounded: Option<[usize; 2]>,
 }
 
 impl Placed {
-    /// The scene with these constructions, of which `rounded` are the points where the session has rounded them.
+    /// Adds constructions to the scene; `rounded` are their points if the session has rounded them.
     ///
     /// # Errors
-    /// A construction that the scene does not take, or a point that is not finite.
+    /// A construction that the scene does not accept, or a point that is not finite.
     pub fn new(
         scene: &Scene,
         constructions: &[Construction],
@@ -42,7 +44,7 @@ impl Placed {
         Ok(Placed { exact, meshes, rounded: Some([before, scene.len()]) })
     }
 
-    /// A vertex of the answer in the scene that meshes are written from.
+    /// The vertex in the scene for mesh files that corresponds to a vertex of the answer.
     #[must_use]
     pub fn place(&self, v: Vertex) -> Vertex {
         match (v.construction(), self.rounded) {

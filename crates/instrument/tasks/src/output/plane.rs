@@ -1,4 +1,4 @@
-//! Polygons of the plane as SVG and GeoJSON.
+//! Polygons in the plane as SVG and GeoJSON.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,17 +11,17 @@ use super::{exactly, rounded};
 
 /// The longer side of a picture, in pixels.
 const SIDE: f64 = 960.0;
-/// The margin around it.
+/// The margin around the picture, in pixels.
 const MARGIN: f64 = 20.0;
-/// Pictures of up to so many vertices have dots on them.
+/// The maximum number of vertices for which a picture has dots on them.
 const DOTTED: usize = 500;
 
-/// Writes `NAME.svg` and `NAME.geojson`: a polygon a feature, its first ring the outer one. A constructed vertex is at
-/// the nearest doubles, but in the picture where it is: a crossing between two neighbouring doubles is seen between them.
-/// The picture has y upwards; its polygons are filled by even and odd.
+/// Writes `NAME.svg` and `NAME.geojson`: a feature for each polygon, its first ring the outer one. A constructed vertex
+/// is rounded to the nearest doubles in the file, but not in the picture: it shows a crossing between two neighbouring
+/// doubles at its true position. The picture has y upwards, and fills polygons by the even-odd rule.
 ///
 /// # Errors
-/// That of the file system.
+/// The error of the file system.
 pub fn plane(scene: &Scene, polygons: &[Vec<Vec<Vertex>>], folder: &Path, name: &str) -> std::io::Result<Vec<PathBuf>> {
     let points = Points::of(scene);
     let placed = each(polygons, |v| rounded(&points, v).map(|point| [point[0], point[1]]))?;
@@ -36,7 +36,7 @@ pub fn plane(scene: &Scene, polygons: &[Vec<Vec<Vertex>>], folder: &Path, name: 
 /// The rings of a polygon.
 type Polygon = Vec<Vec<[f64; 2]>>;
 
-/// The polygons with something for each vertex.
+/// The polygons with a value for each vertex.
 fn each(
     polygons: &[Vec<Vec<Vertex>>],
     place: impl Fn(Vertex) -> std::io::Result<[f64; 2]>,
@@ -45,7 +45,7 @@ fn each(
     polygons.iter().map(|rings| rings.iter().map(ring).collect()).collect()
 }
 
-/// The box around all rounded points.
+/// The bounding box of all rounded points.
 struct Bounds {
     left: f64,
     top: f64,
@@ -66,7 +66,7 @@ impl Bounds {
         Bounds { left, top, width: right - left, height: top - bottom }
     }
 
-    /// How far right of the left side and below the top a vertex is, rounded once.
+    /// The distances of a vertex from the left side and from the top, rounded once.
     fn offset(&self, points: &Points, v: Vertex) -> std::io::Result<[f64; 2]> {
         if v.construction().is_none() {
             let point = points.scene().point(v);
@@ -96,8 +96,8 @@ fn features(polygons: &[Vec<Vec<Vertex>>], placed: &[Polygon]) -> String {
 fn picture(bounds: &Bounds, polygons: &[Polygon]) -> String {
     let all = || polygons.iter().flatten().flatten();
     let extent = bounds.width.max(bounds.height);
-    // A crossing can be outside of the box by less than a rounding error. A box without an extent, or with one that is
-    // larger than all doubles, is a dot.
+    // A crossing can be outside the box by less than a rounding error. A box without an extent, or with an extent
+    // beyond all doubles, is drawn as a dot.
     let scale = |x: f64| if extent > 0.0 && extent.is_finite() { (x / extent).clamp(0.0, 1.0) * SIDE } else { 0.0 };
     let pixel = |[x, y]: [f64; 2]| [MARGIN + scale(x), MARGIN + scale(y)];
     let [width, height] = [bounds.width, bounds.height].map(|side| scale(side).max(1.0));

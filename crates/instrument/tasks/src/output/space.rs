@@ -11,11 +11,11 @@ use predicament_predicates::{Scene, Vertex};
 
 use super::rounded;
 
-/// Writes `NAME.off`, `NAME.obj` and `NAME.ply` (binary) with the vertices that the faces have, in the order of their
-/// ids. A constructed vertex is at the nearest doubles; two vertices may be at one place then.
+/// Writes `NAME.off`, `NAME.obj` and `NAME.ply` (binary) with the faces' vertices, in the order of their ids. A
+/// constructed vertex is rounded to the nearest doubles, so two vertices may coincide.
 ///
 /// # Errors
-/// That of the file system, and where a face is none that these formats hold: fewer than three corners, or one twice.
+/// The error of the file system, or a face that these formats cannot hold: fewer than three corners, or a corner twice.
 pub fn mesh(scene: &Scene, faces: &[Vec<Vertex>], folder: &Path, name: &str) -> std::io::Result<Vec<PathBuf>> {
     let points = Points::of(scene);
     let mut places: BTreeMap<Vertex, u32> = faces.iter().flatten().map(|&v| (v, 0)).collect();
@@ -34,7 +34,7 @@ pub fn mesh(scene: &Scene, faces: &[Vec<Vertex>], folder: &Path, name: &str) -> 
             write_mesh(&mut file, format, &coordinates, &indexed).map_err(|why| match why {
                 ExportError::Io(error) => error,
                 why => {
-                    // Nothing is written, and an empty file is not left.
+                    // Nothing is written, and no empty file remains.
                     let _ = std::fs::remove_file(&path);
                     Error::other(format!("{name}{} can't hold the answer: {why}", format.extension()))
                 }

@@ -1,4 +1,4 @@
-//! Vertices exactly, as JSON.
+//! Exact vertices as JSON.
 
 use std::collections::BTreeSet;
 use std::io::{BufWriter, Write};
@@ -12,12 +12,12 @@ use super::exactly;
 
 /// Writes `vertices.json`: an array with an object for each vertex, input vertices first, each once.
 ///
-/// `vertex` is the id that the answer's other files use, `exact` the coordinates as fractions in lowest terms,
-/// `nearest` the doubles nearest to them, and `constructed_from` what defines a constructed vertex, as `LPI(1 9, 2 5 8)`
-/// (null for input vertices). Vertices that define a listed one are listed as well.
+/// `vertex` is the id that the answer's other files use, `exact` the coordinates as fractions in lowest terms, and
+/// `nearest` the doubles nearest to them. `constructed_from` is the definition of a constructed vertex, as `LPI(1 9, 2
+/// 5 8)` (null for input vertices). Vertices that define a listed vertex are listed as well.
 ///
 /// # Errors
-/// That of the file system.
+/// The error of the file system.
 pub fn vertices(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>, folder: &Path) -> std::io::Result<PathBuf> {
     let points = Points::of(scene);
     let path = folder.join("vertices.json");
@@ -39,7 +39,7 @@ pub fn vertices(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>, folde
     Ok(path)
 }
 
-/// The vertices and all that define them.
+/// The vertices and all vertices that define them.
 fn with_definitions(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>) -> BTreeSet<Vertex> {
     let mut all = BTreeSet::new();
     let mut open: Vec<Vertex> = vertices.into_iter().collect();

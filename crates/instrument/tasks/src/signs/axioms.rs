@@ -1,11 +1,10 @@
-//! Samples of answers held against each other: argument orders and relations.
+//! Samples of answers compared with each other: argument orders and relations.
 //!
-//! The laws themselves are in the crate `laws`; this file picks which tuples
-//! of a scene are asked. The choice depends on indices only, never on chance
-//! or time, so a finding comes back in every run.
+//! The laws themselves are in the crate `laws`; this file selects the tuples of a scene. The choice depends on indices
+//! only, never on chance or time, so a finding is reproducible.
 //!
-//! That ties are broken at all, and no sign changed, is seen when every query
-//! is held against the truth, so those two laws are not asked again.
+//! The comparison of every query with the truth already shows that ties are broken and no sign is changed, so those two
+//! laws are not checked again.
 
 use predicament_laws::axioms::{
     Law, Relation, Violation, Zeros, antisymmetry_of_all, independence_of_later_vertices_of_all, independence_of_place,
@@ -18,21 +17,20 @@ use super::CHUNK;
 use super::class::Given;
 use crate::{Asked, Budget, Class, ClassCounts, Finding, Stop, Watch};
 
-/// What the laws found: all is counted, the first violations are kept. There can be millions.
+/// The violations of laws: all are counted, and the first are kept. There can be millions.
 #[derive(Default)]
 pub(super) struct Violations {
-    /// Queries whose own answer was legal, but contradicted by another order
-    /// of the arguments: they leave these classes.
+    /// Queries whose own answer was legal, but contradicted another order of the arguments: they leave these classes.
     pub moved: ClassCounts,
-    /// Relations between different queries that don't hold.
+    /// The number of violated relations between different queries.
     pub relations: u64,
     first: Vec<Violation>,
 }
 
-/// Brackets of a relation.
+/// The number of brackets of a relation.
 const BRACKETS: usize = 6;
 
-/// What a law finds, and the class that its query leaves.
+/// A violation, and the class that its query leaves.
 type Found = Option<(Option<Class>, Violation)>;
 
 pub(super) fn check(given: &Given<'_>, asked: &Asked<'_>) -> Result<Violations, Stop> {
@@ -48,7 +46,7 @@ pub(super) fn check(given: &Given<'_>, asked: &Asked<'_>) -> Result<Violations, 
 }
 
 impl Violations {
-    /// Notes one, of a query that leaves its class or of a relation between queries.
+    /// Records a violation of a query that leaves its class, or of a relation between queries.
     fn note(&mut self, leaves: Option<Class>, violation: Violation, budget: Budget) {
         match leaves {
             Some(class) => self.moved.add(class, 1),
@@ -59,7 +57,7 @@ impl Violations {
         }
     }
 
-    /// Adds what came after.
+    /// Adds later violations.
     fn merge(&mut self, later: Violations, budget: Budget) {
         self.moved.merge(&later.moved);
         self.relations += later.relations;
@@ -67,7 +65,7 @@ impl Violations {
         self.first.truncate(budget.findings_per_class);
     }
 
-    /// The first ones, in words.
+    /// The first violations, in words.
     pub fn findings(&self) -> impl Iterator<Item = Finding> {
         self.first.iter().map(|violation| {
             let answers = &violation.answers;
@@ -78,7 +76,7 @@ impl Violations {
     }
 }
 
-/// All orders of the arguments of evenly spread queries, as many as the budget pays for.
+/// Checks all orders of the arguments of evenly spread queries, as many as the budget allows.
 fn orders(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
     let question = given.queries.question();
     let orders: usize = (1..=question.kind().arity()).product();
@@ -96,8 +94,8 @@ fn orders(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations
     })
 }
 
-/// Transitivity and the three-term relations on evenly spread tuples of vertices; in
-/// a hurry only those of comparisons and orientations by themselves.
+/// Checks transitivity and the three-term relations on evenly spread tuples of vertices; without plenty of time, only
+/// the relations of comparisons alone and of orientations alone.
 fn related(given: &Given<'_>, zeros: Zeros, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
     let session = given.session;
     let mut found = Violations::default();
@@ -124,7 +122,7 @@ fn related(given: &Given<'_>, zeros: Zeros, budget: Budget, watch: &Watch) -> Re
     Ok(found)
 }
 
-/// The scene's own question; with plenty of time also the same along the other axes and in the other planes.
+/// The scene's own question; with plenty of time, also the question along the other axes and in the other planes.
 fn asked(given: &Given<'_>, thorough: bool) -> Vec<Question> {
     let own = given.queries.question();
     let axes = [Axis::X, Axis::Y, Axis::Z];
@@ -139,10 +137,10 @@ fn asked(given: &Given<'_>, thorough: bool) -> Vec<Question> {
     }
 }
 
-/// Queries to a batch in which each is asked: not a multiple of what any batch takes at a time.
+/// The number of queries in a batch of the check: not a multiple of any backend's batch size.
 const BATCH: usize = 61;
 
-/// Evenly spread queries alone and in batches.
+/// Compares evenly spread queries alone and in batches.
 fn places(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations, Stop> {
     let sample: Vec<usize> = Budget::spread(given.queries.len(), 1, budget.relations).collect();
     let batches: Vec<QuerySet> = sample
@@ -157,8 +155,8 @@ fn places(given: &Given<'_>, budget: Budget, watch: &Watch) -> Result<Violations
     })
 }
 
-/// Evenly spread queries about the first half of the vertices, in a scene that has no others. (Not
-/// where vertices are constructed, nor where there are two meshes: those scenes are no list of points.)
+/// Compares evenly spread queries about the first half of the vertices with a scene that has only these. (Not for
+/// constructed vertices or two meshes: those scenes are not lists of points.)
 fn later_vertices(given: &Given<'_>, asked: &Asked<'_>, zeros: Zeros) -> Result<Violations, Stop> {
     let (scene, question, budget) = (given.scene, given.queries.question(), asked.budget);
     let listed = scene.constructions().is_empty() && scene.second_mesh().is_none();
@@ -178,7 +176,7 @@ fn later_vertices(given: &Given<'_>, asked: &Asked<'_>, zeros: Zeros) -> Result<
             of_relations(independence_of_later_vertices_of_all(fewer, given.session, question, sample))
         });
     });
-    // A backend that declines the smaller scene has answered nothing about it.
+    // A backend that declines the smaller scene has not answered anything about it.
     prepared.map_or_else(|_| Ok(Violations::default()), |()| found)
 }
 
@@ -208,13 +206,13 @@ fn tuples(given: &Given<'_>, size: usize, wanted: usize) -> Vec<Vec<Vertex>> {
         .collect()
 }
 
-/// Violations between different queries: none leaves its class.
+/// Violations between different queries, which leave no class.
 fn of_relations(violations: Vec<Option<Violation>>) -> Vec<Found> {
     violations.into_iter().map(|violation| Some((None, violation?))).collect()
 }
 
-/// Looks at all items in parallel, many at a time, notes what is found in order, and stops when the watch says so. An
-/// item costs so many queries; a batch has no more than one of the scene's own queries has.
+/// Checks all items in parallel, in chunks, records violations in order, and stops if the watch says so. An item costs
+/// `cost` queries; a chunk has at most as many queries as a chunk of the scene's own.
 fn in_chunks<T: Sync>(
     items: &[T],
     cost: usize,

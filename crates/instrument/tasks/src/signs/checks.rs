@@ -1,4 +1,4 @@
-//! What is reported about signs.
+//! The checks in reports about signs.
 
 use predicament_laws::axioms::Law;
 

@@ -1,7 +1,6 @@
-//! The answers to a scene, the class of each, and each as a line.
+//! The answers to a scene, the class of each, and the record of each.
 //!
-//! An answer is held to two things: the exact sign, and the backend's own
-//! promise. Every query is in exactly one class.
+//! An answer is compared with the exact sign, and with the backend's own promise. Every query is in exactly one class.
 
 use predicament_judge::{self as judge, TieJudge};
 use predicament_predicates::{Band, Class, Contract, Counts, Predicates, QuerySet, Scene, Sign, ZeroMeaning};
@@ -9,8 +8,8 @@ use rayon::prelude::*;
 
 use crate::{AnswerLine, Contestant, symbol};
 
-/// Classifies one answer. `is_within` tells whether the determinant is at most so large in magnitude; it is asked only
-/// where that matters (backends with a band).
+/// Classifies one answer. `is_within` returns true if the determinant has at most a given magnitude; it is called only
+/// if that matters (backends with a band).
 #[must_use]
 pub fn classify(
     zero: ZeroMeaning,
@@ -40,7 +39,7 @@ pub fn classify(
     }
 }
 
-/// The answers to a scene with all that they are held against.
+/// The answers to a scene with all the data to judge them.
 pub(super) struct Given<'a> {
     pub scene: &'a Scene,
     pub queries: &'a QuerySet,
@@ -48,7 +47,7 @@ pub(super) struct Given<'a> {
     pub answers: &'a [Sign],
     pub session: &'a dyn Predicates,
     pub contract: Contract,
-    /// The band that the answers are held to, the published one; none where none is claimed.
+    /// The published band that applies to the answers; `None` if the backend claims none.
     pub band: Option<Band>,
 }
 
@@ -65,7 +64,7 @@ impl Given<'_> {
     }
 }
 
-/// The class of the answer to a query. Where ties are broken, zero agrees with an identity.
+/// The class of the answer to a query. If ties are broken, zero is right for an identity.
 pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> Class {
     match given.class(query) {
         Class::Inconsistent if is_identity(given, ties, query) => Class::Agree,
@@ -73,15 +72,14 @@ pub(super) fn class(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) ->
     }
 }
 
-/// Whether a determinant is zero however the scene moves: no tie, but a vertex
-/// on the plane it was constructed on, two names of one point, or vertices of
-/// one mesh that is moved as a whole.
+/// True if a determinant is zero under every perturbation. It is not a tie, but a vertex on the plane it was
+/// constructed on, two names of one point, or vertices of one mesh that moves as a whole.
 fn is_identity(given: &Given<'_>, ties: Option<&TieJudge>, query: usize) -> bool {
     let (question, args) = (given.queries.question(), given.queries.args(query));
     ties.is_some_and(|perturbed| perturbed(given.scene, question, args).is_zero())
 }
 
-/// The lines of all answers, in query order.
+/// The records of all answers, in query order.
 pub(super) fn lines(given: &Given<'_>, ties: Option<&TieJudge>, backend: &dyn Contestant) -> Vec<AnswerLine> {
     let classes: Vec<Class> = (0..given.queries.len()).into_par_iter().map(|query| class(given, ties, query)).collect();
     let stages = stages(given, backend);
@@ -96,7 +94,7 @@ pub(super) fn lines(given: &Given<'_>, ties: Option<&TieJudge>, backend: &dyn Co
     classes.into_iter().zip(stages).enumerate().map(line).collect()
 }
 
-/// The stage of each query, asked alone in the whole scene.
+/// The stage of each query, evaluated alone in the whole scene.
 fn stages(given: &Given<'_>, backend: &dyn Contestant) -> Vec<&'static str> {
     let (question, counts) = (given.queries.question(), Counts::new());
     let names = backend.stages();
@@ -113,7 +111,7 @@ fn stages(given: &Given<'_>, backend: &dyn Contestant) -> Vec<&'static str> {
             before = after;
         }
     });
-    // A backend that took the scene before takes it again; if not, answers have no stage.
+    // A backend that accepted the scene before accepts it again; otherwise answers have no stage.
     drop(prepared);
     stages
 }

@@ -1,4 +1,4 @@
-//! `constructed`: vertices where lines and planes through the points of a scene meet.
+//! The key `constructed`: vertices where lines and planes through the points of a scene meet.
 
 use predicament_corpus::meet;
 use predicament_formats::{CorpusError, Field, Fields, TableKind};
@@ -11,7 +11,7 @@ static CONSTRUCTION: TableKind = TableKind::new("construction", &["ssi", "lpi", 
 pub(super) struct Constructions(Vec<(usize, Construction)>);
 
 impl Constructions {
-    /// Reads `constructed`; none where the key is missing.
+    /// Reads `constructed`; an empty list if the key is missing.
     pub(super) fn read(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Constructions, CorpusError> {
         let Some(field) = fields.get("constructed") else { return Ok(Constructions::default()) };
         if !matches!(kind, PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Orient3d) {

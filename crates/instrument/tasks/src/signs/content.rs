@@ -1,4 +1,4 @@
-//! `points` with `queries`, or a `fixture`: what a scene of signs asks.
+//! The queries of a scene of signs: `points` with `queries`, or a `fixture`.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
@@ -20,7 +20,7 @@ pub struct SignQueries {
 }
 
 impl SignQueries {
-    /// Queries without published signs.
+    /// A list of queries without published signs.
     #[must_use]
     pub fn new(queries: QuerySet) -> SignQueries {
         SignQueries { queries, expected: None }
@@ -43,7 +43,7 @@ impl Content for SignQueries {
         canon.vertices(self.queries.flat());
     }
 
-    /// Published signs are left out.
+    /// Writes the queries without published signs.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let question = self.queries.question();
         let words = match question {
@@ -83,13 +83,13 @@ fn from_points(
         points: PointSource::read(context, points, fields.file())?,
     };
     if asked.points.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // No cache is read: all coordinates are in the suite.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
 }
 
-/// Points, written out or in a data file beside the suite, and what is asked about them.
+/// Points, written out or in a data file beside the suite, and the queries about them.
 struct Asked {
     points: PointSource,
     file: String,

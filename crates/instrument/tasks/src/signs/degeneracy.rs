@@ -1,9 +1,8 @@
-//! How near to degenerate a scene's queries are, decided exactly.
+//! The degeneracy of a scene's queries, decided exactly.
 //!
-//! The measure is |det| / permanent: the determinant over what it would be if
-//! no two of its terms cancelled. It is 1 for a query that any arithmetic gets
-//! right, near 2^-53 where double precision starts to guess, and 0 for an
-//! exact tie. It does not change when a query is scaled.
+//! The measure is |det| / permanent: the determinant over its value if no two of its terms cancelled. It is 1 for a
+//! query that any arithmetic gets right, near 2^-53 where double precision starts to guess, and 0 for an exact tie. It
+//! does not change when a query is scaled.
 
 use std::collections::BTreeMap;
 use std::fmt;
@@ -12,7 +11,7 @@ use predicament_corpus::{homogeneous, integer, lowest_exponent};
 use predicament_predicates::{Axis, QuerySet, Question, Scene, Vertex};
 use rug::Integer;
 
-/// Queries looked at, at most: a deterministic sample of larger scenes.
+/// The maximum number of queries measured: of larger scenes, a deterministic sample.
 const SAMPLE: usize = 10_000;
 
 /// Queries counted by ⌊log₂(|det| / permanent)⌋.
@@ -43,7 +42,7 @@ impl fmt::Display for Histogram {
     }
 }
 
-/// The degeneracy of a scene's queries, of evenly spread ones where there are more than 10,000.
+/// The degeneracy of a scene's queries; of more than 10,000 queries, evenly spread ones.
 #[must_use]
 pub fn degeneracy(scene: &Scene, queries: &QuerySet) -> Histogram {
     let mut histogram = Histogram::default();
@@ -57,7 +56,7 @@ pub fn degeneracy(scene: &Scene, queries: &QuerySet) -> Histogram {
     histogram
 }
 
-/// ⌊log₂(|det| / permanent)⌋, or none where the determinant is zero.
+/// The value ⌊log₂(|det| / permanent)⌋, or `None` if the determinant is zero.
 fn relative(scene: &Scene, queries: &QuerySet, query: usize) -> Option<i64> {
     let args = queries.args(query);
     let Magnitudes { det, permanent } = match queries.question() {
@@ -86,8 +85,7 @@ struct Magnitudes {
     permanent: Integer,
 }
 
-/// The coordinates as integers: all multiplied by one power of two, which
-/// changes no ratio.
+/// The coordinates as integers: all multiplied by one power of two, which keeps all ratios.
 fn integers(args: &[Vertex], row: impl Fn(Vertex) -> Vec<f64>) -> Vec<Vec<Integer>> {
     let rows: Vec<Vec<f64>> = args.iter().map(|&v| row(v)).collect();
     let lowest = lowest_exponent(rows.iter().flatten().copied());
@@ -104,7 +102,7 @@ fn weighted(scene: &Scene, args: &[Vertex], axes: &[Axis]) -> Vec<Vec<Integer>> 
     args.iter().map(row).collect()
 }
 
-/// Each row multiplied by its weight and the last one's, which changes no ratio.
+/// Each row, multiplied by its weight and the last row's weight, which keeps all ratios.
 fn relative_to_last_weighted(rows: &[Vec<Integer>]) -> Vec<Vec<Integer>> {
     let (last, others) = rows.split_last().expect("a query has vertices");
     let width = last.len() - 1;
@@ -149,7 +147,7 @@ fn minor(rows: &[Vec<Integer>]) -> Magnitudes {
     sum
 }
 
-/// ⌊log₂(a / b)⌋ for positive a, b.
+/// The value ⌊log₂(a / b)⌋ for positive a, b.
 fn floor_log2_of_ratio(a: &Integer, b: &Integer) -> i64 {
     let guess = i64::from(a.significant_bits()) - i64::from(b.significant_bits());
     // a / b lies between 2^(guess - 1) and 2^(guess + 1).
@@ -178,7 +176,7 @@ mod tests {
     fn known_ratios() {
         use predicament_predicates::{Axis, Plane};
         let xy = Question::Orient2d(Plane::Xy);
-        // det = 1·1, no second term.
+        // The case det = 1·1, without a second term.
         assert_eq!(of(xy, &[&[1.0, 0.0], &[0.0, 1.0], &[0.0, 0.0]]), Some(0));
         // det = 2 - 1, permanent 3.
         assert_eq!(of(xy, &[&[2.0, 1.0], &[1.0, 1.0], &[0.0, 0.0]]), Some(-2));

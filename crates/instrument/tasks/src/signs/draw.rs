@@ -1,17 +1,17 @@
-//! Drawings of sign scenes: the points, and what each query is about.
+//! Drawings of sign scenes: the points, and the queries about them.
 
 use predicament_predicates::{PredicateKind, QuerySet, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 use crate::output::Canvas;
 
-/// Of more queries the lines would cover each other.
+/// The maximum number of queries drawn; the lines of more would cover each other.
 const MOST_QUERIES: usize = 50;
-/// More points have no names.
+/// The maximum number of points with names.
 const MOST_NAMES: usize = 50;
 
-/// Points, those that are asked about in a colour of their own, and what the first queries ask them about: the line, the triangle or
-/// the tetrahedron of all vertices but the last.
+/// Draws the points, with queried points in a different colour, and the figures of the first queries: the line, the
+/// triangle or the tetrahedron of all vertices except the last.
 pub(super) fn draw(scene: &Scene, queries: &QuerySet, canvas: &mut Canvas) -> std::io::Result<()> {
     let few = 0..queries.len().min(MOST_QUERIES);
     let bases: Vec<&[Vertex]> = few.map(|query| queries.args(query)).map(|args| &args[..args.len() - 1]).collect();

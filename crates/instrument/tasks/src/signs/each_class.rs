@@ -1,4 +1,4 @@
-//! The class of every single answer, for pictures: judging a scene counts classes and keeps a few findings.
+//! The class of every single answer, for pictures; judging a scene only counts classes and keeps a few findings.
 
 use predicament_laws::published;
 use predicament_predicates::{Scene, Sign};
@@ -10,11 +10,11 @@ use crate::{AnswerError, Class, Contestant, Refusal};
 
 /// The answers of a backend to all queries, in order, each with its class under the backend's promise.
 ///
-/// The classes are those that judging starts from: a broken tie is legal here, whatever its side, and no answer is
-/// held against another one.
+/// These are the classes with which judging starts: a broken tie is legal here, on either side, and answers are not
+/// compared with each other.
 ///
 /// # Errors
-/// [`AnswerError`] where the backend declines.
+/// [`AnswerError`] if the backend declines.
 pub fn classes(
     backend: &dyn Contestant,
     scene: &Scene,

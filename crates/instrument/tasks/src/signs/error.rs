@@ -1,9 +1,9 @@
-//! Error measures of single queries: for tables and plots, nothing is decided by them.
+//! Error measures of single queries, for tables and plots; they decide nothing.
 
 use predicament_predicates::{Dimension, Plane, Question, Scene, Vertex};
 
-/// L for bare points: the largest edge of their bounding box. Rounds (it is a
-/// unit for display); infinite where the box is wider than the largest double.
+/// The length L of a scene: the largest edge of its points' bounding box. It is rounded (a unit for display), and
+/// infinite if the box is wider than the largest double.
 #[must_use]
 pub fn largest_edge(scene: &Scene) -> f64 {
     let stride = scene.dimension().count();
@@ -16,10 +16,9 @@ pub fn largest_edge(scene: &Scene) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The distance of the last vertex to the line (orient2d) or plane (orient3d)
-/// of the others, in units of `l`. `None` where that has no meaning: other
-/// predicates, others that span nothing, ranges that doubles don't hold, and
-/// constructed vertices, whose coordinates are no doubles.
+/// The distance of the last vertex from the line (orient2d) or plane (orient3d) of the others, in units of `l`. `None`
+/// if it has no meaning: for other predicates, if the others span nothing, beyond the range of doubles, and for
+/// constructed vertices, whose coordinates are not doubles.
 ///
 /// The determinant is the exact one, rounded once; lengths are plain floating point.
 #[must_use]

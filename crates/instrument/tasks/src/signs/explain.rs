@@ -1,11 +1,12 @@
-//! Explains one query: its exact value, the answer and stage of each backend, and whether its answers to permutations fit together.
+//! Explanation of one query: its exact value, the answer and stage of each backend, and the consistency of its answers
+//! to permutations.
 
 use predicament_judge as judge;
 use predicament_predicates::{Declined, Query, Question, Scene, Sign, Vertex};
 
 use crate::{Contestant, ExplainError, Explanation};
 
-/// Asks one query alone.
+/// Evaluates one query alone.
 pub(super) fn explain(scene: &Scene, query: &Query, backends: &[&dyn Contestant]) -> Result<Explanation, ExplainError> {
     let (question, args) = query.question().ok_or_else(|| ExplainError::not_of_task(query, "asks for no sign"))?;
     scene.has_dimension_for(question.kind())?;
@@ -31,7 +32,7 @@ pub(super) fn explain(scene: &Scene, query: &Query, backends: &[&dyn Contestant]
     })
 }
 
-/// The signs of all permutations by the truth and by each backend that answers, turned where the permutation is odd.
+/// The signs of all permutations by the truth and by each backend that answers, negated for odd permutations.
 fn permuted(
     scene: &Scene,
     question: Question,
@@ -54,13 +55,13 @@ fn permuted(
                 told = Some(turned(&signs));
             }
         });
-        // Who declines has said so in the rows.
+        // A backend that declines is already in the rows.
         rows.extend(prepared.ok().and(told).map(|signs| (backend.name(), signs)));
     }
     rows
 }
 
-/// All orders of so many places, in lexicographic order, each with whether it is odd.
+/// All permutations of `count` indices, in lexicographic order, each with true if it is odd.
 fn permutations(count: usize) -> Vec<(Vec<usize>, bool)> {
     if count == 0 {
         return vec![(Vec::new(), false)];

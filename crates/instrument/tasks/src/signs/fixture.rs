@@ -1,4 +1,4 @@
-//! `fixture`: published rows with expected signs.
+//! The key `fixture`: published rows with expected signs.
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts};
 use predicament_formats::{
@@ -56,12 +56,10 @@ impl Elsewhere for Fixture {
     }
 }
 
-/// A table of the crate `robust` (the fixtures of Shewchuk's predicates):
-/// a row is its number, the coordinates of one query's points, and the
-/// expected sign, separated by blanks.
+/// Reads a table of the crate `robust` (the fixtures of Shewchuk's predicates). A row is its number, the coordinates of
+/// one query's points, and the expected sign, separated by blanks.
 ///
-/// The rows have 17 significant digits, which name one double each; with
-/// `round = true` it is read.
+/// The rows have 17 significant digits, which name one double each; `round = true` reads that double.
 fn read_fixture(
     file: &str,
     text: &str,

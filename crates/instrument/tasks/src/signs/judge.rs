@@ -1,7 +1,6 @@
-//! Every answer against the truth, and samples of answers against each other.
+//! Judging of every answer by the truth, and of samples of answers by each other.
 //!
-//! What is judged is the answer that was given, in a batch or not. Samples are
-//! spread evenly over all queries.
+//! The judged answer is the one given, in a batch or not. Samples are spread evenly over all queries.
 
 use predicament_judge::{self as judge, TieJudge};
 use predicament_laws::published;
@@ -65,7 +64,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// A finding before it is put into words.
+/// A finding before its text is written.
 struct Raw {
     class: Class,
     check: &'static str,
@@ -97,8 +96,7 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
     chunk
 }
 
-/// Holds an even sample of broken ties against explicit infinitesimals: the
-/// signs that were given, not signs asked for again.
+/// Compares an even sample of broken ties with explicit infinitesimals. It uses the given signs, without new queries.
 fn wrongly_broken(given: &Given<'_>, perturbed: &TieJudge, broken: &[u32], budget: Budget) -> Vec<Raw> {
     let question = given.queries.question();
     let sample: Vec<usize> = Budget::spread(broken.len(), 1, budget.ties).map(|at| broken[at] as usize).collect();
@@ -111,7 +109,7 @@ fn wrongly_broken(given: &Given<'_>, perturbed: &TieJudge, broken: &[u32], budge
         .collect()
 }
 
-/// Findings with their measures, and the stages that settle them when they are asked alone.
+/// The findings with their measures, and the stages that settle their queries alone.
 fn in_words(given: &Given<'_>, backend: &dyn Contestant, raw: &[Raw]) -> Vec<Finding> {
     if raw.is_empty() {
         return Vec::new();
@@ -131,7 +129,7 @@ fn in_words(given: &Given<'_>, backend: &dyn Contestant, raw: &[Raw]) -> Vec<Fin
             *stage = backend.stages().iter().zip(before.iter().zip(&after)).find(|(_, (a, b))| a != b).map(|(&s, _)| s);
         }
     });
-    // A backend that took the scene before takes it again; if not, findings have no stage.
+    // A backend that accepted the scene before accepts it again; otherwise findings have no stage.
     drop(prepared);
     let finding = |(raw, stage): (&Raw, Option<&'static str>)| {
         let args = given.queries.args(raw.query);

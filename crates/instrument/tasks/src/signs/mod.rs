@@ -1,8 +1,7 @@
-//! `compare`, `orient2d`, `orient3d`, `incircle`, `insphere`: signs of one predicate.
+//! The tasks `compare`, `orient2d`, `orient3d`, `incircle` and `insphere`: signs of one predicate.
 //!
-//! The task of Shewchuk's tests and of every degenerate scene that fits into a
-//! list of queries. Each answer is held against the exact sign, and samples of
-//! answers against each other (the laws of predicates).
+//! They cover Shewchuk's tests and every degenerate scene that fits into a list of queries. Each answer is compared
+//! with the exact sign, and samples of answers with each other (the laws of predicates).
 
 mod axioms;
 mod checks;
@@ -41,10 +40,10 @@ use crate::{
     Stop, Task, Turns, Watch, digest,
 };
 
-/// Queries to a chunk: small enough to stop soon, large enough to cost nothing.
+/// The number of queries in a chunk: small enough to stop soon, large enough to have no overhead.
 const CHUNK: usize = 4096;
 
-/// Signs of one predicate.
+/// The task of the signs of one predicate.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Signs {
     kind: PredicateKind,
@@ -193,7 +192,7 @@ impl Task for Signs {
         how: &How<'_>,
         answer: &mut Answers,
     ) -> Result<(), Halt> {
-        // A call of a batch is dynamic; its queries are not.
+        // The call of a batch is dynamic; its queries are not.
         signs(&*session, content, how, &mut answer.0)?;
         Ok(())
     }
@@ -252,7 +251,7 @@ impl Task for Signs {
     }
 }
 
-/// All answers of a session, in order, in the threads of the current pool.
+/// Computes all answers of a session, in order, on the threads of the current pool.
 fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &mut Vec<Sign>) -> Result<(), Stop> {
     let queries = &content.queries;
     out.resize(queries.len(), Sign::Zero);
@@ -266,7 +265,7 @@ fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &m
     out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
 }
 
-/// Points to start from, which plain doubles get wrong, or nearly.
+/// Example points of the template, for which plain doubles are wrong, or nearly.
 fn first_points(kind: PredicateKind) -> &'static [&'static str] {
     match kind {
         PredicateKind::Compare => &["[0, 0]", "[\"0x1p-1074\", 0]"],

@@ -1,9 +1,9 @@
-//! The key `queries`: which vertices are asked about.
+//! The key `queries`: the vertices of the queries.
 
 use predicament_formats::{CorpusError, Field, Fields};
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, UnknownName, Vertex};
 
-/// More combinations than this are a mistake, not a scene.
+/// The maximum number of combinations; more are a mistake, not a scene.
 const MOST_COMBINATIONS: usize = 1_000_000;
 
 /// The `queries` of a scene, before its points are known.
@@ -117,14 +117,14 @@ pub(super) fn question(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Q
     })
 }
 
-/// The `axis` of a table; x where it has none.
+/// The `axis` of a table; x by default.
 pub fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
     fields.get("axis").map_or(Ok(Axis::X), |field| {
         field.str()?.parse().map_err(|unknown: UnknownName| field.error(unknown.to_string(), "write x, y or z"))
     })
 }
 
-/// Whether a question can be asked of points with so many coordinates.
+/// Checks that a question applies to points of a dimension.
 pub(super) fn fits(question: Question, dimension: Dimension) -> Result<(), (String, String)> {
     let needed = match question {
         Question::Compare(Axis::X | Axis::Y) | Question::Orient2d(Plane::Xy) => return Ok(()),
@@ -166,7 +166,7 @@ fn explicit(field: &Field<'_, '_>, arity: usize) -> Result<Vec<(usize, Vec<Verte
         .collect()
 }
 
-/// The number of ways to choose; none where it does not fit.
+/// The number of combinations; `None` on overflow.
 fn combinations(n: usize, k: usize) -> Option<usize> {
     (0..k).try_fold(1_usize, |count, i| {
         let factor = n.checked_sub(i)?;

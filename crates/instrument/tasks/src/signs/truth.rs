@@ -1,4 +1,4 @@
-//! The exact signs of all queries, samples of them found twice.
+//! The exact signs of all queries; those of a sample are computed twice.
 
 use predicament_judge as judge;
 use predicament_predicates::{QuerySet, Scene, Sign};
@@ -7,13 +7,13 @@ use rayon::prelude::*;
 use super::CHUNK;
 use crate::{Dispute, Stop, Watch};
 
-/// One query in so many is judged twice, the second time in rationals.
+/// The stride of queries that are judged twice, the second time in rationals.
 const TWICE: usize = 1024;
 
-/// The exact signs of all queries, those of an even sample found twice.
+/// The exact signs of all queries; those of an even sample are computed twice.
 ///
 /// # Errors
-/// [`Stop`] where the watch says so.
+/// [`Stop`] if the watch stops the computation.
 ///
 /// # Panics
 /// If the judge contradicts itself.
@@ -35,7 +35,7 @@ pub fn truth(scene: &Scene, queries: &QuerySet, watch: &Watch) -> Result<Vec<Sig
     Ok(signs)
 }
 
-/// Holds the signs that came with the data against the judge's.
+/// Compares the published signs with the judge's.
 pub(super) fn dispute(queries: &QuerySet, truth: &[Sign], expected: &[Sign]) -> Option<Dispute> {
     let mut wrong = (0..truth.len()).filter(|&i| truth[i] != expected[i]).peekable();
     let &first = wrong.peek()?;

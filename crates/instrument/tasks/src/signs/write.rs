@@ -1,4 +1,4 @@
-//! Answers as a CSV file, one line for each query; turns in the plane as a picture besides.
+//! Answers as a CSV file, one line for each query; turns in the plane also as a picture.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -7,11 +7,12 @@ use predicament_predicates::{Dimension, QuerySet, Question, Scene, Sign, Vertex}
 
 use crate::output;
 
-/// The most triangles that are drawn: more would cover each other.
+/// The maximum number of triangles drawn: more would cover each other.
 const DRAWN: usize = 10_000;
 
-/// Writes `signs.csv`: the query as findings name it, and its sign as -1, 0 or 1. For `orient2d` of points in the plane,
-/// up to 10,000 queries, also their triangles as `triangles.svg` and `triangles.geojson`, and the vertices exactly.
+/// Writes `signs.csv`: the query as findings name it, and its sign as -1, 0 or 1. For up to 10,000 `orient2d` queries
+/// of points in the plane, it also writes their triangles as `triangles.svg` and `triangles.geojson`, and the exact
+/// vertices.
 pub(super) fn write(
     scene: &Scene,
     queries: &QuerySet,

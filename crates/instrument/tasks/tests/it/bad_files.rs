@@ -1,5 +1,4 @@
-//! Every file under `bad/` fails with the error in its first line, exactly:
-//! file, line, what is wrong and what to do about it.
+//! Every file under `bad/` fails with exactly the error in its first line: file, line, problem and fix.
 
 use std::path::{Path, PathBuf};
 
@@ -21,7 +20,7 @@ fn tasks() -> String {
     predicament_bundle::vocabulary().names().collect::<Vec<_>>().join(", ")
 }
 
-/// The names of all families, each where it comes first.
+/// The names of all families, each at its first occurrence.
 fn families() -> String {
     let mut names: Vec<&str> = Vec::new();
     for family in predicament_bundle::vocabulary().tasks().iter().flat_map(|task| task.families()) {
@@ -78,7 +77,7 @@ fn the_same_scene_in_two_suites_is_an_error() {
     assert_eq!(error.line(), Some(2));
     assert!(error.to_string().contains("two.toml:2: scene `two/b` has the same content as `one/a`"), "{error}");
 
-    // Generated scenes are compared once they are loaded.
+    // Generated scenes are compared after they are loaded.
     std::fs::write(folder.path().join("two.toml"), format!("title = \"t\"\n{generated}name = \"again\"\n")).unwrap();
     let library = Library::from_dir(predicament_bundle::vocabulary(), folder.path()).unwrap();
     let error = library.verify(Level::Quick, &Cache::new(folder.path()), |_| ()).unwrap_err();

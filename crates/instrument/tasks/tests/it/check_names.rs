@@ -1,4 +1,4 @@
-//! The names in findings, reports and expectations: others write them down, so each is spelled out here.
+//! The names in findings, reports and expectations: users write them down, so a test pins each name.
 
 use predicament_contacts::checks::audit::{PairKind, Symbol, Verdict};
 use predicament_interval::checks::PartitionFault;
@@ -144,7 +144,7 @@ fn pairs_verdicts_and_symbols_of_the_audit() {
     for (verdict, name) in verdicts {
         assert_eq!(verdict.name(), name);
     }
-    // As the paper writes them, the hat of σ as a combining one.
+    // As in the paper, with the hat of σ as a combining character.
     let symbols = [
         (Symbol::Sigma, "σ"),
         (Symbol::Tau, "τ"),

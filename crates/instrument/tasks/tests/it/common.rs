@@ -1,4 +1,4 @@
-//! An independent judge: textbook determinants over rationals; and the ids that are pinned.
+//! An independent judge: textbook determinants over rationals; and the pinned ids.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -14,8 +14,8 @@ pub fn queries(loaded: &LoadedScene) -> &QuerySet {
     &content.unwrap_or_else(|| panic!("{} asks for no signs", loaded.name)).queries
 }
 
-/// The exact determinant of one query: the homogeneous one, with a column of
-/// ones and no translation, in the conventions of `Predicates`.
+/// The exact determinant of one query: the homogeneous one, with a column of ones and no translation, in the
+/// conventions of `Predicates`.
 pub fn determinant(loaded: &LoadedScene, query: usize) -> Rational {
     let queries = queries(loaded);
     let row = |v: &Vertex| -> Vec<Rational> {
@@ -34,7 +34,7 @@ pub fn determinant(loaded: &LoadedScene, query: usize) -> Rational {
     laplace(&queries.args(query).iter().map(row).collect::<Vec<_>>())
 }
 
-/// Along the first column.
+/// The determinant by Laplace expansion along the first column.
 fn laplace(rows: &[Vec<Rational>]) -> Rational {
     if rows.is_empty() {
         return Rational::from(1);
@@ -56,7 +56,8 @@ pub fn sign(loaded: &LoadedScene, query: usize) -> Sign {
     Sign::from(determinant(loaded, query).cmp0())
 }
 
-/// The file of a crate in which the ids of its tasks' scenes are pinned: those of signs stand here, those of a system beside its tests.
+/// The file of a crate in which the ids of its tasks' scenes are pinned: those of signs are in this crate, those of a
+/// system in its own crate.
 pub const PINNED: &str = "tests/ids.txt";
 
 /// The id of a scene, as a crate has pinned it.
@@ -65,7 +66,8 @@ pub struct Pinned {
     pub id: String,
     /// The file.
     pub file: PathBuf,
-    /// Whether the scene has another id once it is written out: `spelled` of its content says why. The word `other` follows its name.
+    /// True if the scene has another id after it is written out: `spelled` of its content says why. The word `other`
+    /// follows its name.
     pub is_other_once_written: bool,
 }
 

@@ -112,7 +112,7 @@ fn every_place_has_its_turn() {
     assert_eq!(kinds.len(), 8, "{kinds:?}");
 }
 
-/// One in five queries by default.
+/// Every fifth query by default, otherwise all queries.
 fn some(queries: &QuerySet) -> QuerySet {
     let chosen = (0..queries.len()).step_by(predicament_effort::some_or_all(5, 1));
     QuerySet::new(queries.question(), chosen.flat_map(|query| queries.args(query)).copied().collect::<Vec<_>>())

@@ -1,4 +1,4 @@
-//! Two complexes: written out, from files, and generated.
+//! Tests of scenes with two complexes: written out, from files, and generated.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -22,7 +22,7 @@ fn complexes(loaded: &LoadedScene) -> [&Complex; 2] {
     complexes.unwrap_or_else(|| panic!("{} asks for no contacts", loaded.name)).both()
 }
 
-/// One scene from a suite in a folder.
+/// Loads a scene from a suite in a folder.
 fn load(folder: &Path, scene: &str) -> LoadedScene {
     let text = format!("title = \"t\"\n[[scene]]\nname = \"x\"\n{scene}");
     let suite =
@@ -37,7 +37,7 @@ fn turn(scene: &Scene, [a, b, c]: [Vertex; 3]) -> std::cmp::Ordering {
     left.cmp(&(Rational::from(&b[1] - &a[1]) * Rational::from(&c[0] - &a[0])))
 }
 
-/// Whether two edges without a common vertex have a common point.
+/// True if two edges without a common vertex have a common point.
 fn meet(scene: &Scene, [a, b]: [Vertex; 2], [c, d]: [Vertex; 2]) -> bool {
     let overlap = (0..2).all(|i| {
         let [a, b, c, d] = [a, b, c, d].map(|v| scene.point(v)[i]);

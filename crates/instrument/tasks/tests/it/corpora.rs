@@ -1,4 +1,4 @@
-//! The embedded suites are what they say they are.
+//! Tests that the embedded suites are as described.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -86,7 +86,7 @@ fn every_family_is_in_a_suite_for_every_task() {
     let mut families = 0;
     for task in predicament_bundle::vocabulary().tasks() {
         for &Family { name, reported_as, .. } in task.families() {
-            // Where a scene is a family of its own, it is named after the generator here.
+            // If a scene is a separate family, it is named after the generator here.
             let is_it =
                 |family: &str| reported_as.map_or(family.starts_with(name), |reported_as| family == reported_as);
             assert!(used.iter().any(|(family, of)| *of == task.name() && is_it(family)), "{name} for {}", task.name());
@@ -158,7 +158,7 @@ fn degenerate_families_are_degenerate() {
         for query in (0..loaded.count()).step_by(10) {
             assert_eq!(sign(loaded, query), Sign::Zero, "{} {query}", loaded.name);
         }
-        // Not because points coincide.
+        // The reason is not that points coincide.
         let args = queries(loaded);
         for query in 0..args.len() {
             let points: BTreeSet<Vec<u64>> =
@@ -290,7 +290,7 @@ fn pixel_maps_are_squares_of_neighbours_that_naive_arithmetic_gets_wrong() {
         let mut wrong = 0;
         for j in 0..side {
             for i in 0..side {
-                // 0.5 and a little more: the neighbours are 2^-53 apart.
+                // Coordinates ascend from 0.5: neighbours are 2^-53 apart.
                 let right = pixel(i, j);
                 if i + 1 < side {
                     assert_eq!(right[0].next_up(), pixel(i + 1, j)[0]);
@@ -315,7 +315,7 @@ fn content_of_map(loaded: &LoadedScene) -> &MapWithProbes {
     loaded.content().unwrap_or_else(|| panic!("{} is no map", loaded.name))
 }
 
-/// Whether p is strictly inside the rings by crossing parity, exactly, or on them.
+/// True if p is strictly inside the rings by crossing parity, exactly; `None` if it is on them.
 fn inside(rings: &[Vec<[f64; 2]>], p: [f64; 2]) -> Option<bool> {
     let mut odd = false;
     for ring in rings {
@@ -342,7 +342,7 @@ fn tilings_tile() {
     for name in ["tiling", "bricks"] {
         let loaded = load(name);
         let MapWithProbes { map, probes, .. } = content_of_map(&loaded);
-        // A border between two regions is walked once in each direction.
+        // A border between two regions occurs once in each direction.
         let mut directed = BTreeSet::new();
         for (_, edge) in map.edges() {
             assert!(directed.insert(edge), "{name}: {edge:?} twice");
@@ -377,7 +377,7 @@ fn probes_are_vertices_of_their_own_where_they_should_be() {
         let corners = loaded.scene.len() - probes.len();
         let of_map = leading..leading + corners;
         assert!(map.edges().all(|(_, ends)| ends.iter().all(|end| of_map.contains(&end.index()))));
-        // Every kind of probe is numbered on both sides of the map.
+        // Every kind of probe has numbers on both sides of the map.
         let sides: BTreeSet<(ProbeKind, bool)> =
             probes.iter().map(|probe| (probe.kind, probe.vertex.index() < leading)).collect();
         assert_eq!(sides.len(), 2 * 5, "{name}: {sides:?}");
@@ -402,7 +402,7 @@ fn probes_are_vertices_of_their_own_where_they_should_be() {
         assert_eq!(kinds[&ProbeKind::Vertex], corners);
         assert_eq!((kinds[&ProbeKind::Below], kinds[&ProbeKind::Above]), (corners, corners));
         assert_eq!(kinds[&ProbeKind::Random], 2000);
-        // On integers every midpoint is a double: one for each undirected edge.
+        // On integers every midpoint is a double: one probe for each undirected edge.
         let edges: BTreeSet<_> = map.edges().map(|(_, [a, b])| [a.min(b), a.max(b)]).collect();
         let midpoints: BTreeSet<_> = probes
             .iter()

@@ -1,4 +1,4 @@
-//! Suites made lossless: only decimals that mean no double are rewritten.
+//! Tests of lossless suites: only decimals that are not doubles are rewritten.
 
 use predicament_corpus::fmt;
 use predicament_formats::read_coordinate;
@@ -57,7 +57,7 @@ proptest! {
     #[test]
     fn rewriting_keeps_the_nearest_doubles(points in proptest::collection::vec((-1e9..1e9f64, any::<f32>()), 1..20)) {
         let points: Vec<_> = points.into_iter().filter(|(_, y)| y.is_finite() && *y != 0.0).collect();
-        // Shortest decimals of doubles, which mean them, and of 20 digits, most of which mean none.
+        // Shortest decimals of doubles, which are doubles, and decimals of 20 digits, most of which are not.
         let rows: String = points.iter().map(|(x, y)| format!("  [{x:?}, \"{y:.19e}\"],\n")).collect();
         let text = format!("title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"compare\"\npoints = [\n{rows}]\n");
         let once = fmt(predicament_bundle::vocabulary(), "s.toml", &text).unwrap();

@@ -1,4 +1,4 @@
-//! The hostile list: what a suite or a data file may ask for, and is refused in one line, at once.
+//! The hostile list: excessive requests of a suite or a data file are refused in one line, at once.
 
 use std::io::Write;
 use std::path::Path;
@@ -13,7 +13,7 @@ fn load(path: &Path) -> Result<(), CorpusError> {
     suite.scenes.iter().try_for_each(|scene| scene.load(Level::Full, &Cache::new("nowhere")).map(drop))
 }
 
-/// What is refused: a name for messages, the suite, and a part of the error.
+/// An attack: a name for messages, the suite, and a part of the error.
 struct Attack {
     name: String,
     suite: Vec<u8>,
@@ -215,7 +215,7 @@ fn packed(bytes: &[u8]) -> Vec<u8> {
     packer.finish().unwrap()
 }
 
-/// Holds an error against what is expected: one short line.
+/// Compares an error with the expectation: one short line.
 fn hold(name: &str, found: Result<(), CorpusError>, expected: &str) -> Result<(), String> {
     let Err(error) = found else { return Err(format!("{name}: not refused")) };
     let line = error.to_string();
@@ -284,7 +284,7 @@ fn pipes_devices_and_folders_are_not_opened() {
     }
     assert_eq!(attacks.len(), 9, "the list");
     for (suite, expected) in attacks {
-        // A pipe that is opened is waited for.
+        // Opening a pipe would wait.
         let (done, waiting) = mpsc::channel();
         let name = suite.display().to_string();
         std::thread::spawn(move || done.send(load(&suite)));

@@ -16,7 +16,7 @@ fn winding_numbers_are_the_same_in_another_direction() {
         let (mut same, step) = (0, content.probes.len() / 30 + 1);
         for probe in content.probes.iter().step_by(step) {
             let along_x = judge.locate(probe.vertex);
-            // No multiples of the edges' directions, so that few rays touch one.
+            // Not a multiple of the edges' directions, so that few rays touch an edge.
             let Some(along) = judge.winding(probe.vertex, [10_007, -3_001, 7_919]) else { continue };
             // A point can be on a triangle that is parallel to the other ray.
             let is_same = match (&along_x, &along) {

@@ -1,4 +1,4 @@
-//! Files of answers: what other programs read, and vertices exactly.
+//! Tests of answer files: formats of other programs, and exact vertices.
 
 use predicament_predicates::{Construction, Dimension, Scene, Vertex};
 use predicament_tasks::output;
@@ -51,7 +51,7 @@ fn polygons_of_the_plane_are_features_and_a_picture() {
 #[test]
 fn a_crossing_between_doubles_is_drawn_between_them() {
     let folder = tempfile::tempdir().unwrap();
-    // Doubles are a unit apart: two triangles of slide 72 to 76, "Orientation Inversion".
+    // Doubles are one unit apart: two triangles of slide 72 to 76, "Orientation Inversion".
     let base = 2.0_f64.powi(52);
     let corners = [[6.0, 3.0], [0.0, 7.0], [8.0, 2.0], [1.0, 6.0]].map(|point| point.map(|x| base + x));
     let mut scene = Scene::from_points2(&corners).unwrap();
@@ -59,7 +59,7 @@ fn a_crossing_between_doubles_is_drawn_between_them() {
     let x = scene.construct(Construction::Ssi([[a, b], [c, d]])).unwrap();
     let files = output::plane(&scene, &[vec![vec![a, x, d]]], folder.path(), "turn").unwrap();
     let svg = std::fs::read_to_string(&files[0]).unwrap();
-    // (4.5, 4) in the box from (1, 3) to (6, 6), 192 pixels a unit.
+    // The point (4.5, 4) in the box from (1, 3) to (6, 6), 192 pixels per unit.
     assert!(svg.contains("<path d=\"M980.00 596.00L692.00 404.00L20.00 20.00Z\"/>"), "{svg}");
     let at = &json(&files[1])["features"][0]["geometry"]["coordinates"][0][1];
     assert_eq!(*at, serde_json::json!([base + 4.0, base + 4.0]), "rounded to even");

@@ -1,5 +1,4 @@
-//! A task from outside: its own key, family and table, on every backend of the
-//! house without a line there that names it.
+//! An external task: its own key, family and table, on every built-in backend without code there that names it.
 
 use std::any::Any;
 use std::path::{Path, PathBuf};
@@ -21,11 +20,11 @@ use predicament_tasks::{
 };
 use serde::{Deserialize, Serialize};
 
-/// How many turns to the left a path takes.
+/// The task that counts the left turns of a path.
 #[derive(Clone, Copy, Debug)]
 struct LeftTurns;
 
-/// The path goes from every so-manyth point to the next.
+/// A path from every n-th point to the next.
 #[derive(Debug)]
 struct Stride(usize);
 
@@ -56,7 +55,7 @@ impl Answer for Count {
     }
 }
 
-/// `turns.csv`.
+/// A row of `turns.csv`.
 #[derive(PartialEq, Debug, Serialize, Deserialize)]
 struct TurnRow {
     scene: String,
@@ -70,8 +69,8 @@ impl Row for TurnRow {
     const COLUMNS: &'static [&'static str] = &["scene", "backend", "found", "truth"];
 }
 
-/// Paths to and fro between a pixel near (0.5, 0.5), (12, 12) and (24, 24), as in
-/// the pictures of Kettner et al.: plain floating point gets many turns wrong.
+/// Paths between a pixel near (0.5, 0.5), (12, 12) and (24, 24), as in the pictures of Kettner et al.: plain floating
+/// point gets many turns wrong.
 static FAMILIES: [Family; 1] = [Family {
     name: "to-and-fro",
     reported_as: Some("to-and-fro"),
@@ -244,7 +243,7 @@ fn on(name: &str) -> Box<dyn Contestant> {
     backend(name, &(LeftTurns, Systems)).unwrap()
 }
 
-/// Calls with a watch that lets everything pass.
+/// Calls a function with a watch that never stops it.
 fn watched<T>(then: impl FnOnce(&Watch) -> T) -> T {
     then(&Watch::new(&AtomicBool::new(false), None, &|_| {}))
 }
@@ -394,7 +393,7 @@ fn its_rows_reach_the_report() {
     assert!(page.contains("## Left turns\n\nTurns to the left.\n"), "{page}");
     assert!(page.contains("| zigzag | exact | 2 | 2 |\n| zigzag | naive | 2 | 2 |\n"), "{page}");
     assert!(html(&runs, &[section], &[]).unwrap().contains("<section id=\"left-turns\">"));
-    // Other columns, of the same length, in a folder that does not say what it has written: it would be refused.
+    // Other columns of the same length, in a folder that does not list its files: otherwise it would be refused.
     let [path, state] = [TurnRow::FILE, "state.json"].map(|file| folder.path().join(file));
     let text = std::fs::read_to_string(&path).unwrap();
     std::fs::write(path, text.replace("truth", "trust")).unwrap();

@@ -1,4 +1,4 @@
-//! Data of one's own: every format where points, segments, maps and complexes are taken, and what is said of it.
+//! Tests of user data: every format for points, segments, maps and complexes, and the notes about it.
 
 use std::path::Path;
 
@@ -264,7 +264,7 @@ fn rounding_is_asked_for_and_counted() {
         let rounded = load(&folder, &format!("round = true\n{scene}"));
         assert_eq!(rounded.notes, ImportNotes { rounded: 2, ..ImportNotes::default() });
         assert_eq!(rounded.scene.coordinates(), [0.1, 0.5, 0.2, 1.0, 3.0, 4.0]);
-        // The suite's word is that of its scenes, unless they have their own.
+        // The suite's setting applies to its scenes, unless they have their own.
         let by_suite = |scene: &str| suite(folder.path(), "round = true", scene);
         assert_eq!(by_suite(scene).unwrap().id, rounded.id);
         assert!(by_suite(&format!("round = false\n{scene}")).is_err());
@@ -273,7 +273,7 @@ fn rounding_is_asked_for_and_counted() {
     assert_eq!(load(&folder, mixed).notes.rounded, 3, "decimals of the suite and of its files");
     let polygons = "round = true\ntask = \"polygon-locate\"\nmap = { polygons = [[[[0.1000000000000000001, 0], [1, 0], [0, 1]]]] }";
     assert_eq!(load(&folder, polygons).notes.rounded, 1);
-    // 0.1 + 1 is no double: rounding cures a decimal and nothing else.
+    // 0.1 + 1 is not a double: rounding fixes a decimal and nothing else.
     let cubes = refused(&folder, "round = true\ntask = \"cube-union\"\ncubes = { path = \"c.csv\" }");
     assert!(cubes.starts_with("c.csv:1: cube 0: 0.1 + 1.0 along axis 0 is no double"), "{cubes}");
     assert_eq!(

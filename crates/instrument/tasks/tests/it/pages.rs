@@ -1,5 +1,5 @@
-//! The page of two small runs that were written by hand, with the sections of
-//! the tasks: one run was interrupted while it checked answers, one timed them.
+//! The page of two small runs that were written by hand, with the sections of the tasks: one run was interrupted during
+//! checks, the other timed answers.
 
 use std::path::Path;
 
@@ -27,7 +27,8 @@ fn page(runs: &[RunDir]) -> String {
     markdown(runs, &sections(runs)).unwrap()
 }
 
-/// To accept a new page: `UPDATE=1 cargo test -p predicament-tasks`, then read the difference.
+/// Compares the page with the approved one. To accept a new page: `UPDATE=1 cargo test -p predicament-tasks`, then read
+/// the difference.
 #[test]
 fn markdown_is_as_it_was_read_and_approved() {
     let page = page(&runs());
@@ -41,17 +42,17 @@ fn markdown_is_as_it_was_read_and_approved() {
     assert_eq!(page.lines().count(), golden.lines().count());
 }
 
-/// The numbers of the tasks' sections that take some arithmetic, worked out by hand from the rows.
+/// Checks the computed numbers of the tasks' sections against hand calculations from the rows.
 #[test]
 fn numbers_trace_to_rows() {
     let page = page(&runs());
-    // A union that came out right, and one that came out negative.
+    // A correct union, and one that was negative.
     assert!(page.contains("| 1 | corner-in-corner (cubes) | sos | 2 | 15.0000 | 42.0000 | 48.0000 | 14 | 6 | 0 |"));
     assert!(page.contains("| 1 | twins (cubes) | exact | 3 | −2.00000 (expected: 1.00000) |"), "{page}");
     // exact, edges with vertices: 1 of 4 and 3 of 4 had ended; then 2 of 9, 1 of 3 and none of none.
     let contacts = "| 1 | two-triangles (contacts) | contacts2d | exact | 1 (0 % ended) | 1 (50.0 % ended) | 2 (25.0 % ended) |  |";
     assert!(page.contains(contacts), "{page}");
-    // Probes on land that naive found in two regions.
+    // Probes on land that naive located in two regions.
     assert!(page.contains("| 1 | two-squares (maps) | land | naive | 8 | 0 | 7 | 1 | 0 | 1 |"), "{page}");
 }
 
@@ -79,7 +80,7 @@ fn sections_without_rows_are_left_out_and_named() {
     }
 }
 
-/// A copy of the first run with the rows of the tasks' tables changed.
+/// A copy of the first run with modified rows in the tasks' tables.
 fn changed(folder: &Path, change: impl Fn(&str, &mut Vec<String>)) -> RunDir {
     for file in std::fs::read_dir("tests/data/checked").unwrap() {
         let (name, path) = file.map(|file| (file.file_name().into_string().unwrap(), file.path())).unwrap();

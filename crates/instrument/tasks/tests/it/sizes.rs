@@ -1,4 +1,4 @@
-//! What recipes say of their size: a scene is never larger, or the limit would not hold.
+//! Tests of the sizes that recipes state: a scene is never larger, or the limit would fail.
 
 use predicament_corpus::{Level, Making};
 use predicament_formats::{Document, Fields, TableKind};
@@ -6,7 +6,7 @@ use predicament_formats::{Document, Fields, TableKind};
 #[test]
 fn no_scene_is_larger_than_its_recipe_says() {
     let mut families = 0;
-    // A table of a generator may have the keys of all families, as recipes that are read alike ask for them, and a seed.
+    // A generator's table may have the keys of all families, since similar recipes read them, and a seed.
     let of_families = predicament_bundle::tasks()
         .iter()
         .copied()
@@ -32,7 +32,7 @@ fn no_scene_is_larger_than_its_recipe_says() {
                     let found = recipe.make(&making).scene.coordinates().len() as u64;
                     let said = recipe.coordinates(n as u64);
                     assert!(found <= said, "{name}, n = {n}: {found} coordinates, and the recipe says {said}");
-                    // Far too large would refuse what is none too large.
+                    // A much larger stated size would refuse a scene that is not too large.
                     assert!(
                         said <= 20 * found + 2000,
                         "{name}, n = {n}: {found} coordinates, and the recipe says {said}"

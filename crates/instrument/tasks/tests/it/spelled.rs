@@ -1,4 +1,4 @@
-//! Scenes written out: read again they are the same scenes, and what is changed in them is changed.
+//! Tests of scenes written out: reading gives the same scenes, and changes to the text change the scene.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicBool;
@@ -12,12 +12,12 @@ use predicament_tasks::{Budget, Class, Watch};
 
 use crate::common::pinned;
 
-/// Scenes of more coordinates are left out: their text is long, and says nothing that others do not.
+/// The maximum number of coordinates of tested scenes; the text of larger ones is long and adds nothing.
 const MOST: usize = 8_000;
-/// Scenes of at most so many coordinates are judged again.
+/// The maximum number of coordinates of scenes that are judged again.
 const JUDGED: usize = 1_500;
 
-/// The embedded scenes that need no download and are of moderate size, and how many are larger.
+/// The embedded scenes of moderate size that need no download, and the number of larger scenes.
 fn moderate() -> (Vec<LoadedScene>, usize) {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let scenes = library.suites().unwrap().iter().flat_map(|suite| &suite.scenes).filter(|scene| !scene.needs_fetch());
@@ -32,7 +32,7 @@ fn read(spelled: &Spelled, name: &str) -> LoadedScene {
     spelled.loaded(predicament_bundle::vocabulary(), name).unwrap_or_else(|why| panic!("{name}: {why}"))
 }
 
-/// How many answers of `exact` are of which class.
+/// The numbers of answers of `exact` by class.
 fn classes(loaded: &LoadedScene) -> BTreeMap<String, u64> {
     let (cancel, silent) = (AtomicBool::new(false), |_: u64| {});
     let watch = Watch::new(&cancel, None, &silent);
@@ -53,7 +53,7 @@ fn what_is_written_out_is_read_as_the_same_scene() {
     let (mut others, mut judged) = (BTreeSet::new(), 0);
     for (at, loaded) in scenes.iter().enumerate() {
         let name = format!("{}/{}", loaded.suite, loaded.name);
-        // By default those that are marked, and one in three others.
+        // By default the marked ones, and one in three others.
         if !at.is_multiple_of(some_or_all(3, 1)) && !marked.contains(&name) {
             continue;
         }
@@ -65,7 +65,7 @@ fn what_is_written_out_is_read_as_the_same_scene() {
             tasks.insert(loaded.task);
             continue;
         }
-        // Zero has two signs, and one place.
+        // Zero has two signs, and one position.
         let places =
             |of: &LoadedScene| -> Vec<u64> { of.scene.coordinates().iter().map(|x| (x + 0.0).to_bits()).collect() };
         assert_eq!(places(&again), places(loaded), "{name}");
@@ -85,7 +85,7 @@ fn what_is_written_out_is_read_as_the_same_scene() {
     assert!(larger * 4 < scenes.len(), "{larger} of {} are left out", scenes.len());
 }
 
-/// A change to a scene that is written out; false where it has nothing to change.
+/// A change to a scene that is written out; returns false if there is nothing to change.
 type Change = fn(&mut Spelled) -> bool;
 
 fn drop_an_item(spelled: &mut Spelled) -> bool {
@@ -130,8 +130,8 @@ fn what_is_changed_is_another_scene() {
         let mut of_task: Vec<&LoadedScene> = scenes.iter().filter(|loaded| loaded.task == task).collect();
         of_task.sort_by_key(|loaded| loaded.scene.coordinates().len());
         for (what, change) in changes {
-            // Hulls and cubes have no tuples, cells go one way only, a mesh with one triangle turned over or left out is not
-            // closed, and the upper corners of cubes have to be doubles.
+            // Hulls and cubes have no tuples, cells have one direction only, a mesh with one triangle reversed or
+            // removed is not closed, and the upper corners of cubes must be doubles.
             if matches!(
                 (task, what),
                 ("hull2d" | "hull3d" | "cube-union" | "interval" | "mesh-intersect", "swap")
@@ -140,7 +140,7 @@ fn what_is_changed_is_another_scene() {
             ) {
                 continue;
             }
-            // Scenes in which this is not refused: a mesh may have to be closed, a face plane.
+            // Scenes for which the change is not refused: a mesh may have to be closed, a face planar.
             let changed = of_task.iter().filter_map(|loaded| {
                 let spelled = loaded.spelled()?;
                 let mut other = spelled.clone();
@@ -149,7 +149,7 @@ fn what_is_changed_is_another_scene() {
                 Some(other.id != read(&spelled, &loaded.name).id)
             });
             let outcomes: Vec<bool> = changed.take(2).collect();
-            // Simplices and rounded segments are kept with their vertices sorted, and tetrahedra are turned.
+            // Simplices and rounded segments are stored with sorted vertices, and tetrahedra are oriented.
             let is_kept = matches!((task, what), ("contacts2d" | "contacts3d" | "snap2d" | "mesh-locate", "swap"));
             assert!(!outcomes.is_empty(), "{task}: no scene to {what}");
             assert!(outcomes.iter().all(|&is_other| is_other != is_kept), "{task}: {what} gives {outcomes:?}");
@@ -168,7 +168,7 @@ fn load(folder: &std::path::Path, scene: &str) -> LoadedScene {
 #[test]
 fn maps_of_files_keep_the_numbers_of_their_vertices() {
     let folder = tempfile::tempdir().unwrap();
-    // A border that is shared, a hole, a region of two parts, one that crosses itself.
+    // A shared border, a hole, a region of two parts, and a region that crosses itself.
     let map = "POLYGON ((4 0, 0 0, 0 4, 4 4, 4 0), (1 1, 1 2, 2 2, 1 1))\nPOLYGON ((4 0, 8 0, 8 4, 4 4, 4 0))\n\
                MULTIPOLYGON (((10 0, 12 0, 12 2, 10 0)), ((20 0, 22 0, 22 2, 20 0)))\nPOLYGON ((30 0, 34 4, 34 0, 30 4, 30 0))\n";
     std::fs::write(folder.path().join("map.wkt"), map).unwrap();
@@ -202,7 +202,7 @@ fn probes_of_a_map_are_written_out_or_in_a_file() {
     assert_eq!((loaded.count(), loaded.scene.len()), (3, 7));
     assert_eq!(load("{ path = \"probes.csv\" }").id, loaded.id);
     assert_ne!(load("[[4, 4], [2, 2], [0, 8]]").id, loaded.id);
-    // Before and after the map in turn.
+    // Alternately before and after the map.
     let at = |v: usize| loaded.scene.point(Vertex::input(v)).to_vec();
     assert_eq!((at(0), at(1), at(6)), (vec![4.0, 4.0], vec![0.0, 9.0], vec![2.0, 2.0]));
     assert_eq!(classes(&loaded)["agree"], 3);

@@ -1,4 +1,4 @@
-//! The tables of tasks: columns, checks, and the way to the disk and back.
+//! Tests of the tables of tasks: columns, checks, and the round trip to disk.
 
 use predicament_contacts::task::ContactRow;
 use predicament_cube_union::task::MassRow;
@@ -201,7 +201,7 @@ fn rows_that_make_no_sense_are_not_written() {
     for mass in masses {
         assert!(Record::of(&mass).is_err(), "{mass:?}");
     }
-    // Of cubes that are too small or too large for it.
+    // Volumes of cubes that are too small or too large for it.
     for true_volume in [0.0, f64::INFINITY] {
         assert!(Record::of(&MassRow { true_volume, ..mass() }).is_ok());
     }

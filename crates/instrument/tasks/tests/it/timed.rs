@@ -1,4 +1,4 @@
-//! How queries of one predicate are asked while they are timed, seen by a backend that keeps a record.
+//! Tests of timed queries of one predicate, by a backend that records its calls.
 
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex};
@@ -13,7 +13,7 @@ use predicament_records::Interface;
 use predicament_tasks::signs::Signs;
 use predicament_tasks::{Contestant, Entry};
 
-/// What was asked: calls of batches with their queries, and single queries.
+/// The recorded calls: batches with their queries, and single queries.
 #[derive(Default)]
 struct Record {
     singles: Vec<[Vertex; 3]>,
@@ -24,9 +24,9 @@ struct Record {
 struct Recorder {
     record: Arc<Mutex<Record>>,
     batches: Batches,
-    /// Whether the session has a clock of its own.
+    /// True if the session has its own clock.
     has_clock: bool,
-    /// From which single query on answers are others than before.
+    /// The index of the single query from which answers differ.
     turns: usize,
 }
 
@@ -116,7 +116,7 @@ fn scene() -> LoadedScene {
     suite.unwrap().scenes[0].load(Level::Quick, &Cache::new("nowhere")).unwrap()
 }
 
-/// The passes of a recorder by an interface: what was asked, and the digests after each sample.
+/// The passes of a recorder by an interface: the recorded calls, and the digests after each sample.
 fn passes(recorder: &Recorder, interface: Interface, samples: &[u32]) -> Vec<u64> {
     let (scene, entry) = (scene(), Entry::new(recorder.clone()));
     let solver = entry.solver("orient2d").unwrap();

@@ -1,8 +1,8 @@
-//! The algorithms.
+//! The algorithms of this crate.
 //!
 //! * [`overlay`]: two meshes cut where they meet, and Boolean operations on solids.
 //! * [`limit`], [`rounding`], [`cascade`]: the results as meshes of doubles, step after step.
-//! * [`resolve`]: a mesh that crosses itself, without that.
+//! * [`resolve`]: the resolution of a mesh that crosses itself.
 //! * [`sessions`]: sessions of scenes that an algorithm makes itself.
 
 pub mod cascade;

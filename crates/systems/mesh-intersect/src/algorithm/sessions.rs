@@ -4,7 +4,7 @@ use predicament_predicates::{Declined, Predicates, Scene};
 
 pub use predicament_predicates::Sessions;
 
-/// What a session of a scene answers.
+/// Calls a function with a session of a scene; returns its result.
 pub(crate) fn with<T, E: From<Declined>>(
     sessions: &dyn Sessions,
     scene: &Scene,

@@ -1,4 +1,4 @@
-//! Where pieces are, and points of space: a sample of both against the judge of points in meshes.
+//! The regions of pieces, and of points in space: a sample of both against the judge of points in meshes.
 
 use predicament_judge::solids::{Boundary, Materials, Place};
 use predicament_mesh::OUTSIDE;
@@ -9,11 +9,11 @@ use rug::Rational;
 use super::settled::Settlement;
 use super::{Laws, Violations, name, note};
 
-/// Directions of rays, one of which misses all edges.
+/// Directions of rays; usually at least one misses all edges.
 const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
 
 impl Laws<'_> {
-    /// The middle of each piece of a sample is in the region that the piece is said to be in; where it is on the other mesh, either
+    /// Checks that the middle of each sampled piece is in the region stated for the piece; on the other mesh, either
     /// side is right.
     pub fn located(&self, budget: usize, found: &mut Violations) {
         let regions = self.regions;
@@ -34,7 +34,7 @@ impl Laws<'_> {
                 let said = regions.pairs[regions.sides[at][0] as usize][1 - mesh];
                 let place = DIRECTIONS.iter().find_map(|&direction| judge.winding(&middle, direction));
                 let is_right = match &place {
-                    // No ray of these misses all edges: nothing is known.
+                    // None of these rays misses all edges: the location is not known.
                     None | Some(Place::On(_)) => true,
                     Some(Place::In(region)) => *region == said,
                     Some(Place::Windings(_)) => true,
@@ -53,8 +53,9 @@ impl Laws<'_> {
         }
     }
 
-    /// Points of space are in a result if, and only if, the operation says so of what they are in: each is located in both meshes, and in the
-    /// surface of each result, with a perturbation and without, and in doubles. Points on any of these are left out.
+    /// Checks that points in space are in a result if and only if the operation says so for their locations. Each point
+    /// is located in both meshes, and in the surface of each result, with a perturbation and without, and in doubles.
+    /// Points on any of these surfaces are left out.
     pub fn probed(&self, probes: &[[f64; 3]], settlement: Option<&Settlement<'_>>, found: &mut Violations) {
         let count = self.scene.len();
         let given = self.scene.vertices().map(|v| self.scene.point3(v));

@@ -10,10 +10,10 @@ use rug::Rational;
 
 use super::{Laws, Point, Violations, name, note};
 
-/// Three components of twice an area's normal, and six times the volume that it spans with the origin.
+/// Three components of twice an area's normal, and six times the volume between the triangle and the origin.
 pub type Measure = [Rational; 4];
 
-/// What is summed for each triangle that was given.
+/// A sum for each source triangle.
 pub type Sums = BTreeMap<Source, Measure>;
 
 /// The names of both meshes.
@@ -38,7 +38,7 @@ impl Laws<'_> {
         [x, y, z, six]
     }
 
-    /// What each triangle of either mesh has in a result, turned as the result has it.
+    /// The measures of each source triangle in a result, with the result's orientation.
     pub fn of_result(&self, at: usize) -> Sums {
         let mut sums = Sums::new();
         for (&triangle, &source) in self.solids[at].iter().zip(&self.sources[at]) {
@@ -47,7 +47,7 @@ impl Laws<'_> {
         sums
     }
 
-    /// What each triangle has in the surface of the inside of its mesh, turned so that the inside is behind it.
+    /// The measures of each triangle in the surface of its mesh's inside, oriented with the inside behind it.
     pub fn of_mesh(&self, mesh: usize) -> Sums {
         let of = &self.meshes[mesh];
         let mut sums = Sums::new();
@@ -62,8 +62,9 @@ impl Laws<'_> {
         sums
     }
 
-    /// The volumes of the results, from their surfaces: that of the union and that of the intersection add up to those of the meshes, and so on. The same holds for
-    /// areas, triangle by triangle: a part of a triangle is in the surface of the union, or in that of the intersection.
+    /// Checks the volumes of the results, from their surfaces: those of the union and the intersection add up to those
+    /// of the meshes, and so on. The same holds for areas, triangle by triangle: a part of a triangle is in the surface
+    /// of the union, or in that of the intersection.
     pub fn results(&self, found: &mut Violations) {
         let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| self.of_result(at));
         let [first, second] = [0, 1].map(|mesh| self.of_mesh(mesh));
@@ -107,7 +108,7 @@ impl Laws<'_> {
         }
     }
 
-    /// Whether the second mesh is the first again.
+    /// True if the second mesh equals the first.
     pub fn is_twice(&self) -> bool {
         let [first, second] = &self.meshes;
         let at = |v: Vertex| self.scene.point3(v);
@@ -115,10 +116,10 @@ impl Laws<'_> {
             && first.triangles().iter().zip(second.triangles()).all(|(a, b)| a.map(at) == b.map(at))
     }
 
-    /// A mesh with itself: both have all of it, and what one has alone has no volume.
+    /// Checks for a mesh with itself that both meshes have the whole volume, and that the part of one alone has none.
     fn of_itself(&self, results: [&Sums; 4], mesh: &Sums, found: &mut Violations) {
         for ((operation, sums), times) in Operation::ALL.into_iter().zip(results).zip([1, 1, 0, 0]) {
-            // Both copies of a triangle together, so that what is left is small.
+            // Both copies of a triangle together, so that the difference is small.
             let mut left = Sums::new();
             let as_first = |source: &Source| Source { mesh: 0, ..*source };
             sums.iter().for_each(|(source, measure)| add(&mut left, as_first(source), measure, 1));
@@ -136,11 +137,11 @@ impl Laws<'_> {
         }
     }
 
-    /// The volume of a region of a mesh is that of all its parts.
+    /// Checks that the volume of a region of a mesh is that of all its parts.
     pub fn volumes(&self, found: &mut Violations) {
         let six = |triangle: [Vertex; 3]| self.six(triangle);
         for (mesh, name) in MESHES.into_iter().enumerate() {
-            // Of a region: of its boundary as the overlay has it, less as the mesh has it, triangle by triangle.
+            // For each region: its boundary in the overlay, less that in the mesh, triangle by triangle.
             let mut missing: BTreeMap<(u32, Source), Rational> = BTreeMap::new();
             let regions = self.regions;
             for ((&triangle, sides), &source) in regions.triangles.iter().zip(&regions.sides).zip(&regions.sources) {
@@ -175,7 +176,7 @@ impl Laws<'_> {
     }
 }
 
-/// Adds a measure so many times.
+/// Adds a measure `times` times.
 pub fn add(sums: &mut Sums, source: Source, measure: &Measure, times: i32) {
     if times == 0 {
         return;

@@ -1,9 +1,10 @@
-//! The laws that an overlay of two meshes satisfies, decided in rationals.
+//! The laws of an overlay of two meshes, decided in rationals.
 //!
-//! Pieces of each triangle cover it once, no piece passes through another one, and each piece is in the region of the other mesh that its
-//! middle is in, as the judge of points in meshes says: that is all there is to it (`pieces.rs`, `located.rs`). The rest follows from this and is decided
-//! by other means: volumes and areas of results (`measures.rs`), how pieces hang together (`topology.rs`), points of space in results
-//! (`located.rs`). What results are without the perturbation, and in doubles, is held against them (`settled.rs`).
+//! Three laws suffice (`pieces.rs`, `located.rs`): pieces of each triangle cover it once; no piece passes through
+//! another one; and each piece is in the region of the other mesh that contains its middle, according to the judge of
+//! points in meshes. The other laws follow from these and are decided by other means: volumes and areas of results
+//! (`measures.rs`), the topology of pieces (`topology.rs`), points in space in results (`located.rs`). The results
+//! without the perturbation, and in doubles, are compared with these (`settled.rs`).
 
 mod located;
 mod measures;
@@ -23,29 +24,29 @@ pub use measures::{Measure, Sums, add};
 pub use settled::{Settled, Settlement};
 pub use surface::flaw_of;
 
-/// What violates a law.
+/// A violation of a law.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Violation {
     /// The name of the check.
     pub check: &'static str,
-    /// What was found.
+    /// The value found.
     pub got: String,
-    /// What holds.
+    /// The law.
     pub law: &'static str,
 }
 
-/// What violates laws, in the order in which it was found.
+/// Violations of laws, in the order in which they were found.
 pub type Violations = Vec<Violation>;
 
-/// Notes what violates a law.
+/// Records a violation of a law.
 pub(crate) fn note(found: &mut Violations, check: &'static str, got: String, law: &'static str) {
     found.push(Violation { check, got, law });
 }
 
-/// An overlay of two meshes, to be held against laws.
+/// An overlay of two meshes under test.
 #[derive(Clone, Debug)]
 pub struct Laws<'a> {
-    /// The vertices that were given.
+    /// The given vertices.
     pub scene: &'a Scene,
     /// The meshes.
     pub meshes: &'a [Arc<MaterialMesh>; 2],
@@ -53,13 +54,13 @@ pub struct Laws<'a> {
     pub regions: &'a Regions,
     /// The surface of each operation, in the order of [`Operation::ALL`](predicament_overlay::answer::Operation::ALL).
     pub solids: &'a [Vec<[Vertex; 3]>; 4],
-    /// For each triangle of these what it is, or is a piece of.
+    /// For each triangle of these, its source.
     pub sources: &'a [Vec<Source>; 4],
-    /// What was constructed.
+    /// The constructions.
     pub constructions: &'a [Construction],
-    /// How many constructions the scene had before.
+    /// The number of constructions that the scene had before.
     pub before: usize,
-    /// Where all vertices are: those of the scene, then the constructed ones.
+    /// The positions of all vertices: those of the scene, then the constructed ones.
     pub points: Vec<Point>,
 }
 

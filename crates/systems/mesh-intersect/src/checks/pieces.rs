@@ -1,4 +1,5 @@
-//! All pieces: each region is closed, pieces cover their triangles once and are on their sides, and results are made of them.
+//! Checks of all pieces: each region is closed, pieces cover their triangles once and are on their sides, and results
+//! consist of them.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +12,8 @@ use predicament_slice::checks::{Expected, Part, Piece, Slices};
 use super::{Laws, Violations, name, note};
 
 impl Laws<'_> {
-    /// The boundary of each region of the overlay is closed: it passes each edge as often one way as the other.
+    /// Checks that the boundary of each region of the overlay is closed: it passes each edge equally often in both
+    /// directions.
     pub fn closed(&self, found: &mut Violations) {
         let mut uses: BTreeMap<(u32, [Vertex; 2]), i64> = BTreeMap::new();
         for (&[a, b, c], &[front, behind]) in self.regions.triangles.iter().zip(&self.regions.sides) {
@@ -37,7 +39,7 @@ impl Laws<'_> {
         }
     }
 
-    /// Each piece has the regions of its triangle on its sides, and one region of the other mesh on both.
+    /// Checks that each piece has the regions of its triangle on its sides, and one region of the other mesh on both.
     pub fn sides(&self, found: &mut Violations) {
         let regions = self.regions;
         let wrong = regions.sources.iter().zip(&regions.sides).filter(|(source, sides)| {
@@ -58,10 +60,11 @@ impl Laws<'_> {
         }
     }
 
-    /// The surface of an operation is the pieces with the inside of its result on one side, turned so that it is behind them.
+    /// Checks that the surface of an operation consists of the pieces with the inside of its result on one side,
+    /// oriented with the inside behind them.
     pub fn operations(&self, found: &mut Violations) {
         let regions = self.regions;
-        // A triangle from its smallest corner on: turned the same way, it is the same.
+        // A triangle from its smallest corner on: this form is unique for an orientation.
         let from_smallest = |[a, b, c]: [Vertex; 3]| {
             let least = a.min(b).min(c);
             if least == a {
@@ -93,7 +96,8 @@ impl Laws<'_> {
         }
     }
 
-    /// Pieces are in the planes of their triangles and cover them, and none passes through another one.
+    /// Checks that pieces are in the planes of their triangles and cover them, and that none passes through another
+    /// one.
     pub fn pieces(&self, expected: Expected, found: &mut Violations) {
         let regions = self.regions;
         let number = |place: usize| u32::try_from(place).expect("fewer than 2^32 vertices");

@@ -1,8 +1,8 @@
-//! The results where the meshes are, before rounding and after: decided in rationals.
+//! Checks of the unperturbed results, before rounding and after, decided in rationals.
 //!
-//! A limit has no sheets, no triangles without area and no two vertices at one place, so that more can be asked of it than of what was perturbed.
-//! What is in each plane is the same before and after: as chains of oriented triangles both are one surface. So their volumes are the
-//! same, too.
+//! A limit has no sheets, no triangles without area and no two vertices at one position, so more laws apply to it than
+//! to the perturbed result. The part in each plane is the same before and after: as chains of oriented triangles both
+//! are one surface. So their volumes are the same, too.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -17,32 +17,33 @@ use super::surface::flaws;
 use super::{Laws, Point, Violations, note};
 use crate::truth;
 
-/// A plane: the axis along which its normal's component is one, the other two, and the distance along that axis.
+/// A plane: the axis along which its normal's component is one, the other two components, and the distance along that
+/// axis.
 type Plane = (usize, Point);
 
-/// A result of an operation without a perturbation.
+/// A result of an operation without the perturbation.
 #[derive(Clone, Copy, Debug)]
 pub struct Settled<'a> {
     /// The limit.
     pub limit: &'a [[Vertex; 3]],
-    /// The vertices of the limit in doubles, and the triangles over them.
+    /// The vertices of the limit in doubles.
     pub points: &'a [[f64; 3]],
-    /// By the places of points.
+    /// The triangles, as indices of points.
     pub triangles: &'a [[u32; 3]],
-    /// For each point the vertex of the limit that it was.
+    /// For each point, the vertex of the limit that it rounds.
     pub vertices: &'a [Vertex],
-    /// Whether rounding has left nothing that crosses.
+    /// True if rounding has left no crossing.
     pub is_whole: bool,
 }
 
-/// Results without a perturbation, and where all vertices are.
+/// Results without the perturbation, and the positions of all vertices.
 pub struct Settlement<'a> {
     laws: &'a Laws<'a>,
-    /// In the order of [`Operation::ALL`].
+    /// The results in the order of [`Operation::ALL`].
     settled: [Settled<'a>; 4],
-    /// By the number of the construction, from the first of the answer on.
+    /// The positions of constructed vertices, from the answer's first construction on.
     constructed: Vec<Point>,
-    /// By operation: of the limit and in doubles.
+    /// The surfaces by operation: of the limit and in doubles.
     surfaces: Vec<[Surface; 2]>,
     boundaries: Vec<[Boundary; 2]>,
 }
@@ -64,14 +65,14 @@ impl Surface {
         all.fold(f64::MIN_POSITIVE, f64::max)
     }
 
-    /// The surface, to ask how often it goes around a point.
+    /// The surface, prepared for winding number queries.
     fn boundary(&self) -> Boundary {
         Boundary::new(self.triangles.iter().map(|&triangle| self.corners(triangle).map(Clone::clone)).collect())
     }
 }
 
 impl<'a> Settlement<'a> {
-    /// The results, if all of their vertices are points.
+    /// Collects the results, if all of their vertices are points.
     #[must_use]
     pub fn new(
         laws: &'a Laws<'a>,
@@ -104,7 +105,7 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// Everything about the surfaces themselves: `crossed` triangles are held against their neighbours.
+    /// Checks the surfaces alone; `crossed` triangles are compared with their neighbours.
     pub fn surfaces(&self, crossed: usize, found: &mut Violations) {
         for ((operation, result), [limit, doubles]) in self.by_operation().zip(&self.surfaces) {
             let name = operation.name();
@@ -120,7 +121,7 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// No two vertices of a limit are at one place, but for those that a mesh was given with.
+    /// Checks that no two vertices of a limit coincide, except those of a given mesh.
     fn apart(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
         let vertices: BTreeSet<Vertex> = result.limit.iter().flatten().copied().collect();
         let mut by_place: BTreeMap<&Point, Vertex> = BTreeMap::new();
@@ -136,7 +137,7 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// What is in each plane of a limit is what the perturbed result has there.
+    /// Checks that each plane of a limit contains the same as in the perturbed result.
     pub fn planes(&self, found: &mut Violations) {
         for ((operation, _), [limit, _]) in self.by_operation().zip(&self.surfaces) {
             let mut left: BTreeMap<Plane, Rational> = BTreeMap::new();
@@ -166,13 +167,13 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// Each vertex in doubles is within one ulp of its place.
+    /// Checks that each vertex in doubles is within one ulp of its exact position.
     fn beside(&self, operation: Operation, result: &Settled<'_>, found: &mut Violations) {
         let Settled { points, vertices, .. } = *result;
         let is_near = |(point, &v): (&[f64; 3], &Vertex)| {
             point.iter().zip(self.point(v)).all(|(&x, place)| {
                 let around = [x.next_down(), x.next_up()];
-                // (One beyond all doubles is as far as it gets.)
+                // (A position beyond all doubles becomes the largest double.)
                 let [low, high] = around.map(|x| if x.is_finite() { x } else { x.signum() * f64::MAX });
                 &rational(low) <= place && place <= &rational(high)
             })
@@ -188,7 +189,8 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// Holds a point of space against the limits and the results in doubles; the first surface that does not go around it as the operation says.
+    /// Checks a point in space against the limits and the results in doubles; returns the first surface with a winding
+    /// number that contradicts the operation.
     pub fn probed(&self, probe: [f64; 3], inside: [bool; 2]) -> Option<(&'static str, Operation, i64)> {
         for (((operation, result), [limit, doubles]), [of_limit, of_doubles]) in
             self.by_operation().zip(&self.surfaces).zip(&self.boundaries)
@@ -197,8 +199,8 @@ impl<'a> Settlement<'a> {
             if let Some(winding) = of_limit.winding(probe).filter(|winding| *winding != wanted) {
                 return Some(("the limit", operation, winding));
             }
-            // What crosses itself goes around some points as it likes, and rounding moves each vertex by an ulp in each coordinate: a point that is
-            // nearer than that may change sides.
+            // A surface that crosses itself has arbitrary winding numbers, and rounding moves each vertex by an ulp in
+            // each coordinate: a point nearer than that may change sides.
             let reach = limit.reach().max(doubles.reach()) * 2.0_f64.powi(-50);
             let is_known = result.is_whole && !of_limit.is_near(probe, reach);
             if is_known && let Some(winding) = of_doubles.winding(probe).filter(|winding| *winding != wanted) {
@@ -216,7 +218,7 @@ fn in_doubles(result: &Settled<'_>) -> Surface {
     }
 }
 
-/// A surface is closed, each triangle has an area, none is there twice, and none passes through another one.
+/// Checks that a surface is closed, each triangle has an area, none occurs twice, and none passes through another one.
 fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
     let mut seen = BTreeSet::new();
     for &triangle in &surface.triangles {

@@ -1,10 +1,11 @@
-//! Whether triangles are the surface of a body, in rationals.
+//! Checks that triangles form the surface of a body, in rationals.
 
 use predicament_judge::rational;
 use predicament_slice::checks::{Expected, Flaw, Part, Piece, Slices};
 use rug::Rational;
 
-/// What is wrong with a surface, at most one entry a law: it is closed, each triangle has an area, and of so many of them none passes through another one.
+/// The flaws of a surface, at most one entry for each law: it is closed, each triangle has an area, and of `crossed`
+/// triangles none passes through another one.
 pub(super) fn flaws(points: Vec<[Rational; 3]>, triangles: &[[u32; 3]], crossed: usize) -> Vec<Flaw> {
     // Each triangle is its own face.
     let pieces = (0..triangles.len()).map(Piece::Face).collect();
@@ -14,10 +15,11 @@ pub(super) fn flaws(points: Vec<[Rational; 3]>, triangles: &[[u32; 3]], crossed:
     slices.flaws_of_surface(Expected { is_closed: false, has_areas: true, triangles_crossed: crossed })
 }
 
-/// The first thing that is wrong with a surface of doubles, in words: all pairs of triangles are looked at, in rationals. None where there is nothing.
+/// The first flaw of a surface of doubles, in words: all pairs of triangles are compared, in rationals. `None` if there
+/// is none.
 ///
 /// # Panics
-/// If a triangle has a vertex that there is not, or a coordinate is not finite.
+/// If a triangle has a vertex that does not exist, or a coordinate is not finite.
 #[must_use]
 pub fn flaw_of(points: &[[f64; 3]], triangles: &[[u32; 3]]) -> Option<String> {
     let points = points.iter().map(|point| point.map(rational)).collect();

@@ -1,19 +1,19 @@
-//! How pieces hang together, by their vertices alone: no coordinate is looked at.
+//! The topology of pieces, by their vertices alone: no coordinate is used.
 //!
-//! Vertices are what they are defined by, so two of them in one place are two vertices, and what is said here holds of perturbed meshes too.
-//! In general position, which is what a perturbation makes of all positions, an edge of pieces is
-//! * inside of one triangle, which has a piece on either side of it;
+//! Vertices are identified by their definitions, so two of them at one position are two vertices, and the laws hold for
+//! perturbed meshes too. In general position, which a perturbation makes of all positions, an edge of pieces is
+//! * inside one triangle, which has a piece on either side of it;
 //! * or on an edge of a mesh, where each triangle around that edge has a piece;
-//! * or a segment of an intersection curve, inside of one triangle of either mesh: each has a piece on either side of it.
+//! * or a segment of an intersection curve, inside one triangle of either mesh: each has a piece on either side of it.
 //!
-//! So as many segments of curves end in a constructed vertex as triangles are around the edge that it is on: two where a mesh is a
-//! manifold, and an even number on the surface of any solid.
+//! So the number of curve segments that end in a constructed vertex is the number of triangles around the edge that it
+//! is on: two for a manifold mesh, and an even number on the surface of any solid.
 //!
 //! # Euler characteristics
-//! Cut along the curves c, the surface of A is a part outside of B and one inside; that of the union is both parts outside, that of the
-//! intersection both inside. V - E + F adds up, but for curves that belong to both parts: χ(∂(A∪B)) + χ(∂(A∩B)) = χ(∂A) + χ(∂B), and
-//! χ(∂(A∆B)) = χ(∂A) + χ(∂B) - χ(c). The characteristic of a solid is half of its surface's, so this is χ(A∪B) = χ(A) + χ(B) - χ(A∩B). The
-//! right sides are counted on the meshes as they were given.
+//! Cut along the curves c, the surface of A is a part outside B and a part inside; that of the union is both parts
+//! outside, that of the intersection both inside. V - E + F adds up, except for curves that belong to both parts:
+//! χ(∂(A∪B)) + χ(∂(A∩B)) = χ(∂A) + χ(∂B), and χ(∂(A∆B)) = χ(∂A) + χ(∂B) - χ(c). The characteristic of a solid is half
+//! of its surface's, so this is χ(A∪B) = χ(A) + χ(B) - χ(A∩B). The right sides are counted on the given meshes.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,22 +24,22 @@ use predicament_predicates::{Construction, Vertex};
 
 use super::{Laws, Violations, note};
 
-/// An edge, its smaller vertex first.
+/// An edge, with its smaller vertex first.
 type Edge = [Vertex; 2];
 
-/// The pieces at an edge: what they are of, and whether they pass it from its first vertex on.
+/// The pieces at an edge: their sources, each with true if it passes the edge from its first vertex on.
 type Around = Vec<(Source, bool)>;
 
 /// The edges of the overlay and of both meshes.
 pub struct Edges {
     of_pieces: BTreeMap<Edge, Around>,
-    /// For each edge of either mesh how many triangles are around it.
+    /// For each edge of either mesh, the number of triangles around it.
     of_meshes: [BTreeMap<Edge, usize>; 2],
-    /// The triangles around each edge of either mesh, and how many of them are between inside and outside.
+    /// The triangles around each edge of either mesh, and the number of them that separate inside and outside.
     around: [BTreeMap<Vec<u32>, usize>; 2],
 }
 
-/// The edges of a triangle, each with whether it is passed from its smaller vertex on.
+/// The edges of a triangle, each with true if it is passed from its smaller vertex on.
 fn edges([a, b, c]: [Vertex; 3]) -> [(Edge, bool); 3] {
     [[a, b], [b, c], [c, a]].map(|[a, b]| ([a.min(b), a.max(b)], a < b))
 }
@@ -49,7 +49,7 @@ fn is_boundary(sides: [u32; 2]) -> bool {
     front != behind
 }
 
-/// Vertices less edges and more triangles.
+/// The Euler characteristic: vertices − edges + triangles.
 fn characteristic(triangles: impl Iterator<Item = [Vertex; 3]>) -> i64 {
     let (mut vertices, mut of_triangles, mut count) = (BTreeSet::new(), BTreeSet::new(), 0_usize);
     for triangle in triangles {
@@ -92,17 +92,18 @@ impl Edges {
         Edges { of_pieces, of_meshes, around }
     }
 
-    /// Whether both meshes have pieces here.
+    /// True if both meshes have pieces here.
     fn is_curve(around: &Around) -> bool {
         [0, 1].iter().all(|mesh| around.iter().any(|(source, _)| source.mesh == *mesh))
     }
 
-    /// The segments of curves.
+    /// The segments of intersection curves.
     fn curves(&self) -> impl Iterator<Item = (&Edge, &Around)> {
         self.of_pieces.iter().filter(|(_, around)| Edges::is_curve(around))
     }
 
-    /// How many triangles of a surface are around the edge of a mesh that these pieces are at, one of each triangle; none if that is no edge.
+    /// The number of triangles of a surface around the mesh edge of these pieces, one of each triangle; `None` if there
+    /// is no such edge.
     fn of_surface(&self, around: &Around) -> Option<usize> {
         let mut triangles: Vec<u32> = around.iter().map(|(source, _)| source.triangle).collect();
         triangles.sort_unstable();
@@ -110,13 +111,13 @@ impl Edges {
     }
 }
 
-/// Whether these are two pieces of one triangle, one on either side.
+/// True if these are two pieces of one triangle, one on either side.
 fn is_inside(around: &[&(Source, bool)]) -> bool {
     matches!(around, [(source, forward), (other, back)] if source == other && forward != back)
 }
 
 impl Laws<'_> {
-    /// Edges of pieces, curves, and surfaces of results.
+    /// Checks edges of pieces, curves, and surfaces of results.
     pub fn topology(&self, found: &mut Violations) {
         let edges = Edges::of(self);
         self.edges_of_pieces(&edges, found);
@@ -125,7 +126,7 @@ impl Laws<'_> {
         self.characteristics(&edges, found);
     }
 
-    /// Each edge is inside of a triangle, on an edge of a mesh, or a segment of a curve.
+    /// Checks that each edge is inside a triangle, on an edge of a mesh, or a segment of a curve.
     fn edges_of_pieces(&self, edges: &Edges, found: &mut Violations) {
         let (mut wrong, mut wrong_curves) = (Vec::new(), Vec::new());
         for (edge, around) in &edges.of_pieces {
@@ -152,10 +153,11 @@ impl Laws<'_> {
         }
     }
 
-    /// Curves are closed: in each constructed vertex as many segments end as triangles are around the edge that it is on.
+    /// Checks that curves are closed: the number of segments that end in a constructed vertex is the number of
+    /// triangles around the edge that it is on.
     fn curves(&self, edges: &Edges, found: &mut Violations) {
         let sides = [0, 1].map(|mesh: usize| self.meshes[mesh].sides());
-        // Of all segments, and of those between surfaces of solids.
+        // Counts of all segments, and of those between surfaces of solids.
         let mut ends: BTreeMap<Vertex, [usize; 2]> = BTreeMap::new();
         for (edge, around) in edges.curves() {
             let is_of_surface =
@@ -190,8 +192,8 @@ impl Laws<'_> {
         }
     }
 
-    /// The surface of each result passes each edge as often one way as the other, and goes around each edge and each constructed vertex once, unless a mesh or
-    /// two surfaces do so more often.
+    /// Checks that the surface of each result passes each edge equally often in both directions, and goes around each
+    /// edge and each constructed vertex once, unless a mesh or two surfaces do so more often.
     fn surfaces(&self, edges: &Edges, found: &mut Violations) {
         for (operation, solid) in Operation::ALL.into_iter().zip(self.solids) {
             let mut uses: BTreeMap<Edge, [usize; 2]> = BTreeMap::new();
@@ -247,7 +249,7 @@ impl Laws<'_> {
         links.iter().find(is_pinched).map(|(v, _)| *v)
     }
 
-    /// The Euler characteristics of the results, and of the meshes as they were given.
+    /// Checks the Euler characteristics of the results against those of the given meshes.
     fn characteristics(&self, edges: &Edges, found: &mut Violations) {
         let [first, second] = self.meshes.each_ref().map(|mesh| characteristic(boundary(mesh)));
         let of = |at: usize| characteristic(self.solids[at].iter().copied());

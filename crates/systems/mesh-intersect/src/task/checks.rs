@@ -1,4 +1,4 @@
-//! What is reported about overlays of meshes.
+//! The checks in reports about overlays of meshes.
 
 use crate::algorithm::overlay::Contradiction;
 use predicament_slice::checks::Check as Law;
@@ -8,7 +8,7 @@ use predicament_slice::task::{law, rounded};
 use predicament_tasks::{Check, Class};
 use predicament_triangulate::task::RULES as TRIANGULATION;
 
-/// What the algorithm looks after itself.
+/// The invariants that the algorithm checks during its run.
 const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[

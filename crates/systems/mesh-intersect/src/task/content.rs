@@ -10,15 +10,16 @@ use super::flaw::is_refused;
 use predicament_mesh_locate::task::content::spelled_mesh;
 use predicament_mesh_locate::task::probes::Surface;
 
-/// Two meshes over vertices of their own.
+/// Two meshes with disjoint vertices.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TwoMeshes {
-    /// The first mesh and the second, which is the scene's second mesh for perturbations that move one as a whole.
+    /// The first mesh and the second; the second is the scene's second mesh for perturbations that move one mesh as a
+    /// whole.
     pub meshes: [Arc<MaterialMesh>; 2],
 }
 
 impl TwoMeshes {
-    /// How many triangles both have.
+    /// The number of triangles of both meshes.
     #[must_use]
     pub fn triangles(&self) -> usize {
         self.meshes.iter().map(|mesh| mesh.triangles().len()).sum()
@@ -41,7 +42,7 @@ impl Content for TwoMeshes {
         }
     }
 
-    /// With `check = false` where the meshes would be refused without it.
+    /// Writes `check = false` if the meshes would be refused without it.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let [first, second] = &self.meshes;
         let lists = vec![
@@ -52,14 +53,14 @@ impl Content for TwoMeshes {
         Some(Spelled { words, lists, ..spelled_points(scene) })
     }
 
-    /// The lengths of primitives are other ones.
+    /// The moved scene has other lengths of primitives.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let [first, second] = &self.meshes;
         (for_both(scene, [first, second]), None)
     }
 }
 
-/// A scene of two meshes, each over points of its own.
+/// A scene of two meshes with separate points.
 pub(super) fn parts([first, second]: [Surface; 2]) -> Parts {
     let count = first.points.len();
     let coordinates = [first.points, second.points].concat();
@@ -73,7 +74,8 @@ pub(super) fn with_meshes(scene: Scene, meshes: [MaterialMesh; 2]) -> Parts {
     Parts::new(for_both(scene, [first, second]), TwoMeshes { meshes: meshes.map(Arc::new) })
 }
 
-/// A scene that says which vertices are the second mesh's, for perturbations that move it, and how long primitives are, for tolerances.
+/// A scene that stores the second mesh's vertices, for perturbations that move it, and the lengths of primitives, for
+/// tolerances.
 pub(super) fn for_both(scene: Scene, meshes: [&MaterialMesh; 2]) -> Scene {
     let lengths = meshes.map(|mesh| mesh.primitive_length(&scene));
     let second: Vec<_> = meshes[1].triangles().as_flattened().to_vec();

@@ -1,4 +1,4 @@
-//! Results in doubles as files.
+//! Files of results in doubles.
 
 use std::path::{Path, PathBuf};
 
@@ -8,10 +8,10 @@ use serde_json::json;
 use super::settled::{Result, Settled};
 use predicament_tasks::output;
 
-/// Writes a mesh for each operation, and `rounding.json`: for each what the limit and rounding have done.
+/// Writes a mesh for each operation, and `rounding.json` with the statistics of the limit and of rounding for each.
 ///
 /// # Errors
-/// That of the file system.
+/// The error of the file system.
 pub(super) fn settled(settled: &Settled, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut counts = serde_json::Map::new();

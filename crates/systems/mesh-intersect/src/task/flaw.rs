@@ -1,9 +1,10 @@
-//! Whether a mesh bounds its regions: it does not cross itself, and is not inside out.
+//! Validation that a mesh bounds its regions: it does not cross itself, and is not inside out.
 //!
-//! The first is decided for all pairs of triangles whose boxes meet: no edge of one passes through the inside of the other. Parts may touch.
-//! Where edges cross edges and planes are shared, meshes overlap without such a passage; that, and what is inside out, shows in the second: in front of the middle
-//! of a triangle and behind it are the regions that it says, by the winding numbers of all other triangles. That is looked at for a sample of triangles, one of
-//! each component before all others.
+//! The first property is decided for all pairs of triangles whose boxes meet: no edge of one passes through the inside
+//! of the other. Parts may touch. If edges cross edges or planes are shared, meshes can overlap without such a passage.
+//! The second test finds this, and meshes that are inside out. It compares the stated regions in front of a triangle's
+//! middle and behind it with the winding numbers of all other triangles. It tests a sample of triangles, one of each
+//! component before all others.
 
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{rational, sign};
@@ -11,29 +12,29 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Question, Scene, Sign, Vertex};
 use rug::Rational;
 
-/// Meshes of more triangles together are checked only if that is asked for.
+/// The maximum number of triangles of both meshes that are checked by default; larger meshes are checked on request.
 pub(super) const CHECKED: usize = 2_000;
-/// Triangles whose sides are looked at.
+/// The number of triangles whose sides are tested.
 const SAMPLED: usize = 24;
 /// Directions of rays, in general position for most meshes.
 const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
 
-/// Whether meshes are refused unless `check` is false: they are small enough to be checked, and not as they have to be.
+/// True if meshes are refused unless `check` is false: they are small enough to be checked, and invalid.
 pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
     let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
     count <= CHECKED && meshes.into_iter().any(|mesh| flaw(scene, mesh).is_some())
 }
 
-/// What is wrong with a mesh.
+/// A flaw of a mesh.
 pub(super) enum Flaw {
-    /// These triangles pass through each other.
+    /// Two triangles pass through each other.
     Crossing([usize; 2]),
-    /// This triangle has something else than this region in front of it, or behind it.
+    /// The stated region in front of this triangle, or behind it, is wrong.
     Side { triangle: usize, is_front: bool, region: u32, place: Place },
 }
 
 impl Flaw {
-    /// What is wrong with a mesh of this name.
+    /// The flaw as text, for a mesh with this name.
     pub fn told(&self, mesh: &str) -> String {
         match self {
             Flaw::Crossing([a, b]) => format!("triangles {a} and {b} of {mesh} pass through each other"),
@@ -58,7 +59,7 @@ pub(super) fn flaw(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
     crossing(scene, mesh).map(Flaw::Crossing).or_else(|| side(scene, mesh))
 }
 
-/// The first triangle that another one of a higher number passes through, with that.
+/// The first triangle that another one of a higher index passes through, with that triangle.
 fn crossing(scene: &Scene, mesh: &MaterialMesh) -> Option<[usize; 2]> {
     let boxes: Vec<[[f64; 2]; 3]> = mesh.triangles().iter().map(|triangle| bounds(scene, *triangle)).collect();
     let mut order: Vec<usize> = (0..boxes.len()).collect();
@@ -91,7 +92,7 @@ fn bounds(scene: &Scene, triangle: [Vertex; 3]) -> [[f64; 2]; 3] {
     })
 }
 
-/// Whether an edge of one triangle passes through the inside of another.
+/// True if an edge of one triangle passes through the inside of another.
 fn passes(scene: &Scene, edges: [Vertex; 3], [a, b, c]: [Vertex; 3]) -> bool {
     let ask = |args: [Vertex; 4]| sign(scene, Question::Orient3d, &args);
     let sides = edges.map(|v| ask([a, b, c, v]));
@@ -106,7 +107,7 @@ fn passes(scene: &Scene, edges: [Vertex; 3], [a, b, c]: [Vertex; 3]) -> bool {
     })
 }
 
-/// The first triangle of a sample that has other regions on its sides.
+/// The first triangle of a sample with wrong regions on its sides.
 fn side(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
     let materials = Materials::new(scene, mesh.triangles(), mesh.sides());
     let judge = materials.in_integers();
@@ -125,7 +126,7 @@ fn side(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
             let region = if is_front { front } else { behind };
             let wrong = match place {
                 Place::In(found) if found == region => None,
-                // Beyond all that lie on each other here is one region.
+                // Beyond all coincident triangles here, there is one region.
                 Place::On(others) => {
                     let all: Vec<u32> = [own].into_iter().chain(others).collect();
                     beside(&all).map(|(_, place)| place).filter(|place| matches!(place, Place::Windings(_)))

@@ -1,4 +1,4 @@
-//! Pairs of meshes by size, and where the second one is.
+//! Pairs of meshes by size, and the placement of the second mesh.
 
 use predicament_corpus::{Family, Making, Random, Recipe};
 use predicament_formats::bits::{power_of_two, step};
@@ -11,12 +11,12 @@ use predicament_mesh_locate::task::generate::{lattice_of_tetrahedra, surface_of}
 use predicament_mesh_locate::task::probes::Surface;
 use predicament_tasks::solids::{self, Shape};
 
-/// Where the second mesh is, which is a copy of the first.
+/// The placement of the second mesh, a copy of the first.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Placed {
-    /// Moved by parts of its size that are not short in binary, so that nothing is degenerate.
+    /// Moved by fractions of its size with long binary expansions, so that nothing is degenerate.
     Apart,
-    /// In the same place.
+    /// At the same position.
     Same,
     /// Moved by one, in x.
     Step,
@@ -24,19 +24,19 @@ enum Placed {
     Ulp,
     /// Moved by 2^-30.
     Hair,
-    /// Turned by a quarter around z.
+    /// Rotated by a quarter turn around z.
     Quarter,
-    /// Turned a little around z, and rounded.
+    /// Rotated a little around z, and rounded.
     Turned,
     /// Moved by half a cell along each axis.
     Half,
-    /// Larger by a part in 2^20, seen from the origin.
+    /// Scaled up by 1 + 2^-20 from the origin.
     Offset,
     /// Moved by two, in x: unit spheres touch in a vertex.
     Tangent,
-    /// Moved by a little less.
+    /// Moved by slightly less than two.
     Nearly,
-    /// 2^40 times as small, around the origin.
+    /// Scaled down by 2^40 around the origin.
     Tiny,
 }
 
@@ -108,7 +108,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> 
         second.points.iter_mut().for_each(|point| *point = place(placed, *point));
         parts([first, second])
     };
-    // At most as many vertices as triangles; a few are made even for the smallest n.
+    // There are at most as many vertices as triangles; a few are made even for the smallest n.
     Ok(Recipe::new(|n| 6 * (n + 200), make))
 }
 
@@ -120,7 +120,7 @@ fn place(placed: Placed, [x, y, z]: [f64; 3]) -> [f64; 3] {
         Placed::Ulp => [x, y, z].map(|x| step(x, 1)),
         Placed::Hair => [x, y, z].map(|x| x + power_of_two(-30)),
         Placed::Quarter => [-y, x, z],
-        // A rotation by the angle whose tangent is 1/64, but for a factor near 1.
+        // A rotation by the angle whose tangent is 1/64, except for a factor near 1.
         Placed::Turned => [x - y / 64.0, y + x / 64.0, z + x / 128.0],
         Placed::Half => [x + 0.5, y + 0.5, z + 0.5],
         Placed::Offset => [x, y, z].map(|x| x + x * power_of_two(-20)),
@@ -154,7 +154,7 @@ fn shells(n: usize, rng: &mut Random) -> Surface {
     closed(solids::shells(n, rng))
 }
 
-/// Two terrains of heights of their own, over the same squares or over others.
+/// Two terrains with different heights, over the same squares or over different ones.
 fn terrains(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
     let is_shared = match fields.get("ground") {
         None => false,

@@ -1,20 +1,20 @@
-//! How a session is asked what passes through what.
+//! The ways in which a session decides passages.
 
 use crate::algorithm::overlay::Zeros;
 use predicament_predicates::{Predicates, Question};
 
 use super::content::TwoMeshes;
 
-/// How a session overlays meshes.
+/// The way in which a session overlays meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Manner {
-    /// By the signs of orientations.
+    /// Orientation signs decide passages.
     Signs(Zeros),
-    /// By the contacts that it registers: its zeros are bands, and what they mean is the hierarchy's business.
+    /// Registered contacts decide passages: the session's zeros are bands, which the hierarchy of contacts interprets.
     Contacts,
 }
 
-/// How this session does. Where the sign is that of a floating-point determinant, a zero is nothing that could be refused.
+/// The way for a session. If the sign is that of a floating-point determinant, a zero cannot be refused.
 pub(super) fn manner(session: &dyn Predicates, content: &TwoMeshes) -> Manner {
     let [[a, b, c], [d, ..]] = [0, 1].map(|mesh: usize| content.meshes[mesh].triangles()[0]);
     let question = Question::Orient3d;

@@ -1,7 +1,8 @@
-//! How much memory an overlay will take, before it is tried.
+//! Estimates of the memory of an overlay, before it runs.
 //!
-//! Points and pieces are what grows: two meshes of n triangles can cross in n² places. How often edges of one mesh pass through triangles of the other is
-//! estimated from even samples of both, in plain floating point; a few percent more or less make no difference here.
+//! Points and pieces dominate: two meshes of n triangles can cross in n² places. The number of edges of one mesh that
+//! pass through triangles of the other is estimated from even samples of both, in plain floating point; an error of a
+//! few percent does not matter.
 
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Declined, Scene, Vertex};
@@ -9,13 +10,13 @@ use predicament_predicates::{Declined, Scene, Vertex};
 use super::content::TwoMeshes;
 use predicament_tasks::{Halt, Refusal};
 
-/// Bytes for each triangle that is given: about twice what 10^7 took at most, 1.13 GiB.
+/// Bytes for each given triangle: about twice the measured maximum for 10^7 triangles, 1.13 GiB.
 const TRIANGLE: u64 = 250;
 /// Bytes for each point where an edge passes through a triangle, with the pieces around it.
 const POINT: u64 = 2_000;
-/// What is refused takes more bytes than this: 64 GiB.
+/// The maximum memory of an overlay, in bytes: 64 GiB.
 const MOST: u64 = 1 << 36;
-/// Edges and triangles that are sampled.
+/// The numbers of edges and triangles that are sampled.
 const SAMPLE: usize = 512;
 
 type Point = [f64; 3];
@@ -37,11 +38,11 @@ pub(super) fn affordable(scene: &Scene, content: &TwoMeshes) -> Result<(), Halt>
     Err(Halt::Refused(Refusal { check: "memory", why: Declined::scene(why) }))
 }
 
-/// About how many bytes an overlay takes.
+/// The approximate memory of an overlay, in bytes.
 fn estimate(scene: &Scene, content: &TwoMeshes) -> u64 {
     let [first, second] = content.meshes.each_ref().map(|mesh| mesh.triangles().len() as u64);
     let given = TRIANGLE.saturating_mul(first + second);
-    // Sides of triangles, each of which an edge has twice.
+    // Counted by sides of triangles; each edge has two.
     let pairs = 3 * first.saturating_mul(second);
     if pairs.saturating_mul(POINT) <= MOST {
         return given;
@@ -51,9 +52,9 @@ fn estimate(scene: &Scene, content: &TwoMeshes) -> u64 {
     given.saturating_add(points.saturating_mul(POINT))
 }
 
-/// About how often edges of one mesh pass through triangles of the other.
+/// The approximate number of passages of edges of one mesh through triangles of the other.
 fn crossings(scene: &Scene, edges: &MaterialMesh, triangles: &MaterialMesh) -> u64 {
-    // An odd step: triangles often come in pairs and fours that are alike.
+    // An odd step: similar triangles often come in pairs and fours.
     let step = |count: usize| count.div_ceil(SAMPLE) | 1;
     let steps = [edges, triangles].map(|mesh| step(mesh.triangles().len()));
     let corners = |mesh: &MaterialMesh, step: usize| -> Vec<[Point; 3]> {
@@ -66,7 +67,7 @@ fn crossings(scene: &Scene, edges: &MaterialMesh, triangles: &MaterialMesh) -> u
     (crossed as u64 / 2).saturating_mul(steps[0] as u64).saturating_mul(steps[1] as u64)
 }
 
-/// Whether an edge passes through a triangle, as floating point has it.
+/// True if an edge passes through a triangle, in floating point.
 fn passes([p, q]: [Point; 2], [a, b, c]: &[Point; 3]) -> bool {
     let beside = |axis: usize| {
         let [a, b, c] = [a, b, c].map(|corner| corner[axis]);
@@ -94,7 +95,7 @@ mod tests {
 
     use super::*;
 
-    /// Needles along an axis, so many, each of which crosses all of those along another axis.
+    /// Needles along an axis, each of which crosses all of those along another axis.
     fn needles(count: usize, along: usize, points: &mut Vec<Point>) -> MaterialMesh {
         let first = points.len();
         for at in 0..count {
@@ -128,7 +129,7 @@ mod tests {
 
     #[test]
     fn the_estimate_is_of_the_right_size() {
-        // Three edges along each needle, which go through two or so faces of every other one.
+        // Three edges along each needle, which pass through about two faces of every other one.
         let (scene, content) = pair(2_000);
         let [first, second] = content.meshes.each_ref();
         let crossings = crossings(&scene, first, second);

@@ -1,7 +1,7 @@
-//! `mesh-intersect`: two multi-material meshes, cut where they meet.
+//! The task `mesh-intersect`: two multi-material meshes, cut where they meet.
 //!
-//! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is all of it: pieces of all triangles, each in a region of
-//! either mesh, of which Boolean operations take some.
+//! 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5). The answer is the whole overlay: pieces of all triangles,
+//! each in a region of either mesh. Boolean operations select some of them.
 
 mod checks;
 mod content;
@@ -45,38 +45,40 @@ use predicament_tasks::{
     Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `mesh-intersect`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct MeshIntersect;
 
-/// The overlay, and the vertices that were constructed.
+/// The overlay, and the constructed vertices.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Overlaid {
     /// All pieces, with the regions of both meshes on either side.
     pub regions: Regions,
     /// The surface of each operation, in the order of [`Operation::ALL`].
     pub solids: [Vec<[Vertex; 3]>; 4],
-    /// For each triangle of these what it is, or is a piece of.
+    /// For each triangle of these, its source.
     pub sources: [Vec<OfMesh>; 4],
-    /// What was constructed.
+    /// The constructions.
     pub constructions: Vec<Construction>,
-    /// How many constructions the scene had before.
+    /// The number of constructions that the scene had before.
     pub before: usize,
-    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    /// The session's rounded positions of the constructed vertices; `None` if it keeps them exactly.
     pub rounded: Option<Vec<[f64; 3]>>,
-    /// Where contacts with these vertices were registered; none where none were. What is judged is the points that are defined.
+    /// The registered positions of the constructed vertices; `None` without registered contacts. The judge uses the
+    /// points of the definitions.
     pub registered: Option<Vec<[f64; 3]>>,
-    /// The results without a perturbation, and in doubles, or why there is none; none where they were not asked for, or the session rounds.
+    /// The results without the perturbation, and in doubles, or the reason why there are none; `None` if they were not
+    /// requested, or the session rounds.
     pub settled: Option<std::result::Result<Settled, Unsettled>>,
-    /// The first invariant that did not hold: then there is nothing else.
+    /// The first invariant that fails: then there are no other results.
     pub broken: Option<Contradiction>,
 }
 
 impl Overlaid {
-    /// Overlays the meshes of a scene; with `settles` the results without a perturbation are asked for, too.
+    /// Overlays the meshes of a scene; with `settles`, also computes the results without the perturbation.
     ///
     /// # Errors
-    /// [`Halt::Refused`] where the session does not construct a vertex, or meshes touch and it says so.
+    /// [`Halt::Refused`] if the session does not construct a vertex, or reports that meshes touch.
     fn of(session: &mut dyn Predicates, content: &TwoMeshes, settles: bool) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
@@ -196,7 +198,7 @@ impl Task for MeshIntersect {
         true
     }
 
-    /// The truth is in the laws, and in the meshes.
+    /// The task has no separate truth: the laws and the meshes suffice.
     fn truth(&self, _: &Scene, _: &TwoMeshes, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)
     }
@@ -274,8 +276,8 @@ impl Task for MeshIntersect {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// A mesh for each operation, in doubles where it is known without the perturbation and as the perturbation has it otherwise, what rounding has
-    /// done, all vertices exactly, and a JSON file of all pieces.
+    /// Writes a mesh for each operation, in doubles if the result is known without the perturbation, otherwise
+    /// perturbed; also the statistics of rounding, all vertices exactly, and a JSON file of all pieces.
     fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let placed = Placed::new(
             scene,

@@ -1,4 +1,5 @@
-//! What cutting two meshes takes, phase by phase: checking, the steps of the overlay, a result, its limit and the limit in doubles.
+//! The timed phases of cutting two meshes: checking, the steps of the overlay, a result, its limit and the limit in
+//! doubles.
 
 use std::time::{Duration, Instant};
 
@@ -13,10 +14,10 @@ use super::content::TwoMeshes;
 use super::{Manner, manner, memory};
 use predicament_tasks::Phase;
 
-/// The phase that asks no predicate.
+/// The phase that uses no predicate.
 pub(super) fn building(content: &TwoMeshes) -> Vec<Phase> {
     let first = |mesh: &MaterialMesh| mesh.triangles().as_flattened().iter().map(|v| v.index()).min().unwrap_or(0);
-    // Copies that the checks take, each over its own vertices, as it was read.
+    // Copies for the checks, each over its own vertices, as in the file.
     let copies = content.meshes.each_ref().map(|mesh| {
         let before = first(mesh);
         let own = |v: Vertex| Vertex::input(v.index() - before);
@@ -33,7 +34,7 @@ pub(super) fn building(content: &TwoMeshes) -> Vec<Phase> {
     vec![checking]
 }
 
-/// The phases that ask a session; none where it does not overlay these meshes.
+/// The phases that query a session; empty if it does not overlay these meshes.
 pub(super) fn asking<P: Predicates>(session: &mut P, content: &TwoMeshes) -> Vec<Phase> {
     if memory::affordable(session.scene(), content).is_err() {
         return Vec::new();
@@ -71,7 +72,7 @@ fn name(step: Step) -> &'static str {
     }
 }
 
-/// The limit of the union and its rounding; none where the session has no limits.
+/// The limit of the union and its rounding; empty if the session has no limits.
 fn settling(session: &dyn Predicates, overlay: &MeshOverlay, solid: Solid, count: usize) -> Vec<Phase> {
     let mut phases = Vec::new();
     let Some(exact) = session.unperturbed() else { return phases };
@@ -88,6 +89,6 @@ fn settling(session: &dyn Predicates, overlay: &MeshOverlay, solid: Solid, count
         let (rounding, rounded) = Phase::timed("rounding", "triangle", count, || rounded(exact, session, &limit));
         phases.extend(rounded.is_ok().then_some(rounding));
     });
-    // One that declines has no limits either.
+    // A session that declines has no limits either.
     if asked.is_err() { Vec::new() } else { phases }
 }

@@ -1,4 +1,5 @@
-//! `first` and `second`: triangles of `points`, or meshes in files; `first_regions` and `second_regions`, `moved` and `check`.
+//! The keys of the task: `first` and `second`, as triangles of `points`, or meshes in files; `first_regions` and
+//! `second_regions`, `moved` and `check`.
 
 use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource, Source};
 use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, ImportNotes, Places};
@@ -12,7 +13,7 @@ use super::flaw::{CHECKED, Flaw, flaw};
 use predicament_mesh_locate::task::read::{MeshSource, Place, Simplices, simplices};
 use predicament_mesh_locate::task::regions::Regions;
 
-/// One of the two meshes.
+/// An operand: one of the two meshes, as the suite gives it.
 enum Operand {
     Triangles { triangles: Simplices<3>, regions: Option<Regions> },
     File(MeshSource),
@@ -21,12 +22,12 @@ enum Operand {
 struct Written {
     file: String,
     line: usize,
-    /// Points that written triangles are of; none where both meshes are in files.
+    /// The points of triangles in the suite; `None` if both meshes are in files.
     points: Option<PointSource>,
     operands: [Operand; 2],
-    /// What is added to the points of the second mesh.
+    /// The vector added to the points of the second mesh.
     moved: Option<[f64; 3]>,
-    /// Whether meshes are checked; none for small ones only.
+    /// True if meshes are checked; by default only small ones are.
     check: Option<bool>,
 }
 
@@ -53,7 +54,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     Ok(Source::elsewhere(Written { file, line, points, operands, moved, check }))
 }
 
-/// By how much the second mesh is moved.
+/// The vector by which the second mesh is moved.
 fn moved(field: &Field<'_, '_>, second: &Operand) -> Result<[f64; 3], CorpusError> {
     if !matches!(second, Operand::File(_)) {
         return Err(field.error("`moved` is for a second mesh in a file", "write the points where they should be"));
@@ -122,7 +123,7 @@ impl Written {
         CorpusError::file(&self.file, message.into(), cure).at_line(self.line)
     }
 
-    /// Whether each vertex is of one mesh, and each triangle has an area.
+    /// Checks that each vertex is of one mesh, and each triangle has an area.
     fn check(&self, scene: &Scene, meshes: [&MaterialMesh; 2]) -> Result<(), CorpusError> {
         let mut of_first = vec![false; scene.len()];
         meshes[0].triangles().as_flattened().iter().for_each(|v| of_first[v.index()] = true);

@@ -1,4 +1,4 @@
-//! `mesh_intersect.csv` and what a report makes of it.
+//! The table `mesh_intersect.csv` and its section in a report.
 
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_records::{Error, Row, RowError, RunDir};
@@ -68,7 +68,7 @@ predicament_records::table! {
 }
 
 impl MeshIntersectRow {
-    /// A row for each operation; none where there is no limit.
+    /// A row for each operation; empty if there is no limit.
     pub(super) fn all(case: &Case<'_, MeshIntersect>, asked: &Asked<'_>, answer: &Overlaid) -> Vec<MeshIntersectRow> {
         let Some(Ok(settled)) = &answer.settled else { return Vec::new() };
         let row = |at: usize| {
@@ -107,7 +107,7 @@ pub(super) fn rows(case: &Case<'_, MeshIntersect>, asked: &Asked<'_>, answer: &O
     MeshIntersectRow::all(case, asked, answer).iter().for_each(|row| outcome.row(row));
 }
 
-/// The section of a report: none where no mesh was cut.
+/// The section of a report; `None` if no mesh was cut.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Results of operations on meshes")

@@ -1,7 +1,7 @@
-//! The results where the meshes are: their limits as the perturbation goes to zero, and those in doubles.
+//! The results for the unperturbed meshes: their limits as the perturbation goes to zero, and the limits in doubles.
 //!
-//! An overlay's results are those of perturbed meshes. Who uses one wants the meshes that were given, and a file of doubles. Both steps are
-//! taken where an answer is judged or written, and not where it is timed.
+//! An overlay's results are those of perturbed meshes. Users want the results for the given meshes, in a file of
+//! doubles. Both steps run when an answer is judged or written, and not when it is timed.
 
 use crate::algorithm::limit::{self, limit};
 use crate::algorithm::overlay::{MeshOverlay, Solid, Undone};
@@ -9,35 +9,35 @@ use crate::algorithm::rounding::{NotRounded, Rounded, rounded};
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Construction, Declined, Predicates};
 
-/// The results of all operations without a perturbation.
+/// The results of all operations without the perturbation.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Settled {
-    /// In the order of [`Operation::ALL`].
+    /// The results in the order of [`Operation::ALL`].
     pub results: [Result; 4],
-    /// What was constructed, for the overlay and after it.
+    /// All constructions, of the overlay and after it.
     pub constructions: Vec<Construction>,
 }
 
-/// One of the results.
+/// The unperturbed result of an operation.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Result {
     /// The limit.
     pub solid: Solid,
-    /// How much of the perturbed result was without extent.
+    /// The numbers of elements of the perturbed result without extent.
     pub counts: limit::Counts,
     /// The limit in doubles.
     pub rounded: Rounded,
 }
 
-/// Why a result has no limit, or none in doubles.
+/// The reason why a result has no limit, or none in doubles.
 #[derive(Clone, PartialEq, Debug)]
 #[non_exhaustive]
 pub enum Unsettled {
-    /// The backend does not take the scene without the perturbation.
+    /// The backend declines the scene without the perturbation.
     Declined(Declined),
     /// A result has no limit.
     Undone(Undone),
-    /// A limit is not rounded to doubles.
+    /// A limit cannot be rounded to doubles.
     NotRounded(NotRounded),
 }
 
@@ -59,11 +59,11 @@ impl std::fmt::Display for Unsettled {
     }
 }
 
-/// The results of an overlay without the session's perturbation; none where the session rounds, and has no way to say that something is
-/// zero.
+/// The results of an overlay without the session's perturbation; `None` if the session rounds, and cannot return exact
+/// zeros.
 ///
 /// # Errors
-/// [`Unsettled`], such as where a constructed vertex is not a point where the meshes are.
+/// [`Unsettled`], for example if a constructed vertex is not a point of the unperturbed meshes.
 pub(super) fn settled(
     session: &dyn Predicates,
     overlay: &MeshOverlay,

@@ -1,4 +1,4 @@
-//! Solids to be cut: what is hard about them is how many parts of them are in line, in one plane, or next to each other.
+//! Solids for cutting: many of their parts are in line, in one plane, or next to each other.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
@@ -22,11 +22,12 @@ fn closed(points: Vec<[f64; 3]>, corners: Vec<[Vertex; 3]>) -> Surface {
     }
 }
 
-/// A prism whose bottom and top are triangulated by the strips between its teeth, which all end on the same lines.
+/// A prism in the shape of a comb: strips between its teeth triangulate bottom and top, and all teeth end on the same
+/// lines.
 pub(super) fn combs(n: usize, _: &mut Random) -> Surface {
     let teeth = (n / 24).max(1);
     let (mut points, mut corners): (Vec<[f64; 3]>, Vec<[Vertex; 3]>) = (Vec::new(), Vec::new());
-    // Lines of vertices along the comb: its back, where teeth begin, and where they end, at the bottom and at the top.
+    // Lines of vertices along the comb: its back, the beginning of teeth, and their ends, at the bottom and at the top.
     let line = |points: &mut Vec<[f64; 3]>, y: f64, z: f64| -> Vec<Vertex> {
         (0..2 * teeth)
             .map(|at| {
@@ -60,7 +61,7 @@ pub(super) fn combs(n: usize, _: &mut Random) -> Surface {
     closed(points, corners)
 }
 
-/// A solid below random heights from 1 to 2 over a square, down to the plane of the ground: all of its walls are in five planes.
+/// A solid between the ground plane and random heights from 1 to 2 over a square: all of its walls are in five planes.
 pub(super) fn terrain(n: usize, rng: &mut Random) -> Surface {
     let side = (n / 4).isqrt().max(1);
     let mut shape = Shape::default();
@@ -98,7 +99,7 @@ pub(super) fn terrain(n: usize, rng: &mut Random) -> Surface {
     surface_of(shape, [OUTSIDE, 1])
 }
 
-/// Every second cell of a lattice, each a cube of its own: neighbours share edges and corners, in two vertices each.
+/// Every second cell of a lattice, each a separate cube: neighbours share edges and corners, with two vertices each.
 pub(super) fn checkers(n: usize, _: &mut Random) -> Surface {
     let cubes = (n / 12).max(2);
     let side = (1..).find(|side: &usize| side.pow(3).div_ceil(2) >= cubes).unwrap_or(1);
@@ -116,7 +117,7 @@ pub(super) fn checkers(n: usize, _: &mut Random) -> Surface {
     closed(points, corners)
 }
 
-/// A tetrahedron: a corner and where the three edges from it go.
+/// A tetrahedron, given by a corner and the ends of its three edges.
 fn tetrahedron(corner: [f64; 3], to: [[f64; 3]; 3], points: &mut Vec<[f64; 3]>, corners: &mut Vec<[Vertex; 3]>) {
     let first = points.len();
     points.push(corner);
@@ -125,7 +126,8 @@ fn tetrahedron(corner: [f64; 3], to: [[f64; 3]; 3], points: &mut Vec<[f64; 3]>, 
     corners.extend([[a, c, b], [a, b, d], [b, c, d], [c, a, d]]);
 }
 
-/// Tetrahedra along x, side by side: a length for each, and 2^-20 across. Turned by a quarter, each crosses all others.
+/// Tetrahedra along x, side by side: a length for each, and 2^-20 across. Rotated by a quarter turn, each crosses all
+/// others.
 pub(super) fn needles(n: usize, _: &mut Random) -> Surface {
     let needles = (n / 4).max(1);
     let (mut points, mut corners) = (Vec::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use crate::algorithm::overlay::Contradiction;
 use predicament_mesh::OUTSIDE;
@@ -137,7 +137,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             |_, _, answer: &mut Overlaid| {
                 let regions = &mut answer.regions;
                 let count = u32::try_from(regions.pairs.len()).unwrap_or(0);
-                // Each pair once more, with the other region of the second mesh.
+                // Each pair again, with the other region of the second mesh.
                 let others: Vec<[u32; 2]> =
                     regions.pairs.iter().map(|&[own, other]| [own, u32::from(other == OUTSIDE)]).collect();
                 regions.pairs.extend(others);

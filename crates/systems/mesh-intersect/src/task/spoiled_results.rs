@@ -1,4 +1,4 @@
-//! Results with faults: what is handed over after the overlay was right, and its limits and roundings.
+//! Results with planted faults: the overlay is right, and its limits or roundings are damaged afterwards.
 
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::algorithm::overlay::Operation;
@@ -8,7 +8,7 @@ use super::settled::Settled;
 use super::{MeshIntersect, Overlaid};
 use predicament_tasks::{Class, Spoiled};
 
-/// What is handed over without a perturbation.
+/// The results without the perturbation, for damage.
 fn settled(answer: &mut Overlaid) -> Option<&mut Settled> {
     answer.settled.as_mut()?.as_mut().ok()
 }
@@ -158,7 +158,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
                 let (Some(&[first, ..]), Some(&last)) = (triangles.first(), triangles.last()) else { return };
                 let [.., other] = last;
                 triangles.iter_mut().flatten().filter(|v| **v == first).for_each(|v| *v = other);
-                // (What has a vertex twice now has no area.)
+                // (A triangle with a vertex twice has no area now.)
                 triangles.retain(|[a, b, c]| a != b && b != c && c != a);
             },
         ),

@@ -1,4 +1,4 @@
-//! Limits of perturbed results against cells that are counted.
+//! Tests of limits of perturbed results against counted cells.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use crate::common::shapes::Random;
 
 type Cell = [i64; 3];
 
-/// Cubes of a lattice: the length of their edges, where the lattice begins, and which of them there are.
+/// Cubes of a lattice: the length of their edges, the origin of the lattice, and the cubes present.
 #[derive(Clone, Debug)]
 struct Cubes {
     size: i64,
@@ -51,7 +51,7 @@ impl Cubes {
         self.cells.iter().flat_map(unit).collect()
     }
 
-    /// Its surface: two triangles a square, divided along either diagonal.
+    /// Its surface: two triangles for each square, divided along either diagonal.
     fn surface(&self, random: &mut Random) -> (Vec<Cell>, Vec<[usize; 3]>) {
         let (mut points, mut triangles, mut known) = (Vec::new(), Vec::new(), BTreeMap::new());
         for cell in &self.cells {
@@ -101,7 +101,7 @@ fn squares(cells: &BTreeSet<Cell>) -> usize {
     cells.iter().map(beside).sum()
 }
 
-/// Two lots of cubes in one scene.
+/// Two sets of cubes in one scene.
 struct Pair {
     scene: Scene,
     meshes: [Arc<MaterialMesh>; 2],
@@ -132,7 +132,7 @@ impl Pair {
     }
 }
 
-/// What is wrong with a limit, where so many unit cells and squares around them are right.
+/// The flaw of a limit, given the right numbers of unit cells and of squares around them.
 fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<String> {
     let mut points = Points::of(scene);
     let mut place = BTreeMap::new();
@@ -188,7 +188,7 @@ fn combined(operation: Operation, [a, b]: &[BTreeSet<Cell>; 2]) -> BTreeSet<Cell
     a.union(b).filter(|cell| operation.holds([a.contains(*cell), b.contains(*cell)])).copied().collect()
 }
 
-/// The flaws of the limits of many pairs, and what was done to make them.
+/// The flaws of the limits of many pairs, and statistics of the limits.
 fn flaws(cases: u64) -> (Vec<String>, Counts) {
     let (mut flaws, mut all) = (Vec::new(), Counts::default());
     for seed in 0..cases {

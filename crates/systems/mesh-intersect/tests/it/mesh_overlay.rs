@@ -1,4 +1,5 @@
-//! Overlays of two meshes against volumes that are found without one, and against the laws of an overlay.
+//! Tests of overlays of two meshes against volumes that are found without an overlay, and against the laws of an
+//! overlay.
 
 use predicament_exact::Exact;
 use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
@@ -11,30 +12,30 @@ use crate::common::overlaid::{Pair, Seen};
 use crate::common::shapes::{Random, Shape};
 use crate::common::volumes::{common, volume};
 
-/// A turn of whole coordinates that no plane survives; five times as large.
+/// A rotation of integer coordinates that keeps no plane, with a scaling by five.
 const TURN: [[f64; 3]; 3] = [[4., -2., 1.], [1., 4., -2.], [-2., 1., 4.]];
 /// A small shear.
 const LEAN: [[f64; 3]; 3] = [[1., 0., 0.], [0.125, 1., 0.], [0.0625, -0.1875, 1.]];
 
-/// What all backends together showed: exact, sos, sos:per-mesh.
+/// The statistics of all backends together: exact, sos, sos:per-mesh.
 #[derive(Default, Debug)]
 struct All([Seen; 3]);
 
 impl All {
-    /// By all backends; whether the exact one is done is whether nothing touches.
+    /// Checks by all backends; the exact one finishes if and only if nothing touches.
     fn check(&mut self, first: &Shape, second: &Shape) {
         let pair = Pair::new(first.clone(), second.clone());
         let scene = &pair.scene;
         let (is_degenerate, size) = (pair.is_degenerate(), first.triangles.len() + second.triangles.len());
         let exact = pair.check(&mut Exact.prepare(scene, Off).unwrap(), Zeros::Refused);
         assert_eq!((exact.touching == 1, exact.refused), (is_degenerate, 0), "{:?}", pair.shapes);
-        // Ties of constructed vertices take it milliseconds each where all vertices move.
+        // Ties of constructed vertices take `sos` milliseconds each, because all vertices move.
         let by_sos = !is_degenerate || size <= 24 || predicament_effort::whole();
         let sos = Sos::default();
         let sos =
             if by_sos { pair.check(&mut sos.prepare(scene, Off).unwrap(), Zeros::Refused) } else { Seen::default() };
-        // Vertices of the first mesh have lower numbers and move by more: of a plane of either mesh, all to one side. So no edge
-        // that is parallel to a plane passes through a triangle of it, and nothing is declined.
+        // Vertices of the first mesh have lower numbers and move further: relative to a plane of either mesh, all move
+        // to one side. So no edge that is parallel to a plane passes through a triangle of it, and nothing is declined.
         assert_eq!((sos.touching, sos.refused, sos.done), (0, 0, usize::from(by_sos)), "{:?}", pair.shapes);
         let per_mesh = pair.check(&mut PerMesh.prepare(scene, Off).unwrap(), Zeros::Refused);
         assert_eq!(per_mesh.done, 1, "{:?}", pair.shapes);
@@ -62,7 +63,7 @@ fn the_truth_about_volumes_is_that_of_boxes_and_of_parts() {
         let [first, second] = [first.boundary(1), second.boundary(1)];
         assert_eq!(common(&first, &second, &apex), closed);
         assert_eq!(common(&first, &first, &apex), volume(&first));
-        // A tetrahedron in a box is what it has in common with the boxes that the box is cut into.
+        // A tetrahedron in a box is the sum of its intersections with the boxes that the box is cut into.
         let tetrahedron = Shape::tetrahedron([(); 4].map(|()| random.point(4)));
         let tetrahedron = if tetrahedron.triangles.is_empty() { continue } else { tetrahedron.boundary(1) };
         let cut = random.whole(3);
@@ -94,7 +95,7 @@ fn tetrahedra_and_boxes_anywhere() {
     assert!(exact.touching > 5 && exact.done > 40 && per_mesh.constructed > 100, "{all:?}");
 }
 
-/// A face of one is in the plane of a face of the other: where these are apart, nothing touches.
+/// Tests a face of one mesh in the plane of a face of the other: if these faces are apart, nothing touches.
 #[test]
 fn faces_in_one_plane_that_are_apart_do_not_touch() {
     let (mut random, mut seen) = (Random(6), Seen::default());
@@ -130,11 +131,11 @@ fn boxes_that_touch_in_every_way() {
     for by in
         [[ulp, 0., 0.], [0., -ulp, 0.], [2f64.powi(-30), 0., 2f64.powi(-30)], [2f64.powi(-30); 3], [-ulp, ulp, -ulp]]
     {
-        // From 1 to 2 every multiple of ulp is a double.
+        // From 1 to 2 every multiple of an ulp is a double.
         let one = || Shape::cuboid([1.25; 3], [1.75; 3]);
         all.check(&one(), &one().moved(by));
     }
-    // Of different sizes, within each other, with sides in one plane.
+    // Boxes of different sizes, inside each other, with sides in one plane.
     all.check(&unit(), &Shape::cuboid([0.; 3], [1.; 3]));
     all.check(&unit(), &Shape::cuboid([0., 0., 1.], [1., 2., 2.]));
     all.check(&Shape::cuboid([-1., 0., 0.], [3., 1., 1.]), &unit());
@@ -155,7 +156,7 @@ fn shapes_that_are_not_convex() {
     let mut all = All::default();
     let large = Shape::tetrahedron([[-20., -15., 0.5], [30., -12., 0.25], [1., 40., 0.75], [3., 2., -30.]]);
     let ell = Shape::cubes(&[[0, 0, 0], [1, 0, 0], [0, 1, 0]]);
-    // Teeth through one triangle, a ring that stands in it, and one that lies in it.
+    // Teeth through one triangle, a ring that stands in it, and a ring that lies in it.
     let standing = |shape: Shape| shape.mapped(|[x, y, z]| [x, z + 0.125, 2.0 - y]);
     all.check(&large, &standing(comb()));
     all.check(&standing(comb()), &large);
@@ -217,7 +218,7 @@ fn results_as_half_edge_meshes_have_their_labels() {
             assert!(solid.triangles[place].contains(&mesh.scene_vertex(mesh.end(h))));
             let other = mesh.face(mesh.opposite(h)).unwrap();
             if mesh.face_marker(other) != mesh.face_marker(face) {
-                // Surfaces of the two change on the curve, whose vertices are constructed.
+                // The surfaces of the two meet on the curve, whose vertices are constructed.
                 assert!([mesh.start(h), mesh.end(h)].iter().all(|&v| mesh.scene_vertex(v).is_constructed()));
                 curve += 1;
             }
@@ -272,13 +273,13 @@ fn lattices_of_tetrahedra_have_closed_regions() {
     assert!(exact.done > 0 && exact.touching > 2 && per_mesh.constructed > 100, "{all:?}");
 }
 
-/// Tetrahedra around an edge that passes through triangles of the other mesh.
+/// Tests tetrahedra around an edge that passes through triangles of the other mesh.
 #[test]
 fn edges_of_many_triangles_pass_through() {
     let mut all = All::default();
     let axis = [[0.25, 0.5, 9.0], [0.0, 0.25, -9.0]];
     let eight = [[5., 0.], [4., 4.], [0., 5.], [-4., 4.], [-5., 0.], [-4., -4.], [0., -5.], [4., -4.]];
-    // Opposite ones are in one plane with a straight axis, and in none with the other.
+    // Opposite faces are in one plane with a straight axis, and not in one plane with the other axis.
     let straight = [[0., 0., 9.], [0., 0., -9.]];
     let large = Shape::tetrahedron([[-20., -15., 0.5], [30., -12., 0.25], [1., 40., 0.75], [3., 2., -30.]]);
     let slab = Shape::cuboid([-7., -8., -2.], [9., 10., 3.]);
@@ -294,7 +295,7 @@ fn edges_of_many_triangles_pass_through() {
             all.check(&fan, &fan.clone().sheared(TURN).mapped(|p| p.map(|x| x / 4.0)).moved([0.5, 0.25, 1.0]));
         }
     }
-    // A fan of which the edge ends in the plane of the other's faces.
+    // A fan whose edge ends in the plane of the other's faces.
     let short = Shape::fan([[0., 0., 3.], [0., 0., -2.]], &eight.map(|[x, y]| [x, y, 0.0]), true);
     all.check(&slab, &short);
     all.check(&short, &slab);

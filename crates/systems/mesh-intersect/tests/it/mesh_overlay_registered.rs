@@ -1,4 +1,4 @@
-//! Overlays by registered contacts against those by exact signs, and against the laws of an overlay.
+//! Tests of overlays by registered contacts against those by exact signs, and against the laws of an overlay.
 
 use predicament_exact::Exact;
 use predicament_mesh_intersect::algorithm::overlay::{Undone, Zeros, mesh_overlay, mesh_overlay_registered};
@@ -8,14 +8,15 @@ use predicament_tolerance::Tolerance;
 use crate::common::overlaid::Pair;
 use crate::common::shapes::{Random, Shape};
 
-/// What became of a pair.
+/// The outcome of a pair.
 #[derive(PartialEq, Eq, Debug)]
 enum Became {
     Same { constructed: usize },
     Contact([Vec<Vertex>; 2]),
 }
 
-/// Overlays a pair by contacts. Where it is done, all of it is what exact signs make of it, and each registered point is near the very one.
+/// Overlays a pair by contacts. If the overlay is done, it equals the one by exact signs, and each registered point is
+/// near the exact one.
 fn by_contacts(first: &Shape, second: &Shape) -> Became {
     let pair = Pair::without_truth(first.clone(), second.clone());
     let meshes = pair.meshes();
@@ -41,7 +42,7 @@ fn by_contacts(first: &Shape, second: &Shape) -> Became {
         let point = exactly.point(v).unwrap();
         let place = points.place(v);
         assert_eq!(points.rounded_point(v), Some(&place[..]));
-        // A weight is off by at most a quarter power of epsilon (Algorithm 11), here by far less.
+        // The error of a weight is at most a quarter power of epsilon (Algorithm 11), here far less.
         for (x, exact) in place.iter().zip(point.iter()) {
             assert!((x - exact.to_f64()).abs() <= 1e-9 * reach, "{v}: {x} {exact}");
         }
@@ -58,7 +59,7 @@ fn what_is_in_general_position_is_as_exact_signs_have_it() {
     };
     for _ in 0..predicament_effort::scaled(300) {
         let mut shape = || loop {
-            // (Whole numbers that three planes seldom share, thirds that are none.)
+            // (Three planes seldom share a point in integers, and thirds are not exact.)
             let shape = Shape::tetrahedron([(); 4].map(|()| random.point(1_000).map(|x| x / 3.0)));
             if !shape.triangles.is_empty() {
                 return shape;

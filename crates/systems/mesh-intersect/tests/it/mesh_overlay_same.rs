@@ -1,4 +1,5 @@
-//! Overlays of meshes that have a large part in common: the same whether what is in common is set aside or asked about.
+//! Tests of overlays of meshes with a large common part: the result is the same if the common part is set aside and if
+//! it is tested.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -12,7 +13,7 @@ use predicament_sos::PerMesh;
 use crate::common::overlaid::Pair;
 use crate::common::shapes::{Random, Shape};
 
-/// A session that says, or does not say, that it moves a mesh, and counts what it is asked.
+/// A session that reports, or does not report, that it moves a mesh, and counts its queries.
 struct Counted<P> {
     session: P,
     moves: bool,
@@ -36,7 +37,7 @@ impl<P: Predicates> Predicates for Counted<P> {
     forward_to!(session: scene, compare, orient2d, incircle, insphere);
 }
 
-/// An overlay, and how many signs in space it took.
+/// An overlay, and its number of signs in space.
 fn overlaid(pair: &Pair, moves: bool) -> (MeshOverlay, usize) {
     let session = PerMesh.prepare(&pair.scene, Off).unwrap();
     let mut session = Counted { session, moves, asked: AtomicUsize::new(0) };
@@ -44,14 +45,14 @@ fn overlaid(pair: &Pair, moves: bool) -> (MeshOverlay, usize) {
     (overlay, session.asked.into_inner())
 }
 
-/// All that can be seen of an overlay.
+/// All public data of an overlay.
 fn seen(overlay: &MeshOverlay) -> (Vec<Construction>, Vec<[Vertex; 3]>, Vec<Solid>) {
     let pieces = [0, 1].map(|mesh| overlay.pieces(mesh).iter().map(|piece| piece.triangle).collect::<Vec<_>>());
     let solids = Operation::ALL.map(|operation| overlay.solid(operation)).to_vec();
     (overlay.constructions().to_vec(), pieces.concat(), solids)
 }
 
-/// Asserts that both ways come to the same; how many times fewer signs the one takes.
+/// Asserts that both ways give the same result; returns the ratio of their numbers of signs.
 fn check(first: &Shape, second: &Shape) -> usize {
     let pair = Pair::without_truth(first.clone(), second.clone());
     let (aside, few) = overlaid(&pair, true);
@@ -68,7 +69,7 @@ fn torus() -> Shape {
     Shape::torus([12_000.0, 5_000.0], [160, 64]).sheared([[1., 0.125, 0.], [0., 1., 0.25], [0.5, 0., 1.]])
 }
 
-/// The same surface otherwise: vertices and triangles in another order, triangles from another corner on.
+/// The same surface with shuffled vertices and triangles, and with triangles from another corner on.
 fn shuffled(shape: &Shape, random: &mut Random) -> Shape {
     let mut order: Vec<usize> = (0..shape.points.len()).collect();
     for at in (1..order.len()).rev() {
@@ -87,7 +88,7 @@ fn shuffled(shape: &Shape, random: &mut Random) -> Shape {
     other
 }
 
-/// Two round bodies, the second with a vertex within a triangle of the first.
+/// Two round bodies; the second has a vertex inside a triangle of the first.
 fn touched() -> Shape {
     let body = sphere().mapped(|p| p.map(|x| 4.0 * x));
     let of = |at: usize| body.triangles[at].map(|v| body.points[v]);
@@ -102,7 +103,7 @@ fn touched() -> Shape {
     body.and(&other.moved(by))
 }
 
-/// Both shapes, and whether they are overlaid as they are and the other way around; by default each in one of the ways.
+/// Both shapes, each with flags to overlay it in the given order and exchanged; by default each in one order.
 fn shapes() -> [(Shape, [bool; 2]); 2] {
     [(sphere(), some_or_all([true, false], [true; 2])), (torus(), some_or_all([false, true], [true; 2]))]
 }
@@ -135,7 +136,8 @@ fn a_mesh_that_touches_itself() {
     assert!(check(&shape, &shape) > 4, "most of it is set aside");
 }
 
-/// Where products of coordinates underflow or overflow, lines separate nothing; boxes and diagonals still do.
+/// Tests extreme scales: if products of coordinates underflow or overflow, lines separate nothing; boxes and diagonals
+/// still do.
 #[test]
 fn a_mesh_at_any_scale() {
     for exponent in [-1000, -540, -300, 300, 600, 1000].into_iter().step_by(some_or_all(2, 1)) {
@@ -144,7 +146,7 @@ fn a_mesh_at_any_scale() {
     }
 }
 
-/// All vertices on spikes: next to nothing is a graph over the yz plane.
+/// Tests a mesh whose vertices are all on spikes: hardly any neighbourhood is a graph over the yz plane.
 #[test]
 fn a_mesh_of_folds() {
     let mut random = Random(3);
@@ -156,7 +158,7 @@ fn a_mesh_of_folds() {
     check(&shape, &shape);
 }
 
-/// Where nothing moves, or each vertex by itself, ties are asked about.
+/// Tests that ties are decided by the session if nothing moves, or if each vertex moves separately.
 #[test]
 fn other_sessions_do_not_say_that_a_mesh_moves() {
     let pair = Pair::without_truth(sphere(), sphere());

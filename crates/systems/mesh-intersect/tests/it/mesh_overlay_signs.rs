@@ -1,4 +1,4 @@
-//! Overlays on any number of threads, and by signs that mean nothing.
+//! Tests of overlays on any number of threads, and by meaningless signs.
 
 use std::collections::BTreeMap;
 
@@ -14,7 +14,7 @@ use crate::common::liar::{Liar, Slip};
 use crate::common::overlaid::Pair;
 use crate::common::shapes::{Random, Shape};
 
-/// All that an overlay has to say.
+/// All data of an overlay.
 type Told = (Vec<Construction>, [Vec<Piece>; 2], Vec<Solid>, Regions);
 
 fn told(overlay: &MeshOverlay) -> Told {
@@ -45,7 +45,8 @@ fn the_answer_is_the_same_on_any_number_of_threads() {
 
 #[test]
 fn a_zero_is_refused_or_positive() {
-    // A corner of the second stands on a face of the first, and on nothing else: behind it, where zeros are positive.
+    // A corner of the second stands on a face of the first, and on nothing else: it counts as behind the face if zeros
+    // are positive.
     let stands = Shape::tetrahedron([[3., 2., 8.], [2., 1., 12.], [7., 3., 12.], [4., 6., 12.]]);
     let pair = Pair::new(Shape::cuboid([0.; 3], [8.; 3]), stands);
     let corner = pair.scene.vertices().find(|&v| pair.scene.point3(v) == [3., 2., 8.]).unwrap();
@@ -55,14 +56,15 @@ fn a_zero_is_refused_or_positive() {
     let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Positive).unwrap();
     assert_eq!(overlay.constructions().len(), 3, "each edge at the corner passes through");
     pair.laws(session.scene(), &overlay);
-    // Beside the face there is nothing.
+    // Moved off the face, the overlay is empty.
     let stands = pair.shapes[1].clone().moved([0., 0., 0.5]);
     let pair = Pair::new(pair.shapes[0].clone(), stands);
     let mut session = Exact.prepare(&pair.scene, Off).unwrap();
     assert!(mesh_overlay(&mut session, pair.meshes(), Zeros::Positive).unwrap().constructions().is_empty());
 }
 
-/// Says any signs, and constructs whatever it is told; or right about `orient3d`, with vertices where they are.
+/// A session with arbitrary signs that constructs every point; or a session with right `orient3d` and vertices at their
+/// positions.
 struct Lies<'s, P> {
     liar: Liar<'s>,
     session: P,
@@ -85,7 +87,7 @@ impl<P: Predicates> Predicates for Lies<'_, P> {
     forward_to!(liar: compare, orient2d, incircle, insphere);
 }
 
-/// A scene of which anything can be constructed.
+/// A scene in which anything can be constructed.
 struct Takes(Scene);
 
 impl Predicates for Takes {
@@ -119,7 +121,7 @@ fn random_pair(random: &mut Random) -> Pair {
     Pair::without_truth(first, second)
 }
 
-/// What an overlay that may be wrong comes to: all of it can be taken.
+/// The outcome of an overlay that may be wrong: all its results can be computed.
 fn outcome(result: Result<MeshOverlay, Undone>) -> &'static str {
     match result {
         Ok(overlay) => {
@@ -158,7 +160,7 @@ fn signs_that_mean_nothing_end() {
     }
     assert!(outcomes.len() > 5 && outcomes["done"] > 10, "{outcomes:?}");
     assert!(outcomes.contains_key("vertices that no triangle parts are in one region"), "{outcomes:?}");
-    // One that says nothing but zero.
+    // A session that always returns zero.
     let pair = random_pair(&mut random);
     assert_eq!(outcome(mesh_overlay(&mut Takes(pair.scene.clone()), pair.meshes(), Zeros::Positive)), "done");
 }

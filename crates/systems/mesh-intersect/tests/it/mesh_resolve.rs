@@ -1,4 +1,5 @@
-//! Meshes that cross themselves, against volumes and winding numbers that are known otherwise, and all pairs of triangles in rationals.
+//! Tests of meshes that cross themselves, against volumes and winding numbers from other sources, and with all pairs of
+//! triangles in rationals.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -24,7 +25,7 @@ fn heap(shapes: &[Shape]) -> Closed {
     closed(&shapes.iter().fold(Shape::default(), |all, shape| all.and(shape)))
 }
 
-/// A tetrahedron, counterclockwise as seen from outside; none without volume.
+/// A tetrahedron, counterclockwise as seen from outside; `None` if it has no volume.
 fn tetrahedron(points: [[f64; 3]; 4]) -> Option<Shape> {
     let shape = Shape::solid(points.to_vec(), vec![[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]]);
     match volume(&surface(&closed(&shape))).cmp0() {
@@ -43,7 +44,7 @@ fn surface(mesh: &Closed) -> Vec<[Point; 3]> {
 struct Found {
     surface: Vec<[Point; 3]>,
     counts: Counts,
-    /// The places of vertices of the result where three planes meet.
+    /// The positions of the result's vertices where three planes meet.
     corners: BTreeSet<Point>,
 }
 
@@ -67,7 +68,7 @@ fn resolve(mesh: &Closed) -> Result<Found, String> {
     Ok(Found { surface, counts: resolved.counts, corners })
 }
 
-/// What is wrong with a surface: without area, open, or crossing itself.
+/// The flaw of a surface: without area, open, or crossing itself.
 fn flaw(surface: &[[Point; 3]]) -> Option<String> {
     if surface.iter().any(|triangle| area(triangle).iter().all(|x| x.cmp0().is_eq())) {
         return Some("a triangle without area".to_owned());
@@ -84,7 +85,7 @@ fn flaw(surface: &[[Point; 3]]) -> Option<String> {
     improper(surface).first().map(|pair| format!("triangles {pair:?} meet"))
 }
 
-/// What is wrong with the resolution of a mesh whose inside has this volume.
+/// The flaw of the resolution of a mesh whose inside has the volume `wanted`.
 fn wrong(mesh: &Closed, wanted: &Rational) -> Option<String> {
     let found = match resolve(mesh) {
         Ok(found) => found,
@@ -105,7 +106,7 @@ fn two_boxes_are_their_union() {
     let second = Shape::cuboid([1.0, 2.0, 3.0], [7.0, 8.0, 9.0]);
     let found = right(&heap(&[first.clone(), second]), 64 + 216 - 3 * 2);
     assert!(found.counts.cut > 0 && found.counts.dropped > 0, "{:?}", found.counts);
-    // Of boxes that are one in the other, or apart, nothing is cut.
+    // Nested or separate boxes are not cut.
     let inner = Shape::cuboid([1.0; 3], [2.0; 3]);
     let found = right(&heap(&[first.clone(), inner.clone()]), 64);
     assert_eq!((found.counts.cut, found.counts.dropped, found.surface.len()), (0, 12, 12));
@@ -146,7 +147,7 @@ fn faces_of_one_plane_are_cut_together() {
     right(&heap(&[base.clone(), second]), 72 + 18);
     let on_top = Shape::cuboid([1.0, 1.0, 2.0], [3.0, 4.0, 3.0]);
     right(&heap(&[base.clone(), on_top]), 72 + 6);
-    // A part that is turned inside out is taken away where it is inside, and is nothing elsewhere.
+    // A part that is turned inside out is subtracted inside another part, and has no effect elsewhere.
     let hole = Shape::cuboid([1.0, 1.0, -3.0], [3.0, 4.0, 2.0]).inverted();
     right(&heap(&[base, hole]), 72 - 12);
 }
@@ -157,7 +158,8 @@ fn folds_and_what_is_inside_out_vanish() {
     let whole = tetrahedron(points).unwrap();
     right(&closed(&whole), 36);
     assert!(right(&closed(&whole.clone().inverted()), 0).surface.is_empty());
-    // A face is replaced by three to a point of its plane beside it: two of them lie on the third, and on each other.
+    // A face is replaced by three triangles to a point of its plane beside it: two of them lie on the third, and on
+    // each other.
     let mut folded = closed(&whole);
     folded.points.push([7.0, 5.0, 0.0]);
     let [a, b, c] = folded.triangles.remove(0);
@@ -192,7 +194,8 @@ fn a_mesh_that_is_open_is_refused() {
     assert!(resolve(&Closed::default()).unwrap().surface.is_empty());
 }
 
-/// Boxes of a small lattice, some of them inside out, and the cells where more of them are than of these.
+/// Boxes of a small lattice, some of them inside out, and the number of cells with more normal boxes than reversed
+/// ones.
 fn boxes(seed: u64) -> (Closed, usize) {
     let mut random = Random(seed);
     let mut cells: BTreeMap<[i32; 3], i32> = BTreeMap::new();
@@ -228,7 +231,7 @@ fn boxes_are_their_cells() {
     assert!(flaws.is_empty(), "{} flaws, first: {}", flaws.len(), flaws[0]);
 }
 
-/// Tetrahedra of whole or other coordinates, some of them inside out.
+/// Tetrahedra of integer or other coordinates, some of them inside out.
 fn soup(seed: u64, point: &dyn Fn(&mut Random) -> [f64; 3]) -> Closed {
     let mut random = Random(seed);
     let mut shapes = Vec::new();
@@ -240,7 +243,7 @@ fn soup(seed: u64, point: &dyn Fn(&mut Random) -> [f64; 3]) -> Closed {
     heap(&shapes)
 }
 
-/// Points that a surface goes around as it should not, and how many have been looked at.
+/// The points with a wrong winding number in a surface, and the number of points tested.
 fn misplaced(mesh: &Closed, surface: Vec<[Point; 3]>, random: &mut Random, reach: f64) -> [usize; 2] {
     let (before, after) = (Boundary::new(self::surface(mesh)), Boundary::new(surface));
     let mut counts = [0; 2];

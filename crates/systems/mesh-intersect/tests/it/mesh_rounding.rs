@@ -1,4 +1,4 @@
-//! What is said to be wrong with two triangles, by hand-made pairs and by clipping in rationals.
+//! Tests of the flaws of two triangles, by hand-made pairs and by clipping in rationals.
 
 use std::sync::Arc;
 
@@ -17,7 +17,7 @@ use crate::common::touching::{improper, is_proper};
 
 const FIRST: [u32; 3] = [0, 1, 2];
 
-/// What is wrong with the triangle of the first three points and another one, either way round.
+/// The flaw of the triangle of the first three points and another triangle, in either order.
 fn found(points: &[[f64; 3]], second: [u32; 3]) -> Option<Flaw> {
     let scene = Scene::from_points3(points).unwrap();
     let session = Exact.prepare(&scene, Off).unwrap();
@@ -76,7 +76,7 @@ fn triangles_without_a_common_corner_are_apart_or_cross() {
     assert_eq!(others([3.0, 3.0, 1.0], [3.0, 3.0, -1.0], [5.0, 5.0, 0.0]), None, "through the plane, beside it");
 }
 
-/// All pairs of triangles of few small points are told as clipping tells them.
+/// Tests that all pairs of triangles of few small points get the flaws that clipping finds.
 #[test]
 fn pairs_are_as_clipping_has_them() {
     let mut seen = [0; 2];
@@ -91,7 +91,7 @@ fn pairs_are_as_clipping_has_them() {
         let all = [corners(FIRST), corners(second)].concat();
         let is_flat =
             |triangle: [u32; 3]| crate::common::volumes::area(&exact(triangle)).iter().all(|x| x.cmp0().is_eq());
-        // Corners at one place are one vertex, or another story.
+        // Corners at one position must be one vertex; otherwise the case is another one.
         let places: std::collections::BTreeSet<[u64; 3]> = all.iter().map(|p| p.map(|x| (x + 0.0).to_bits())).collect();
         let names: std::collections::BTreeSet<u32> = [FIRST, second].concat().into_iter().collect();
         if is_flat(FIRST) || is_flat(second) || places.len() != names.len() {
@@ -131,7 +131,7 @@ fn flaws_are_counted_by_kind() {
     assert_eq!(counted(&[[0, 2, 1]], 2), of(1, 0, 0, &[0, 1, 2]));
 }
 
-/// The union of a sphere and the same with points an ulp beside its own, in doubles.
+/// The union of a sphere and a copy with points an ulp beside its own, in doubles.
 fn united(seed: u64) -> Rounded {
     let mut random = Random(seed);
     let mut sphere = Shape::sphere(1e9, 1);
@@ -153,7 +153,7 @@ fn united(seed: u64) -> Rounded {
     rounded(&Exact, &exact, &limit).unwrap()
 }
 
-/// Whether a mesh crosses itself, by all pairs in rationals.
+/// True if a mesh crosses itself, by all pairs in rationals.
 fn crosses(rounded: &Rounded) -> bool {
     let mesh = &rounded.closed;
     let corners = |triangle: &[u32; 3]| triangle.map(|v| mesh.points[v as usize].map(rational));
@@ -165,7 +165,7 @@ fn flaws_are_left_where_the_mesh_crosses_itself() {
     let mut flawed = 0;
     for seed in 1..=u64::from(predicament_effort::cases(160)) {
         let rounded = united(seed);
-        // What has only turned over crosses nothing.
+        // A triangle that has only turned over crosses nothing.
         assert!(rounded.counts.left > 0 || !crosses(&rounded), "{seed}: {:?}", rounded.counts);
         let Counts { turned, folded, crossing, .. } = rounded.counts;
         flawed += usize::from(turned + folded + crossing > 0);

@@ -10,10 +10,11 @@ use super::{Labels, Location, MeshIndex, Scratch};
 /// The number of queries between two calls of the progress hook.
 pub const CHUNK: usize = 4096;
 
-/// Locates every vertex of `queries`, on all threads of the current rayon pool: labels first, by the queries themselves.
+/// Locates every vertex of `queries`, on all threads of the current rayon pool. It computes labels first, from the
+/// queries themselves.
 ///
-/// `progress` is called after each chunk of [`CHUNK`] queries with the number of queries done so far; once it returns
-/// false no further chunk is begun, and the answers are those before the first gap.
+/// `progress` is called after each chunk of [`CHUNK`] queries with the number of queries done so far. Once it returns
+/// false, no further chunk begins, and the answers are those before the first gap.
 ///
 /// # Panics
 /// As [`MeshIndex::locate`].
@@ -27,10 +28,10 @@ pub fn locate_all<P: Predicates + ?Sized>(
     locate_labelled(index, session, &labels, queries, progress)
 }
 
-/// [`locate_all`] with labels that were found before.
+/// Locates like [`locate_all`], with given labels.
 ///
 /// # Panics
-/// As [`MeshIndex::locate`], and if the labels are not of this index.
+/// As [`MeshIndex::locate`], and if the labels belong to another index.
 pub fn locate_labelled<P: Predicates + ?Sized>(
     index: &MeshIndex,
     session: &P,
@@ -41,8 +42,8 @@ pub fn locate_labelled<P: Predicates + ?Sized>(
     gather(queries, progress, |q, scratch| index.locate(session, labels, q, scratch))
 }
 
-/// [`locate_all`] by [`MeshIndex::question_any`]: every triangle in the way is asked about, so that a session that is
-/// wrong about one can't hide it.
+/// Locates like [`locate_all`], but by [`MeshIndex::question_any`]. The session is queried about every triangle in the
+/// way, so that a wrong sign cannot stay hidden.
 ///
 /// # Panics
 /// As [`MeshIndex::question_any`].

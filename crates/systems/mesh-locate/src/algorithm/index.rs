@@ -1,4 +1,4 @@
-//! A mesh with a grid over its triangles, and the regions that empty cells are in.
+//! A mesh with a grid over its triangles, and the regions of empty cells.
 
 use std::sync::Arc;
 
@@ -10,10 +10,10 @@ use rayon::prelude::*;
 
 use super::{Location, Scratch};
 
-/// Triangles that one thread takes at a time.
+/// The number of triangles in one thread's work item.
 const PART: usize = 4096;
 
-/// A mesh with a broad phase over it. It depends on raw coordinates, and on no backend.
+/// A mesh with a broad phase over it. It depends on raw coordinates only, not on a backend.
 #[derive(Clone, Debug)]
 pub struct MeshIndex {
     mesh: Arc<MaterialMesh>,
@@ -22,7 +22,7 @@ pub struct MeshIndex {
     shadows: Vec<Shadow>,
 }
 
-/// The box of a triangle as seen from above, or a little more than that: in 16 bytes, where corners are in 84 at four places.
+/// The box of a triangle as seen from above, rounded outward to 16 bytes; the corners take 84 bytes at four addresses.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shadow {
     low: [f32; 2],
@@ -31,7 +31,8 @@ pub(super) struct Shadow {
 
 impl Shadow {
     fn of(bounds: &Bounds<3>) -> Shadow {
-        // Rounded to the nearest, then outward where that was inward; what overflows is infinite or the largest.
+        // Rounded to the nearest float, then outward if that was inward; on overflow the bound is infinite or the
+        // largest float.
         #[allow(clippy::cast_possible_truncation)]
         let down = |x: f64| if f64::from(x as f32) > x { (x as f32).next_down() } else { x as f32 };
         #[allow(clippy::cast_possible_truncation)]
@@ -40,7 +41,7 @@ impl Shadow {
         Shadow { low: [down(lx), down(ly)], high: [up(hx), up(hy)] }
     }
 
-    /// Whether a vertical line passes it.
+    /// True if the vertical line through (x, y) meets the box.
     #[inline(always)]
     pub(super) fn has(&self, x: f64, y: f64) -> bool {
         let ([lx, ly], [hx, hy]) = (self.low, self.high);
@@ -48,30 +49,30 @@ impl Shadow {
     }
 }
 
-/// The regions of the cells that list no triangle, as a session has found them.
+/// The regions of the cells without triangles, found with a session.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Labels {
-    /// For each cell its region, or [`UNKNOWN`].
+    /// The region of each cell, or [`UNKNOWN`].
     of_slot: Vec<u32>,
 }
 
-/// No region is known.
+/// The label of a cell whose region is not known.
 const UNKNOWN: u32 = u32::MAX;
 
 impl Labels {
-    /// The region that all of a cell is in, where there are labels and it is known.
+    /// The region that contains a whole cell, if there are labels and the region is known.
     pub(super) fn get(&self, slot: Slot) -> Option<u32> {
         self.of_slot.get(slot.index()).copied().filter(|&region| region != UNKNOWN)
     }
 
-    /// The region that all of a cell is in, where that is known.
+    /// The region that contains a whole cell, if it is known.
     #[inline]
     pub(super) fn of(&self, slot: Slot) -> Option<u32> {
         let region = self.of_slot[slot.index()];
         (region != UNKNOWN).then_some(region)
     }
 
-    /// The memory that they take, in bytes.
+    /// The memory of the labels, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         size_of::<u32>() * self.of_slot.len()
@@ -79,16 +80,16 @@ impl Labels {
 }
 
 impl MeshIndex {
-    /// An index of a mesh, its grid by [`Sizes::of`].
+    /// Builds the index of a mesh, with a grid of the sizes [`Sizes::of`].
     ///
     /// # Panics
-    /// If the mesh has vertices that the scene lacks, or the scene is of the plane.
+    /// If the mesh has vertices that the scene lacks, or the scene is planar.
     #[must_use]
     pub fn new(mesh: impl Into<Arc<MaterialMesh>>, scene: &Scene) -> MeshIndex {
         MeshIndex::with_sizes(mesh, scene, None)
     }
 
-    /// [`MeshIndex::new`] with a grid of these sizes.
+    /// Builds the index like [`MeshIndex::new`], with a grid of the given sizes.
     ///
     /// # Panics
     /// As [`MeshIndex::new`].
@@ -116,7 +117,7 @@ impl MeshIndex {
         &self.grid
     }
 
-    /// The memory that the grid, the regions of its cells and the triangles' boxes take, in bytes; not that of the mesh.
+    /// The memory of the grid, its regions and the triangles' boxes, in bytes, without the mesh.
     #[must_use]
     pub fn bytes(&self) -> usize {
         self.grid.bytes() + self.empty.bytes() + size_of_val(&self.shadows[..])
@@ -127,15 +128,15 @@ impl MeshIndex {
         &self.shadows
     }
 
-    /// A point in each region of empty cells of which the border of the grid does not tell where it is.
+    /// One point in each region of empty cells whose mesh region does not follow from the grid's border.
     #[must_use]
     pub fn references(&self) -> Vec<[f64; 3]> {
         let slots = self.empty.first().iter().enumerate().filter(|&(region, _)| !self.empty.is_open(region));
         slots.filter_map(|(_, &slot)| self.grid.middle(slot)).collect()
     }
 
-    /// Finds the regions that empty cells are in, by one ray for each set of connected cells: from the first of these vertices that is in
-    /// it. A set without any has no label, and points in it are found by rays of their own.
+    /// Finds the regions of empty cells, by one ray for each set of connected cells. The ray starts at the first of the
+    /// given vertices in the set. A set without a vertex has no label; points in it are located by their own rays.
     ///
     /// Vertices can be the queries themselves, or those of [`references`](MeshIndex::references).
     ///
@@ -157,7 +158,8 @@ impl MeshIndex {
             let Some(v) = first[region] else { return UNKNOWN };
             match self.by_ray(session, &none, v, &mut Scratch::new()) {
                 Location::In(region) => region,
-                // A point in an empty cell is on no triangle; a session that says so is asked again for each point.
+                // A point in an empty cell is on no triangle. If the session contradicts that, it is queried for each
+                // point.
                 Location::On(_) | Location::Contradiction | Location::Undecided => UNKNOWN,
             }
         };

@@ -1,36 +1,43 @@
-//! Which region of a multi-material mesh a point is in: PinMesh (Franklin and Magalhães, section 4.4; Magalhães, Andrade,
+//! Location of points in a multi-material mesh: PinMesh (Franklin and Magalhães, section 4.4; Magalhães, Andrade,
 //! Franklin and Li, *PinMesh: fast and exact 3D point location queries using a uniform grid*, 2016).
 //!
-//! A point in a cell of the grid that lists no triangle is in the region of all cells around that list none, which is found once
-//! ([`MeshIndex::labels`]). From other points a ray goes straight up, to the nearest triangle above: the region is that below this triangle.
-//! Only `compare`, `orient2d` and `orient3d` are asked, and nothing is divided:
-//! * the ray meets a triangle iff three `orient2d` in the plane across the ray agree, and `orient3d` says that the point is
-//!   below;
-//! * of two triangles that it meets the nearer is found at a vertex of the part that their projections share: a corner of the
-//!   one over the other (`orient3d`), or a crossing of two edges (`orient3d` of the four ends). See `nearer.rs`. Where neither is
-//!   nearer, as of two faces of a sheet without thickness, the sum below decides.
+//! Each set of connected grid cells without triangles lies in one region of the mesh, and so do the points in these
+//! cells. That region is found once ([`MeshIndex::labels`]). From any other point a ray goes straight up, to the
+//! nearest triangle above; the region is the one below this triangle. The only predicates are `compare`, `orient2d` and
+//! `orient3d`, and there is no division:
+//! * the ray meets a triangle iff three `orient2d` in the plane across the ray agree, and `orient3d` says that the
+//!   point is below;
+//! * of two triangles that the ray meets, the nearer is found at a vertex of the common part of their projections: a
+//!   corner of one over the other (`orient3d`), or a crossing of two edges (`orient3d` of the four ends). See
+//!   `nearer.rs`. If neither is nearer, as with two faces of a sheet without thickness, the sum described below
+//!   decides.
 //!
 //! # Zeros
-//! Zeros of exact sessions are ties, and perturbed sessions have none:
-//! * a point with a zero `orient3d`, whose projection is in that of the triangle, borders included, is **on** the triangle;
-//! * else, where `orient2d` is zero, the ray is taken at (ε, ε²) beside the point, in the plane across the ray: the signs of ε and ε²
-//!   are differences of coordinates, which `compare` tells. So the ray passes beside all vertices and edges, and vertical
-//!   triangles are never met;
-//! * under Simulation of Simplicity no zero comes up for a point that is a vertex of its own, and the answer is that of the perturbed scene.
+//! Zeros of exact sessions are ties; perturbed sessions have none:
+//! * a point is **on** a triangle if `orient3d` is zero and the point's projection is in that of the triangle, borders
+//!   included;
+//! * otherwise, where `orient2d` is zero, the ray starts at (ε, ε²) beside the point, in the plane across the ray. The
+//!   signs of ε and ε² are differences of coordinates, which `compare` decides. So the ray passes beside all vertices
+//!   and edges, and never meets vertical triangles;
+//! * under Simulation of Simplicity a point with its own vertex never has a zero, and the answer is that of the
+//!   perturbed scene.
 //!
 //! # Zeros within a band
-//! A session with a [reach](predicament_predicates::Predicates::reach) answers zero within a band, where the true sign is not known. No zero is
-//! broken there, edge by edge: signs that were chosen so need not be those of any ray. Every triangle along the ray is asked about, and
-//! * a point is **on** a triangle if its box, drawn out by the reach, holds the point, and all four signs allow it;
-//! * a triangle is passed or missed where signs that are not zero, and boxes, say so;
-//! * if another triangle may be passed or not, the ray does not decide. Then the next of the six rays along the axes is asked.
+//! A session with a [reach](predicament_predicates::Predicates::reach) answers zero within a band, where the true sign
+//! is not known. Such zeros are not broken edge by edge: the chosen signs might not be those of any ray. The session is
+//! queried about every triangle along the ray:
+//! * a point is **on** a triangle if its box, enlarged by the reach, holds the point, and all four signs allow it;
+//! * the ray passes or misses a triangle if nonzero signs, and boxes, say so;
+//! * if it may pass or miss another triangle, the ray does not decide. Then the next of the six rays along the axes is
+//!   tried.
 //!
-//! A point that no ray decides about is [`Location::Undecided`].
+//! A point that no ray decides is [`Location::Undecided`].
 //!
 //! # Meshes that contradict themselves
-//! [`MeshIndex::question`] follows the ray to its end and adds up what it passes: at each triangle one of the region before, less
-//! one of the region behind. What is left has to be one region, once. Where surfaces cross, or signs contradict each
-//! other, it can be another sum: [`Location::Contradiction`]. It needs no order, no labels, and goes along all axes.
+//! [`MeshIndex::question`] follows the ray to its end and sums up what it passes: at each triangle, plus one for the
+//! region before, minus one for the region behind. The sum must be one region, once. Where surfaces cross, or signs
+//! contradict each other, it can be another sum: [`Location::Contradiction`]. This method needs no order and no labels,
+//! and works along all axes.
 //!
 //! ```
 //! # use predicament_mesh_locate::algorithm::{Location, MeshIndex, locate_all};
@@ -57,15 +64,15 @@ pub use index::{Labels, MeshIndex};
 pub use predicament_grid::two_level::Ray;
 pub use single::Scratch;
 
-/// Where a point is.
+/// The location of a point in a mesh.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Location {
-    /// In this region.
+    /// The point is in this region.
     In(u32),
-    /// On this triangle, the first of those that it is on.
+    /// The point is on this triangle: the first of the triangles that contain it.
     On(u32),
-    /// In no region, or in several.
+    /// The point is in no region, or in several.
     Contradiction,
-    /// Not known: a zero within the session's band decides along every ray.
+    /// Not known: along every ray the answer depends on a zero within the session's band.
     Undecided,
 }

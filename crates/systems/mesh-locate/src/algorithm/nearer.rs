@@ -1,17 +1,17 @@
-//! Which of two triangles over a point is the nearer one.
+//! The nearer of two triangles over a point.
 //!
-//! Neither is across the other, so it is the same everywhere over the part that their projections share. That part is a convex polygon,
-//! whose corners are corners of the one that the other covers, and crossings of edges. The height of the one over the other is
-//! linear there, and so it is not zero at some corner, unless both are in one plane. `orient3d` tells its sign at a
-//! corner: of a triangle and a vertex, or of the four ends of two edges.
+//! The triangles do not cross, so the answer is the same over the whole common part of their projections. That part is
+//! a convex polygon. Its corners are corners of one triangle that the other covers, and crossings of edges. The height
+//! of one triangle over the other is linear there, so it is not zero at some corner, unless both are in one plane.
+//! `orient3d` gives its sign at a corner: of a triangle and a vertex, or of the four ends of two edges.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::stab::Direction;
 
-/// Whether the triangle `s` is nearer to a point that the ray comes from than `t`; none where neither is.
+/// True if the triangle `s` is nearer than `t` to the start of the ray; `None` if neither is nearer.
 ///
-/// Both are met by one ray. With `direction` it is that of larger coordinates where the ray goes up.
+/// One ray meets both. `direction` says if the ray goes to larger coordinates.
 pub(super) fn is_nearer<P: Predicates + ?Sized>(
     session: &P,
     direction: Direction,
@@ -20,7 +20,8 @@ pub(super) fn is_nearer<P: Predicates + ?Sized>(
 ) -> Option<bool> {
     let plane = direction.plane;
     let turn = |[a, b, c]: [Vertex; 3]| session.orient2d(plane, a, b, c);
-    // Whether v, which is one of the other triangle, is on the lower side of a triangle; none where it is on it.
+    // True if v, a vertex of the other triangle, is on the lower side of a triangle; `None` if it is on the triangle's
+    // plane.
     let is_below = |[a, b, c]: [Vertex; 3], v: Vertex| match session.orient3d(a, b, c, v) * turn([a, b, c]) {
         Sign::Zero => None,
         side => Some(side == Sign::Positive),
@@ -31,7 +32,7 @@ pub(super) fn is_nearer<P: Predicates + ?Sized>(
         known.first().copied().filter(|first| known.iter().all(|side| side == first))
     };
     let is_up = direction.is_up();
-    // Most pairs: all corners of the one are on one side of the other.
+    // The common case: all corners of one are on one side of the other.
     if let Some(s_below) = all_below(t, s) {
         return Some(s_below == is_up);
     }
@@ -67,7 +68,8 @@ pub(super) fn is_nearer<P: Predicates + ?Sized>(
     None
 }
 
-/// Whether the edge a, b passes under the edge c, d where their projections cross; none where they do not, or meet.
+/// True if the edge a, b passes under the edge c, d where their projections cross; `None` if the projections do not
+/// cross, or the edges meet.
 fn is_under<P: Predicates + ?Sized>(
     session: &P,
     plane: Plane,
@@ -83,7 +85,7 @@ fn is_under<P: Predicates + ?Sized>(
     if !crosses {
         return None;
     }
-    // With d below the plane of a, b, c, where these turn left, c, d is below a, b at the crossing.
+    // If d is below the plane of a, b, c, which turn left, then c, d is below a, b at the crossing.
     match session.orient3d(a, b, c, d) * turn {
         Sign::Zero => None,
         side => Some(side == Sign::Negative),

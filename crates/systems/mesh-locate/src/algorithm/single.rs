@@ -1,4 +1,4 @@
-//! Locates one point.
+//! Location of one point.
 
 use predicament_grid::Bounds;
 use predicament_grid::two_level::Ray;
@@ -9,25 +9,25 @@ use super::nearer::is_nearer;
 use super::stab::{Direction, Stab, Way, stab, stab_in_band};
 use super::{Labels, Location, MeshIndex};
 
-/// Working memory for one point after the other.
+/// Reusable working memory for locating points.
 #[derive(Clone, Default, Debug)]
 pub struct Scratch {
     listed: Vec<u32>,
-    /// Triangles in the way, and where their boxes are.
+    /// Triangles in the way, and the positions of their boxes along the ray.
     triangles: Vec<(u32, Way)>,
-    /// Regions, and how often each is passed into more than out of.
+    /// Regions, and the number of times the ray enters each, less the times it leaves.
     sums: Vec<(u32, i64)>,
 }
 
 impl Scratch {
-    /// Nothing yet.
+    /// Empty working memory.
     #[must_use]
     pub fn new() -> Scratch {
         Scratch::default()
     }
 }
 
-/// The turns of edges that have been asked for, the last few.
+/// A cache of the last few turns of edges.
 #[derive(Default)]
 struct Spokes {
     edges: [Option<([Vertex; 2], Sign)>; 8],
@@ -35,7 +35,7 @@ struct Spokes {
 }
 
 impl Spokes {
-    /// The turn of an edge: that which was found before, or that which `ask` finds.
+    /// The turn of an edge, from the cache or computed by `ask`.
     fn turn(&mut self, [u, v]: [Vertex; 2], ask: impl FnOnce() -> Sign) -> Sign {
         for ([a, b], sign) in self.edges.iter().flatten() {
             match (*a == u && *b == v, *a == v && *b == u) {
@@ -51,22 +51,22 @@ impl Spokes {
     }
 }
 
-/// The nearest triangle so far.
+/// The nearest triangle found so far.
 #[derive(Clone, Copy)]
 struct Nearest {
     triangle: u32,
-    /// The region before it.
+    /// The region in front of it.
     region: u32,
     /// The last step along the ray that its box reaches.
     end: u32,
 }
 
 impl MeshIndex {
-    /// Where the vertex `q` is: by the label of its cell, else by the nearest triangle above it; for a session with a band by the first
-    /// ray that decides.
+    /// Locates the vertex `q`: by the label of its cell, otherwise by the nearest triangle above it. For a session with
+    /// a band, the first ray that decides gives the answer.
     ///
     /// # Panics
-    /// If the session's scene lacks the vertex or one of the mesh.
+    /// If the session's scene lacks `q` or a vertex of the mesh.
     #[inline]
     pub fn locate<P: Predicates + ?Sized>(
         &self,
@@ -84,7 +84,7 @@ impl MeshIndex {
         }
     }
 
-    /// [`MeshIndex::locate`] without looking at the point's own label.
+    /// Locates like [`MeshIndex::locate`], without the label of the point's own cell.
     pub(super) fn by_ray<P: Predicates + ?Sized>(
         &self,
         session: &P,
@@ -98,7 +98,7 @@ impl MeshIndex {
         }
     }
 
-    /// Up from cell to cell, to the nearest triangle or a cell whose region is known.
+    /// Follows the ray up from cell to cell, to the nearest triangle or a cell whose region is known.
     fn walk<P: Predicates + ?Sized>(&self, session: &P, labels: &Labels, q: Vertex, scratch: &mut Scratch) -> Location {
         let (scene, direction) = (session.scene(), Direction::of(Ray::UP));
         let points: &[[f64; 3]] = scene.coordinates().as_chunks().0;
@@ -106,7 +106,7 @@ impl MeshIndex {
         let mut nearest: Option<Nearest> = None;
         let (mut found, mut coincide) = (None, false);
         let mut spokes = Spokes::default();
-        // The last step of the cells before.
+        // The last step of the previous cells.
         let mut before = None;
         self.grid().along(p, Ray::UP, |slot, entries, last| {
             if entries.is_empty() && nearest.is_none() {
@@ -121,12 +121,13 @@ impl MeshIndex {
                 let corners = triangles[triangle as usize];
                 let Some(low) = may_meet(points, corners, p) else { continue };
                 if before.is_some_and(|before| self.grid().step(2, low) <= before) {
-                    // It was listed in the cell before: its box holds the point as seen from above, and reaches down there.
+                    // The previous cell listed it: its box holds the point as seen from above, and extends down there.
                     continue;
                 }
                 let turn = |u: Vertex, v: Vertex| {
                     let ask = || session.orient2d(direction.plane, u, v, q);
-                    // An edge over the point or under it is one of several triangles, and ties cost.
+                    // Several triangles share an edge over or under the point, and ties are slow: such turns are
+                    // cached.
                     let is_at = |v: Vertex| points[v.index()][0] == p[0] && points[v.index()][1] == p[1];
                     if is_at(u) || is_at(v) { spokes.turn([u, v], ask) } else { ask() }
                 };
@@ -134,7 +135,7 @@ impl MeshIndex {
                     Stab::Missed => {}
                     Stab::Unsure => unreachable!("no zero here is that of a band"),
                     Stab::On => {
-                        // Entries are ascending, and the point's own cell lists all triangles that it is on.
+                        // Entries are ascending, and the point's own cell lists all triangles that contain it.
                         found = Some(Location::On(triangle));
                         return true;
                     }
@@ -155,17 +156,17 @@ impl MeshIndex {
                 }
             }
             before = Some(last);
-            // Triangles that were not listed so far are wholly above this cell.
+            // Triangles that were not listed so far are completely above this cell.
             nearest.is_some_and(|nearest| nearest.end <= last)
         });
         if coincide {
-            // Neither of two triangles is nearer: what is before both is a matter of sums.
+            // Neither of two triangles is nearer: sums decide the region before both.
             return self.question(session, q, Ray::UP, scratch);
         }
         found.unwrap_or(Location::In(nearest.map_or(OUTSIDE, |nearest| nearest.region)))
     }
 
-    /// Where the vertex `q` is by the first of these rays that decides: all but sessions with a band decide by each.
+    /// Locates the vertex `q` by the first ray that decides. Without a band, every ray decides.
     ///
     /// # Panics
     /// As [`MeshIndex::locate`], and if there are no rays.
@@ -181,11 +182,12 @@ impl MeshIndex {
         rays.iter().find_map(decide).unwrap_or(Location::Undecided)
     }
 
-    /// Where the vertex `q` is, all of it asked: every triangle along the ray, to its end, whether or not raw coordinates or
-    /// labels decide about it.
+    /// Locates the vertex `q` with a query about every triangle along the ray, to its end, even if raw coordinates or
+    /// labels would decide.
     ///
-    /// The same as [`locate`](MeshIndex::locate) for exact and perturbed signs and a mesh that does not cross itself, and slower: for
-    /// judging sessions, not for using them. With a band [`Location::Undecided`] where this ray does not decide.
+    /// The answer equals [`locate`](MeshIndex::locate) for exact and perturbed signs and a mesh that does not cross
+    /// itself. This method is slower: it serves to judge sessions, not to use them. With a band the answer is
+    /// [`Location::Undecided`] if this ray does not decide.
     ///
     /// # Panics
     /// As [`MeshIndex::locate`].
@@ -214,7 +216,7 @@ impl MeshIndex {
             };
             match met {
                 Stab::Missed => {}
-                // It may still be on one of the others.
+                // The point may still be on another triangle.
                 Stab::Unsure => is_unsure = true,
                 Stab::On => return Location::On(triangle),
                 Stab::Passed { from_behind } => {
@@ -238,7 +240,7 @@ impl MeshIndex {
     /// Finds the triangles whose boxes the ray passes within a reach, ascending, each once.
     fn in_the_way(&self, scene: &Scene, q: Vertex, ray: Ray, reach: f64, scratch: &mut Scratch) {
         let p = scene.point3(q);
-        // Outward by more than the sum is rounded.
+        // Outward by more than the rounding error of the sum.
         let around = match reach {
             0.0 => Bounds { low: p, high: p },
             _ => Bounds {
@@ -268,11 +270,11 @@ impl MeshIndex {
     }
 }
 
-/// The lowest coordinate of a triangle, if the ray up from p is in its box as seen from above, and some of the box is not below p.
+/// The lowest coordinate of a triangle, if its box holds p as seen from above and is not completely below p.
 #[inline(always)]
 fn may_meet(points: &[[f64; 3]], [a, b, c]: [Vertex; 3], p: [f64; 3]) -> Option<f64> {
     let (a, b, c) = (&points[a.index()], &points[b.index()], &points[c.index()]);
-    // Without branches, each of which is as good as random; and without `min` and `max`, which look for NaN.
+    // Without branches, which would be unpredictable; without `min` and `max`, which test for NaN.
     let is_beside = |axis: usize| {
         let x = p[axis];
         ((a[axis] < x) & (b[axis] < x) & (c[axis] < x)) | ((a[axis] > x) & (b[axis] > x) & (c[axis] > x))

@@ -1,14 +1,14 @@
-//! How a ray along an axis meets a triangle.
+//! Intersection of an axis-parallel ray with a triangle.
 
 use predicament_grid::two_level::Ray;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
-/// A ray along an axis, in the words of predicates.
+/// The direction of an axis-parallel ray, as predicates use it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Direction {
-    /// The plane across the ray, which has the ray coming out of it or going into it.
+    /// The plane across the ray; the ray goes along its normal or against it.
     pub(super) plane: Plane,
-    /// The sign of `orient3d` of a triangle that turns left in that plane with a point that the ray comes from.
+    /// The sign of `orient3d` of a triangle that turns left in that plane, and a point from which the ray meets it.
     before: Sign,
 }
 
@@ -20,33 +20,33 @@ impl Direction {
         Direction { plane, before: if ray.is_up { Sign::Positive } else { Sign::Negative } }
     }
 
-    /// Whether the ray goes to larger coordinates.
+    /// True if the ray goes to larger coordinates.
     #[inline(always)]
     pub(super) fn is_up(self) -> bool {
         self.before == Sign::Positive
     }
 }
 
-/// How a ray meets a triangle.
+/// The way in which a ray meets a triangle.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Stab {
-    /// Not at all.
+    /// The ray misses the triangle.
     Missed,
     /// The point itself is on the triangle.
     On,
-    /// A sign is zero within a band, so the ray may pass the triangle or not.
+    /// Not known: a sign is zero within a band.
     Unsure,
-    /// It passes from the back of the triangle to its front, or from the front to the back.
+    /// The ray passes the triangle, from back to front or from front to back.
     Passed {
-        /// Whether the point is behind the triangle.
+        /// True if the point is behind the triangle.
         from_behind: bool,
     },
 }
 
-/// How the ray from `q` meets the triangle a, b, c; the point is in the box of the triangle, as seen along the ray.
+/// Decides how the ray from `q` meets the triangle a, b, c; as seen along the ray, the point is in the triangle's box.
 ///
-/// With `is_near` it is in the box along the ray too; else it is not on the triangle. `turn` is `orient2d` in the plane across the ray, of
-/// an edge and q.
+/// With `is_near`, the point is also in the box along the ray; otherwise it is not on the triangle. `turn` is
+/// `orient2d` in the plane across the ray, of an edge and q.
 #[inline]
 pub(super) fn stab<P: Predicates + ?Sized>(
     session: &P,
@@ -72,7 +72,7 @@ pub(super) fn stab<P: Predicates + ?Sized>(
     passed(session, direction, [a, b, c], q, turns)
 }
 
-/// The triangle is over or under the point.
+/// Decides for a triangle that is over or under the point.
 fn passed<P: Predicates + ?Sized>(
     session: &P,
     direction: Direction,
@@ -88,18 +88,19 @@ fn passed<P: Predicates + ?Sized>(
     if is_before { Stab::Passed { from_behind: side == Sign::Positive } } else { Stab::Missed }
 }
 
-/// Where a triangle's box is, seen from a point along a ray.
+/// The position of a triangle's box along a ray, as seen from a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Way {
-    /// Whether the box holds the point, or is within the reach of it.
+    /// True if the box holds the point, or is within the reach of it.
     pub(super) is_near: bool,
-    /// Whether all of the box is further along the ray than the point (true), or less far (false); none where it is neither.
+    /// `Some(true)` if the whole box is further along the ray than the point, `Some(false)` if it is less far;
+    /// otherwise `None`.
     pub(super) ahead: Option<bool>,
 }
 
-/// [`stab`] for a session whose zeros are those of a band: the true sign may be any.
+/// Decides like [`stab`], for a session whose zeros are those of a band: the true sign may be any.
 ///
-/// Signs that are not zero are right, and so is what is answered here, but for `Unsure`.
+/// Signs that are not zero are right, and so is every answer except `Unsure`.
 pub(super) fn stab_in_band<P: Predicates + ?Sized>(
     session: &P,
     direction: Direction,
@@ -132,7 +133,7 @@ pub(super) fn stab_in_band<P: Predicates + ?Sized>(
     }
 }
 
-/// The projected point is on the line of an edge at least.
+/// Decides when the projected point is at least on the line of an edge.
 #[cold]
 fn beside<P: Predicates + ?Sized>(
     session: &P,
@@ -160,7 +161,8 @@ fn beside<P: Predicates + ?Sized>(
     passed(session, direction, corners, q, first)
 }
 
-/// The turn of u, v and a point on their line that has moved by (ε, ε²): the first of ε (u − v)ⱼ and ε² (v − u)ᵢ that is not zero.
+/// The turn of u, v and a point on their line that is moved by (ε, ε²): the first of ε (u − v)ⱼ and ε² (v − u)ᵢ that is
+/// not zero.
 fn moved<P: Predicates + ?Sized>(session: &P, [i, j]: [Axis; 2], [u, v]: [Vertex; 2]) -> Sign {
     match session.compare(j, u, v) {
         Sign::Zero => session.compare(i, v, u),
@@ -168,7 +170,7 @@ fn moved<P: Predicates + ?Sized>(session: &P, [i, j]: [Axis; 2], [u, v]: [Vertex
     }
 }
 
-/// Whether a point of the triangle's plane, in the triangle's box, is in the triangle, borders included.
+/// True if a point of the triangle's plane, in the triangle's box, is in the triangle, borders included.
 fn is_within<P: Predicates + ?Sized>(session: &P, [a, b, c]: [Vertex; 3], q: Vertex) -> bool {
     [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| {
         let signs = [[a, b], [b, c], [c, a]].map(|[u, v]| session.orient2d(plane, u, v, q));

@@ -1,4 +1,4 @@
-//! What zeros within a band allow an answer to be, by exact determinants.
+//! Answers that zeros within a band allow, decided by exact determinants.
 
 use crate::algorithm::{Location, Ray};
 use predicament_judge::{is_within, sign};
@@ -10,20 +10,20 @@ use super::ProbedMesh;
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 
-/// The largest determinants that a session may answer zero for, in one scene.
+/// The bands of one scene: the largest determinants for which a session may answer zero.
 pub(super) struct Bands<'a> {
     scene: &'a Scene,
     mesh: &'a MaterialMesh,
-    /// Of `orient2d`, for each of [`PLANES`].
+    /// The bands of `orient2d`, for each of [`PLANES`].
     turns: [f64; 3],
-    /// Of `orient3d`.
+    /// The band of `orient3d`.
     side: f64,
-    /// How far beyond a triangle's box a point may be registered.
+    /// The maximum distance of a registered point from a triangle's box.
     reach: f64,
 }
 
 impl<'a> Bands<'a> {
-    /// The published bands of a session; zero where it claims none.
+    /// The published bands of a session; zero if it claims no bands.
     pub(super) fn new(session: &'a dyn Predicates, content: &'a ProbedMesh) -> Bands<'a> {
         let upper = |question: Question| published::band(session, question).map_or(0.0, |band| band.upper);
         let turns = PLANES.map(|plane| upper(Question::Orient2d(plane)));
@@ -31,7 +31,7 @@ impl<'a> Bands<'a> {
         Bands { scene: session.scene(), mesh: &content.mesh, turns, side, reach }
     }
 
-    /// Whether zeros within the bands explain that a probe is found on a triangle or left undecided.
+    /// True if zeros within the bands explain that a probe is on a triangle or undecided.
     pub(super) fn allow(&self, q: Vertex, answer: Location) -> bool {
         match answer {
             Location::On(triangle) => self.is_on(q, self.mesh.triangles()[triangle as usize]),
@@ -40,18 +40,19 @@ impl<'a> Bands<'a> {
         }
     }
 
-    /// Whether the probe is within the bands of a triangle's plane and of its projections, and within the reach of its box.
+    /// True if the probe is within the bands of a triangle's plane and of its projections, and within the reach of its
+    /// box.
     fn is_on(&self, q: Vertex, corners: [Vertex; 3]) -> bool {
         let near = (0..3).all(|axis| {
             let [low, high] = self.range(corners, axis);
             let x = self.scene.point3(q)[axis];
-            // Outward by more than the sums are rounded.
+            // Outward by more than the rounding error of the sums.
             (low - self.reach).next_down() <= x && x <= (high + self.reach).next_up()
         });
         near && self.is_flat(q, corners) && PLANES.into_iter().all(|plane| !self.is_outside(q, corners, plane))
     }
 
-    /// Whether some triangle may be passed by the ray or not, as far as the bands tell.
+    /// True if the bands leave open, for some triangle, if the ray passes it.
     fn leaves_open(&self, q: Vertex, ray: Ray) -> bool {
         let (plane, p) = ([Plane::Yz, Plane::Zx, Plane::Xy][ray.axis], self.scene.point3(q));
         self.mesh.triangles().iter().any(|&corners| {
@@ -82,7 +83,8 @@ impl<'a> Bands<'a> {
         is_within(self.scene, Question::Orient2d(plane), &[u, v, q], self.turns[plane as usize])
     }
 
-    /// Whether the probe is beyond the band of one edge of the projected triangle and short of that of another one.
+    /// True if the probe is beyond the band of one edge of the projected triangle, and on the other side of another
+    /// edge's band.
     fn is_outside(&self, q: Vertex, corners: [Vertex; 3], plane: Plane) -> bool {
         let turn = |[u, v]: [Vertex; 2]| match self.is_in_line(q, [u, v], plane) {
             true => Sign::Zero,

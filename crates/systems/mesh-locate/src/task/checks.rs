@@ -1,4 +1,4 @@
-//! What is reported about points in meshes.
+//! The checks in reports about points in meshes.
 
 use predicament_tasks::{Check, Class};
 

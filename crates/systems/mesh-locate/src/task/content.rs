@@ -11,41 +11,42 @@ use super::mesh_file::MeshFile;
 
 /// A mesh with points to locate in it.
 ///
-/// Every probe is a vertex of its own, even where its coordinates are those of a vertex of the mesh. The probes are numbered in
-/// turn before and after all vertices of the mesh, the first one before: so Simulation of Simplicity moves half of them further than the
-/// mesh and half of them less far. They are the second of two meshes, for perturbations that move one as a whole.
+/// Every probe is a separate vertex, even if its coordinates are those of a vertex of the mesh. Probes are numbered
+/// alternately before and after all vertices of the mesh, the first one before. So Simulation of Simplicity moves half
+/// of them further than the mesh and half of them less far. For perturbations that move a mesh as a whole, the probes
+/// are the second mesh.
 #[derive(Debug)]
 pub struct ProbedMesh {
     /// The mesh.
     pub mesh: Arc<MaterialMesh>,
-    /// The tetrahedra that it was made of, if it was: the first is region 1. Their `orient3d` is positive.
+    /// The tetrahedra of which the mesh is made, or empty: the first is region 1. Their `orient3d` is positive.
     pub tetrahedra: Vec<[Vertex; 4]>,
-    /// What to locate.
+    /// The points to locate.
     pub probes: Vec<Probe>,
-    /// Where the mesh was read, if it was.
+    /// The file from which the mesh was read, if any.
     file: Option<MeshFile>,
     index: OnceLock<MeshIndex>,
 }
 
 impl ProbedMesh {
-    /// A mesh and its probes.
+    /// Combines a mesh and its probes.
     #[must_use]
     pub fn new(mesh: MaterialMesh, tetrahedra: Vec<[Vertex; 4]>, probes: Vec<Probe>) -> ProbedMesh {
         ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, file: None, index: OnceLock::new() }
     }
 
-    /// The same, of a mesh that was read in this file.
+    /// Sets the file from which the mesh was read.
     #[must_use]
     pub(super) fn of_file(self, file: Option<MeshFile>) -> ProbedMesh {
         ProbedMesh { file, ..self }
     }
 
-    /// The file that the mesh was read in.
+    /// The file from which the mesh was read.
     pub(super) fn file(&self) -> Option<&MeshFile> {
         self.file.as_ref()
     }
 
-    /// The mesh with its grid. Built once: it asks no predicate, so all backends share it.
+    /// The mesh with its grid. It is built once: it uses no predicate, so all backends share it.
     pub fn mesh_index(&self, scene: &Scene) -> &MeshIndex {
         self.index.get_or_init(|| MeshIndex::new(self.mesh.clone(), scene))
     }
@@ -76,8 +77,8 @@ impl Content for ProbedMesh {
         }
     }
 
-    /// The id is another one where probes were chosen: it tells how, and all that are written out are
-    /// [`Given`](ProbeKind::Given), as how a probe was chosen does not follow from where it is.
+    /// Writes all probes as [`Given`](ProbeKind::Given), since a probe's position does not show how it was chosen. The
+    /// id changes for scenes with chosen probes, because it includes the choice.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let apart = unnumbered(scene, &self.vertices());
         let mesh = if self.tetrahedra.is_empty() {
@@ -92,14 +93,15 @@ impl Content for ProbedMesh {
         Some(Spelled { points: apart.points, words, lists, ..Spelled::default() })
     }
 
-    /// The index is another one.
+    /// The index of the moved scene is new.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let (mesh, tetrahedra, probes) = (self.mesh.clone(), self.tetrahedra.clone(), self.probes.clone());
         (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, index: OnceLock::new() })))
     }
 }
 
-/// The triangles of a mesh under the first key, and their regions under the second where these are not outside and 1.
+/// Writes the triangles of a mesh under the first key. Writes their regions under the second key, if these are not
+/// outside and 1.
 pub fn spelled_mesh(mesh: &MaterialMesh, [key, regions]: [&'static str; 2], vertex: impl Fn(Vertex) -> Vertex) -> List {
     let tuples = mesh.triangles().iter().map(|corners| corners.iter().map(|&v| vertex(v)).collect()).collect();
     if mesh.sides().iter().all(|&sides| sides == [OUTSIDE, 1]) {
@@ -114,11 +116,11 @@ pub fn spelled_mesh(mesh: &MaterialMesh, [key, regions]: [&'static str; 2], vert
 pub struct Probe {
     /// Its vertex in the scene.
     pub vertex: Vertex,
-    /// How it was chosen.
+    /// The rule by which it was chosen.
     pub kind: ProbeKind,
 }
 
-/// How a probe was chosen.
+/// The rule by which a probe was chosen.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum ProbeKind {
     /// Written in the scene.
@@ -129,7 +131,7 @@ pub enum ProbeKind {
     Midpoint,
     /// At the centroid of a triangle, rounded.
     Centroid,
-    /// One double beside the centroid of a triangle, along an axis.
+    /// A point one double beside the centroid of a triangle, along an axis.
     Ulp,
     /// On a line through a vertex along an axis.
     Line,
@@ -137,7 +139,7 @@ pub enum ProbeKind {
     EdgeLine,
     /// With the coordinates of three vertices, one of each.
     Lattice,
-    /// Outside of the bounding box, on a line through a vertex along an axis.
+    /// Outside the bounding box, on a line through a vertex along an axis.
     Far,
     /// Anywhere in the bounding box.
     Random,

@@ -1,4 +1,4 @@
-//! Multi-material meshes by size.
+//! Generated multi-material meshes of a given size.
 
 use predicament_corpus::{Family, Making, Random, Recipe};
 use predicament_formats::bits::{integer, power_of_two};
@@ -9,7 +9,7 @@ use predicament_predicates::Vertex;
 use super::probes::{Probing, Surface, with_probes};
 use predicament_tasks::solids::{self, Shape};
 
-/// Whether points are turned, and whether they are moved.
+/// Options: points may be rotated and moved.
 #[derive(Clone, Copy)]
 struct Changes {
     tilt: bool,
@@ -46,11 +46,11 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, Changes, &mut Random) -> Sur
     let make = move |making: &Making| {
         with_probes(shape(making.n, changes, &mut making.random()), None, &probing, making.level)
     };
-    // At most as many vertices as triangles; a few are made even for the smallest n.
+    // There are at most as many vertices as triangles; a few are made even for the smallest n.
     Ok(Recipe::new(move |n| 3 * (n + 100 + probes.count(n + 100)), make))
 }
 
-/// The triangles of faces, with these regions in front and behind.
+/// The triangles of faces, with the given regions in front and behind.
 fn triangles(faces: &Shape, first: usize, sides: [u32; 2]) -> (Vec<[Vertex; 3]>, Vec<[u32; 2]>) {
     let vertex = |corner: u32| Vertex::input(first + corner as usize);
     let fan = |corners: &[u32]| {
@@ -62,7 +62,7 @@ fn triangles(faces: &Shape, first: usize, sides: [u32; 2]) -> (Vec<[Vertex; 3]>,
     (triangles, sides)
 }
 
-/// Closed surfaces, each with the regions outside and inside of it.
+/// Builds closed surfaces, each with the regions outside and inside it.
 fn surfaces(shapes: Vec<(Shape, [u32; 2])>) -> Surface {
     let (mut points, mut corners, mut sides) = (Vec::new(), Vec::new(), Vec::new());
     for (shape, regions) in shapes {
@@ -79,7 +79,7 @@ fn surfaces(shapes: Vec<(Shape, [u32; 2])>) -> Surface {
     }
 }
 
-/// A closed surface with these regions outside and inside of it.
+/// Builds a closed surface with the given regions outside and inside it.
 pub fn surface_of(shape: Shape, sides: [u32; 2]) -> Surface {
     surfaces(vec![(shape, sides)])
 }
@@ -123,7 +123,8 @@ fn cubes(n: usize, _: Changes, _: &mut Random) -> Surface {
     surfaces(shapes)
 }
 
-/// A lattice of this many cubes along each axis, in six tetrahedra each, with the number of the cube of each.
+/// A lattice with the given number of cubes along each axis, six tetrahedra in each; returns each tetrahedron with its
+/// cube's number.
 struct Lattice {
     points: Vec<[f64; 3]>,
     tetrahedra: Vec<([Vertex; 4], usize)>,
@@ -166,7 +167,7 @@ fn lattice(side: usize) -> Lattice {
     Lattice { points, tetrahedra }
 }
 
-/// The side of a lattice that has about n triangles, with so many for each cube.
+/// The side of a lattice that has about n triangles, with `each` triangles for each cube.
 fn side(n: usize, each: usize) -> usize {
     let mut side = 1;
     while each * (side + 1_usize).pow(3) <= n {
@@ -175,7 +176,7 @@ fn side(n: usize, each: usize) -> usize {
     side
 }
 
-/// Two turns whose sines and cosines are 3/5 and 4/5, times 25: integers stay integers.
+/// Two rotations whose sines and cosines are 3/5 and 4/5, times 25: integers stay integers.
 fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
     let [x, y, z] = [3.0 * x + 4.0 * y, 3.0 * y - 4.0 * x, 5.0 * z];
     [5.0 * x, 3.0 * y + 4.0 * z, 3.0 * z - 4.0 * y]
@@ -190,7 +191,7 @@ fn tetrahedra(n: usize, changes: Changes, rng: &mut Random) -> Surface {
     let Lattice { mut points, tetrahedra } = lattice(side(n, 12));
     for point in &mut points {
         if changes.jitter {
-            // Less than a twelfth: no tetrahedron of the lattice turns over.
+            // Less than a twelfth: no tetrahedron of the lattice changes its orientation.
             *point = point.map(|x| x + rng.between(-0.0625, 0.0625));
         }
         if changes.tilt {
@@ -249,7 +250,7 @@ fn needles(n: usize, _: Changes, rng: &mut Random) -> Surface {
         let first = points.len();
         let tip = [x + integer(rng.integer(0, 1)), y + integer(rng.integer(0, 1)), power_of_two(20)];
         points.extend([[x, y, 0.0], [x + 1.0, y, 0.0], [x, y + 1.0, 0.0], tip].map(turned));
-        // The tip is above the three, which are seen counterclockwise from there.
+        // The tip is above the three corners, which are counterclockwise from there.
         tetrahedra.push([1, 0, 2, 3].map(|corner| Vertex::input(first + corner)));
     }
     of_tetrahedra(points, tetrahedra)

@@ -1,7 +1,7 @@
-//! Every probe against the crossing sums of the mesh, against the other axes, and against tetrahedra.
+//! Judging of every probe against the crossing sums of the mesh, against the other axes, and against tetrahedra.
 //!
-//! A backend is judged by what it says about every triangle in the way. What users run, and what is timed, is the way by labels and by
-//! the nearest triangle; a backend whose signs are proved has to give the same answers by it.
+//! A backend is judged by its answers about every triangle in the way. Users run, and benchmarks time, the method by
+//! labels and by the nearest triangle. A backend whose signs are proved must give the same answers by that method.
 
 use std::collections::BTreeMap;
 
@@ -18,12 +18,13 @@ use super::section::MeshLocateRow;
 use super::{Located, MeshLocate, named};
 use predicament_tasks::{Answer, AnswerLine, Asked, Case, Class, Finding, Outcome, Stop};
 
-/// How many probes beyond the sample that are in no one region the judge is asked about.
+/// The maximum number of probes beyond the sample that the judge locates because their answer is not one region.
 const MOST_ASKED_LATER: usize = 100;
-/// How many probes are asked about along all axes, at the two levels of thoroughness.
+/// The number of probes that are located along all axes, at the two levels of thoroughness.
 const TURNED: [usize; 2] = [300, 3_000];
 
-/// The class of an answer by itself, and the check that found it. `bands` says what zeros within the session's bands allow.
+/// The class of a single answer, and the check that decides it. `bands` gives the answers that zeros within the
+/// session's bands allow.
 fn class_of(
     answer: Location,
     place: &Place,
@@ -37,7 +38,7 @@ fn class_of(
         (Location::Undecided, _) if zero != ZeroMeaning::Band => (Class::Topology, "one region"),
         (Location::Undecided, _) if bands(answer) => (Class::InBand, EXACT),
         (Location::Undecided, _) => (Class::Overreach, "undecided location"),
-        // What the mesh itself contradicts is not the backend's.
+        // A contradiction of the mesh itself is not the backend's fault.
         (Location::Contradiction, Place::Windings(_)) => (Class::Agree, EXACT),
         (Location::Contradiction, _) => (Class::Topology, "one region"),
         (Location::In(_), Place::Windings(_)) => (Class::SignFlip, EXACT),
@@ -67,9 +68,10 @@ fn class_of(
     }
 }
 
-/// Whether two answers to one question can both be given by a session of this kind.
+/// True if a session of this kind can give both answers to one question.
 fn agree(one: Location, other: Location, zero: ZeroMeaning) -> bool {
-    // With a band one ray may decide where another does not; where a point is on a triangle, all rays find it there. Two regions are no such case.
+    // With a band, one ray may decide and another may not; if a point is on a triangle, all rays find it there. Two
+    // different regions are not allowed.
     one == other || (zero == ZeroMeaning::Band && [one, other].iter().any(|at| !matches!(at, Location::In(_))))
 }
 
@@ -87,7 +89,7 @@ pub(super) fn judge(
     let probes = content.vertices();
     let short = Located(locate_all(index, asked.session, &probes, &|_| true));
     outcome.digest = Some(short.digest());
-    // Proved signs are exact ones, or those of one perturbed scene.
+    // Proved signs are exact signs, or those of one perturbed scene.
     let shortcut = (contract.proved && zero != ZeroMeaning::Band).then_some(&short.0);
     asked.watch.done(0)?;
     let turned = turned(index, asked, answers, &probes)?;
@@ -97,7 +99,8 @@ pub(super) fn judge(
     let mut asked_later = 0;
     let mut rows: BTreeMap<ProbeKind, MeshLocateRow> = BTreeMap::new();
     for (at, &answer) in answers.iter().enumerate() {
-        // What is in no one region may be so by the mesh itself: then the judge is asked, also about probes beyond the sample.
+        // The mesh itself may cause an answer that is not one region; then the judge locates the probe, even beyond the
+        // sample.
         let is_open = answer == Location::Contradiction && truth.of(at).is_none() && asked_later < MOST_ASKED_LATER;
         asked_later += usize::from(is_open);
         let later = is_open.then(|| judge.locate(probes[at]));
@@ -116,9 +119,10 @@ pub(super) fn judge(
         let by_solids = known.and_then(|(_, solid)| solid);
         let fits = by_solids.is_none_or(|solid| match (answer, solid) {
             (Location::In(region), Place::In(truth)) => region == *truth,
-            // A point on a border is on it, or broken ties put it anywhere around; the truth by triangles says where.
+            // A point on a border is on it, or broken ties put it into any region around; the truth by triangles
+            // decides.
             (_, Place::On(_)) => true,
-            // In tetrahedra that overlap.
+            // The point is in overlapping tetrahedra.
             (Location::Contradiction, Place::Windings(_)) => true,
             _ => matches!(answer, Location::On(_) | Location::Undecided) && zero == ZeroMeaning::Band,
         });
@@ -127,7 +131,7 @@ pub(super) fn judge(
             law(false, "direction", other, format!("{} along the other axes", named(answer)));
         }
         if let Some(&other) = shortcut.map(|all| &all[at]) {
-            // Sums tell what surfaces that cross contradict; the nearest triangle does not.
+            // Sums reveal contradictions of crossing surfaces; the nearest triangle does not.
             law(answer == other || answer == Location::Contradiction, "shortcut", other, named(answer));
         }
         let kind = content.probes[at].kind;
@@ -151,7 +155,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// Of a sample of the probes, those that are somewhere else along another axis, and where.
+/// The probes of a sample whose location differs along another axis, and that location.
 fn turned(
     index: &MeshIndex,
     asked: &Asked<'_>,
@@ -174,7 +178,7 @@ fn turned(
     Ok(found.into_iter().flatten().collect())
 }
 
-/// A place in words.
+/// The location as text.
 pub(super) fn told(place: &Place) -> String {
     match place {
         Place::In(OUTSIDE) => "outside".to_owned(),

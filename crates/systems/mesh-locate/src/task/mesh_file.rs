@@ -1,4 +1,4 @@
-//! The file that a mesh was read in.
+//! The file from which a mesh is read.
 
 use predicament_corpus::Origin;
 use predicament_formats::{Cache, CorpusError, Decimals, mesh};
@@ -12,7 +12,7 @@ pub(super) struct MeshFile {
 }
 
 impl MeshFile {
-    /// Reads the file: its name, what is in it, and how many decimals were rounded.
+    /// Reads the file: its name, its contents, and the number of rounded decimals.
     pub(super) fn read(&self) -> Result<(String, mesh::ImportedMesh, usize), CorpusError> {
         let decimals = Decimals::new(self.round);
         let (file, bytes) = self.origin.bytes(&self.cache)?;

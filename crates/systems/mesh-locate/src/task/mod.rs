@@ -1,7 +1,7 @@
-//! `mesh-locate`: the region of a multi-material mesh in which each probe lies.
+//! The task `mesh-locate`: the region of a multi-material mesh in which each probe lies.
 //!
-//! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever way a ray from
-//! it goes, also on lines through vertices and edges.
+//! PinMesh (Franklin and Magalhães, section 4.4). Each point of space should be in exactly one region, whichever
+//! direction a ray from it has, also on lines through vertices and edges.
 
 mod bands;
 mod checks;
@@ -38,7 +38,7 @@ use predicament_tasks::{
     Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
-/// What a drawing of an answer has of the probes.
+/// A layer of probes in the drawing of an answer.
 type LocationLayer = (&'static str, Role, fn(&Location) -> bool);
 const LAYERS: [LocationLayer; 5] = [
     ("outside", Role::Given, |location| *location == Location::In(OUTSIDE)),
@@ -48,7 +48,7 @@ const LAYERS: [LocationLayer; 5] = [
     ("undecided", Role::Faint, |location| *location == Location::Undecided),
 ];
 
-/// The task.
+/// The task `mesh-locate`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct MeshLocate;
 
@@ -273,8 +273,8 @@ impl Task for MeshLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// A CSV file: each probe with how it was chosen, its coordinates, the answer, and the region that it is in or the triangle
-    /// that it is on.
+    /// Writes a CSV file: each probe with its rule, its coordinates, the answer, and the region that it is in or the
+    /// triangle that it is on.
     fn write(
         &self,
         scene: &Scene,
@@ -328,7 +328,7 @@ impl Task for MeshLocate {
     }
 }
 
-/// A location in words.
+/// The location as text.
 #[must_use]
 pub fn named(location: Location) -> String {
     match location {

@@ -1,4 +1,4 @@
-//! What locating takes, phase by phase: reading, checking and the grid, which ask no predicate, then labels and queries.
+//! The timed phases of locating: reading, checking and the grid, which use no predicate, then labels and queries.
 
 use crate::algorithm::{MeshIndex, locate_labelled};
 use predicament_mesh::MaterialMesh;
@@ -7,7 +7,7 @@ use predicament_predicates::{Predicates, Scene, Vertex};
 use super::content::ProbedMesh;
 use predicament_tasks::Phase;
 
-/// The phases that ask no predicate.
+/// The phases that use no predicate.
 pub(super) fn building(scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {
     let mesh = &content.mesh;
     let (triangles, sides) = (mesh.triangles(), mesh.sides());
@@ -16,11 +16,11 @@ pub(super) fn building(scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {
     if let Some(file) = content.file() {
         let (name, unit, count) = timed("reading");
         let (reading, read) = Phase::timed(name, unit, count, || file.read());
-        // It was read before; `bench` says so if the file is gone.
+        // The file could be read before; `bench` reports it if it is gone.
         read.unwrap_or_else(|why| panic!("{why}"));
         phases.push(reading);
     }
-    // Copies that the checks take: over the mesh's own vertices, as it was read.
+    // Copies for the checks: over the mesh's own vertices, as in the file.
     let first = triangles.as_flattened().iter().map(|v| v.index()).min().unwrap_or(0);
     let own = |v: Vertex| Vertex::input(v.index() - first);
     let vertices = triangles.as_flattened().iter().map(|v| v.index() - first + 1).max().unwrap_or(0);
@@ -43,7 +43,7 @@ pub(super) fn building(scene: &Scene, content: &ProbedMesh) -> Vec<Phase> {
     phases
 }
 
-/// The phases that ask a session.
+/// The phases that query a session.
 pub(super) fn asking<P: Predicates>(session: &P, content: &ProbedMesh) -> Vec<Phase> {
     let (index, probes) = (content.mesh_index(session.scene()), content.vertices());
     if probes.is_empty() {

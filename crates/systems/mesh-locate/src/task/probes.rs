@@ -1,7 +1,7 @@
-//! Where to look in a mesh: where rays meet vertices, edges and faces, and next to them.
+//! The choice of probes for a mesh: where rays meet vertices, edges and faces, and next to them.
 //!
-//! Random points almost never meet a degeneracy. Points of the mesh, and points on lines along the axes through its vertices and edges, always
-//! do, whichever axis a ray goes along.
+//! Random points almost never meet a degeneracy. Points of the mesh, and points on lines along the axes through its
+//! vertices and edges, always do, whichever axis a ray follows.
 
 use predicament_corpus::{Level, Parts, Random, numbered};
 use predicament_formats::{CorpusError, Fields};
@@ -14,25 +14,25 @@ use super::mesh_file::MeshFile;
 const MOST_RANDOM: u64 = 100_000_000;
 const MOST_STRIDE: u64 = 1_000_000;
 
-/// A mesh over points of its own.
+/// A mesh with its own points.
 pub struct Surface {
     /// The points.
     pub points: Vec<[f64; 3]>,
-    /// The triangles, each with the regions beside it.
+    /// The triangles, each with the regions on its two sides.
     pub mesh: MaterialMesh,
-    /// The tetrahedra that the mesh was made of, the first of which is region 1.
+    /// The tetrahedra of which the mesh is made; the first is region 1.
     pub tetrahedra: Vec<[Vertex; 4]>,
 }
 
-/// How a mesh is probed.
+/// The rules for the probes of a mesh.
 #[derive(Clone, Debug)]
 pub(super) struct Probing {
-    /// How many random probes at level quick, and how many at level full.
+    /// The number of random probes, at levels quick and full.
     random: [usize; 2],
     seed: u64,
-    /// Every n-th vertex, edge and triangle is probed at level quick, and at level full; 0 for none.
+    /// Every n-th vertex, edge and triangle is probed, at levels quick and full; 0 means never.
     stride: [usize; 2],
-    /// What the scene itself asks for.
+    /// The probes that the scene itself lists.
     pub(super) given: Vec<[f64; 3]>,
 }
 
@@ -49,18 +49,18 @@ impl Probing {
         Ok(Probing { random: counts(random), seed, stride: counts(stride), given: Vec::new() })
     }
 
-    /// About how many probes there are for so many triangles, at the larger level.
+    /// The approximate number of probes for a number of triangles, at the larger level.
     pub(super) fn count(&self, triangles: u64) -> u64 {
         let at = |level: Level| {
             let stride = level.of(self.stride) as u64;
-            // A triangle has half a vertex and three edges of which it shares each.
+            // There is half a vertex for each triangle, and three edges, each shared.
             let of_mesh = triangles.checked_div(stride).map_or(0, |each| 12 * (each + 1));
             of_mesh.saturating_add(level.of(self.random) as u64)
         };
         at(Level::Quick).max(at(Level::Full))
     }
 
-    /// How many probes there are at a level for so many points and triangles, those beyond the largest double among them.
+    /// The number of probes at a level for numbers of points and triangles, including probes beyond the largest double.
     pub(super) fn exactly(&self, points: usize, triangles: usize, level: Level) -> usize {
         let of_mesh = match level.of(self.stride) {
             0 => 0,
@@ -70,7 +70,8 @@ impl Probing {
     }
 }
 
-/// The scene of a mesh, perhaps of a file: the probes in even places (the first is in place 0), the mesh's vertices, the probes in odd places.
+/// The scene of a mesh, possibly from a file: the probes of even index (the first has index 0), the mesh's vertices,
+/// the probes of odd index.
 pub(super) fn with_probes(surface: Surface, file: Option<MeshFile>, probing: &Probing, level: Level) -> Parts {
     let Surface { points, mesh, tetrahedra } = surface;
     let mut places: Vec<([f64; 3], ProbeKind)> = probing.given.iter().map(|&point| (point, ProbeKind::Given)).collect();
@@ -113,7 +114,7 @@ fn of_mesh(
     };
     for (at, &point) in points.iter().enumerate().step_by(stride) {
         places.push((point, ProbeKind::Vertex));
-        // The axes in turn, whatever the stride.
+        // The axes take turns, whatever the stride is.
         let turn = at / stride;
         places.push((along(point, turn, rng), ProbeKind::Line));
         let mut far = point;

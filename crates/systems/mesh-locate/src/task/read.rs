@@ -1,4 +1,5 @@
-//! `mesh`, or `points` with `triangles`, each perhaps with `regions`; or `points` with `tetrahedra`; `probes`, and how to choose more.
+//! The keys of the task: `mesh`, or `points` with `triangles`, each optionally with `regions`; or `points` with
+//! `tetrahedra`; `probes`, and rules for more.
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts, PointSource, Source};
 use predicament_formats::{
@@ -23,13 +24,13 @@ enum Where {
     File(MeshSource),
 }
 
-/// A mesh in a file, and perhaps its regions in another one.
+/// A mesh in a file, with its regions there or in another file.
 pub struct MeshSource {
     /// The file.
     pub origin: Origin,
-    /// Whether decimals that are no doubles are rounded.
+    /// True if decimals that are not doubles are rounded.
     pub round: bool,
-    /// Its regions, where they are not in the file.
+    /// The regions, if they are not in the mesh file.
     pub regions: Option<Regions>,
 }
 
@@ -38,7 +39,7 @@ struct Written {
     line: usize,
     mesh: Where,
     probing: Probing,
-    /// Probes that are in a file.
+    /// The probes, if they are in a file.
     probes: Option<PointSource>,
 }
 
@@ -95,10 +96,10 @@ fn written(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Where, Corp
     }
 }
 
-/// Arrays of the indices of N points each, with their lines.
+/// Reads arrays of N point indices each, with their lines.
 ///
 /// # Errors
-/// The line that is none.
+/// The first line that is not such an array.
 pub fn simplices<const N: usize>(field: &Field<'_, '_>, what: &str) -> Result<Simplices<N>, CorpusError> {
     let items = field.items("arrays of the indices of points")?;
     let simplex = |item: Field<'_, '_>| {
@@ -122,7 +123,7 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
 }
 
 impl MeshSource {
-    /// A table with `path` or `fetch`.
+    /// Reads a table with `path` or `fetch`.
     pub fn read(
         context: &Context<'_>,
         field: &Field<'_, '_>,
@@ -142,10 +143,10 @@ impl MeshSource {
         MeshFile { origin: self.origin.clone(), round: self.round, cache: cache.clone() }
     }
 
-    /// The mesh, and what reading changed.
+    /// The mesh, and the changes made by reading.
     pub fn load(&self, cache: &Cache) -> Result<(Surface, ImportNotes), CorpusError> {
         let (file, read, rounded) = self.file(cache).read()?;
-        // Which face each triangle is of.
+        // The face of each triangle.
         let faces: Vec<usize> = read
             .faces
             .iter()
@@ -224,7 +225,7 @@ impl Written {
         Ok((coordinates, notes))
     }
 
-    /// Tetrahedra, each turned so that its sign is positive.
+    /// Builds the mesh of tetrahedra, each turned so that its sign is positive.
     fn tetrahedra(&self, points: Vec<[f64; 3]>, tetrahedra: &Simplices<4>) -> Result<Surface, CorpusError> {
         let places = Places::of_lines(tetrahedra.iter().map(|(line, _)| *line));
         let error = |message: String, cure: &str, line| CorpusError::file(&self.file, message, cure).at_line(line);
@@ -254,18 +255,18 @@ impl Written {
     }
 }
 
-/// Where the faces of a mesh are written.
+/// The place where the faces of a mesh are written.
 pub struct Place<'p> {
     /// The file's name.
     pub file: &'p str,
-    /// The line of the scene, where the mesh is in a suite.
+    /// The line of the scene, if the mesh is in a suite.
     pub line: Option<usize>,
     /// The line of each face.
     pub places: &'p Places,
 }
 
 impl Place<'_> {
-    /// A mesh of triangles, `faces` saying which face each is of. Without `regions`, region 1 is behind all.
+    /// Builds a mesh of triangles; `faces` has the face of each. Without `regions`, region 1 is behind all triangles.
     pub fn surface(
         &self,
         points: Vec<[f64; 3]>,

@@ -1,11 +1,11 @@
-//! `regions`: what is in front of each face of a mesh and behind it, written out in the suite or in a CSV file.
+//! The key `regions`: the regions in front of each face of a mesh and behind it, written in the suite or in a CSV file.
 
 use predicament_corpus::{Context, Origin};
 use predicament_formats::{Cache, CorpusError, Decimals, Field, RowKind, TableKind, read_csv_rows};
 
 static FILE: TableKind = TableKind::new("reference to regions", &["path"]);
 
-/// More regions than this are a slip of the pen.
+/// The largest region number that is accepted; larger numbers are typing errors.
 const MOST: u32 = 1 << 31;
 
 const CURE: &str = "write for each face the region in front of it and the one behind, 0 for outside";
@@ -16,17 +16,17 @@ static PAIR: RowKind = RowKind { name: "pair", widths: 2..=2, numbers: "regions"
 pub enum Regions {
     /// Written out in the suite.
     Written(Pairs),
-    /// In a file.
+    /// In a separate file.
     File(Origin),
 }
 
-/// A pair of regions for each face, and where it is written.
+/// A pair of regions for each face, and their place in the text.
 #[derive(Clone)]
 pub struct Pairs {
     pairs: Vec<[u32; 2]>,
     file: String,
     lines: Vec<usize>,
-    /// The line of all of them, for those that are written in a suite.
+    /// The common line of all pairs, if they are in a suite.
     line: Option<usize>,
 }
 
@@ -55,7 +55,7 @@ impl Regions {
         Ok(Regions::Written(Pairs { pairs, file: field.file().to_owned(), lines, line: Some(field.line()) }))
     }
 
-    /// The pairs, one for each of so many faces.
+    /// The pairs, one for each of `faces` faces.
     pub(super) fn load(&self, cache: &Cache, faces: usize) -> Result<Pairs, CorpusError> {
         let pairs = match self {
             Regions::Written(pairs) => pairs.clone(),
@@ -66,7 +66,7 @@ impl Regions {
         };
         let count = pairs.pairs.len();
         if count != faces {
-            // The first pair too many, or the last that is there.
+            // The first surplus pair, or the last pair present.
             let line = pairs.line.or(pairs.lines.get(faces).or(pairs.lines.last()).copied());
             let error = CorpusError::file(&pairs.file, format!("{count} pairs of regions for {faces} faces"), CURE);
             return Err(line.map_or(error.clone(), |line| error.at_line(line)));
@@ -78,7 +78,7 @@ impl Regions {
 impl Pairs {
     fn of_file(file: String, bytes: Vec<u8>) -> Result<Pairs, CorpusError> {
         let integer = format!("write an integer from 0 to {MOST}");
-        // To round it, as is the cure of a coordinate, is none here.
+        // The usual fix for a coordinate, rounding, does not apply here.
         let rows = read_csv_rows(&file, bytes, &PAIR, &Decimals::new(false)).map_err(|error| {
             let is_decimal = error.message.contains("has digits that no double holds");
             if is_decimal { CorpusError { cure: integer.clone(), ..error } } else { error }
@@ -88,7 +88,7 @@ impl Pairs {
             CorpusError::file(&file, message, integer.clone()).at_line(line)
         };
         let region = |x: f64| {
-            // Exact: the range is checked first.
+            // The cast is exact: the range is checked first.
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             (x.fract() == 0.0 && (0.0..=f64::from(MOST)).contains(&x)).then_some(x as u32)
         };
@@ -106,7 +106,7 @@ impl Pairs {
         self.pairs[face]
     }
 
-    /// Where the regions of a face are written, as in `regions.csv:3`.
+    /// The place where the regions of a face are written, as in `regions.csv:3`.
     pub(super) fn place(&self, face: usize) -> String {
         format!("{}:{}", self.file, self.lines[face])
     }

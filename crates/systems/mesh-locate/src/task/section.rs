@@ -1,4 +1,4 @@
-//! `mesh_locate.csv` and what a report makes of it.
+//! The table `mesh_locate.csv` and its section in a report.
 
 use crate::algorithm::Location;
 use predicament_records::{Error, Row, RowError, RunDir};
@@ -84,7 +84,7 @@ impl MeshLocateRow {
     }
 }
 
-/// The section of a report: none where no point was located.
+/// The section of a report; `None` if no point was located.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
     let mut table = Table::new("Probes of meshes")

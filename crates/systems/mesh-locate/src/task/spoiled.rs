@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use crate::algorithm::Location;
 use predicament_judge::solids::{Materials, Place};
@@ -8,7 +8,7 @@ use predicament_predicates::Scene;
 use super::{Located, MeshLocate, ProbedMesh};
 use predicament_tasks::{Class, Spoiled};
 
-/// Points that the judge is asked about.
+/// The maximum number of points that the judge locates.
 const MOST_ASKED: usize = 200;
 
 pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {

@@ -1,4 +1,4 @@
-//! Points in meshes: by exact signs, by broken ties, along all axes, against the judge's crossing sums.
+//! Tests of points in meshes: by exact signs, by broken ties, along all axes, against the judge's crossing sums.
 
 use std::collections::BTreeSet;
 
@@ -20,7 +20,7 @@ struct Solids {
     tetrahedra: Vec<[usize; 4]>,
 }
 
-/// Unit cubes in six tetrahedra each, along the diagonal: a lattice of this many cubes along each axis.
+/// A lattice of unit cubes with the given number along each axis; six tetrahedra along the diagonal make each cube.
 fn lattice([nx, ny, nz]: [usize; 3]) -> Solids {
     let mut solids = Solids::default();
     let at = |x: usize, y: usize, z: usize| (x * (ny + 1) + y) * (nz + 1) + z;
@@ -49,10 +49,10 @@ fn lattice([nx, ny, nz]: [usize; 3]) -> Solids {
     solids
 }
 
-/// Tetrahedra one above the other, each anywhere in its own layer, sheared so that their boxes overlap.
+/// Tetrahedra one above the other, each at any position in its own layer, sheared so that their boxes overlap.
 fn layers(corners: &[[[i32; 3]; 4]], [sx, sy]: [i32; 2]) -> Solids {
     let mut solids = Solids::default();
-    // One that has a volume, whatever the others have.
+    // One tetrahedron that has a volume in any case.
     let solid = [[0, 0, 0], [7, 0, 0], [0, 7, 0], [0, 0, 7]];
     for (layer, corners) in (0..).zip(corners.iter().chain([&solid])) {
         let first = solids.points.len();
@@ -65,7 +65,7 @@ fn layers(corners: &[[[i32; 3]; 4]], [sx, sy]: [i32; 2]) -> Solids {
 }
 
 impl Solids {
-    /// The scene of the points and these queries, the mesh, and the queries. What has no volume is left out.
+    /// The scene of the points and queries, the mesh, and the queries. Tetrahedra without volume are left out.
     fn scene(&self, queries: &[[f64; 3]]) -> (Scene, MaterialMesh, Vec<Vertex>) {
         let points = [&self.points[..], queries].concat();
         let scene = Scene::from_points3(&points).unwrap();
@@ -84,7 +84,7 @@ impl Solids {
         (scene, mesh, queries)
     }
 
-    /// Points where ties are: corners, midpoints, centres, and what is straight above and below and next to them.
+    /// Points with ties: corners, midpoints, centres, and points straight above, below and next to them.
     fn queries(&self) -> Vec<[f64; 3]> {
         let mut queries = self.points.clone();
         for corners in &self.tetrahedra {
@@ -103,7 +103,7 @@ impl Solids {
     }
 }
 
-/// All ways to locate, held against each other and the judge.
+/// Compares all methods of location with each other and with the judge.
 fn agrees(solids: &Solids, queries: &[[f64; 3]]) {
     let (scene, mesh, vertices) = solids.scene(queries);
     let index = MeshIndex::new(mesh, &scene);
@@ -136,7 +136,7 @@ fn agrees(solids: &Solids, queries: &[[f64; 3]]) {
     perturbed(&PerMesh.prepare(&scene, Off).unwrap());
 }
 
-/// The answers, the same by all ways.
+/// The answers, after a check that all methods agree.
 fn all_ways(index: &MeshIndex, session: &dyn Predicates, queries: &[Vertex]) -> Vec<Location> {
     let answers = locate_all(index, session, queries, &|_| true);
     for ray in Ray::ALL {
@@ -157,7 +157,7 @@ fn points_of_a_lattice_of_tetrahedra_are_in_one_each() {
 
 #[test]
 fn boxes_in_each_other_have_labels_for_what_is_between() {
-    // Boxes around the origin, each a region between it and the next.
+    // Nested boxes around the origin; each region lies between a box and the next.
     let mut points = Vec::new();
     let (mut triangles, mut sides) = (Vec::new(), Vec::new());
     let sizes: Vec<f64> = (1..=12).rev().map(|size| f64::from(size) * 4.0).collect();
@@ -173,7 +173,7 @@ fn boxes_in_each_other_have_labels_for_what_is_between() {
         }
     }
     let vertices = points.len();
-    // On lines through corners and edges, in faces, and between them.
+    // Points on lines through corners and edges, in faces, and between them.
     let steps = [-50.0, -48.0, -46.5, -33.5, -32.0, -0.0, 0.0, 2.0, 4.0, 7.0, 20.0, 21.0, 48.0, 49.0];
     let mut expected = Vec::new();
     for x in steps {
@@ -202,7 +202,7 @@ fn boxes_in_each_other_have_labels_for_what_is_between() {
             other => panic!("{other:?}"),
         }
     }
-    // Labels by points of the grid's own choice.
+    // Labels by points that the grid chooses.
     let references = index.references();
     let with = Scene::from_points3(&[&points[..], &references[..]].concat()).unwrap();
     let session = Exact.prepare(&with, Off).unwrap();
@@ -219,7 +219,7 @@ fn boxes_in_each_other_have_labels_for_what_is_between() {
 
 #[test]
 fn faces_at_one_place_are_passed_together() {
-    // A tetrahedron, and over it a sheet: two faces on the same vertices, turned to both sides, in both orders.
+    // A tetrahedron, and over it a sheet: two faces on the same vertices, with opposite directions, in both orders.
     let points =
         [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [0., 0., 8.], [-1., -1., 9.], [20., -1., 9.5], [-1., 20., 10.]];
     let queries = [[1., 1., 1.], [1., 1., -1.], [1., 1., 7.], [1., 1., 8.5], [1., 1., 20.], [0., 0., 1.], [2., 2., 9.]];
@@ -242,11 +242,12 @@ fn faces_at_one_place_are_passed_together() {
     }
 }
 
-/// In line with a triangle without area, and in its plane, is every point of its line: only those of its box are on it. Along each axis,
-/// upright and slanted.
+/// Tests a triangle without area: all points of its line are in its plane and in line with its edges, but only points
+/// in its box are on it. Tested along each axis, upright and slanted.
 #[test]
 fn a_triangle_without_area_has_the_points_between_its_corners_only() {
-    // A tetrahedron; between two of its faces, at an edge from corner 0 to corner 3, a triangle with the edge's middle.
+    // A tetrahedron; between two of its faces, at the edge from corner 0 to corner 3, a triangle with the edge's
+    // midpoint.
     let triangles = [[0, 2, 1], [0, 1, 4], [4, 1, 3], [1, 2, 3], [2, 0, 3], [0, 4, 3]];
     let upright = [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [0., 0., 8.], [0., 0., 4.]];
     let slanted = [[0., 0., 0.], [8., 0., 0.], [0., 8., 0.], [-4., -2., 8.], [-2., -1., 4.]];
@@ -255,7 +256,7 @@ fn a_triangle_without_area_has_the_points_between_its_corners_only() {
     for corners in [upright, slanted] {
         let [x, y, z] = corners[4];
         let line = steps.map(|step| [x / 4. * step, y / 4. * step, z / 4. * step]);
-        // Beside the line, but in the box, and over and under the line as seen along some axis.
+        // Points beside the line, but in the box, and over and under the line as seen along some axis.
         let beside = line.map(|[x, y, z]| [[x, y, z - 1.], [x - 0.25, y, z], [x, y - 0.25, z], [x, y, z + 0.5]]);
         let queries = [&line[..], beside.as_flattened()].concat();
         for turn in 0..3 {
@@ -285,7 +286,7 @@ fn a_triangle_without_area_has_the_points_between_its_corners_only() {
 
 #[test]
 fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
-    // Two boxes that overlap, both region 1.
+    // Two overlapping boxes, both region 1.
     let mut points = Vec::new();
     let mut triangles = Vec::new();
     for shift in [0.0, 1.0] {
@@ -311,7 +312,7 @@ fn a_surface_that_crosses_itself_is_told_as_a_contradiction_by_sums() {
     assert_eq!(judge.locate(queries[1]), Place::Windings(vec![(0, -1), (1, 2)]));
 }
 
-/// The answers of tolerances, each a place where the point may be: how many are in a region, on the mesh and undecided.
+/// Checks the answers of a tolerance backend; returns the numbers of points in a region, on the mesh and undecided.
 fn registered(solids: &Solids, queries: &[[f64; 3]]) -> [usize; 3] {
     let (scene, mesh, vertices) = solids.scene(queries);
     let index = MeshIndex::new(mesh, &scene);
@@ -327,7 +328,7 @@ fn registered(solids: &Solids, queries: &[[f64; 3]]) -> [usize; 3] {
         for answer in answers.iter().map(|all| all[at]) {
             let is_legal = match (answer, &place) {
                 (Location::In(region), Place::In(truth)) => region == *truth,
-                // On all triangles that it is on, and the first of those within the band of it.
+                // On all triangles that contain it, and the first triangle with the point in its band.
                 (Location::On(triangle), Place::On(triangles)) => triangle <= triangles[0],
                 (Location::On(triangle), Place::In(_)) => {
                     is_beside(&scene, index.mesh().triangles()[triangle as usize], q)
@@ -346,7 +347,7 @@ fn registered(solids: &Solids, queries: &[[f64; 3]]) -> [usize; 3] {
     ]
 }
 
-/// Whether a point is in the box of a triangle, give or take a millionth.
+/// True if a point is in the box of a triangle, with a margin of a millionth.
 fn is_beside(scene: &Scene, corners: [Vertex; 3], q: Vertex) -> bool {
     (0..3).all(|axis| {
         let along = corners.map(|v| scene.point3(v)[axis]);
@@ -357,7 +358,8 @@ fn is_beside(scene: &Scene, corners: [Vertex; 3], q: Vertex) -> bool {
 
 #[test]
 fn zeros_within_a_band_put_no_point_into_another_region() {
-    // As an exact zero, that of the edge from 0 to 1 would put the ray up beside the edge on the wrong side.
+    // If it counted as an exact zero, the sign of the edge from 0 to 1 would move the upward ray to the wrong side of
+    // the edge.
     let solids = Solids {
         points: vec![[0., -f64::EPSILON * 16., 0.], [1., 0., 0.], [0., 0., 1.], [0., 1., 0.]],
         tetrahedra: vec![[0, 1, 2, 3]],
@@ -369,7 +371,7 @@ fn zeros_within_a_band_put_no_point_into_another_region() {
 
 #[test]
 fn a_zero_of_a_small_or_steep_triangle_is_no_place_on_it() {
-    // A point in line with all edges of a triangle, as the tolerance of the scene has it, and far from it.
+    // A point far from a triangle, but in line with all its edges within the scene's tolerance.
     let solids = Solids {
         points: vec![
             [0., 0., 0.],
@@ -441,7 +443,7 @@ proptest! {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(4, 500)))]
 
-    /// Points of a lattice, moved by about as much as a tolerance.
+    /// Tests points of a lattice, moved by about a tolerance.
     #[test]
     fn lattices_with_noise_are_answered_within_bands(size in prop::array::uniform3(1..3_usize), noise in prop::collection::vec(prop::array::uniform3(-1.0..1.0_f64), 27), power in 30..54_i32) {
         let mut solids = lattice(size);

@@ -1,4 +1,4 @@
-//! Points in meshes at scale, against truths in closed form, by all sessions that are never wrong.
+//! Tests of points in meshes at scale, against truths in closed form, by all sessions that are never wrong.
 
 mod scenes;
 
@@ -10,12 +10,12 @@ use predicament_sos::{PerMesh, Sos};
 
 use self::scenes::{Case, Point, Random, boxes, coordinates, lattice, nested};
 
-/// How many queries of a kind are made for a scene: a twentieth of a twentieth by default.
+/// The number of queries of a kind for a scene: a twentieth of a twentieth by default.
 fn queries() -> usize {
     predicament_effort::scaled(predicament_effort::scaled(3_000_000))
 }
 
-/// One of these at whole effort, and by default.
+/// Returns `whole` at whole effort, and `small` by default.
 fn size(whole: i64, small: i64) -> i64 {
     if predicament_effort::whole() { whole } else { small }
 }
@@ -29,7 +29,7 @@ impl Case {
         self.mesh.triangles()[triangle].map(|v| self.points[v.index()])
     }
 
-    /// Anywhere in the box and a little around it.
+    /// A random point in the box and a little around it.
     fn anywhere(&self, random: &mut Random, [low, high]: [Point; 2]) -> Point {
         [0, 1, 2].map(|axis| {
             let margin = (high[axis] - low[axis]) / 16;
@@ -37,14 +37,15 @@ impl Case {
         })
     }
 
-    /// A vertex, the midpoint of an edge or a point between them.
+    /// A random vertex, midpoint of an edge or point between them.
     fn on_mesh(&self, random: &mut Random) -> Point {
         let [a, b, c] = random.of(self.mesh.triangles()).map(|v| self.points[v.index()]);
         *random.of(&[a, middle(a, b), middle(a, middle(b, c))])
     }
 
-    /// On the mesh, next to it by a unit, on lines along the axes through it, in the lattice that its vertices span, and halfway
-    /// between two of them. Most that come out on the mesh are drawn again.
+    /// A random degenerate point: on the mesh, next to it by a unit, on lines along the axes through it, in the lattice
+    /// that its vertices span, or halfway between two of its points. Most points that turn out to be on the mesh are
+    /// drawn again.
     fn degenerate(&self, random: &mut Random, bounds: [Point; 2]) -> Point {
         loop {
             let p = self.tied(random, bounds);
@@ -69,7 +70,7 @@ impl Case {
         p
     }
 
-    /// Whether a point is one of a triangle's points.
+    /// True if a point is one of a triangle's points.
     fn holds(&self, triangle: u32, p: Point) -> bool {
         let [a, b, c] = self.corners(triangle as usize);
         let less = |p: Point, q: Point| [0, 1, 2].map(|axis| i128::from(p[axis]) - i128::from(q[axis]));
@@ -102,11 +103,11 @@ fn divisor(a: i128, b: i128) -> i128 {
     if b == 0 { a.abs() } else { divisor(b, a % b) }
 }
 
-/// What was asked, and how much of it was answered wrongly.
+/// The numbers of queries and of wrong answers.
 #[derive(Default, Debug)]
 struct Counts {
     random: usize,
-    /// Degenerate queries on no triangle.
+    /// Degenerate queries that are on no triangle.
     degenerate: usize,
     on: usize,
     answers: usize,
@@ -130,8 +131,8 @@ impl Counts {
     }
 }
 
-/// Queries of both kinds, in parts that fit into memory: by exact and by broken ties, a twentieth by ties broken from mesh to mesh,
-/// and a hundredth by all rays.
+/// Runs queries of both kinds, in parts that fit into memory: by exact and by broken ties, a twentieth by ties broken
+/// from mesh to mesh, and a hundredth by all rays.
 fn counts(case: &Case, queries: usize, sizes: Option<Sizes>) -> Counts {
     let mut counts = Counts::default();
     let mut random = Random(1);

@@ -1,4 +1,4 @@
-//! What must hold.
+//! The laws that answers must satisfy.
 //!
 //! * [`overlay`]: for arrangements of segments, and Boolean operations on polygons.
 //! * [`snap`]: for drawings rounded to pixels.

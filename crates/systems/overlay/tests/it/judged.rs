@@ -1,4 +1,4 @@
-//! Each law about overlays finds what violates it.
+//! Tests that each law about overlays finds its violations.
 
 use predicament_overlay::checks::overlay::{
     Check, Defects, Expected, Graph, Operands, Point, Results, Shape, Windings, winding_of,
@@ -31,7 +31,7 @@ fn graph() -> Graph {
     }
 }
 
-/// The same with one edge in the other direction.
+/// The graph with one edge reversed.
 fn turned(mut graph: Graph, edge: usize) -> Graph {
     graph.edges[edge].reverse();
     graph.segments[edge].reverse();
@@ -63,13 +63,13 @@ fn each_law_of_arrangements_is_violated_by_something() {
     assert_eq!(violated(&|g| g.chains[0] = vec![0]), [Check::Chain, Check::Edges]);
     assert_eq!(violated(&|g| g.chains[3].reverse()), [Check::Chain]);
     assert_eq!(violated(&|g| g.segments[1] = [at(8, 0), at(8, 9)]), [Check::Chain]);
-    // The inner segment is longer than it was found to be, and crosses the diagonal.
+    // The inner segment is longer than the arrangement says, and crosses the diagonal.
     let crossing = violated(&|g| {
         g.nodes[4] = at(1, 2);
         g.segments[5][0] = at(1, 2);
     });
     assert!(crossing.contains(&Check::Crossing), "{crossing:?}");
-    // An end touches the diagonal, which has no node there.
+    // An end touches the diagonal, where there is no node.
     let touching = violated(&|g| {
         g.nodes[4] = at(2, 2);
         g.segments[5][0] = at(2, 2);
@@ -104,7 +104,7 @@ fn a_node_beside_its_segment_is_no_flaw_of_the_chain_unless_it_goes_back() {
     assert_eq!(beside.iter().map(|flaw| flaw.check).collect::<Vec<_>>(), [Check::OnSegment]);
     assert_eq!(beside[0].what, "node 1 is 2.220446049250313e-16 off segment 0");
     assert!(Check::OnSegment.is_metric() && !Check::Chain.is_metric());
-    // Beyond an end the chain goes back, and that is not about lengths.
+    // Beyond an end the chain goes back, which is not a metric flaw.
     assert_eq!(found(&along(-little(), Rational::new())), [Check::Chain, Check::OnSegment, Check::Crossing]);
 }
 
@@ -126,7 +126,7 @@ fn directions_of_edges_do_not_matter() {
 
 #[test]
 fn winding_numbers_follow_from_what_passes_edges() {
-    // The lower right half, and all of it twice.
+    // The lower right half once, and the whole square twice.
     let right = Windings {
         passes: vec![[1, 2], [1, 2], [0, 2], [0, 2], [-1, 0], [0, 0]],
         faces: vec![[0, 0], [1, 2], [0, 2]],
@@ -144,7 +144,7 @@ fn winding_numbers_follow_from_what_passes_edges() {
     assert_eq!(violated(&|w| w.passes[4][0] = 1), [(Check::Winding, 1)], "an edge in the other direction");
     assert_eq!(violated(&|w| w.faces.iter_mut().for_each(|face| face[0] += 1)), [(Check::Winding, 1)], "outside");
     assert_eq!(violated(&|w| w.faces.truncate(2)), [(Check::Winding, 6)], "three edges, two operands");
-    // Where only odd and even are told apart, twice is not at all.
+    // With parity only, twice counts as zero.
     let parity = Windings { faces: vec![[0, 0], [1, 0], [0, 0]], modulo_two: true, ..right.clone() };
     assert_eq!((parity.flaws(&graph()), parity.only(0)), (vec![], None));
     let several = Windings { faces: vec![[0, 0], [1, 2], [0, -2]], ..right };
@@ -168,7 +168,7 @@ fn areas_of_parts_add_up_to_that_of_their_union() {
     let both = vec![first.clone(), second.clone()];
     let right = Results { regions: [both.clone(), vec![], vec![first], both] };
     assert_eq!(found(&right, only), []);
-    // All other laws hold where an operand is forgotten.
+    // All other laws hold when an operand is forgotten.
     let forgotten = Results { regions: [vec![second.clone()], vec![], vec![], vec![second]] };
     assert_eq!(found(&forgotten, [None; 2]), []);
     assert_eq!(found(&forgotten, only), [Check::Area]);
@@ -192,7 +192,7 @@ fn reversed(mut one: Vec<Point>) -> Vec<Point> {
     one
 }
 
-/// One square with two others, of which one is a hole of the difference.
+/// A square with two others, one of which is a hole of the difference.
 fn results() -> Results {
     let union = loop_of(&[[0, 0], [6, 0], [6, 5], [8, 5], [8, 8], [5, 8], [5, 6], [0, 6]]);
     let difference = loop_of(&[[0, 0], [6, 0], [6, 5], [5, 5], [5, 6], [0, 6]]);
@@ -248,7 +248,7 @@ fn each_law_of_results_is_violated_by_something() {
     // The right area in the wrong place.
     let moved = violated(&|results| results.regions[1][0][0] = square(1, 3));
     assert_eq!(moved, [Check::Membership]);
-    // A hole outside of its region.
+    // A hole outside its region.
     let outside = violated(&|results| results.regions[2][0][1] = reversed(square(10, 12)));
     assert_eq!(outside, [Check::Orientation, Check::Membership]);
     // Regions on top of each other.
@@ -256,7 +256,7 @@ fn each_law_of_results_is_violated_by_something() {
     assert!(crossing.contains(&Check::ResultCrossing), "{crossing:?}");
 }
 
-/// What the perturbed scene alone has an area of has none here, and still it is not the wrong way around.
+/// Tests that a loop without area is not inverted: it may have area only in the perturbed scene.
 #[test]
 fn loops_without_area_are_right_where_a_perturbation_may_leave_them() {
     let found = |one: Vec<Point>, has_areas: bool| {
@@ -302,7 +302,7 @@ fn a_shape_is_measured_as_it_is() {
     assert_eq!(Shape::default().defects(), Defects::default());
 }
 
-/// Pairs that are compared in rationals are found by rounded points: none that meets may be missing.
+/// Tests that no pair of edges that meet is left out: rounded points select the pairs for comparison in rationals.
 #[test]
 fn no_pair_of_edges_that_meet_is_left_out() {
     // The sign of a turn in integers.
@@ -319,7 +319,7 @@ fn no_pair_of_edges_that_meet_is_left_out() {
         i64::try_from((state >> 33) % range).unwrap()
     };
     let mut most = [0, 0];
-    // Corners along a line, off it by a few units, with coordinates that doubles hold just so, and with longer ones.
+    // Corners along a line, off it by a few units, with coordinates that barely fit doubles, and with longer ones.
     for (round, (scale, far)) in
         [(1 << 50, 0), (1 << 40, 0), (1, 1 << 52), (1 << 20, 1 << 58)].into_iter().cycle().take(80).enumerate()
     {

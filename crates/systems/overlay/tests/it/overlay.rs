@@ -1,4 +1,4 @@
-//! Arrangements and Boolean operations against rationals: every pair of segments, every edge for every point.
+//! Tests of arrangements and Boolean operations against rationals: every pair of segments, every edge for every point.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,7 +13,7 @@ use rug::Rational;
 use crate::common::liar::Liar;
 use crate::common::winding::{Point, point};
 
-/// A sequence of numbers.
+/// A generator of pseudorandom numbers.
 pub(crate) struct Numbers(pub u64);
 
 impl Numbers {
@@ -35,7 +35,7 @@ fn cross(u: &Point, v: &Point) -> Rational {
     Rational::from(&u[0] * &v[1]) - Rational::from(&u[1] * &v[0])
 }
 
-/// Where two lines meet.
+/// The intersection of two lines.
 fn meet([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Option<Point> {
     let (u, v) = (minus(b, a), minus(d, c));
     let weight = cross(&u, &v);
@@ -43,7 +43,7 @@ fn meet([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Option<Point> {
     Some([0, 1].map(|i: usize| Rational::from(&part * &u[i]) + &a[i]))
 }
 
-/// A vertex' coordinates.
+/// The coordinates of a vertex.
 fn at(scene: &Scene, v: Vertex) -> Point {
     match scene.construction(v) {
         None => point(scene, v),
@@ -60,7 +60,7 @@ fn is_on(p: &Point, [a, b]: [&Point; 2]) -> bool {
     cross(&minus(b, a), &minus(p, a)).cmp0().is_eq() && between(0) && between(1)
 }
 
-/// Points and edges of an arrangement, by looking at every pair.
+/// Points and edges of an arrangement, by comparing every pair.
 fn by_definition(segments: &[[Point; 2]]) -> (BTreeSet<Point>, BTreeSet<[Point; 2]>) {
     let mut points: BTreeSet<Point> = segments.iter().flatten().cloned().collect();
     for (i, [a, b]) in segments.iter().enumerate() {
@@ -95,7 +95,7 @@ fn whole(segments: &[[Vertex; 2]]) -> Vec<Edge> {
     segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect()
 }
 
-/// The arrangement by a backend, the same by both methods.
+/// The arrangement by a backend, after a check that both methods agree.
 fn arranged<B: Backend>(backend: &B, scene: &Scene, edges: &[Edge]) -> (Arrangement, Scene) {
     let [grid, sweep] = [Method::Grid, Method::Sweep].map(|method| {
         let mut session = backend.prepare(scene, Off).unwrap();
@@ -151,20 +151,20 @@ fn broken_ties_make_arrangements_by_either_method() {
     for round in 0..150 {
         let count = 2 + round % 12;
         let scene = Scene::from_points2(&numbers.points(2 * count, [3, 5, 9][round % 3])).unwrap();
-        // Each vertex is an end once, in any order.
+        // Each vertex is an end once, in random order.
         let mut order: Vec<Vertex> = scene.vertices().collect();
         order.sort_by_cached_key(|v| (numbers.below(1 << 20), *v));
         let edges = whole(order.as_chunks().0);
         let sos = Sos::default();
         let refused = arrange(&mut sos.prepare(&scene, Off).unwrap(), &edges, Method::Grid).is_err();
         if refused {
-            // Two segments of one line that cross once they are moved.
+            // Two segments of one line that cross once they are perturbed.
             declined += 1;
             continue;
         }
         let (found, _) = arranged(&sos, &scene, &edges);
         assert_eq!(found.broken, None);
-        // Nothing is at one place: each end is a node, and each node that is none has four edges.
+        // No two vertices coincide: each end is a node, and each other node has four edges.
         let ends = found.vertices.iter().filter(|v| !v.is_constructed()).count();
         assert_eq!(ends, 2 * count);
         let euler = found.vertices.len() + found.subdivision.faces().len();
@@ -187,7 +187,7 @@ fn polygon(numbers: &mut Numbers, points: usize, rule: Rule) -> Polygon {
     Polygon::of_vertices(&(0..loops).map(|_| one()).collect::<Vec<_>>(), rule)
 }
 
-/// The winding number of edges around a point; none on an edge.
+/// The winding number of edges around a point; `None` on an edge.
 fn winding(edges: &[[Point; 2]], p: &Point) -> Option<i32> {
     let mut winding = 0;
     for [a, b] in edges {
@@ -218,7 +218,7 @@ fn holds(scene: &Scene, polygon: &Polygon, p: &Point) -> Option<bool> {
     winding(&ends_of(scene, polygon), p).map(|winding| polygon.rule.is_inside(winding))
 }
 
-/// Regions as a polygon, after a look at their form.
+/// Regions as a polygon, after checks of their form.
 fn checked(session: &dyn Predicates, made: &Overlay, operation: Operation, what: &str) -> Polygon {
     let Regions { regions, broken } = made.regions(session, operation);
     assert_eq!((broken, made.arrangement.broken), (None, None), "{what}");
@@ -247,7 +247,7 @@ fn checked(session: &dyn Predicates, made: &Overlay, operation: Operation, what:
     Polygon::from(regions.as_slice())
 }
 
-/// Points in no special place.
+/// Points in general position.
 fn probes(numbers: &mut Numbers, side: u32) -> Vec<Point> {
     let coordinate = |numbers: &mut Numbers| Rational::from((numbers.below(side * 1009), 1009));
     (0..12).map(|_| [coordinate(numbers), coordinate(numbers)]).collect()
@@ -303,7 +303,7 @@ fn results_of_broken_ties_have_the_same_areas() {
     assert!(judged > 60, "{judged}");
 }
 
-/// A result is an operand: what is constructed on it is defined by input vertices still.
+/// Tests that a result can be an operand: its new vertices are still defined by input vertices.
 #[test]
 fn results_are_overlaid_again_without_deeper_vertices() {
     let mut numbers = Numbers(5);
@@ -326,7 +326,7 @@ fn results_are_overlaid_again_without_deeper_vertices() {
             let wanted = after.holds([operation.holds([a, b]), c]);
             assert_eq!(holds(session.scene(), &twice, &p), Some(wanted), "round {round}");
         }
-        // The same once more with itself changes nothing, but which of several vertices at one place is named.
+        // The same again with itself changes nothing, except the choice of the vertex at a position with several.
         let third = overlay(&mut session, [&twice, &twice], Method::Grid).unwrap();
         let same = checked(&session, &third, Operation::Intersection, "third");
         let [mut same, mut twice] = [&same, &twice].map(|polygon| ends_of(session.scene(), polygon));
@@ -337,7 +337,7 @@ fn results_are_overlaid_again_without_deeper_vertices() {
     }
 }
 
-/// The loops of regions by coordinates, each from its least corner on.
+/// The loops of regions as coordinates, each from its least corner on.
 fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
     let loop_of = |one: &Vec<Edge>| {
         let mut corners: Vec<Point> = one.iter().map(|edge| at(scene, edge.from)).collect();
@@ -355,7 +355,7 @@ fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
     all
 }
 
-/// Laws between results of the same operands: A or B is B or A, and (A not B) or (A and B) is A.
+/// Tests laws between results of the same operands: A or B is B or A, and (A not B) or (A and B) is A.
 #[test]
 fn operations_satisfy_the_laws_of_sets() {
     let mut numbers = Numbers(13);
@@ -388,7 +388,7 @@ fn operations_satisfy_the_laws_of_sets() {
     }
 }
 
-/// Loops without the corners at which they go straight on.
+/// Loops without their straight corners.
 fn corners_of(regions: Vec<Vec<Vec<Point>>>) -> Vec<Vec<Vec<Point>>> {
     let turns = |one: &Vec<Point>, i: usize| {
         let [before, here, after] = [i + one.len() - 1, i, i + 1].map(|i| &one[i % one.len()]);
@@ -398,7 +398,7 @@ fn corners_of(regions: Vec<Vec<Vec<Point>>>) -> Vec<Vec<Vec<Point>>> {
     regions.into_iter().map(|region| region.into_iter().map(kept).collect()).collect()
 }
 
-/// What is far from the other operand is left as it is, and that changes nothing.
+/// Tests that parts far from the other operand do not change, and that leaving them out does not change the result.
 #[test]
 fn combined_results_are_those_of_whole_overlays() {
     fn steps<B: Backend>(backend: &B, numbers: &mut Numbers, round: usize) -> [usize; 2] {
@@ -423,7 +423,7 @@ fn combined_results_are_those_of_whole_overlays() {
             let rule = [Rule::EvenOdd, Rule::NonZero][(round + step) % 2];
             let second = Polygon::of_vertices(std::slice::from_ref(one), rule);
             let after = Operation::ALL[if numbers.below(3) > 0 { 0 } else { numbers.below(4) as usize }];
-            // Of lines that lie on each other no perturbed crossing is constructed.
+            // For overlapping lines no perturbed crossing is constructed.
             let first = Polygon::from(current.as_slice());
             let Ok(made) = overlay(&mut sessions[0], [&first, &second], Method::Grid) else { break };
             let whole = made.regions(&sessions[0], after);
@@ -435,7 +435,7 @@ fn combined_results_are_those_of_whole_overlays() {
             assert!(local.regions.is_sorted() && local.regions.iter().all(|region| region.holes.is_sorted()));
             holes += local.regions.iter().map(|region| region.holes.len()).sum::<usize>();
             most = most.max(local.regions.iter().flat_map(Region::loops).map(Vec::len).sum());
-            // Of the same session as the next step.
+            // The vertices belong to the session of the next step.
             current = local.regions;
             sessions[0] = backend.prepare(&scene, Off).unwrap();
             let definitions = sessions[1].scene().constructions().to_vec();
@@ -456,7 +456,7 @@ fn combined_results_are_those_of_whole_overlays() {
     assert!(seen[0] > 16 * rounds && seen[1] > 50 * rounds, "holes and edges: {seen:?}");
 }
 
-/// Signs that mean nothing, and vertices wherever.
+/// A session with meaningless signs and arbitrary vertices.
 struct Lies<'s> {
     liar: Liar<'s>,
     own: Scene,
@@ -528,7 +528,7 @@ fn combining_by_signs_that_mean_nothing_ends_and_is_told() {
 
 #[test]
 fn segments_through_one_point_are_entries_of_it() {
-    // In the centre all cross; outside of it, none.
+    // In the centre all cross; outside it, none.
     let spokes = 400_u32;
     let points: Vec<[f64; 2]> = (0..spokes)
         .flat_map(|i| {
@@ -549,7 +549,7 @@ fn segments_through_one_point_are_entries_of_it() {
 #[test]
 fn too_many_crossings_are_refused() {
     if predicament_effort::divisor() > 1 {
-        // Seventeen million of them take a while.
+        // Seventeen million crossings take a while.
         return;
     }
     let lines = 4_200_u32;

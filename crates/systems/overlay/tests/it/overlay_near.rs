@@ -1,4 +1,4 @@
-//! Results with vertices that are elsewhere than doubles say: what happens between a vertex and its estimate.
+//! Tests of results whose vertices differ from their estimates in doubles: events between a vertex and its estimate.
 
 use predicament_exact::Exact;
 use predicament_overlay::algorithm::overlay::{Edge, Method, Operation, Polygon, Region, Rule, combine};
@@ -7,13 +7,13 @@ use rug::Rational;
 
 use crate::overlay::{Numbers, area};
 
-/// Two nearly parallel lines that cross near (1/2, 0), both going up: right of there the first is above the second.
+/// Two nearly parallel rising lines that cross near (1/2, 0): right of the crossing the first is above the second.
 struct Wedge {
     lines: [[[f64; 2]; 2]; 2],
 }
 
 impl Wedge {
-    /// Slopes that differ by a power of two.
+    /// Random lines whose slopes differ by a power of two.
     fn random(numbers: &mut Numbers, difference: i32) -> Wedge {
         let mut part = || f64::from(numbers.below(1 << 20)) / f64::from(1 << 20);
         let slope = 0.5 + part() / 2.0;
@@ -45,7 +45,7 @@ impl Wedge {
     }
 }
 
-/// A polygon that is added to a list of points.
+/// A polygon whose corners are appended to a list of points.
 fn polygon(points: &mut Vec<[f64; 2]>, corners: &[[f64; 2]]) -> Polygon {
     let first = points.len();
     points.extend(corners);
@@ -58,7 +58,7 @@ fn what_is_between_a_vertex_and_its_estimate_is_found() {
     let mut numbers = Numbers(17);
     let (mut slabs, mut notches, rounds) = (0, 0, predicament_effort::some_or_all(40, 160));
     for round in 0..rounds {
-        // Estimates are off by 2^-45 or so, or by a thousandth of all.
+        // Estimates have errors of about 2^-45, or of a thousandth of the whole.
         let is_flat = round % 8 > 5;
         let difference = i32::try_from(numbers.below(6)).unwrap() + if is_flat { -44 } else { -14 };
         let wedge = Wedge::random(&mut numbers, difference);
@@ -76,7 +76,7 @@ fn what_is_between_a_vertex_and_its_estimate_is_found() {
         };
         let below = add(&[e0, e1, [0.5, -9.0]]);
         let above = add(&[f0, f1, [0.5, 9.0]]);
-        // From the vertex on to both sides, farther and farther.
+        // From the vertex to both sides, farther and farther.
         let mut seconds = Vec::new();
         for shift in 0..12_i32 {
             for side in [-1.0, 1.0] {

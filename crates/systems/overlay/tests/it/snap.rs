@@ -1,11 +1,11 @@
-//! Snap rounding against its definition, and faults that are found.
+//! Tests of snap rounding against its definition, and of planted faults.
 
 use std::collections::BTreeSet;
 
 use predicament_overlay::algorithm::snap::{Drawing, Method, SnapError, Snapped, snap};
 use predicament_overlay::checks::snap::{Flaw, Pixel, Promise, Rounded, flaws};
 
-/// A linear congruence (Knuth's MMIX constants).
+/// A linear congruential generator (Knuth's MMIX constants).
 struct Random(u64);
 
 impl Random {
@@ -25,7 +25,7 @@ impl Lines {
     /// Segments between points, with all pairs that cross.
     fn new(points: Vec<[f64; 2]>, segments: Vec<[u32; 2]>) -> Lines {
         let at = |v: u32| points[v as usize];
-        // In doubles: those of these tests are multiples of 2^-7 below 2^7, so that a turn is exact.
+        // In doubles: the coordinates of these tests are multiples of 2^-7 below 2^7, so a turn is exact.
         let turn = |a: u32, b: u32, c: u32| {
             let [a, b, c] = [a, b, c].map(at);
             let turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -97,7 +97,7 @@ fn random_drawings_are_rounded_as_defined() {
     assert!(longer > 3 && merged > 300 && naive > 10, "{longer} iterated, {merged} merged, {naive} naive ones cross");
 }
 
-/// Holds what is told of a drawing to its chains.
+/// Compares the reported statistics of a drawing with its chains.
 fn counted(lines: &Lines, snapped: &Snapped, exponent: i32) {
     assert_eq!(snapped.merged + snapped.pixels.len(), lines.points.len() + lines.crossings.len());
     assert!(snapped.pixels.windows(2).all(|pair| pair[0] < pair[1]), "each once, ascending");
@@ -138,7 +138,7 @@ fn double(i: i64) -> f64 {
     i as f64
 }
 
-/// A segment through a point with integer weights of a direction on both sides.
+/// A segment that passes through a point; integer weights of a direction give its ends on both sides.
 fn through(at: [f64; 2], direction: [i64; 2], weights: [u32; 2]) -> [[f64; 2]; 2] {
     let [back, forth] = weights.map(f64::from);
     let along = direction.map(double);
@@ -147,7 +147,8 @@ fn through(at: [f64; 2], direction: [i64; 2], weights: [u32; 2]) -> [[f64; 2]; 2
 
 #[test]
 fn crossings_on_the_sides_of_pixels_are_in_the_right_ones() {
-    // Nearly parallel, so that estimates are off by many pixels, through a corner of pixels or a thousandth of one beside it.
+    // Nearly parallel, so that estimates are off by many pixels, through a corner of pixels or a thousandth of a pixel
+    // beside it.
     let mut random = Random(2);
     let mut large = || i64::from(random.below(1 << 30)) - (1 << 29);
     for round in 0..400_u32 {
@@ -166,7 +167,7 @@ fn crossings_on_the_sides_of_pixels_are_in_the_right_ones() {
     }
 }
 
-/// x and y with a·y − b·x = 1, for numbers without a common divisor.
+/// Integers x and y with a·y − b·x = 1, for coprime a and b.
 fn unit([a, b]: [i64; 2]) -> Option<[i64; 2]> {
     let (mut r, mut s) = ((a, [1, 0]), (b, [0, 1]));
     while s.0 != 0 {
@@ -179,7 +180,7 @@ fn unit([a, b]: [i64; 2]) -> Option<[i64; 2]> {
 
 #[test]
 fn segments_that_miss_a_corner_by_nothing_that_doubles_can_see_are_on_the_right_side() {
-    // Between two corners of pixels, past a third one on this side or that: by less than 2^-40 of a pixel.
+    // Between two corners of pixels, past a third one on either side: by less than 2^-40 of a pixel.
     let mut random = Random(3);
     let mut tried = 0;
     for round in 0..200 {
@@ -188,11 +189,12 @@ fn segments_that_miss_a_corner_by_nothing_that_doubles_can_see_are_on_the_right_
         let direction = [large(&mut random), large(&mut random)];
         let Some(beside) = unit(direction) else { continue };
         tried += 1;
-        // The other way for a slope downwards; around the other corner of the segment on the other side.
+        // The other way for a descending slope; around the other corner of the segment on the other side.
         let down = if round % 2 == 0 { 1 } else { -1 };
         let other = [direction[0] - beside[0], direction[1] - beside[1]];
         let corners = [[0, 0], beside, other, direction].map(|[x, y]| [x, down * y]);
-        // Of a slope upwards the lower right corner tells, or the upper left one; of one downwards the lower left one.
+        // For an ascending slope the lower right or the upper left corner decides; for a descending slope the lower
+        // left one.
         let middle = |[x, y]: [i64; 2]| {
             let side = if down == 1 && round % 4 == 0 {
                 [-1, 1]
@@ -204,7 +206,7 @@ fn segments_that_miss_a_corner_by_nothing_that_doubles_can_see_are_on_the_right_
             [double(x) + double(side[0]) / 2.0, double(y) + double(side[1]) / 2.0]
         };
         let ends = [corners[0], corners[3]].map(|corner| corner.map(double));
-        // Eight pixels around each corner: a leaf of the tree, and none but the first may be met.
+        // Eight pixels around each corner: a leaf of the tree, of which only the first may be met.
         let mut points = ends.to_vec();
         for [x, y] in corners.map(middle) {
             points.extend((0..8).map(|at| [x + f64::from(at % 4), y + double(down) * f64::from(at / 4)]));
@@ -248,7 +250,7 @@ fn a_pixel_has_its_lower_sides() {
 
 #[test]
 fn crossings_far_from_their_estimate_are_found() {
-    // Nearly parallel, and so far from the origin that the estimate is worth nothing.
+    // Nearly parallel, and so far from the origin that the estimate is useless.
     let far = 2_f64.powi(40);
     for up in [1.0, 3.0, 1e-9] {
         let lines = Lines {

@@ -1,11 +1,11 @@
-//! Point location on a map of 217,600 edges and 256 regions, on one thread,
-//! against the paper's own test and the crate `geo`: its plain polygons and its
-//! interval trees, one per region, each behind a bounding-box test, and the
-//! trees behind an R-tree of all boxes (`rstar`). Answers are compared before anything is timed.
+//! Benchmark of point location on a map of 217,600 edges and 256 regions, on one thread.
 //!
-//! Generic code and the paper's test are compared twice: by the index, as they
-//! are used, and edge by edge, where every edge above a point is tested and
-//! nothing is decided by boxes.
+//! It compares with the paper's own test and with the crate `geo`: its plain polygons and its interval trees, one per
+//! region, each behind a bounding-box test, and the trees behind an R-tree of all boxes (`rstar`). Answers are compared
+//! before anything is timed.
+//!
+//! Generic code and the paper's test are compared twice: by the index, as they are used, and edge by edge, where every
+//! edge above a point is tested and boxes decide nothing.
 
 mod wiggly;
 
@@ -49,7 +49,7 @@ fn located<R: Contains<Coord>>(regions: &[(Rect, R)], queries: &[Coord]) -> Vec<
 /// A tree of the boxes of regions.
 type Boxes = RTree<GeomWithData<Rectangle<[f64; 2]>, u32>>;
 
-/// The same by a tree of the boxes.
+/// The regions that contain each query, by a tree of the boxes.
 fn located_by_boxes<R: Contains<Coord>>(boxes: &Boxes, regions: &[(Rect, R)], queries: &[Coord]) -> Vec<Vec<u32>> {
     let inside = |query: &Coord| {
         let held = boxes.locate_all_at_point(&[query.x, query.y]).map(|held| held.data);
@@ -70,7 +70,7 @@ fn by_robust(l: Point, r: Point, p: Point) -> Sign {
     Sign::of(robust::orient2d(l, r, p))
 }
 
-/// The same by our own exact arithmetic, with nothing prepared.
+/// The sign of D by our own exact arithmetic, without preparation.
 fn by_exact(l: Point, r: Point, p: Point) -> Sign {
     raw::orient2d([l, r, p])
 }
@@ -82,7 +82,7 @@ fn edge_by_edge(index: &LocateIndex, scene: &Scene, queries: &[Vertex]) -> Vec<V
     queries.iter().map(&mut locate).collect()
 }
 
-/// The same by a session.
+/// The test of every edge that is not below a query, by a session.
 fn edge_by_edge_generic<P: Predicates>(index: &LocateIndex, session: &P, queries: &[Vertex]) -> Vec<Vec<u32>> {
     let mut scratch = Scratch::new();
     let mut locate = |&q: &Vertex| index.question(session, q, &mut scratch).inside.to_vec();

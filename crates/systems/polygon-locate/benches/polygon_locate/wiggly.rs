@@ -1,10 +1,9 @@
-//! A big map that looks like one: cells of uneven size with wiggly borders,
-//! shared by vertex.
+//! A big map with realistic borders: cells of uneven size, with wiggly borders that share vertices.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
 
-/// SplitMix64: a few lines, and the same map for ever.
+/// The random number generator SplitMix64: it is short, and gives the same map forever.
 pub struct Random(u64);
 
 impl Random {
@@ -12,7 +11,7 @@ impl Random {
         Random(seed)
     }
 
-    /// In [0, 1).
+    /// A uniform number in [0, 1).
     #[allow(clippy::cast_precision_loss)] // 53 bits fit
     pub fn unit(&mut self) -> f64 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -23,8 +22,8 @@ impl Random {
     }
 }
 
-/// n × n regions on [0, n]², every border between two corners in `pieces`
-/// edges, and `queries` uniform points, the last vertices of the scene.
+/// A map of n × n regions on [0, n]², with `pieces` edges between two corners of a border, and `queries` uniform
+/// points, which are the last vertices of the scene.
 pub fn map(n: usize, pieces: usize, queries: usize) -> (PolygonMap, Scene, Vec<Vertex>) {
     let mut random = Random::new(2026);
     let mut points: Vec<[f64; 2]> = Vec::new();
@@ -67,8 +66,8 @@ pub fn map(n: usize, pieces: usize, queries: usize) -> (PolygonMap, Scene, Vec<V
     (map, Scene::from_points2(&points).expect("finite"), queries)
 }
 
-/// The inner points of a chain from a to b: waves of random phase across it,
-/// flat at both ends, so that no two chains cross.
+/// The inner points of a chain from a to b: waves of random phase across it, flat at both ends, so that no two chains
+/// cross.
 fn wiggle(random: &mut Random, [a, b]: [[f64; 2]; 2], pieces: usize) -> impl Iterator<Item = [f64; 2]> + use<> {
     let waves: Vec<[f64; 2]> = (1..8).map(|k| [0.12 / f64::from(k), std::f64::consts::TAU * random.unit()]).collect();
     let along = [b[0] - a[0], b[1] - a[1]];

@@ -1,4 +1,4 @@
-//! Locates many points in parallel, with the same answers for any number of threads.
+//! Parallel location of many points, with the same answers for any number of threads.
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering::Relaxed};
 
@@ -14,9 +14,8 @@ pub const CHUNK: usize = 4096;
 
 /// Locates every vertex of `queries`, on all threads of the current rayon pool.
 ///
-/// `progress` is called after each chunk of [`CHUNK`] queries with the number
-/// of queries done so far; as soon as it returns false no further chunk is
-/// begun, and the result holds the answered queries before the first gap.
+/// `progress` is called after each chunk of [`CHUNK`] queries with the number of queries done so far. As soon as it
+/// returns false, no further chunk begins, and the result holds the answered queries before the first gap.
 ///
 /// # Panics
 /// As [`LocateIndex::locate`].
@@ -29,8 +28,8 @@ pub fn locate_all<P: Predicates + ?Sized>(
     gather(index, queries, progress, |index, q, scratch| index.locate(session, q, scratch))
 }
 
-/// [`locate_all`] by [`LocateIndex::question`]: every edge in the way is asked
-/// about, so that a session that is wrong about one can't hide it.
+/// Locates like [`locate_all`], but by [`LocateIndex::question`]. The session is queried about every edge in the way,
+/// so that a wrong sign cannot stay hidden.
 ///
 /// # Panics
 /// As [`LocateIndex::question`].
@@ -43,8 +42,7 @@ pub fn question_all<P: Predicates + ?Sized>(
     gather(index, queries, progress, |index, q, scratch| index.question(session, q, scratch))
 }
 
-/// [`locate_all`] by [`LocateIndex::locate_specially`]: the same work around
-/// the paper's own test.
+/// Locates like [`locate_all`], but by [`LocateIndex::locate_specially`]: the same work around the paper's own test.
 ///
 /// # Panics
 /// If the scene lacks a query.
@@ -60,7 +58,7 @@ pub fn locate_all_specially(
     })
 }
 
-/// The locations of a chunk of queries, unless it is too late for them.
+/// A function that locates a chunk of queries; it returns `None` after a stop.
 type PartOf<'a> = dyn Fn(&mut Scratch, &[Vertex]) -> Option<Locations> + Sync + 'a;
 
 fn gather(

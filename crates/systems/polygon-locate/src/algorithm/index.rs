@@ -6,12 +6,11 @@ use predicament_grid::{Cells, Columns, Labels};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Plane, Scene, Vertex};
 
-/// The edges of a map with a broad phase over them. It depends on raw coordinates, and on no backend.
+/// The edges of a map with a broad phase over them. It depends on raw coordinates only, not on a backend.
 #[derive(Clone, Debug)]
 pub struct LocateIndex {
     edges: Vec<Edge>,
-    /// The distinct sets of regions that are told apart: the owners of edges
-    /// first, then what covers the cells. A map has few.
+    /// The distinct sets of regions: the owners of edges first, then the sets that cover cells. A map has few.
     sets: Vec<Vec<u32>>,
     owner_sets: usize,
     regions: usize,
@@ -26,15 +25,13 @@ struct Edge {
 }
 
 impl LocateIndex {
-    /// An index of the map's edges.
+    /// Builds the index of a map's edges.
     ///
-    /// An edge is known by its two vertices, whichever way it runs, and is
-    /// owned by the regions that use it an odd number of times: used twice by
-    /// one region, it bounds that region on neither side.
+    /// Two vertices identify an edge, in either direction. Its owners are the regions that use it an odd number of
+    /// times: if a region uses it twice, it bounds that region on neither side.
     ///
     /// # Panics
-    /// If the map uses vertices that the scene lacks, or has 2^32 edges or
-    /// regions.
+    /// If the map uses vertices that the scene lacks, or has 2^32 edges or regions.
     #[must_use]
     pub fn new(map: &PolygonMap, scene: &Scene) -> LocateIndex {
         let mut uses: Vec<([Vertex; 2], u32)> = map
@@ -57,7 +54,7 @@ impl LocateIndex {
         let owner_sets = sets.sets.len();
 
         let point = |v| scene.point2(Plane::Xy, v);
-        // A query's candidates share an x: keep them close together in memory.
+        // A query's candidates share an x: their edges are adjacent in memory.
         for edge in &mut edges {
             let [u, v] = edge.ends;
             if point(v)[0] < point(u)[0] {
@@ -84,13 +81,13 @@ impl LocateIndex {
         self.edges.len()
     }
 
-    /// Whether the map bounds nothing.
+    /// True if the map bounds no region.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.edges.is_empty()
     }
 
-    /// The numbers of all edges.
+    /// The indices of all edges.
     pub fn edges(&self) -> impl ExactSizeIterator<Item = u32> + use<> {
         let count = u32::try_from(self.edges.len()).expect("checked when the columns were made");
         0..count
@@ -107,7 +104,7 @@ impl LocateIndex {
         self.edges[edge as usize].ends
     }
 
-    /// The regions that an edge bounds, ascending; never none.
+    /// The regions that an edge bounds, ascending; never empty.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -117,7 +114,7 @@ impl LocateIndex {
         self.set(self.owners_of(edge))
     }
 
-    /// The sets below this number are sets of owners; many edges share one.
+    /// The number of owner sets: sets with smaller indices are owners; many edges share one set.
     pub(super) fn owner_sets(&self) -> usize {
         self.owner_sets
     }
@@ -132,14 +129,13 @@ impl LocateIndex {
         &self.sets[set as usize]
     }
 
-    /// What is near a point, and the regions that cover it from afar.
+    /// The cells: the edges near a point, and the regions that cover it from above.
     #[inline]
     pub(super) fn cells(&self) -> &Cells {
         &self.cells
     }
 
-    /// The broad phase that goes through all edges above a point; its segments
-    /// are the edges.
+    /// The broad phase that visits all edges above a point; its segments are the edges.
     #[inline]
     #[must_use]
     pub fn columns(&self) -> &Columns {
@@ -147,7 +143,7 @@ impl LocateIndex {
     }
 }
 
-/// Numbers sets in the order in which they first come up.
+/// A numbering of sets, in the order in which they first occur.
 #[derive(Default)]
 struct Sets {
     sets: Vec<Vec<u32>>,
@@ -166,7 +162,7 @@ impl Sets {
     }
 }
 
-/// Sums up owners as the cells are made.
+/// The sum of owners while the cells are built.
 struct Cover<'a> {
     edges: &'a [Edge],
     sets: &'a mut Sets,

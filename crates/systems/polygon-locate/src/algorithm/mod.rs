@@ -1,25 +1,21 @@
-//! Which regions of a map a point lies in (Franklin & Magalhães, 4.2).
+//! Location of points in the regions of a map (Franklin & Magalhães, 4.2).
 //!
-//! A ray goes up from the query point; the point is inside a region iff the
-//! ray crosses the region's boundary an *odd* number of times (the paper says
-//! even, which is a slip). An edge is crossed iff the point's x lies in the
-//! half-open interval l ≤ x < r of its ends and the point is below it.
+//! A ray goes up from the query point. The point is inside a region iff the ray crosses the region's boundary an *odd*
+//! number of times (the paper says even, which is a slip). An edge is crossed iff the point's x lies in the half-open
+//! interval l ≤ x < r of its ends and the point is below it.
 //!
-//! One pass over the edges above the point answers for all regions at once: a
-//! border between two regions is one edge, tested once, and toggles both. So
-//! however wrong a backend's signs are, two neighbours can't disagree about
-//! their common border; a wrong sign moves the point *across* it, and only
-//! signs that contradict each other make gaps and overlaps.
+//! One pass over the edges above the point answers for all regions at once. A border between two regions is one edge:
+//! it is tested once, and toggles both regions. So however wrong a backend's signs are, two neighbours cannot disagree
+//! about their common border. A wrong sign moves the point *across* it; only signs that contradict each other make gaps
+//! and overlaps.
 //!
 //! # Zeros
 //! The same code serves exact, perturbed and tolerant sessions:
-//! * a zero of the comparison counts as "left or equal", so a vertical edge
-//!   and a touched right end are no crossings;
-//! * a zero of the orientation, with the point's x in the closed x-range of
-//!   the edge, puts the point *on the boundary* of the edge's regions. For
-//!   them "inside" is then not a question, and their parity is not reported;
-//! * under Simulation of Simplicity no zero ever comes up for distinct
-//!   vertices, and the code becomes the paper's algorithm.
+//! * a zero of the comparison counts as "left or equal", so a vertical edge and a touched right end are not crossings;
+//! * a zero of the orientation, with the point's x in the closed x-range of the edge, puts the point *on the boundary*
+//!   of the edge's regions. Then "inside" has no meaning for them, and their parity is not reported;
+//! * under Simulation of Simplicity a zero never occurs for distinct vertices, and the code becomes the paper's
+//!   algorithm.
 //!
 //! ```
 //! # use predicament_polygon_locate::algorithm::{LocateIndex, locate_all};

@@ -1,4 +1,4 @@
-//! Locates one point: the crossings with the edges above it, summed up per region.
+//! Location of one point: the crossings with the edges above it, summed per region.
 
 use predicament_grid::Entry;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
@@ -6,25 +6,25 @@ use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 use super::LocateIndex;
 use crate::answer::Location;
 
-/// Working memory for [`LocateIndex::locate`], to be reused from query to query.
+/// Working memory for [`LocateIndex::locate`], reusable for many queries.
 #[derive(Clone, Debug, Default)]
 pub struct Scratch {
-    /// Edges with the same owners are counted together …
+    /// Marks by set of owners: edges with the same owners are counted together.
     owner_sets: Marks,
-    /// … and summed up per region at the end.
+    /// Marks by region: the sums at the end.
     regions: Marks,
     inside: Vec<u32>,
     boundary: Vec<u32>,
 }
 
-/// What is known about numbered things during a query.
+/// Marks of numbered items during a query.
 #[derive(Clone, Debug, Default)]
 struct Marks {
     marks: Vec<Mark>,
     touched: Vec<u32>,
 }
 
-/// What is known about one of them.
+/// The mark of one item: crossings and contacts so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub(super) struct Mark {
     pub(super) touched: bool,
@@ -32,7 +32,7 @@ pub(super) struct Mark {
     pub(super) on_boundary: bool,
 }
 
-/// How an edge meets the upward ray from a point.
+/// The way in which an edge meets the upward ray from a point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Meeting {
     Misses,
@@ -42,7 +42,7 @@ enum Meeting {
 }
 
 impl Meeting {
-    /// What the edge adds to its owners.
+    /// The mark that the edge adds to its owners.
     #[inline]
     fn mark(self) -> Option<Mark> {
         match self {
@@ -53,7 +53,7 @@ impl Meeting {
     }
 }
 
-/// A query with what raw coordinates say about it.
+/// A query, and the facts that follow from raw coordinates.
 #[derive(Clone, Copy)]
 struct Query<'s, P: ?Sized> {
     session: &'s P,
@@ -64,17 +64,16 @@ struct Query<'s, P: ?Sized> {
 }
 
 impl LocateIndex {
-    /// Where the vertex `q` is, for all regions in one pass.
+    /// Locates the vertex `q`, for all regions in one pass.
     ///
-    /// The session is asked what raw coordinates leave open, and nothing else:
-    /// * how q compares to an end of an edge, where their x is equal;
-    /// * on which side of an edge q is, where the edge's closed box, drawn out
-    ///   by the session's reach upward and downward, holds q.
+    /// The session is queried only where raw coordinates do not decide:
+    /// * how q compares to an end of an edge, if their x are equal;
+    /// * on which side of an edge q is, if the edge's closed box, extended upward and downward by the session's reach,
+    ///   holds q.
     ///
-    /// The answer is that of asking about every edge, for every session that
-    /// takes a strict order of raw coordinates as it is and sees no point on
-    /// an edge from outside of its box. Signs of exact or perturbed points do;
-    /// a session that would not is not told on by edges whose boxes don't hold q.
+    /// The answer equals that of a query about every edge, for every session that follows the strict order of raw
+    /// coordinates and never puts a point on an edge from outside its box. Exact and perturbed signs do both. For any
+    /// other session, this method does not reveal wrong signs of edges whose boxes do not hold q.
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
@@ -98,12 +97,11 @@ impl LocateIndex {
         }
     }
 
-    /// Where the vertex `q` is, all of it asked: every edge that is not below
-    /// the point beyond the session's reach, and not in other columns, whether
-    /// or not raw coordinates decide about it.
+    /// Locates the vertex `q` with a query about every edge in its column that is not below the point beyond the
+    /// session's reach, even if raw coordinates would decide.
     ///
-    /// The same as [`locate`](LocateIndex::locate) for exact and perturbed
-    /// signs, and several times slower: for judging sessions, not for using them.
+    /// The answer equals [`locate`](LocateIndex::locate) for exact and perturbed signs. This method is several times
+    /// slower: it serves to judge sessions, not to use them.
     ///
     /// # Panics
     /// If the session's scene has no vertex `q`, or lacks vertices of the map.
@@ -121,7 +119,8 @@ impl LocateIndex {
             let ends = self.ends(edge);
             let mut meeting = meet(session, ends, q);
             if meeting == Meeting::Touches && ends.iter().all(|&v| scene.point2(Plane::Xy, v)[1] > top) {
-                // A zero within the band of a steep edge's line, far below the edge: it is in the way, and not touched.
+                // A zero within the band of a steep edge's line, far below the edge: the ray may cross the edge, but
+                // the point does not touch it.
                 let [past, other] = ends.map(|v| session.compare(Axis::X, v, q) != Sign::Positive);
                 meeting = if past == other { Meeting::Misses } else { Meeting::Crosses };
             }
@@ -132,7 +131,7 @@ impl LocateIndex {
         scratch.sum_up(self)
     }
 
-    /// What the segments near the point add to what is above their cell.
+    /// Adds the marks of the segments near the point to those from above their cell.
     #[inline]
     fn look_around<P: Predicates + ?Sized>(&self, query: &Query<'_, P>, entries: &[Entry], owner_sets: &mut Marks) {
         for entry in entries {
@@ -150,7 +149,7 @@ impl LocateIndex {
         }
     }
 
-    /// All of it, edge by edge, for a band that no row holds.
+    /// Marks all edges above, edge by edge, for a band that no row contains.
     #[cold]
     fn look_up<P: Predicates + ?Sized>(&self, query: &Query<'_, P>, point: [f64; 2], owner_sets: &mut Marks) {
         let scene = query.session.scene();
@@ -164,21 +163,19 @@ impl LocateIndex {
 }
 
 impl<P: Predicates + ?Sized> Query<'_, P> {
-    /// Whether the point is past an end, left or equal: the session is asked
-    /// about ties only.
+    /// True if the point is past an end: the end's x is less or equal. The session decides ties only.
     #[inline]
     fn is_past(&self, end: f64, vertex: impl FnOnce() -> Vertex) -> bool {
         end < self.x || (end == self.x && self.session.compare(Axis::X, vertex(), self.vertex) != Sign::Positive)
     }
 
-    /// Whether an edge, its ends from left to right, is at the point's x and
-    /// not all below it.
+    /// True if an edge, its ends from left to right, covers the point's x and is not completely below it.
     #[inline]
     fn may_meet(&self, [[left, a], [right, b]]: [[f64; 2]; 2]) -> bool {
         (left <= self.x) & (self.x <= right) & (self.band[0] <= a.max(b))
     }
 
-    /// How an edge, its ends from left to right, meets the ray.
+    /// Decides how an edge, its ends from left to right, meets the ray.
     #[inline]
     fn meet(&self, ends: [[f64; 2]; 2], vertices: impl FnOnce() -> [Vertex; 2]) -> Meeting {
         if !self.may_meet(ends) {
@@ -197,7 +194,7 @@ impl<P: Predicates + ?Sized> Query<'_, P> {
         }
     }
 
-    /// An edge whose left end the point is past, and whose right end not.
+    /// Decides for an edge whose x-range holds the point: past the left end, not past the right end.
     #[inline]
     fn meet_below_or_on(&self, [left, right]: [Vertex; 2]) -> Meeting {
         match self.session.orient2d(Plane::Xy, left, right, self.vertex) {
@@ -208,7 +205,7 @@ impl<P: Predicates + ?Sized> Query<'_, P> {
     }
 }
 
-/// The rule of 4.2 for one edge, all of it asked.
+/// The rule of the paper's section 4.2 for one edge, with all queries to the session.
 fn meet<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     let of_u = session.compare(Axis::X, u, q);
     let of_v = session.compare(Axis::X, v, q);
@@ -223,7 +220,7 @@ fn meet<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> 
     }
 }
 
-/// A vertical edge in the ray's own line: never crossed, but maybe touched.
+/// Decides for a vertical edge in the ray's own line: never crossed, possibly touched.
 fn meet_vertical<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], q: Vertex) -> Meeting {
     match session.compare(Axis::Y, u, q) * session.compare(Axis::Y, v, q) {
         Sign::Positive => Meeting::Misses,
@@ -238,7 +235,7 @@ impl Scratch {
         Scratch::default()
     }
 
-    /// Makes room for a map.
+    /// Resizes the memory for a map.
     #[inline]
     pub(super) fn fit(&mut self, index: &LocateIndex) {
         self.owner_sets.fit(index.owner_sets());
@@ -288,7 +285,7 @@ impl Scratch {
 }
 
 impl Marks {
-    /// Makes room; there may already be more than enough, from another map.
+    /// Grows to `count` items; there may already be more, from another map.
     fn fit(&mut self, count: usize) {
         if self.marks.len() < count {
             self.marks.resize(count, Mark::default());
@@ -310,7 +307,7 @@ impl Marks {
         mark.on_boundary |= more.on_boundary;
     }
 
-    /// Hands over every mark, and leaves none.
+    /// Passes every mark to `take`, and clears it.
     fn drain(&mut self, mut take: impl FnMut(u32, Mark)) {
         for at in self.touched.drain(..) {
             take(at, std::mem::take(&mut self.marks[at as usize]));

@@ -1,33 +1,24 @@
-//! The paper's own test (Franklin & Magalhães, 4.2, steps 1 to 6), which has the
-//! perturbation built into its comparisons.
+//! The paper's own test (Franklin & Magalhães, 4.2, steps 1 to 6), whose comparisons contain the perturbation.
 //!
-//! It is here to be held against the generic code, which asks a session and
-//! knows no coordinates. This one knows coordinates and no session: all that
-//! it has to be given is the sign of one determinant. Where the paper is wrong
-//! as printed, this is right: a point is inside iff the number of crossings is
-//! *odd*.
+//! It serves to check the generic code, which queries a session and never uses coordinates. The paper's test uses
+//! coordinates and no session: its only external input is the sign of one determinant. It corrects the paper's
+//! misprint: a point is inside iff the number of crossings is *odd*.
 //!
 //! # What step 5 reports
-//! A point with D = 0 in the half-open x-range l ≤ p < r of an edge is on the
-//! edge, which the paper does not consider: the test returns an error. These
-//! are not all points on boundaries. On a vertical edge, and on a vertex that
-//! no edge has as its left end, the test returns without a word; its answer is
-//! then that for the point moved to the right.
+//! A point with D = 0 in the half-open x-range l ≤ p < r of an edge is on the edge. The paper does not consider this
+//! case; the test returns an error. Not all points on boundaries are reported. On a vertical edge, and on a vertex that
+//! is no edge's left end, the test returns without an error; its answer is then that for the point moved to the right.
 //!
 //! # What Simulation of Simplicity makes of it
-//! x_i → x_i + ε^(2^i) moves a query that is numbered before all vertices of
-//! the map further than them, and further to the right than up: so l ≤ p < r
-//! is that query's order, edge by edge, and wherever step 5 has no error both
-//! codes answer the same, on boundaries too. For a query that is numbered
-//! last the vertices move instead, the order is l < p ≤ r, and the answers are
-//! the same where the query is on no boundary.
+//! The perturbation x_i → x_i + ε^(2^i) moves a query that is numbered before all vertices of the map further than
+//! them, and further to the right than up. So l ≤ p < r is that query's order, edge by edge, and wherever step 5 has no
+//! error both codes give the same answer, on boundaries too. For a query that is numbered last the vertices move
+//! instead, and the order is l < p ≤ r. Then the answers are equal if the query is not on a boundary.
 //!
 //! # In four forms
-//! [`crosses`] is the test of one edge. [`locate`] goes through all edges of
-//! all regions and shares nothing else with the rest of this module.
-//! [`LocateIndex::locate_specially`] and [`LocateIndex::question_specially`]
-//! have the broad phase and the sums in common with the generic code and
-//! nothing else: for comparing speed.
+//! [`crosses`] is the test of one edge. [`locate`] visits all edges of all regions and shares nothing else with this
+//! module. [`LocateIndex::locate_specially`] and [`LocateIndex::question_specially`] share the broad phase and the sums
+//! with the generic code, and nothing else: they serve to compare speed.
 
 use predicament_mesh::{PolygonMap, Region};
 use predicament_predicates::{Plane, Scene, Sign, Vertex};
@@ -35,7 +26,7 @@ use predicament_predicates::{Plane, Scene, Sign, Vertex};
 use super::single::Mark;
 use super::{LocateIndex, Location, Scratch};
 
-/// A place in the plane.
+/// A point in the plane.
 pub type Point = [f64; 2];
 
 /// The error of step 5: the point is on the edge, in its half-open x-range.
@@ -50,10 +41,9 @@ impl std::fmt::Display for OnEdge {
 
 impl std::error::Error for OnEdge {}
 
-/// Whether the ray up from `p` crosses an edge, given by both ends in either order.
+/// Returns true if the ray up from `p` crosses an edge, given by both ends in either order.
 ///
-/// `sign_of_d` is asked for l, r and p, l left of r, in step 4 only. It has to
-/// be the exact sign of
+/// `sign_of_d` is called for l, r and p, with l left of r, in step 4 only. It must return the exact sign of
 ///
 /// ```text
 ///     | l.x  l.y  1 |
@@ -61,10 +51,10 @@ impl std::error::Error for OnEdge {}
 ///     | p.x  p.y  1 |
 /// ```
 ///
-/// which is negative where p is below the edge.
+/// which is negative if p is below the edge.
 ///
 /// # Errors
-/// [`OnEdge`] where D is zero.
+/// [`OnEdge`] if D is zero.
 #[inline]
 pub fn crosses(
     p: Point,
@@ -85,10 +75,9 @@ pub fn crosses(
     }
 }
 
-/// Whether `p` is inside each region, every edge of it tested.
+/// For each region, true if `p` is inside it; every edge is tested.
 ///
-/// An edge that a region uses an even number of times bounds nothing: a point
-/// on it is not on the region's boundary.
+/// An edge that a region uses an even number of times bounds nothing: a point on it is not on the region's boundary.
 ///
 /// # Panics
 /// If the scene lacks vertices of the map.
@@ -119,11 +108,11 @@ pub fn locate(
 }
 
 impl LocateIndex {
-    /// Where `p` is, for all regions in one pass, by the paper's own test: a
-    /// region whose edge has the error of step 5 is in `boundary`.
+    /// Locates `p`, for all regions in one pass, by the paper's own test; a region whose edge has the error of step 5
+    /// is in `boundary`.
     ///
-    /// The edges near `p` are those of [`locate`](LocateIndex::locate), and D
-    /// is asked for, as there, only where the box of the edge holds `p`.
+    /// The edges near `p` are those of [`locate`](LocateIndex::locate). D is computed, as there, only if the box of the
+    /// edge holds `p`.
     ///
     /// # Panics
     /// If a coordinate of `p` is not finite.
@@ -148,9 +137,8 @@ impl LocateIndex {
         scratch.sum_up_under(self, cell.above)
     }
 
-    /// The same of every edge that is not below the vertex `q`, as in
-    /// [`question`](LocateIndex::question): D is asked for wherever the
-    /// paper's test needs it, and nothing is decided by boxes.
+    /// Locates by the paper's own test of every edge that is not below the vertex `q`, as in
+    /// [`question`](LocateIndex::question). D is computed wherever the paper's test needs it, and boxes decide nothing.
     ///
     /// # Panics
     /// If the scene lacks `q` or vertices of the map.
@@ -175,7 +163,7 @@ impl LocateIndex {
     }
 }
 
-/// The sign of D for a point above or below both ends: no arithmetic is needed.
+/// The sign of D for a point above or below both ends, without arithmetic.
 #[inline]
 fn beside(l: Point, r: Point, p: Point) -> Option<Sign> {
     if p[1] > l[1].max(r[1]) {

@@ -1,26 +1,23 @@
-//! A session's answers against the surroundings of the probes.
+//! Comparison of a session's answers with the surroundings of the probes.
 
 use crate::answer::{Location, Locations};
 use crate::truth::{Ground, Surroundings};
 use predicament_predicates::ZeroMeaning;
 
-/// What is wrong with an answer.
+/// The kind of error in an answer.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Fault {
-    /// In no region, where every sector is in one: the probe fell between.
+    /// The answer has no region, but every sector is in one: the probe fell into a gap.
     Gap,
-    /// In two regions or more, where no sector is in more than one.
+    /// The answer has two regions or more, but no sector is in more than one.
     Double,
-    /// In other regions than those of any sector.
+    /// The answer has other regions than any sector.
     Misplaced,
-    /// On a boundary that the probe is not on, from a session whose zeros are
-    /// exact or which has none.
+    /// The answer has a boundary that the probe is not on, from a session whose zeros are exact or which has no zeros.
     FalseBoundary,
-    /// Not on the boundaries that the probe is on, from a session whose zeros
-    /// are exact.
+    /// The answer lacks a boundary that the probe is on, from a session whose zeros are exact.
     MissedBoundary,
-    /// On a boundary, from a session that breaks all ties; the probe is not
-    /// itself a vertex of the map.
+    /// The answer has a boundary, from a session that breaks all ties; the probe is not itself a vertex of the map.
     UnbrokenTie,
 }
 
@@ -38,47 +35,47 @@ impl Fault {
         }
     }
 
-    /// Whether the answer fits no sector at all, for sessions of every
-    /// philosophy; the other faults are broken promises about zeros.
+    /// True if the answer fits no sector at all, whatever zeros mean to the session; the other faults are broken
+    /// promises about zeros.
     #[must_use]
     pub const fn is_topological(self) -> bool {
         matches!(self, Fault::Gap | Fault::Double | Fault::Misplaced)
     }
 }
 
-/// An answer that the surroundings of its probe rule out.
+/// An answer that contradicts the surroundings of its probe.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct TilingViolation {
-    /// The probe's place.
+    /// The probe's index.
     pub probe: usize,
-    /// What it stands on; never [`Ground::Defect`].
+    /// The ground of the probe; never [`Ground::Defect`].
     pub ground: Ground,
-    /// What is wrong.
+    /// The kind of error.
     pub fault: Fault,
 }
 
-/// How the probes on one kind of ground were answered.
+/// The numbers of answers by kind, for probes on one kind of ground.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Counts {
-    /// On a boundary, whatever else.
+    /// Answers with a boundary.
     pub boundary: usize,
-    /// On no boundary and in no region.
+    /// Answers without a boundary and without a region.
     pub none: usize,
-    /// On no boundary and in one region.
+    /// Answers without a boundary, with one region.
     pub one: usize,
-    /// On no boundary and in two regions or more.
+    /// Answers without a boundary, with two regions or more.
     pub more: usize,
 }
 
 impl Counts {
-    /// All probes on this ground.
+    /// The number of probes on this ground.
     #[must_use]
     pub fn probes(&self) -> usize {
         self.boundary + self.none + self.one + self.more
     }
 }
 
-/// The sum over all answers.
+/// The summary of all answers.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct TilingReport {
     counts: [Counts; Ground::ALL.len()],
@@ -86,21 +83,21 @@ pub struct TilingReport {
 }
 
 impl TilingReport {
-    /// How the probes on this ground were answered.
+    /// The numbers of answers by kind, for the probes on this ground.
     #[must_use]
     pub fn counts(&self, ground: Ground) -> Counts {
         self.counts[ground as usize]
     }
 
-    /// What is wrong, in the order of the probes, at most one per probe.
+    /// The violations, in the order of the probes, at most one per probe.
     #[must_use]
     pub fn violations(&self) -> &[TilingViolation] {
         &self.violations
     }
 }
 
-/// Judges answers by the law of [the module](super) and by what the session
-/// says its zeros mean; of an incomplete result, the part that is there.
+/// Judges answers by the law of [the module](super) and by the meaning of the session's zeros; of an incomplete result,
+/// the available part.
 ///
 /// # Panics
 /// If there are more answers than probes.
@@ -125,7 +122,7 @@ pub fn tiling_report(surroundings: &Surroundings, answers: &Locations, zero: Zer
     report
 }
 
-/// Whether some sector S has I ⊆ S ⊆ I ∪ B.
+/// The fault if no sector S has I ⊆ S ⊆ I ∪ B.
 fn topology(surroundings: &Surroundings, probe: usize, answer: Location<'_>) -> Option<Fault> {
     let Location { inside, boundary } = answer;
     let accounted = |sector: &[u32]| {
@@ -145,7 +142,7 @@ fn topology(surroundings: &Surroundings, probe: usize, answer: Location<'_>) -> 
     })
 }
 
-/// Whether the boundaries named are those that the session's zeros stand for.
+/// The fault if the named boundaries are not those that the session promises.
 fn promise(surroundings: &Surroundings, probe: usize, answer: Location<'_>, zero: ZeroMeaning) -> Option<Fault> {
     let truth = surroundings.boundary(probe);
     let named_in_vain = answer.boundary.iter().any(|region| truth.binary_search(region).is_err());

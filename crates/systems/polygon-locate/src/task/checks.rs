@@ -1,4 +1,4 @@
-//! What is reported about points in maps.
+//! The checks in reports about points in maps.
 
 use crate::checks::Fault;
 

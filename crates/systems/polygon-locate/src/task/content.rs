@@ -1,4 +1,4 @@
-//! A map with points to locate in it, and how they are chosen.
+//! A map with points to locate in it, and the rules for choosing them.
 
 use std::sync::{Arc, OnceLock};
 
@@ -11,27 +11,26 @@ use predicament_tasks::map_loops::spelled_loops;
 
 /// A map with points to locate in it.
 ///
-/// Every probe is a vertex of its own, even where its coordinates are those of a
-/// map vertex. The probes are numbered in turn before and after all of the map's
-/// vertices, the first one before: so Simulation of Simplicity moves half of
-/// them further than the map and half of them less far.
+/// Every probe is a separate vertex, even if its coordinates are those of a map vertex. Probes are numbered alternately
+/// before and after all of the map's vertices, the first one before. So Simulation of Simplicity moves half of them
+/// further than the map and half of them less far.
 #[derive(Debug)]
 pub struct MapWithProbes {
     /// The regions.
     pub map: PolygonMap,
-    /// What to locate.
+    /// The points to locate.
     pub probes: Vec<Probe>,
     index: OnceLock<LocateIndex>,
 }
 
 impl MapWithProbes {
-    /// A map and its probes.
+    /// Combines a map and its probes.
     #[must_use]
     pub fn new(map: PolygonMap, probes: Vec<Probe>) -> MapWithProbes {
         MapWithProbes { map, probes, index: OnceLock::new() }
     }
 
-    /// The map's edges, ready for queries. Built once: it asks no predicate, so all backends share it.
+    /// The map's edges, ready for queries. They are built once: this uses no predicate, so all backends share it.
     pub fn locate_index(&self, scene: &Scene) -> &LocateIndex {
         self.index.get_or_init(|| LocateIndex::new(&self.map, scene))
     }
@@ -64,9 +63,10 @@ impl Content for MapWithProbes {
         }
     }
 
-    /// By loops of indices, which keep the numbers of vertices. The id is another one where the kind of a probe, which is
-    /// part of it, does not follow from where it is: a double below a vertex may be a vertex as well. None where the map has
-    /// no points.
+    /// Writes loops of indices, which keep the numbers of vertices. Returns `None` if the map has no points.
+    ///
+    /// The id includes the kind of a probe, and can change: the kind does not always follow from the position. A double
+    /// below a vertex may also be a vertex.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let apart = unnumbered(scene, &self.vertices());
         let own = |ring: &[Vertex]| ring.iter().map(|&v| apart.vertex(v)).collect();
@@ -77,7 +77,7 @@ impl Content for MapWithProbes {
         (!apart.points.is_empty()).then(|| Spelled { points: apart.points, words, lists, ..Spelled::default() })
     }
 
-    /// The index is another one.
+    /// The index of the moved scene is new.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         (scene, Some(Arc::new(MapWithProbes::new(self.map.clone(), self.probes.clone()))))
     }
@@ -88,22 +88,22 @@ impl Content for MapWithProbes {
 pub struct Probe {
     /// Its vertex in the scene.
     pub vertex: Vertex,
-    /// How it was chosen.
+    /// The rule by which it was chosen.
     pub kind: ProbeKind,
 }
 
-/// How a probe was chosen; of those that a scene writes out, where they are.
+/// The rule by which a probe was chosen; for probes that a scene lists, their position.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum ProbeKind {
     /// On a vertex of the map.
     Vertex,
-    /// On an edge: its midpoint, where that is a pair of doubles.
+    /// On an edge: its midpoint, if that is a pair of doubles.
     Midpoint,
-    /// One double straight below a vertex.
+    /// A point one double straight below a vertex.
     Below,
-    /// One double straight above a vertex.
+    /// A point one double straight above a vertex.
     Above,
-    /// Anywhere: in the bounding box, if it was chosen.
+    /// Anywhere; if chosen, in the bounding box.
     Random,
 }
 
@@ -121,14 +121,14 @@ impl ProbeKind {
     }
 }
 
-/// How a map is probed.
+/// The rules for the probes of a map.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Probing {
-    /// How many random probes at level quick, and how many at level full.
+    /// The number of random probes, at levels quick and full.
     random: [usize; 2],
-    /// Their seed.
+    /// The seed of random probes.
     seed: u64,
-    /// Every n-th vertex and edge is probed at level quick, and at level full; 0 for none.
+    /// Every n-th vertex and edge is probed, at levels quick and full; 0 means never.
     stride: [usize; 2],
 }
 
@@ -138,12 +138,12 @@ impl Probing {
         self.seed
     }
 
-    /// How many random probes.
+    /// The number of random probes.
     pub(super) fn random(self, level: Level) -> usize {
         level.of(self.random)
     }
 
-    /// Every n-th vertex and edge is probed; 0 for none.
+    /// The stride of probed vertices and edges; 0 means never.
     pub(super) fn stride(self, level: Level) -> usize {
         level.of(self.stride)
     }
@@ -154,7 +154,7 @@ impl Probing {
         let quick = number("random", 0, 0..=MOST_RANDOM)?;
         let random = [quick, number("random_full", quick, 0..=MOST_RANDOM)?];
         let stride = number("quick_stride", 1, 0..=MOST_STRIDE)?;
-        // All, unless there are none.
+        // Every vertex and edge, unless probing is off.
         let stride = [stride, number("full_stride", stride.min(1), 0..=MOST_STRIDE)?];
         let counts = |numbers: [u64; 2]| numbers.map(|number| usize::try_from(number).unwrap_or(usize::MAX));
         Ok(Probing { random: counts(random), seed: number("seed", 0, 0..=u64::MAX)?, stride: counts(stride) })

@@ -1,4 +1,4 @@
-//! Maps without any download: tilings with shared vertices.
+//! Generated maps, without any download: tilings with shared vertices.
 
 use predicament_corpus::{Family, Level, Making, Random, Recipe};
 use predicament_formats::bits::integer;
@@ -27,11 +27,11 @@ pub(super) static FAMILIES: [Family; 2] = [
     },
 ];
 
-/// Reads how to probe the map.
+/// Reads the rules for probing the map.
 fn recipe(fields: &Fields<'_, '_>, map: fn(&Making) -> (Vec<[f64; 2]>, PolygonMap)) -> Result<Recipe, CorpusError> {
     let probing = Probing::read(fields)?;
-    // At most two vertices a cell and twice as many edges as vertices, and all of them may be probed: the
-    // vertices three times.
+    // A cell has at most two vertices, and there are twice as many edges as vertices. All may be probed, the vertices
+    // three times.
     let coordinates = move |n: u64| {
         let vertices = (n + 1).saturating_mul(2 * n + 2);
         let probes = |level: Level| {
@@ -48,17 +48,15 @@ fn recipe(fields: &Fields<'_, '_>, map: fn(&Making) -> (Vec<[f64; 2]>, PolygonMa
 
 /// The distance of neighbouring lattice points before they are moved.
 const PITCH: i64 = 16;
-/// How far a lattice point is moved at most: less than a quarter of the
-/// pitch keeps every quadrilateral simple.
+/// The maximum displacement of a lattice point: less than a quarter of the pitch keeps every quadrilateral simple.
 const JITTER: i64 = 3;
 
-/// An n×n quadrilateral tiling on integer coordinates.
+/// A tiling of n×n quadrilaterals on integer coordinates.
 ///
-/// Every third column of vertices keeps its x, so that there are vertical
-/// edges and vertices straight above each other; every fourth row keeps its y,
-/// so that borders run straight through vertices. Blocks of 3×3 cells are, at
-/// random, nine regions, or one ring-shaped region around an island; cells and
-/// islands are left out as sea and lakes one time in eight.
+/// Every third column of vertices keeps its x, so that there are vertical edges and vertices straight above each other;
+/// every fourth row keeps its y, so that borders run straight through vertices. Blocks of 3×3 cells are, at random,
+/// nine regions, or one ring-shaped region around an island; cells and islands are left out as sea and lakes one time
+/// in eight.
 fn tiling(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, PolygonMap) {
     let mut points = Vec::with_capacity((n + 1) * (n + 1));
     for row in 0..=n {
@@ -102,9 +100,8 @@ fn tiling(n: usize, rng: &mut Random) -> (Vec<[f64; 2]>, PolygonMap) {
     (points, map)
 }
 
-/// `n` courses of `n` bricks, each course half a brick further than the one
-/// below: all borders are parallel to an axis, and every brick has vertices of
-/// its neighbours in the middle of its long edges.
+/// A map of `n` courses of `n` bricks, each course half a brick further than the one below. All borders are parallel to
+/// an axis, and every brick has vertices of its neighbours in the middle of its long edges.
 fn bricks(n: usize) -> (Vec<[f64; 2]>, PolygonMap) {
     // A line of joints at every height, in half bricks, long enough for both kinds of course.
     let joints = 2 * n + 2;

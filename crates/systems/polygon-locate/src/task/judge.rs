@@ -1,12 +1,11 @@
-//! Every probe against the plane around it.
+//! Judging of every probe by the plane around it.
 //!
-//! The map's own flaws and the surroundings of each probe are found first, so
-//! that what is wrong with the data is never counted against a backend.
+//! The map's own flaws and the surroundings of each probe are found first, so that errors in the data never count
+//! against a backend.
 //!
-//! A backend is judged by what it says about every edge in the way, whether or
-//! not raw coordinates decide about it. What users run, and what is timed, is
-//! the shortcut that leaves those edges out; a backend whose signs are proved
-//! has to give the same answers by it.
+//! A backend is judged by its answers about every edge in the way, even if raw coordinates decide about the edge. Users
+//! run, and benchmarks time, the shortcut that leaves those edges out. A backend whose signs are proved must give the
+//! same answers by the shortcut.
 
 use crate::algorithm::locate_all;
 use crate::answer::{Location, Locations};
@@ -33,7 +32,7 @@ pub(super) fn judge(
     let probes: Vec<Vertex> = content.vertices();
     let short = Located(locate_all(content.locate_index(case.scene()), asked.session, &probes, &|_| true));
     outcome.digest = Some(short.digest());
-    // Proved signs are exact ones, or those of one perturbed scene.
+    // Proved signs are exact signs, or those of one perturbed scene.
     let shortcut = (contract.proved && zero != ZeroMeaning::Band).then_some(&short.0);
     asked.watch.done(0)?;
     let report = tiling_report(&truth.surroundings, answers, zero);
@@ -46,7 +45,7 @@ pub(super) fn judge(
             Some(violation) => class_of_fault(violation.fault),
             None if answer == exact => Class::Agree,
             None => match zero {
-                // Where the probe touches nothing there is no tie.
+                // A probe that touches nothing has no tie.
                 ZeroMeaning::Never if exact.boundary.is_empty() => Class::SignFlip,
                 ZeroMeaning::Never => Class::TieBroken,
                 ZeroMeaning::Band => in_band(asked.session, content, probes[at], answer, exact),
@@ -54,7 +53,7 @@ pub(super) fn judge(
                 ZeroMeaning::Exact => Class::Overreach,
             },
         };
-        // What is wrong already is no matter of the shortcut.
+        // The shortcut is not compared if the answer is already wrong.
         let by_shortcut = shortcut.map(|all| all.get(at)).filter(|&other| class.is_legal() && other != answer);
         let class = if by_shortcut.is_some() { Class::Topology } else { class };
         if asked.budget.answers {
@@ -93,8 +92,9 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// The class of an answer with zeros within a band, where it is not the exact one: all boundaries that the probe is on are found, and others
-/// only where the probe is within the band of an edge, and within the reach of its box.
+/// The class of an answer with zeros within a band, if it differs from the exact answer. It must have all boundaries
+/// that contain the probe. It may have others only if the probe is within the band of an edge, and within the reach of
+/// its box.
 fn in_band(
     session: &dyn Predicates,
     content: &MapWithProbes,
@@ -110,7 +110,7 @@ fn in_band(
     let p = scene.point2(Plane::Xy, probe);
     let is_near = |[u, v]: [Vertex; 2]| {
         let ends = [u, v].map(|v| scene.point2(Plane::Xy, v));
-        // Outward by more than the sums are rounded.
+        // Outward by more than the rounding error of the sums.
         (0..2).all(|axis| {
             let (low, high) = (ends[0][axis].min(ends[1][axis]), ends[0][axis].max(ends[1][axis]));
             (low - reach).next_down() <= p[axis] && p[axis] <= (high + reach).next_up()
@@ -123,8 +123,7 @@ fn in_band(
     if answer.boundary.iter().all(is_explained) { Class::InBand } else { Class::Overreach }
 }
 
-/// Where an answer fits no sector, topology is broken; the other faults are
-/// broken promises about zeros.
+/// The class of a fault: `Topology` if the answer fits no sector; the other faults are broken promises about zeros.
 fn class_of_fault(fault: Fault) -> Class {
     match fault {
         Fault::Gap | Fault::Double | Fault::Misplaced => Class::Topology,

@@ -1,7 +1,7 @@
-//! `polygon-locate`: the region of a map in which each probe lies.
+//! The task `polygon-locate`: the region of a map in which each probe lies.
 //!
-//! Franklin and Magalhães, section 4.2. Each point of the plane should be in
-//! exactly one face of a tiling, also on borders and corners.
+//! Franklin and Magalhães, section 4.2. Each point of the plane should be in exactly one face of a tiling, also on
+//! borders and corners.
 
 mod checks;
 pub(crate) mod content;
@@ -33,7 +33,7 @@ use predicament_tasks::{
     Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
-/// What a drawing of an answer has of the probes, by how many regions they are in or on.
+/// A layer of probes in the drawing of an answer, by the number of regions that they are in or on.
 type CountLayer = (&'static str, Role, fn(usize) -> bool);
 const LAYERS: [CountLayer; 3] = [
     ("in no region", Role::Faint, |count| count == 0),
@@ -41,7 +41,7 @@ const LAYERS: [CountLayer; 3] = [
     ("in several, or on a boundary", Role::Mark, |count| count > 1),
 ];
 
-/// The task.
+/// The task `polygon-locate`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct PolygonLocate;
 
@@ -50,7 +50,7 @@ pub struct PolygonLocate;
 pub struct Located(pub Locations);
 
 impl Answer for Located {
-    /// For each probe how many regions it is inside of, how many boundaries it is on, then the regions.
+    /// Digests for each probe the number of regions that contain it, the number of boundaries, then the regions.
     fn digest(&self) -> u64 {
         digest(self.0.iter().flat_map(|location| {
             // A map has far fewer than 2^32 regions, so both lengths fit.
@@ -216,7 +216,7 @@ impl Task for PolygonLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// GeoJSON: each probe a point with the regions that it is in and on.
+    /// Writes GeoJSON: each probe as a point with the regions that it is in and on.
     fn write(
         &self,
         scene: &Scene,
@@ -280,7 +280,7 @@ impl Task for PolygonLocate {
     }
 }
 
-/// A location in words: `in France; on Spain, Andorra`.
+/// The location as text: `in France; on Spain, Andorra`.
 #[must_use]
 pub fn describe(map: &PolygonMap, location: Location<'_>) -> String {
     let names = |regions: &[u32]| {

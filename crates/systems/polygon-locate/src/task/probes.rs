@@ -1,8 +1,7 @@
-//! Where to look on a map: at its vertices, on its edges, next to them.
+//! The choice of probes on a map: at its vertices, on its edges, and next to them.
 //!
-//! Random points almost never meet a degeneracy. Points on vertices, on edges
-//! and one double above and below a vertex always do: there a ray or a
-//! comparison has to decide between neighbours.
+//! Random points almost never meet a degeneracy. Points on vertices, on edges and one double above and below a vertex
+//! always do: there a ray or a comparison must decide between neighbours.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,8 +11,7 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 
 use super::content::{MapWithProbes, Probe, ProbeKind, Probing};
 
-/// The scene of a map: the probes in even places (the first is in place 0),
-/// the map's vertices, the probes in odd places.
+/// The scene of a map: the probes of even index (the first has index 0), the map's vertices, the probes of odd index.
 pub(super) fn with_probes(
     points: Vec<[f64; 2]>,
     map: PolygonMap,
@@ -49,17 +47,17 @@ pub(super) fn with_probes(
     Parts::new(scene, MapWithProbes::new(map.shifted(leading), probes))
 }
 
-/// On a vertex, and next to it.
+/// The probes on a vertex, and next to it.
 fn of_vertex([x, y]: [f64; 2]) -> [([f64; 2], ProbeKind); 3] {
     [([x, y], ProbeKind::Vertex), ([x, y.next_down()], ProbeKind::Below), ([x, y.next_up()], ProbeKind::Above)]
 }
 
-/// The middle of an edge, where that is a pair of doubles.
+/// The midpoint of an edge, if it is a pair of doubles.
 fn of_edge([a, b]: [[f64; 2]; 2]) -> Option<([f64; 2], ProbeKind)> {
     Some(([exact_midpoint(a[0], b[0])?, exact_midpoint(a[1], b[1])?], ProbeKind::Midpoint))
 }
 
-/// Places of a map with what they are; of two things at one place the one that comes first in [`ProbeKind`].
+/// The kinds of positions on a map; if a position has two kinds, the first in [`ProbeKind`] counts.
 fn known(points: &[[f64; 2]], map: &PolygonMap) -> BTreeMap<[u64; 2], ProbeKind> {
     let of_edges = edges(map).into_iter().filter_map(|ends| of_edge(ends.map(|v| points[v.index()])));
     let mut known = BTreeMap::new();
@@ -69,7 +67,7 @@ fn known(points: &[[f64; 2]], map: &PolygonMap) -> BTreeMap<[u64; 2], ProbeKind>
     known
 }
 
-/// A place to compare: zero has two signs.
+/// The key of a position for comparison: zero has two signs.
 fn bits(place: [f64; 2]) -> [u64; 2] {
     place.map(|x| (x + 0.0).to_bits())
 }
@@ -79,7 +77,7 @@ fn edges(map: &PolygonMap) -> BTreeSet<[Vertex; 2]> {
     map.edges().map(|(_, [a, b])| [a.min(b), a.max(b)]).collect()
 }
 
-/// The mean of two doubles where it is a double.
+/// The mean of two doubles, if it is a double.
 fn exact_midpoint(a: f64, b: f64) -> Option<f64> {
     // The error term of Knuth's sum; halving is exact above the subnormals.
     let sum = a + b;

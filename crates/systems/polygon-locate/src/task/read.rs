@@ -1,4 +1,4 @@
-//! `map`, or `points` and `loops`; `probes`, and how to probe it elsewhere.
+//! The keys of the task: `map`, or `points` and `loops`; `probes`, and rules for more.
 
 use predicament_corpus::{Context, Elsewhere, Level, Parts, PointSource};
 use predicament_formats::{Cache, CorpusError, Entry, Fields, ImportNotes};
@@ -8,7 +8,7 @@ use predicament_tasks::map_source::MapSource;
 use super::content::Probing;
 use super::probes::with_probes;
 
-/// A map and how to probe it.
+/// A map and the rules for its probes.
 pub(super) struct ProbedMap {
     map: MapSource,
     probes: Option<PointSource>,
@@ -16,7 +16,7 @@ pub(super) struct ProbedMap {
 }
 
 impl ProbedMap {
-    /// Reads `map`, or `points` and `loops`, and how to probe it.
+    /// Reads `map`, or `points` and `loops`, and the rules for probes.
     pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<ProbedMap, CorpusError> {
         let map = MapSource::of_scene(context, fields)?;
         let probes = fields.get("probes");
@@ -25,7 +25,7 @@ impl ProbedMap {
     }
 }
 
-/// The probes that a scene writes out or has in a file, and what reading them changed.
+/// The probes that a scene lists or has in a file, and the changes made by reading them.
 fn given(probes: &PointSource, cache: &Cache) -> Result<(Vec<[f64; 2]>, ImportNotes), CorpusError> {
     let (dimension, coordinates, notes) = probes.coordinates(cache)?;
     if dimension == Dimension::Three {

@@ -1,4 +1,4 @@
-//! `locate.csv` and what a report makes of it.
+//! The table `locate.csv` and its section in a report.
 
 use predicament_records::{Error, Row, RunDir};
 use predicament_report::layout::{backends, rank, run_head, run_label};

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use crate::algorithm::Locations;
 use predicament_judge::locate::Borders;
@@ -7,7 +7,7 @@ use predicament_predicates::{Scene, Vertex};
 use super::{Located, MapWithProbes, PolygonLocate};
 use predicament_tasks::{Class, Spoiled};
 
-/// What a point is inside of, and what it is on.
+/// The regions that contain a point, and the regions whose boundary contains it.
 type Found = (Vec<u32>, Vec<u32>);
 
 pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {

@@ -2,7 +2,7 @@
 
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
-/// Where a point is as seen from an edge.
+/// The position of a point as seen from an edge.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Place {
     /// Strictly below, with left ≤ x < right: an upward ray that leans right
@@ -12,15 +12,15 @@ pub(super) enum Place {
     Elsewhere,
     /// Between the ends.
     Between,
-    /// At the first end and not at the second.
+    /// At the first end, not at the second.
     AtFirst,
-    /// At the second end and not at the first.
+    /// At the second end, not at the first.
     AtSecond,
-    /// At both: the edge has no length.
+    /// At both ends: the edge has no length.
     AtBoth,
 }
 
-/// Decides the place of `p`; right for sessions that answer exact signs.
+/// Decides the position of `p`; right for sessions that return exact signs.
 pub(super) fn place<P: Predicates + ?Sized>(session: &P, [u, v]: [Vertex; 2], p: Vertex) -> Place {
     let of_u = session.compare(Axis::X, u, p);
     let of_v = session.compare(Axis::X, v, p);

@@ -8,7 +8,7 @@ use predicament_predicates::{Plane, Scene};
 
 use super::Edge;
 
-/// The edges of a map: those that some region uses an odd number of times, whichever way.
+/// The edges of a map: those that some region uses an odd number of times, in either direction.
 #[derive(Clone, Debug)]
 pub struct Edges {
     edges: Vec<(Edge, Vec<u32>)>,
@@ -16,7 +16,7 @@ pub struct Edges {
 }
 
 impl Edges {
-    /// The edges of a map.
+    /// Collects the edges of a map.
     ///
     /// # Panics
     /// If the map uses vertices that the scene lacks, or has 2^32 edges or regions.
@@ -26,7 +26,7 @@ impl Edges {
         for (region, [a, b]) in map.edges() {
             let region = u32::try_from(region).expect("a map has fewer than 2^32 regions");
             let owners = owners.entry([a.min(b), a.max(b)]).or_default();
-            // Used twice by one region, it bounds that region on neither side.
+            // If a region uses an edge twice, the edge bounds it on neither side.
             if !owners.insert(region) {
                 owners.remove(&region);
             }
@@ -39,13 +39,13 @@ impl Edges {
         Edges { edges, boxes }
     }
 
-    /// How many there are.
+    /// The number of edges.
     #[must_use]
     pub fn len(&self) -> usize {
         self.edges.len()
     }
 
-    /// Whether the map bounds nothing.
+    /// True if the map bounds no region.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.edges.is_empty()
@@ -56,14 +56,14 @@ impl Edges {
         &self.edges
     }
 
-    /// The places of the edges whose boxes meet the ray straight up from a point.
+    /// The indices of the edges whose boxes meet the ray straight up from a point.
     pub(super) fn above(&self, [x, y]: [f64; 2]) -> Vec<u32> {
         let mut found = Vec::new();
         self.boxes.near(&[[x, y], [x, f64::INFINITY]], 0.0, &mut found);
         found
     }
 
-    /// The edges after this one whose boxes meet its own.
+    /// The edges after this one whose boxes meet its own box.
     pub(super) fn meeting(&self, at: usize) -> impl Iterator<Item = Edge> + '_ {
         let mut found = Vec::new();
         self.boxes.near(&self.boxes.all()[at], 0.0, &mut found);

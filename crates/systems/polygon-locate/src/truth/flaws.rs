@@ -1,4 +1,4 @@
-//! The flaws of a map: where it is no tiling.
+//! The flaws of a map: where it is not a tiling.
 
 use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 use rayon::prelude::*;
@@ -11,14 +11,13 @@ pub type Edge = [Vertex; 2];
 
 /// The flaws of a map, each list sorted.
 ///
-/// A tiling whose regions share their borders by vertex has none. Under a
-/// perturbation that moves vertices by identity each of them can open a gap
-/// or an overlap as thin as the perturbation.
+/// A tiling whose regions share their borders by vertex has no flaws. Under a perturbation that moves vertices by
+/// identity, each flaw can open a gap or an overlap as thin as the perturbation.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Flaws {
-    /// Distinct vertices with equal coordinates: each with the first of its kind.
+    /// Distinct vertices with equal coordinates: each with the first of its group.
     pub duplicates: Vec<[Vertex; 2]>,
-    /// A vertex of the map between the ends of an edge that does not have it.
+    /// A vertex of the map between the ends of an edge that does not contain it as an end.
     pub junctions: Vec<(Edge, Vertex)>,
     /// Edges that cross in one point between the ends of both.
     pub crossings: Vec<[Edge; 2]>,
@@ -27,13 +26,13 @@ pub struct Flaws {
 }
 
 impl Flaws {
-    /// How many there are of all kinds.
+    /// The number of flaws of all kinds.
     #[must_use]
     pub fn len(&self) -> usize {
         self.duplicates.len() + self.junctions.len() + self.crossings.len() + self.overlaps.len()
     }
 
-    /// Whether the map is sound.
+    /// True if the map has no flaws.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.len() == 0
@@ -42,8 +41,8 @@ impl Flaws {
 
 /// Finds every flaw of the map with these edges.
 ///
-/// `exact` must answer exact signs; with anything else the result means
-/// nothing. Time goes with the pairs of edges whose boxes meet.
+/// `exact` must return exact signs; otherwise the result means nothing. The time grows with the number of pairs of
+/// edges whose boxes meet.
 ///
 /// # Panics
 /// If the session's scene is not the one of the edges.
@@ -121,8 +120,7 @@ fn meeting<P: Predicates + ?Sized>(exact: &P, [[a, b], [c, d]]: [Edge; 2]) -> Op
     crosses.then_some(Meeting::Crossing)
 }
 
-/// Whether two edges on one line have more than a point in common. The order
-/// of raw coordinates is exact.
+/// True if two edges on one line have more than a point in common. The order of raw coordinates is exact.
 fn share_length(scene: &Scene, edges: [Edge; 2]) -> bool {
     let axis_with_extent = |axis: usize| {
         let [e, f] = edges.map(|edge| edge.map(|v| scene.point2(Plane::Xy, v)[axis]));

@@ -1,7 +1,7 @@
-//! What is true about a map and its probes: where the map is no tiling, what is around each probe, and where it is.
+//! The truth about a map and its probes: the map's flaws, the surroundings of each probe, and its location.
 //!
-//! The probes of a sample are located edge by edge, by the judge. All are by the sectors around them, whose edges are found
-//! by their boxes. Nothing is shared with the algorithm: no index, no cells, no rule about rays.
+//! The judge locates a sample of the probes edge by edge. The sectors around a probe locate all probes; boxes find the
+//! edges of sectors. Nothing is shared with the algorithm: no index, no cells, no rule about rays.
 
 mod edge;
 mod edges;
@@ -19,13 +19,13 @@ use rayon::prelude::*;
 
 use crate::task::content::MapWithProbes;
 
-/// What is true about a map and its probes.
+/// The truth about a map and its probes.
 pub struct Truth {
     /// The map's own flaws.
     pub flaws: Flaws,
-    /// What is around each probe.
+    /// The surroundings of each probe.
     pub surroundings: Surroundings,
-    /// Where the probes of a sample are: by all edges of the map, without an index.
+    /// The locations of a sample of the probes, by all edges of the map, without an index.
     exact: Vec<judge::Location>,
     sample: Sample,
 }
@@ -34,7 +34,7 @@ impl Truth {
     /// Finds the map's flaws and the truth about the probes.
     ///
     /// # Errors
-    /// [`Stop`] where the watch says so.
+    /// [`Stop`] if the watch stops the computation.
     pub fn new(scene: &Scene, content: &MapWithProbes, watch: &Watch) -> Result<Truth, Stop> {
         let (edges, probes) = (Edges::new(&content.map, scene), content.vertices());
         let session = Judged::exact(scene);
@@ -52,27 +52,27 @@ impl Truth {
         Ok(Truth { flaws, surroundings, exact, sample })
     }
 
-    /// How many probes were located without an index, if not all.
+    /// The number of probes located without an index, as text, if not all are.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
             .then(|| format!("probes by all edges: {}; the others by their surroundings", self.sample))
     }
 
-    /// Where a probe is: of the sample by all edges, else as its sectors say.
+    /// The location of a probe: by all edges if it is in the sample, otherwise by its sectors.
     #[must_use]
     pub fn location(&self, at: usize) -> judge::Location {
         if self.sample.has(at) {
             return self.exact[at / self.sample.step()].clone();
         }
         let boundary = self.surroundings.boundary(at);
-        // A region whose boundary the probe is not on covers all sectors, or none.
+        // A region covers all sectors or none, unless the probe is on its boundary.
         let sector = self.surroundings.sectors(at).next().unwrap_or_default();
         let inside = sector.iter().copied().filter(|region| boundary.binary_search(region).is_err()).collect();
         judge::Location { inside, boundary: boundary.to_vec() }
     }
 
-    /// How many probes stand on each kind of ground.
+    /// The number of probes on each kind of ground.
     #[must_use]
     pub fn grounds(&self, probes: usize) -> Vec<(&'static str, usize)> {
         let count = |ground| (0..probes).filter(|&at| self.surroundings.ground(at) == ground).count();

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use super::Edges;
 use super::edge::{Place, place};
 
-/// What kind of ground a probe stands on.
+/// The kind of ground under a probe.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Ground {
     /// Every sector is in exactly one region.
@@ -18,7 +18,7 @@ pub enum Ground {
     Coast,
     /// Every sector is in no region.
     Sea,
-    /// Some sector is in two regions or more: the map says so itself.
+    /// Some sector is in two regions or more, by the map itself.
     Overlap,
     /// The probe lies on a flaw of the map: on a crossing, a T-junction, a
     /// duplicate vertex or on overlapping edges.
@@ -26,7 +26,7 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// All five, in the order of reports.
+    /// All kinds, in the order of reports.
     pub const ALL: [Ground; 5] = [Ground::Land, Ground::Coast, Ground::Sea, Ground::Overlap, Ground::Defect];
 
     /// The name used in CSV files and reports.
@@ -56,7 +56,7 @@ struct Probe {
     ground: Ground,
     is_map_vertex: bool,
     boundary: u32,
-    /// Where its sectors end in the list of all.
+    /// The end of the probe's sectors in the list of all sectors.
     sectors_end: usize,
 }
 
@@ -67,13 +67,13 @@ impl Surroundings {
         self.probes.len()
     }
 
-    /// Whether there is no probe.
+    /// True if there are no probes.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.probes.is_empty()
     }
 
-    /// What a probe stands on.
+    /// The ground of a probe.
     ///
     /// # Panics
     /// If there is no such probe.
@@ -82,8 +82,8 @@ impl Surroundings {
         self.probes[probe].ground
     }
 
-    /// Whether the probe is itself a vertex of the map, and not only at the
-    /// coordinates of one: no perturbation takes it off its own edges.
+    /// True if the probe is itself a vertex of the map, not only at the coordinates of one: no perturbation takes it
+    /// off its own edges.
     ///
     /// # Panics
     /// If there is no such probe.
@@ -92,7 +92,7 @@ impl Surroundings {
         self.probes[probe].is_map_vertex
     }
 
-    /// The regions whose boundary a probe is exactly on, ascending.
+    /// The regions whose boundary contains a probe exactly, ascending.
     ///
     /// # Panics
     /// If there is no such probe.
@@ -101,8 +101,8 @@ impl Surroundings {
         &self.sets[self.probes[probe].boundary as usize]
     }
 
-    /// The distinct sets of regions that cover a sector around a probe, each
-    /// ascending; never none of them, though a set may be empty.
+    /// The distinct sets of regions that cover a sector around a probe, each ascending. There is at least one set; a
+    /// set may be empty.
     ///
     /// # Panics
     /// If there is no such probe.
@@ -114,7 +114,7 @@ impl Surroundings {
 
 /// Decides the surroundings of every probe, on all threads of the current pool.
 ///
-/// `exact` must answer exact signs; with anything else the result means nothing.
+/// `exact` must return exact signs; otherwise the result means nothing.
 ///
 /// # Panics
 /// If the session's scene is not the one of the edges.
@@ -163,9 +163,8 @@ struct Ray {
 
 impl Around {
     fn of<P: Predicates + ?Sized>(edges: &Edges, exact: &P, probe: Vertex) -> Around {
-        // The first sector is the one just clockwise of straight up: a ray
-        // upward from there crosses what is strictly above the probe, by the
-        // half-open rule, and nothing that goes through the probe.
+        // The first sector is just clockwise of straight up. By the half-open rule, a ray upward from there crosses
+        // exactly the edges strictly above the probe, and no edge through the probe.
         let mut cover = Vec::new();
         let mut boundary = Vec::new();
         let mut rays = Vec::new();
@@ -245,8 +244,8 @@ fn toggle(set: &mut Vec<u32>, regions: &[u32]) {
     }
 }
 
-/// The order of two directions by their clockwise angle from straight up, in
-/// (0°, 360°]: up itself comes last, as the first sector begins beyond it.
+/// The order of two directions by their clockwise angle from straight up, in (0°, 360°]: up itself comes last, because
+/// the first sector begins beyond it.
 fn clockwise_from_up<P: Predicates + ?Sized>(exact: &P, p: Vertex, a: Vertex, b: Vertex) -> Ordering {
     let in_second_half = |v| match exact.compare(Axis::X, v, p) {
         Sign::Positive => false,

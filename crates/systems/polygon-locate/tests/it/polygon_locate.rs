@@ -1,5 +1,4 @@
-//! Ray casting against winding numbers, and what the index and the parallel
-//! driver promise.
+//! Tests of ray casting against winding numbers, and of the guarantees of the index and the parallel driver.
 
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
@@ -22,7 +21,7 @@ fn located<P: Predicates>(map: &PolygonMap, session: &P) -> Locations {
     locate_all(&LocateIndex::new(map, scene), session, &queries, &|_| true)
 }
 
-/// How many queries an exact-looking session answers otherwise than brute force.
+/// The number of queries for which a session differs from brute force.
 fn disagreements<P: Predicates>(map: &PolygonMap, session: &P) -> usize {
     let answers = located(map, session);
     assert!(answers.is_complete());
@@ -38,8 +37,8 @@ fn check_exact(map: &PolygonMap, scene: &Scene) {
     assert_eq!(disagreements(map, &Exact.prepare(scene, Off).unwrap()), 0);
 }
 
-/// Where a query is on no boundary the perturbed answer is the exact one;
-/// where it is on one it is still an answer, unless it is that very vertex.
+/// Checks that the perturbed answer is the exact answer for a query on no boundary. For a query on a boundary it is
+/// still an answer, unless the query is that very vertex.
 fn check_perturbed(map: &PolygonMap, scene: &Scene) {
     let sos = Sos::default();
     let answers = located(map, &sos.prepare(scene, Off).unwrap());
@@ -170,7 +169,7 @@ fn progress_counts_up_and_can_stop() {
     assert!(locate_all(&index, &session, &[], &|_| false).is_complete());
 }
 
-/// n × n unit cells with integer corners; the corners come first.
+/// A map of n × n unit cells with integer corners; the corners come first.
 fn lattice(n: usize) -> (PolygonMap, Scene) {
     #[allow(clippy::cast_precision_loss)] // small
     let points: Vec<[f64; 2]> =
@@ -208,8 +207,7 @@ fn one_wrong_sign_is_seen() {
     assert_eq!(planted(&square, [2, 3, 4]), [vec![], vec![4]], "under the top edge, whose box does not hold it");
 }
 
-/// A board of quads over shared vertices, whose corners are so far off that
-/// they coincide, fold over and line up.
+/// A board of quads over shared vertices, whose corners are displaced so far that they coincide, fold over and line up.
 fn shaken_board() -> impl Strategy<Value = (PolygonMap, Scene)> {
     const N: usize = 7;
     let shake = prop::array::uniform2((0..3_i32).prop_map(f64::from));
@@ -227,7 +225,7 @@ fn shaken_board() -> impl Strategy<Value = (PolygonMap, Scene)> {
     })
 }
 
-/// The rule of 4.2, with every question put to the session about every edge.
+/// The rule of 4.2, with every query to the session about every edge.
 fn ask_everything<P: Predicates>(index: &LocateIndex, session: &P, q: Vertex) -> [Vec<u32>; 2] {
     let mut odd = vec![false; index.regions()];
     let mut touched = vec![false; index.regions()];
@@ -257,7 +255,8 @@ fn ask_everything<P: Predicates>(index: &LocateIndex, session: &P, q: Vertex) ->
 
 #[test]
 fn a_point_far_below_a_steep_edge_is_not_on_it() {
-    // In line with the edge from 0 to 1, as the tolerance of the scene has it; and as near to its line, beside the edge itself.
+    // A point in line with the edge from 0 to 1 by the scene's tolerance, and a point just as near to its line, beside
+    // the edge itself.
     let width = 2f64.powi(-46);
     let points = [[1., 3.], [1. + width, 4.], [3., 3.5], [0., 0.], [1. + width / 2., 0.5], [1. + width / 2., 3.25]];
     let (map, scene) = problem(&points, &[vec![vec![0, 1, 2]]]);
@@ -274,8 +273,8 @@ fn a_point_far_below_a_steep_edge_is_not_on_it() {
     }
 }
 
-/// For sessions of all kinds: what the coordinates force need not be asked.
-/// And the library's own way to ask everything is that of this test.
+/// Checks for sessions of all kinds that queries decided by coordinates can be left out, and that the library's own
+/// method of querying everything equals that of this test.
 fn check_against_asking_everything(map: &PolygonMap, scene: &Scene) {
     fn check<P: Predicates>(map: &PolygonMap, session: &P) {
         let index = LocateIndex::new(map, session.scene());

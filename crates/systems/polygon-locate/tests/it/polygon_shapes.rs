@@ -1,9 +1,8 @@
-//! Shapes that maps have and shapes that they should not have: holes in
-//! islands in lakes, parts that touch, junctions; rings that touch themselves,
-//! spikes, rings without area, several vertices at one place.
+//! Shapes that maps have and shapes that they should not have: holes in islands in lakes, parts that touch, junctions;
+//! rings that touch themselves, spikes, rings without area, several vertices at one position.
 //!
-//! Every way to locate is held against every other one, and Simulation of
-//! Simplicity against winding numbers of the map that has really moved.
+//! All methods of location are compared, and Simulation of Simplicity is compared with winding numbers of the map that
+//! has really moved.
 
 use crate::common::agreement::{Probed, grid, sign_of_d, sign_of_moved_d};
 use crate::common::winding::{self, Truth, winding_numbers, with};
@@ -16,7 +15,7 @@ use rug::{Integer, Rational};
 
 type Rings<'a> = &'a [&'a [usize]];
 
-/// A map, probed on a grid of halves that reaches beyond it.
+/// A map, probed on a grid of halves that extends beyond it.
 fn probed(points: &[[f64; 2]], regions: &[Rings]) -> Probed {
     let [low, high] = [-1.0, points.as_flattened().iter().copied().fold(0.0, f64::max) + 1.0];
     on(points, regions, &grid(low, high, 0.5))
@@ -30,7 +29,7 @@ fn on(points: &[[f64; 2]], regions: &[Rings], places: &[[f64; 2]]) -> Probed {
 
 const NOWHERE: [Vec<u32>; 2] = [Vec::new(), Vec::new()];
 
-/// The regions a place is in and on, exactly.
+/// The regions that a position is in and on, exactly.
 fn located(probed: &Probed, place: [f64; 2]) -> [Vec<u32>; 2] {
     let session = Exact.prepare(&probed.scene, Off).unwrap();
     let index = LocateIndex::new(&probed.map, &probed.scene);
@@ -74,7 +73,7 @@ fn parts_that_touch_in_a_point_and_holes_that_touch_the_shell() {
 #[test]
 fn shared_borders_and_t_junctions() {
     let points = [[0., 0.], [4., 0.], [4., 2.], [2., 2.], [0., 2.], [4., 4.], [2., 4.], [0., 4.], [4., 2.]];
-    // one region below two; the lower one has the junction's vertex, and then has not
+    // one region below two; the lower one has the junction's vertex, and then does not have it
     for below in [&[0, 1, 2, 3, 4][..], &[0, 1, 2, 4], &[0, 1, 8, 4]] {
         let map = probed(&points, &[&[below], &[&[4, 3, 6, 7]], &[&[3, 2, 5, 6]]]);
         map.check();
@@ -156,12 +155,11 @@ fn several_vertices_may_be_at_one_place() {
     assert_eq!(located(&map, [1., 1.]), [vec![0, 2, 3], vec![]]);
 }
 
-/// ε = 2^-24. With coordinates below 2^4 no coefficient of a determinant comes
-/// near it, and there are fewer than 2^4 terms.
+/// The exponent of ε = 2^-24. With coordinates below 2^4 no coefficient of a determinant comes near it, and there are
+/// fewer than 2^4 terms.
 const BITS: u32 = 24;
 
-/// Every vertex moved: coordinate i by ε^(2^i), and all of it multiplied by the
-/// last of these denominators.
+/// The moved vertices: coordinate i by ε^(2^i), all multiplied by the last of these denominators.
 fn moved(probed: &Probed) -> Vec<winding::Point> {
     let coordinates = probed.scene.coordinates();
     let last = BITS << (coordinates.len() - 1);

@@ -1,5 +1,4 @@
-//! The paper's own test against the generic code, and both against winding
-//! numbers.
+//! Tests of the paper's own test against the generic code, and of both against winding numbers.
 
 use crate::common::agreement::{Probed, grid, sign_of_d};
 use crate::common::rings::{grid_points, rings, ulp_points};
@@ -40,7 +39,7 @@ fn step_5_reports_boundaries_by_half() {
         let on = |p: &Point| locate(&probed.map, &probed.scene, *p, &sign_of_d) == [Err(OnEdge)];
         grid(0., 4., 2.).into_iter().filter(on).collect::<Vec<_>>()
     };
-    // all of the lower and upper edge but their right ends; nothing of the vertical ones
+    // all of the lower and upper edge except their right ends; nothing of the vertical edges
     assert_eq!(reported(&SQUARE), [[0., 0.], [2., 0.], [0., 4.], [2., 4.]]);
     // every vertex but the rightmost
     assert_eq!(reported(&DIAMOND), [[2., 0.], [0., 2.], [2., 4.]]);
@@ -59,8 +58,8 @@ fn both_codes_agree_on_all_small_triangles() {
 fn both_codes_agree_on_all_small_quadrangles() {
     let corners = grid(0., 4., 2.);
     let places = grid(0., 4., if predicament_effort::whole() { 1. } else { 2. });
-    // with a neighbour that shares two of the vertices
-    // One in four by default: nine is odd, so that every corner has its turn in every place.
+    // With a neighbour that shares two of the vertices. One in four by default: nine is odd, so every corner occurs in
+    // every position.
     for [a, b, c, d] in tuples(corners.len()).step_by(predicament_effort::some_or_all(4, 1)) {
         let points = [corners[a], corners[b], corners[c], corners[d]];
         Probed::new(&points, &[vec![vec![0, 1, 2, 3]], vec![vec![0, 2, 1]]], &places).check();

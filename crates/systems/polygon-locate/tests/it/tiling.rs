@@ -1,4 +1,4 @@
-//! Tilings, sound and flawed, under exact, perturbed and faulty sessions.
+//! Tests of tilings, sound and flawed, under exact, perturbed and faulty sessions.
 
 mod reports;
 
@@ -38,7 +38,7 @@ impl Case {
         tiling_report(&self.surroundings, &self.locate(session), zero)
     }
 
-    /// Exact and both perturbations find nothing to complain about.
+    /// Asserts that exact and both perturbed sessions have no violations.
     fn assert_lawful(&self) {
         let exact = Exact.prepare(&self.problem.scene, Off).unwrap();
         assert_eq!(self.report(&exact, ZeroMeaning::Exact).violations(), []);
@@ -179,8 +179,8 @@ fn crossings_and_duplicates_are_found() {
     case.assert_lawful();
 }
 
-/// A defect excuses itself only: with the law read off defects too, a
-/// perturbation does open the gap that the flaw is about.
+/// Tests that a defect excuses only itself: if the law also applied to defects, a perturbation would open the gap that
+/// the flaw is about.
 #[test]
 fn defects_are_where_perturbations_open_gaps() {
     let corners = [[0., 0.], [2., 0.], [2., 2.], [0., 2.], [2., 0.], [4., 0.], [4., 2.], [2., 2.]];
@@ -220,28 +220,28 @@ fn planted_faults_are_caught() {
     });
     assert_eq!(caught.iter().sum::<usize>(), 1, "{caught:?}");
 
-    // every tied turn for itself: at a corner the answers don't fit together
+    // every tied turn separately: at a corner the answers do not fit together
     let scattered = Case::new(squares(4).scattered());
     assert_eq!(scattered.with_fault(Planted::None).violations(), []);
     let report = scattered.with_fault(Planted::TiesByParity);
     let on_land = |v: &TilingViolation| v.ground == Ground::Land && v.fault == Fault::Double;
     assert!(report.violations().iter().any(on_land), "{:?}", report.violations());
 
-    // an epsilon without a promise puts points on boundaries that they are not on
+    // an epsilon without a promise puts points on boundaries that do not contain them
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
     let faulty = Faulty { inner: exact, fault: Planted::Epsilon(1e-10) };
     let report = case.report(&faulty, ZeroMeaning::Exact);
     assert!(report.violations().iter().any(|v| v.fault == Fault::FalseBoundary));
     assert_eq!(case.report(&faulty, ZeroMeaning::Band).violations(), [], "with a promise it is a legal answer");
-    // and zeros are no way to break ties
+    // and zeros do not break ties
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
     let report = case.report(&exact, ZeroMeaning::Never);
     assert!(report.violations().iter().all(|v| v.fault == Fault::UnbrokenTie));
     assert!(!report.violations().is_empty());
 }
 
-/// Counting what is on an edge as above it, and a tie in x always the same
-/// way, is a consistent perturbation too: the probe moves, and nothing else.
+/// Tests that ties by one fixed rule are lawful: points on an edge count as above it, and a tie in x always breaks the
+/// same way. This is a consistent perturbation too: only the probe moves.
 #[test]
 fn ties_by_one_fixed_rule_are_lawful() {
     for problem in [squares(4), bricks(4), island()] {

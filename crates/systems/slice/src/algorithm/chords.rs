@@ -1,9 +1,10 @@
-//! The second step: faces are split between the vertices that they have on the plane.
+//! The second step: faces are split between their vertices on the plane.
 //!
-//! Along the line where face and plane meet, one is inside of the face between two of its vertices if the number of its edges that
-//! went off to the positive side so far is odd, and that of those to the negative side as well; if
-//! only one is, an edge lies there. A cap is one face of several loops, and these can touch: corners in one point are taken
-//! in the order in which the line passes them, and may be joined by an edge without length.
+//! Take the line where face and plane meet, and its part between two vertices of the face. That part is inside the face
+//! if two counts up to there are odd: of the edges that went off to the positive side, and of those that went off to
+//! the negative side. If only one count is odd, an edge lies there. A cap is one face of several loops, and these loops
+//! can touch: corners in one point are taken in the order in which the line passes them, and may be joined by an edge
+//! without length.
 
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
 use predicament_predicates::{Axis, Sign, Vertex};
@@ -22,21 +23,21 @@ struct Corner {
     after: Sign,
 }
 
-/// What all chords of a face have in common.
+/// Data that all chords of a face have in common.
 struct Split {
     cap: Option<usize>,
     support: [Vertex; 3],
     plane: [Vertex; 3],
-    /// The user data of their half-edges, where they have a line of their own.
+    /// The user data of the chords' half-edges, if the chords need an entry in the list of lines.
     line: Option<u32>,
 }
 
 impl Cutter<'_> {
-    /// Splits the faces at these vertices, and returns all faces that touch the plane then.
+    /// Splits the faces at these vertices, and returns all faces that touch the plane afterwards.
     pub(super) fn split_faces(&mut self, place: usize, on_plane: &[MeshVertex]) -> Result<Vec<Face>, Halt> {
         let mesh = &self.mesh;
         let mut touched: Vec<Face> = on_plane.iter().flat_map(|&v| mesh.ring(v).filter_map(|h| mesh.face(h))).collect();
-        // Those of one cap stand together; others are alone.
+        // Faces of one cap form a group; any other face is a group alone.
         let group = |f: &Face| self.cap_of(*f).map_or((f.index(), 0), |cap| (usize::MAX, cap));
         touched.sort_unstable_by_key(|f| (group(f), *f));
         touched.dedup();
@@ -49,7 +50,7 @@ impl Cutter<'_> {
         Ok(touched)
     }
 
-    /// Splits a face, or a cap of several loops; `faces` are then its pieces.
+    /// Splits a face, or a cap of several loops, and replaces `faces` by the pieces.
     fn split_group(&mut self, place: usize, faces: &mut Vec<Face>) -> Result<(), Halt> {
         let mut corners = Vec::new();
         let (mut below, mut above) = (None, None);
@@ -81,10 +82,10 @@ impl Cutter<'_> {
         Ok(())
     }
 
-    /// Sorts corners along the line. Returns where those in one point end, and which side is up: on the left of the line, seen as the
-    /// inside of the face is on the left of its edges. `above` is a vertex on the positive side.
+    /// Sorts corners along the line. Returns the ends of the groups in one point, and the side that is up: on the left
+    /// of the line, as the inside of the face is on the left of its edges. `above` is a vertex on the positive side.
     fn sort_along(&self, corners: &mut [Corner], split: &Split, above: MeshVertex) -> (Vec<usize>, Sign) {
-        // Between two there is one way only.
+        // Two corners need no order.
         let as_they_are = (1..=corners.len()).collect();
         if corners.len() < 3 {
             return (as_they_are, Sign::Positive);
@@ -106,14 +107,14 @@ impl Cutter<'_> {
         (ends, if up == Sign::Negative { Sign::Negative } else { Sign::Positive })
     }
 
-    /// The turn of three vertices as the face is seen from outside.
+    /// The turn of three vertices, as the face is seen from outside.
     fn turn(&self, split: &Split, [a, b]: [Vertex; 2], c: Vertex) -> Sign {
         let Some((plane, reversed)) = self.seen(split.support) else { return Sign::Zero };
         let turn = self.session.orient2d(plane, a, b, c);
         if reversed { -turn } else { turn }
     }
 
-    /// Joins the corners between which the line is inside; `ends` are where those in one point end.
+    /// Joins the corners between which the line is inside; `ends` are the ends of the groups in one point.
     fn join(
         &mut self,
         corners: &[Corner],
@@ -132,7 +133,7 @@ impl Cutter<'_> {
             while !here.is_empty() {
                 let corner = here.remove(next_in_point(&here, inside == [true; 2], up));
                 let arrived = match from {
-                    // Among others, one that the line does not go through.
+                    // A corner in one point with others, which the line does not pass through.
                     Some(_) if !alone && !self.may_open(split, &corner) => continue,
                     Some(from) => Some(self.chord(from, corner.at, split, faces)?),
                     None => None,
@@ -141,7 +142,8 @@ impl Cutter<'_> {
                     *inside ^= (corner.before == side) ^ (corner.after == side);
                 }
                 from = (inside == [true; 2]).then(|| match arrived {
-                    // The chord that has arrived divides the corner: on goes the half that is open to the right.
+                    // The chord that arrives divides the corner: the line continues from the half that is open to the
+                    // right.
                     Some(chord) if corner.before != up => chord,
                     _ => corner.at,
                 });
@@ -150,7 +152,8 @@ impl Cutter<'_> {
         if inside == [false; 2] { Ok(()) } else { Err(Halt::Broken(Contradiction::Crossings)) }
     }
 
-    /// Whether the line may go through the inside at a corner: not, if it touches the line with a convex angle.
+    /// True if the line may pass through the inside at a corner; false if the corner touches the line with a convex
+    /// angle.
     fn may_open(&self, split: &Split, corner: &Corner) -> bool {
         if corner.before != corner.after || corner.before.is_zero() {
             return true;
@@ -161,7 +164,7 @@ impl Cutter<'_> {
         self.turn(split, [a, b], c) == Sign::Negative
     }
 
-    /// An edge between two corners, and the half-edge in that direction.
+    /// Adds an edge between two corners, and returns the half-edge in that direction.
     fn chord(
         &mut self,
         from: HalfEdge,
@@ -183,7 +186,7 @@ impl Cutter<'_> {
         let [h, back] = match made {
             Ok(h) => [h, self.mesh.opposite(h)],
             Err(OperationError::EdgeExists(edge)) => {
-                // The part touches itself along an edge that lies in a cap: there it comes apart.
+                // The part touches itself along an edge in a cap, and is divided there.
                 let (edges, divided) = self.mesh.divide_at_edge(from, to, edge)?;
                 self.see_new_vertices(&divided);
                 edges
@@ -216,8 +219,8 @@ impl Cutter<'_> {
     }
 }
 
-/// Of corners in one point, the place of the one that the line passes next: one where it goes in if it is outside, one where
-/// it goes out if it is inside; else one that only touches it.
+/// The index of the corner that the line passes next, among corners in one point. From outside, it is a corner where
+/// the line enters; from inside, a corner where it leaves; if there is no such corner, one that only touches the line.
 fn next_in_point(here: &[Corner], inside: bool, up: Sign) -> usize {
     let wanted = |c: &Corner| {
         let [before, after] = [c.before * up, c.after * up];

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that does not hold, where signs contradict each other.
+    /// An invariant that fails because signs contradict each other.
     pub enum Contradiction {
         NoArea: "a face has an area in a coordinate plane", "a face has no area in any coordinate plane";
         Crossings: "a face has an even number of crossings", "a face has an odd number of crossings";

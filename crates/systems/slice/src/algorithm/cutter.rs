@@ -1,4 +1,4 @@
-//! The mesh between two planes, and the first step: vertices on their sides, edges split.
+//! The mesh between two planes, and the first step: the sides of vertices, and the splitting of edges.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex};
@@ -11,35 +11,35 @@ use super::projection::{normal, seen};
 
 /// The covered loops of one part in one plane, on one side of it.
 pub(super) struct Cap {
-    /// The plane's place in the list.
+    /// The plane's index in the list.
     pub(super) plane: usize,
-    /// Whether the part is on the plane's positive side.
+    /// True if the part is on the plane's positive side.
     pub(super) positive: bool,
-    /// One for each loop, also for those around a hole.
+    /// One face for each loop, including loops around holes.
     pub(super) faces: Vec<Face>,
 }
 
-/// A mesh that is cut by one plane after the other.
+/// A mesh that planes cut one after the other.
 ///
-/// The user data of a face is the face of the input that it is a piece of, or a cap (after all faces); that of a
-/// half-edge its line; that of a vertex its part.
+/// The user data of a face is the face of the input that it is a piece of, or a cap (numbered after all faces). The
+/// user data of a half-edge is its line; that of a vertex is its part.
 pub(super) struct Cutter<'a> {
     pub(super) session: &'a mut dyn Predicates,
     pub(super) mesh: HalfEdgeMesh,
-    /// For each face three vertices of its plane.
+    /// For each face, three vertices of its plane.
     pub(super) supports: Vec<[Vertex; 3]>,
-    /// For each face the face of the input that it is a piece of.
+    /// For each face, the face of the input that it is a piece of.
     pub(super) faces: Vec<u32>,
     pub(super) planes: &'a [[Vertex; 3]],
     pub(super) lines: Lines,
     pub(super) caps: Vec<Cap>,
-    /// The scene's vertex of each vertex of the mesh.
+    /// For each mesh vertex, the scene's vertex.
     points: Vec<Vertex>,
-    /// The side of each vertex of the mesh on the plane at hand.
+    /// For each mesh vertex, its side of the current plane.
     signs: Vec<Sign>,
-    /// The side of each face that touches the plane at hand; of others, anything.
+    /// The side of each face that touches the current plane; undefined for other faces.
     pub(super) sides: Vec<Sign>,
-    /// How many parts there are, with those that later planes left nothing of.
+    /// The number of parts, including parts of which later planes left nothing.
     pub(super) parts: usize,
     pub(super) faces_split: u64,
 }
@@ -70,7 +70,7 @@ impl<'a> Cutter<'a> {
         cutter
     }
 
-    /// Splits everything by the plane with this place in the list.
+    /// Splits all parts by the plane with this index.
     pub(super) fn cut(&mut self, place: usize) -> Result<(), Halt> {
         let plane = self.planes[place];
         self.session.orient3d_plane(plane, &self.points, &mut self.signs);
@@ -87,23 +87,23 @@ impl<'a> Cutter<'a> {
         Ok(())
     }
 
-    /// The side of a vertex on the plane at hand.
+    /// The side of a vertex on the current plane.
     #[inline]
     pub(super) fn sign(&self, v: MeshVertex) -> Sign {
         self.signs[v.index()]
     }
 
-    /// Lists vertices that were added to the mesh, by ascending handles; they are on the plane at hand.
+    /// Lists vertices that were added to the mesh, by ascending handles; they are on the current plane.
     pub(super) fn see_new_vertices(&mut self, new: &[MeshVertex]) {
         for &v in new {
-            // None is ever removed, so handles count up.
+            // Vertices are never removed, so handles count up.
             assert_eq!(v.index(), self.points.len());
             self.points.push(self.mesh.scene_vertex(v));
             self.signs.push(Sign::Zero);
         }
     }
 
-    /// How many vertices are listed.
+    /// The number of vertices listed.
     pub(super) fn known_vertices(&self) -> usize {
         self.points.len()
     }
@@ -111,7 +111,7 @@ impl<'a> Cutter<'a> {
     /// One half-edge of each edge with ends on both sides.
     fn crossing_edges(&self) -> Vec<HalfEdge> {
         let mesh = &self.mesh;
-        // Along the loops, whose half-edges stand side by side.
+        // Goes along the loops, whose half-edges are adjacent in memory.
         let crossing = mesh.half_edges().filter_map(|h| {
             let next = mesh.next(h);
             let [a, b] = [h, next].map(|h| self.sign(mesh.end(h)));
@@ -120,7 +120,7 @@ impl<'a> Cutter<'a> {
         crossing.collect()
     }
 
-    /// Splits the edges with ends on both sides, whose points are constructed in one call.
+    /// Splits the edges with ends on both sides; one call constructs all their points.
     fn split_edges(&mut self, plane: [Vertex; 3]) -> Result<(), Halt> {
         let edges = self.crossing_edges();
         let definitions: Vec<Construction> =
@@ -132,7 +132,7 @@ impl<'a> Cutter<'a> {
         Ok(())
     }
 
-    /// Splits an edge, whose halves remember the line.
+    /// Splits an edge; both halves keep its line.
     fn split_edge(&mut self, h: HalfEdge, vertex: Vertex) -> Result<(), Halt> {
         let line = match (self.mesh.user_data(h), self.lines.of(&self.mesh, h)) {
             (OWN_ENDS, line) => self.lines.add(line),
@@ -150,26 +150,26 @@ impl<'a> Cutter<'a> {
         Ok(())
     }
 
-    /// The cap that a face is of; none for a piece of a face of the input.
+    /// The cap that a face belongs to; `None` for a piece of a face of the input.
     pub(super) fn cap_of(&self, f: Face) -> Option<usize> {
         (self.mesh.face_user_data(f) as usize).checked_sub(self.supports.len())
     }
 
-    /// Three vertices of the plane of a face, which turn as the face does.
+    /// Three vertices of a face's plane, which turn as the face does.
     pub(super) fn support(&self, f: Face) -> [Vertex; 3] {
         let Some(cap) = self.cap_of(f) else { return self.supports[self.mesh.face_user_data(f) as usize] };
         let Cap { plane, positive, .. } = self.caps[cap];
         let [a, b, c] = self.planes[plane];
-        // The positive side is where the three are seen clockwise, and a cap faces away from its part.
+        // On the positive side the three are seen clockwise, and a cap faces away from its part.
         if positive { [a, b, c] } else { [a, c, b] }
     }
 
-    /// [`seen`] by the session.
+    /// Calls [`seen`] with the session.
     pub(super) fn seen(&self, support: [Vertex; 3]) -> Option<(Plane, bool)> {
         seen(&*self.session, support)
     }
 
-    /// [`normal`] in the session's scene.
+    /// Calls [`normal`] with the session's scene.
     pub(super) fn normal(&self, plane: [Vertex; 3]) -> [f64; 3] {
         normal(self.session.scene(), plane)
     }

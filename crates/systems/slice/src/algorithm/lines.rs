@@ -1,28 +1,28 @@
-//! The lines that edges are on, by input vertices, and where they meet a plane.
+//! The lines of edges, defined by input vertices, and their intersections with a plane.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::HalfEdge;
 use predicament_predicates::{Construction, Vertex};
 
-/// What spans the line of an edge.
+/// The input vertices that define an edge's line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Line {
     /// Two input vertices.
     Vertices([Vertex; 2]),
-    /// Two planes of three input vertices each.
+    /// The line where two planes meet, each through three input vertices.
     Planes([[Vertex; 3]; 2]),
 }
 
-/// The user data of a half-edge whose ends are two input vertices that span its line; other values are places in the list of lines,
-/// from 1.
+/// The user data of a half-edge whose ends are two input vertices that define its line. Other values are indices in the
+/// list of lines, from 1.
 pub(super) const OWN_ENDS: u32 = 0;
 
-/// The lines that are not spanned by the ends of their edges.
+/// The lines that the ends of their edges do not define.
 #[derive(Default)]
 pub(super) struct Lines(Vec<Line>);
 
 impl Lines {
-    /// The user data of edges on a line.
+    /// Adds a line; returns the user data of the edges on it.
     pub(super) fn add(&mut self, line: Line) -> u32 {
         self.0.push(line);
         u32::try_from(self.0.len()).expect("fewer lines than half-edges")

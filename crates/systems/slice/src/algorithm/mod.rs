@@ -1,37 +1,39 @@
 //! A mesh split by planes, one after the other: the five steps of the lecture, on a half-edge mesh.
 //!
-//! 1. Vertices are put on either side of the plane or on it, in one batch. Edges that cross are split: all points are
-//!    constructed in one call, in the order of the half-edges.
-//! 2. Faces with vertices on both sides are split between the vertices that they have on the plane, which are sorted along
-//!    the line where plane and face meet: a concave face can be crossed several times.
-//! 3. The mesh is cut open along the edges where faces of both sides meet: the sides are unhooked from each other in place.
-//! 4. The loops that this opens are covered by caps. A cap can have several loops, and nested ones; later planes
-//!    split it like a face. Loops of a mesh that was open are covered at the end, seen from a side from which they are
-//!    simple; where there is none, they stay open, and the answer lists them.
-//! 5. Faces and caps are triangulated, when all planes are done.
+//! 1. Each vertex is classified in one batch: on either side of the plane, or on it. Edges that cross are split: one
+//!    call constructs all points, in the order of the half-edges.
+//! 2. Faces with vertices on both sides are split between their vertices on the plane. These are sorted along the line
+//!    where plane and face meet: the plane can cross a concave face several times.
+//! 3. The mesh is cut open along the edges where faces of both sides meet: the two sides are disconnected in place.
+//! 4. Caps cover the loops that this opens. A cap can have several loops, also nested ones; later planes split it like
+//!    a face. Loops of a mesh that was open are covered at the end, seen from a side from which they are simple. If
+//!    there is no such side, they stay open, and the answer lists them.
+//! 5. Faces and caps are triangulated after the last plane.
 //!
-//! A plane is three vertices; *positive* is the side where [`Predicates::orient3d`] of them and a point is positive. Parts
-//! are what is on one side of each plane; a part may be of several pieces.
+//! A plane is three vertices; *positive* is the side where [`Predicates::orient3d`] of them and a point is positive. A
+//! part is the solid on one side of each plane; it may consist of several pieces.
 //!
 //! # What is constructed
-//! Later planes split edges that earlier planes have made, and those vertices again. Nothing is constructed from a
-//! constructed vertex: each edge knows the line that it is on, by two input vertices or by two planes of three. So sessions that
-//! [keep](predicament_predicates::Constructs) only what input vertices define can take any number of planes. It is why
-//! faces are triangulated last, and have to be plane: one that is not so for the session is divided into triangles
-//! first. (Of a plane polygon the session says zero for all vertices, unless it breaks ties: then the perturbed polygon is not plane.)
+//! Later planes split edges that earlier planes have made, and their new vertices again. No construction uses a
+//! constructed vertex: each edge stores its line, by two input vertices or by two planes of three. So sessions that
+//! [keep](predicament_predicates::Constructs) only constructions from input vertices can take any number of planes. For
+//! the same reason faces are triangulated last and must be planar: a face that is not planar for the session is divided
+//! into triangles first. (The session returns zero for all vertices of a planar polygon, unless it breaks ties: then
+//! the perturbed polygon is not planar.)
 //!
 //! # What lies on a plane
-//! A vertex for which the session says zero stays as it is. An edge on the plane is no crossing. A face on the plane is on the
-//! side where the solid is: opposite to where it faces.
+//! A vertex with sign zero does not move. An edge on the plane is not a crossing. A face on the plane belongs to the
+//! side of the solid: opposite to the direction that it faces.
 //!
-//! For sessions that break ties only the three vertices of a plane are on it, and what they have constructed there. An edge that lies
-//! in the plane as the scene is given may cross the perturbed plane: then there is no point to construct, the session
-//! refuses, and so does this. A plane along an edge or a face can be given by their own vertices, which are on it.
+//! For sessions that break ties, only a plane's three vertices are on it, and the vertices constructed there. An edge
+//! that lies in the plane of the given scene may cross the perturbed plane: then there is no point to construct, the
+//! session refuses, and so does the algorithm. A plane along an edge or a face can be given by their own vertices,
+//! which are on it.
 //!
 //! # When signs contradict each other
-//! Signs are of vertices, so a mesh that is closed stays closed, whatever they are. What can go wrong is the order along a
-//! line, and the triangulation. All loops are bounded by the size of the mesh; the first invariant that
-//! does not hold is named in [`Sliced::broken`], and parts are what was made so far.
+//! A sign belongs to a vertex, so a closed mesh stays closed, whatever the signs are. Wrong signs can spoil the order
+//! along a line, and the triangulation. The size of the mesh bounds all loops. [`Sliced::broken`] names the first
+//! invariant that fails; the parts are those made up to then.
 
 mod chords;
 mod contradiction;
@@ -51,49 +53,48 @@ pub use contradiction::Contradiction;
 use self::cutter::Cutter;
 use self::planar::Planar;
 
-/// What a triangle of a part is a piece of.
+/// The origin of a part's triangle.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Source {
     /// The face of the mesh with this handle.
     Face(u32),
-    /// The cap in the plane with this place in the list.
+    /// The cap in the plane with this index.
     Cap(u32),
-    /// The cover of a loop that is in no plane.
+    /// The cover of a loop that is in none of the planes.
     Cover,
 }
 
-/// What is on one side of each plane.
+/// The part of the solid on one side of each plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Part {
-    /// Counterclockwise as seen from outside.
+    /// The triangles, counterclockwise as seen from outside.
     pub triangles: Vec<[Vertex; 3]>,
-    /// For each triangle what it is a piece of.
+    /// For each triangle, its origin.
     pub sources: Vec<Source>,
-    /// Loops that no cover was found for, as a cover would go around them.
+    /// Loops without a cover, in the direction in which a cover would go around them.
     pub open: Vec<Vec<Vertex>>,
 }
 
-/// A mesh in parts.
+/// A mesh divided into parts.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Sliced {
-    /// Those that have faces.
+    /// The parts that have faces.
     pub parts: Vec<Part>,
-    /// What was constructed in the session, in the order of the vertices; not all of it need be used.
+    /// The points constructed in the session, in the order of the vertices; some may be unused.
     pub constructions: Vec<Construction>,
-    /// How many faces were split, over all planes.
+    /// The number of faces split, summed over all planes.
     pub faces_split: u64,
-    /// The first rule that did not hold, and the place of the plane where that was; none behind the planes is
-    /// for the triangulation.
+    /// The first rule that fails, and the index of the plane there; `None` for the triangulation, after all planes.
     pub broken: Option<(Contradiction, Option<u32>)>,
 }
 
-/// Splits a mesh by planes. For each face of the mesh `supports` has three of its vertices that turn as the face does.
+/// Splits a mesh by planes. `supports` has three vertices of each face that turn as the face does.
 ///
 /// # Errors
-/// [`Refused`] where the session does not construct what it is asked for.
+/// [`Refused`] if the session does not construct a requested point.
 ///
 /// # Panics
-/// If there are not as many supports as faces.
+/// If the numbers of supports and faces differ.
 pub fn slice(
     session: &mut dyn Predicates,
     mesh: HalfEdgeMesh,
@@ -124,10 +125,10 @@ pub fn slice(
     Ok(sliced)
 }
 
-/// Why a plane is not done.
+/// The reason why a plane is not finished.
 enum Halt {
     Refused(Refused),
-    /// The invariant that does not hold.
+    /// The invariant that fails.
     Broken(Contradiction),
 }
 

@@ -1,4 +1,4 @@
-//! The fourth step for loops in no plane, and the fifth: everything is triangulated.
+//! The fourth step for loops in none of the planes, and the fifth step: triangulation of everything.
 
 use std::collections::BTreeMap;
 
@@ -9,16 +9,16 @@ use super::cutter::Cutter;
 use super::{Contradiction, Part, Sliced, Source};
 use predicament_triangulate::algorithm::{Method, projection, triangulate};
 
-/// Parts that triangles are added to.
+/// The parts while triangles are added.
 #[derive(Default)]
 struct Parts {
-    /// By the parts' numbers; those without faces are left out in the end.
+    /// The parts by number; parts without faces are removed at the end.
     parts: Vec<Part>,
     broken: Option<Contradiction>,
 }
 
 impl Parts {
-    /// Adds triangles of one source to a part. Of a triangle with an edge without length nothing is left: its three edges
+    /// Adds triangles of one source to a part. A triangle with an edge without length is dropped: its three edges
     /// cancel each other. Loops that pass a vertex twice have such triangles.
     fn push(&mut self, part: u32, source: Source, triangles: impl IntoIterator<Item = [Vertex; 3]>) {
         let part = &mut self.parts[part as usize];
@@ -28,7 +28,7 @@ impl Parts {
 }
 
 impl Cutter<'_> {
-    /// The parts, triangulated; `before` constructions were in the scene before.
+    /// Triangulates the parts; `before` is the number of constructions in the scene before slicing.
     pub(super) fn output(mut self, before: usize) -> Sliced {
         let mut out = Parts { parts: vec![Part::default(); self.parts], broken: None };
         let faces: Vec<Face> = self.mesh.faces().collect();
@@ -67,7 +67,7 @@ impl Cutter<'_> {
         }
     }
 
-    /// Triangulates loops on the plane of a support.
+    /// Triangulates loops in the plane of a support.
     fn triangulate(&self, out: &mut Parts, part: u32, source: Source, support: [Vertex; 3], loops: &[Vec<Vertex>]) {
         let Some((plane, reversed)) = self.seen(support) else {
             out.broken.get_or_insert(Contradiction::NoArea);
@@ -80,7 +80,7 @@ impl Cutter<'_> {
         out.push(part, source, made.triangles);
     }
 
-    /// Covers what is still open.
+    /// Covers the loops that are still open.
     fn cover_open(&mut self, out: &mut Parts) {
         let firsts: Vec<HalfEdge> = self.mesh.boundary_loops(1).collect();
         for first in firsts {
@@ -91,7 +91,7 @@ impl Cutter<'_> {
                 .map(|(plane, reversed)| triangulate(&*self.session, plane, reversed, loops, Method::Monotone));
             match made {
                 Some(made) if made.broken.is_none() => out.push(part, Source::Cover, made.triangles),
-                // Nowhere simple, or not for this session.
+                // The loop is not simple from any side, or not for this session.
                 _ => out.parts[part as usize].open.push(around),
             }
         }

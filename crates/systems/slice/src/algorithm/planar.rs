@@ -1,7 +1,7 @@
-//! Faces that are plane for the session, and others in triangles.
+//! Faces that are planar for the session; others are divided into triangles.
 //!
-//! A polygon of a plane is in no plane once its vertices have moved, and its edges meet a line of its plane nowhere. A
-//! session that breaks ties says so: for some vertex of the polygon it does not answer zero.
+//! A planar polygon is not planar once its vertices have moved, and its edges do not meet a line of its plane. A
+//! session that breaks ties shows it: for some vertex of the polygon it does not return zero.
 
 use predicament_mesh::HalfEdgeMesh;
 use predicament_mesh::half_edge::{Face, IndexedFaces};
@@ -14,14 +14,14 @@ use predicament_triangulate::algorithm::{Method, triangulate};
 /// Faces for [`Cutter`](super::cutter::Cutter).
 pub(super) struct Planar {
     pub(super) mesh: HalfEdgeMesh,
-    /// For each face three vertices of its plane.
+    /// For each face, three vertices of its plane.
     pub(super) supports: Vec<[Vertex; 3]>,
-    /// For each face the face of the input that it is a piece of.
+    /// For each face, the face of the input that it is a piece of.
     pub(super) faces: Vec<u32>,
 }
 
 impl Planar {
-    /// The mesh as it is, or with polygons in triangles that are not plane for the session.
+    /// Returns the mesh, with each polygon that is not planar for the session divided into triangles.
     pub(super) fn new(session: &dyn Predicates, mesh: HalfEdgeMesh, supports: &[[Vertex; 3]]) -> Result<Planar, Halt> {
         let mut is_plane = Vec::with_capacity(supports.len());
         for (f, &support) in mesh.faces().zip(supports) {
@@ -49,7 +49,7 @@ impl Planar {
                 return Err(Halt::Broken(what.into()));
             }
             for triangle in made.triangles {
-                // The face begins where its half-edge starts, the list here where it ends.
+                // The face begins at the start of its half-edge, this list at the end.
                 let place = |v: Vertex| around.iter().position(|&w| w == v).map_or(0, |at| (at + 1) % around.len());
                 faces.push(triangle.map(|v| corners_in[place(v)]));
                 all.push(triangle);

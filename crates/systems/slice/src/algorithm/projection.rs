@@ -2,12 +2,12 @@
 
 use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 
-/// A coordinate plane in which three vertices turn, and whether they turn clockwise there.
+/// A coordinate plane in which three vertices turn, and true if they turn clockwise there.
 pub(super) fn seen(session: &dyn Predicates, support: [Vertex; 3]) -> Option<(Plane, bool)> {
     let [a, b, c] = support;
     let normal = normal(session.scene(), support);
     let mut planes = [(Plane::Yz, normal[0]), (Plane::Zx, normal[1]), (Plane::Xy, normal[2])];
-    // Which one is a matter of taste; whether they turn there is not.
+    // Any plane will do, if the vertices turn there.
     planes.sort_by(|p, q| q.1.abs().total_cmp(&p.1.abs()));
     planes.into_iter().find_map(|(plane, _)| match session.orient2d(plane, a, b, c) {
         Sign::Zero => None,
@@ -15,7 +15,7 @@ pub(super) fn seen(session: &dyn Predicates, support: [Vertex; 3]) -> Option<(Pl
     })
 }
 
-/// The normal of a plane of input vertices, roughly.
+/// The approximate normal of a plane of input vertices.
 pub(super) fn normal(scene: &Scene, plane: [Vertex; 3]) -> [f64; 3] {
     let [a, b, c] = plane.map(|v| scene.point3(v));
     let minus = |p: [f64; 3], q: [f64; 3]| [0, 1, 2].map(|i| p[i] - q[i]);

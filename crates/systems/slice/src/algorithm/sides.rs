@@ -1,4 +1,4 @@
-//! The third and the fourth step: the sides are unhooked from each other, and loops in the plane covered.
+//! The third and the fourth step: the sides are disconnected, and caps cover the loops in the plane.
 
 use std::collections::BTreeMap;
 
@@ -43,17 +43,17 @@ impl Cutter<'_> {
         self.sides[f.index()] = side;
     }
 
-    /// The side of a face in the plane: where the solid is, opposite to where the face looks.
+    /// The side of a face in the plane: the side of the solid, opposite to the direction that the face looks.
     fn side_in_plane(&self, place: usize, f: Face) -> Sign {
         let plane = self.planes[place];
         let Some((projection, plane_turns)) = self.seen(plane) else { return Sign::Positive };
         let [a, b, c] = self.support(f);
         let face_turns = self.session.orient2d(projection, a, b, c) == Sign::Negative;
-        // The plane looks to its negative side, so a face that looks the same way is of the positive one.
+        // The plane faces its negative side, so a face with the same direction belongs to the positive side.
         if face_turns == plane_turns { Sign::Positive } else { Sign::Negative }
     }
 
-    /// Makes a cap of its own of the faces of a cap on the negative side, if there are faces on both. Those that touch
+    /// Moves the faces of a cap on the negative side to a new cap, if there are faces on both sides. Faces that touch
     /// the plane have a marker.
     fn divide_cap(&mut self, cap: usize) {
         let side = |f: &Face| match self.mesh.face_marker(*f) {
@@ -70,7 +70,7 @@ impl Cutter<'_> {
         self.add_cap(Cap { plane, positive, faces: negative });
     }
 
-    /// Adds a cap, and tells its faces.
+    /// Adds a cap, and stores its index in its faces.
     fn add_cap(&mut self, cap: Cap) {
         let surface = u32::try_from(self.supports.len() + self.caps.len()).expect("fewer caps than half-edges");
         for &f in &cap.faces {
@@ -79,7 +79,7 @@ impl Cutter<'_> {
         self.caps.push(cap);
     }
 
-    /// Cuts the mesh open where faces of both sides meet, and covers the loops.
+    /// Cuts the mesh open along edges between faces of both sides, and covers the loops.
     pub(super) fn separate(&mut self, place: usize, touched: &[Face]) -> Result<(), Halt> {
         let mut edges = Vec::new();
         for &f in touched.iter().filter(|f| self.sides[f.index()] == Sign::Positive) {
@@ -101,7 +101,7 @@ impl Cutter<'_> {
         self.cover(place, &beside)
     }
 
-    /// Covers the boundary loops of new half-edges alone.
+    /// Covers the boundary loops that consist of new half-edges only.
     fn cover(&mut self, place: usize, beside: &[[HalfEdge; 2]]) -> Result<(), Halt> {
         for &h in beside.as_flattened() {
             self.mesh.set_marker(h, 1);
@@ -112,7 +112,7 @@ impl Cutter<'_> {
                 continue;
             }
             let around: Vec<HalfEdge> = self.mesh.loop_of(h).collect();
-            // Loops with edges of a boundary that was there before are covered when all planes are done.
+            // Loops that contain edges of an older boundary are covered after the last plane.
             let is_new = around.iter().all(|&h| self.mesh.marker(h) == 1);
             around.iter().for_each(|&h| self.mesh.set_marker(h, 0));
             if is_new {
@@ -128,9 +128,9 @@ impl Cutter<'_> {
         Ok(())
     }
 
-    /// Divides the parts that have vertices on both sides of the plane at hand.
+    /// Divides the parts that have vertices on both sides of the current plane.
     pub(super) fn divide_parts(&mut self) {
-        // For each part that there was, the parts that it becomes: the first side seen keeps the number.
+        // For each old part, the parts that it becomes: the first side seen keeps the number.
         let mut children: Vec<[Option<u32>; 2]> = vec![[None; 2]; self.parts];
         let vertices: Vec<MeshVertex> = self.mesh.vertices().collect();
         for v in vertices {

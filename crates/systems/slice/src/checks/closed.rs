@@ -1,4 +1,4 @@
-//! Whether parts are closed, and on one side of each plane.
+//! Checks that parts are closed, and on one side of each plane.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::exact::Plane;
 use super::{Check, Expected, Flaws, Part, Slices};
 
-/// The sides of the triangles of a part, and those that open loops would be covered along.
+/// The sides of the triangles of a part, and the edges along which covers would close open loops.
 fn directed(part: &Part) -> impl Iterator<Item = [u32; 2]> + '_ {
     let around = |corners: &'_ [u32]| {
         let corners = corners.to_vec();
@@ -16,7 +16,7 @@ fn directed(part: &Part) -> impl Iterator<Item = [u32; 2]> + '_ {
 }
 
 impl Slices {
-    /// Each directed edge is there as often as its reverse.
+    /// Checks that each directed edge occurs as often as its reverse.
     pub(super) fn closed(&self, expected: Expected, flaws: &mut Flaws) {
         for (at, part) in self.parts.iter().enumerate() {
             let mut surplus: BTreeMap<[u32; 2], i64> = BTreeMap::new();
@@ -35,18 +35,18 @@ impl Slices {
         }
     }
 
-    /// No part has points on both sides of a plane, and caps face away from where their part is.
+    /// Checks that no part has points on both sides of a plane; returns the side of each part and plane.
     pub(super) fn sides(&self, flaws: &mut Flaws) {
         let mut used: Vec<Vec<u32>> = self.parts.iter().map(|part| part.triangles.as_flattened().to_vec()).collect();
         for points in &mut used {
             points.sort_unstable();
             points.dedup();
         }
-        // Of part and plane, for caps.
+        // Side by part and plane, for caps.
         let mut sides: BTreeMap<(usize, usize), Ordering> = BTreeMap::new();
         for (place, &plane) in self.planes.iter().enumerate() {
             let plane = Plane::of(self.points(plane));
-            // A point is in several parts.
+            // One point can be in several parts.
             let mut known: Vec<Option<Ordering>> = vec![None; self.points.len()];
             for (at, points) in used.iter().enumerate() {
                 let mut first: [Option<u32>; 2] = [None; 2];
@@ -71,7 +71,8 @@ impl Slices {
                         flaws.add(Check::Side, &[below, above], || {
                             format!("part {at} is on both sides of plane {place}, by {:e}", under.min(over))
                         });
-                        // Where most of it is: a point that was rounded to the other side does not turn the caps.
+                        // The side with the larger extent: a point that is rounded to the other side does not turn the
+                        // caps.
                         over.total_cmp(&under)
                     }
                 };

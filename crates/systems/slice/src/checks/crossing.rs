@@ -1,4 +1,4 @@
-//! Whether edges of a part pass through its triangles.
+//! Checks for edges of a part that pass through its triangles.
 
 use std::cmp::Ordering;
 
@@ -8,8 +8,8 @@ use super::exact::{Plane, area, side};
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
 impl Slices {
-    /// Holds triangles of each part against those near them: what touches is allowed, what passes through is not.
-    /// Covers of open loops are in no plane and may pass through anything.
+    /// Compares triangles of each part with those near them: they may touch, but not pass through each other. Covers of
+    /// open loops are not planar and may pass through anything.
     pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
         let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
@@ -38,7 +38,7 @@ impl Slices {
         }
     }
 
-    /// The boxes of the triangles, and how far they may be off.
+    /// The boxes of the triangles, and a bound on their error.
     fn index(&self, part: &Part) -> Option<(Boxes<3>, f64)> {
         let mut largest = 0.0_f64;
         let boxes = part.triangles.iter().map(|triangle| {
@@ -47,12 +47,13 @@ impl Slices {
             extent(points)
         });
         let boxes: Vec<Extent<3>> = boxes.collect();
-        // Coordinates are rounded by less than a part in 2^52.
+        // The relative rounding error of coordinates is below 2^-52.
         (!boxes.is_empty()).then(|| (Boxes::new(boxes), largest * 2.0_f64.powi(-50)))
     }
 
-    /// Whether an edge of one triangle passes through the inside of the other, or edges of both cross in a common plane.
-    /// Faces of a part without volume, which breaking ties makes, may lie on each other. `plane` is that of the first triangle.
+    /// True if an edge of one triangle passes through the inside of the other, or edges of both cross in a common
+    /// plane. Faces of a part without volume may lie on each other; breaking ties makes such parts. `plane` is the
+    /// plane of the first triangle.
     fn pass(&self, plane: &Plane, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
         if first.iter().all(|p| second.contains(p)) {
             return false;
@@ -61,7 +62,7 @@ impl Slices {
         if of_second == [Ordering::Equal; 3] {
             return expected.has_areas && self.overlap(plane, first, second);
         }
-        // A triangle that is on one side of the plane has no point of its inside there.
+        // A triangle on one side of the plane has no inner point in the plane.
         if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
             return false;
         }
@@ -76,12 +77,12 @@ impl Slices {
         pierces(second, of_second, first) || pierces(first, of_first, second)
     }
 
-    /// The sides of points on the plane of a triangle, which its own corners are on.
+    /// The sides of points on the plane of a triangle; the triangle's own corners are on it.
     fn sides_of(&self, plane: &Plane, corners: [u32; 3], points: [u32; 3]) -> [Ordering; 3] {
         points.map(|p| if corners.contains(&p) { Ordering::Equal } else { plane.side(&self.points[p as usize]) })
     }
 
-    /// Whether the line through an edge meets the inside of a triangle.
+    /// True if the line through an edge meets the inside of a triangle.
     fn is_inside(&self, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
         let turn = |x: u32, y: u32| {
             let [p, q, x, y] = self.points([p, q, x, y]);
@@ -91,7 +92,7 @@ impl Slices {
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
-    /// Whether edges of two triangles in one plane cross, or a corner of one is inside of the other.
+    /// True if edges of two triangles in one plane cross, or a corner of one is inside the other.
     fn overlap(&self, plane: &Plane, first: [u32; 3], second: [u32; 3]) -> bool {
         let Some(axis) = plane.axis() else { return false };
         let turn = |a: u32, b: u32, c: u32| area(self.points([a, b, c]), axis).cmp0();

@@ -37,7 +37,7 @@ pub(super) fn volume([a, b, c]: [&Point; 3]) -> Rational {
     dot(a, &[0, 1, 2].map(|i| component(b, c, i)))
 }
 
-/// The side of p on a plane: greater where its normal points.
+/// The side of p on a plane: `Greater` in the direction of its normal.
 pub(super) fn side(plane: [&Point; 3], p: &Point) -> Ordering {
     Plane::of(plane).side(p)
 }
@@ -57,7 +57,7 @@ impl Plane {
         dot(&self.normal, &minus(p, &self.at)).cmp0()
     }
 
-    /// How far p is from it, rounded at the end only; of no plane, zero.
+    /// The distance of p from the plane, rounded only at the end; zero if the normal is zero.
     pub(super) fn distance(&self, p: &Point) -> f64 {
         let lengths = self.normal.iter().map(|x| x.clone().abs());
         let Some(longest) = lengths.max().filter(|longest| !longest.is_zero()) else { return 0.0 };

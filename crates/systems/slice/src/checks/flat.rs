@@ -1,4 +1,4 @@
-//! Pieces of faces and caps: in their planes, the right way around, and of the right area.
+//! Checks of pieces of faces and of caps: plane, orientation and area.
 
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
@@ -10,7 +10,7 @@ use super::{Check, Expected, Flaws, Piece, Slices};
 use predicament_judge::sum::sum;
 
 impl Slices {
-    /// Caps are in their planes and face away from their part; `sides` are where parts are on planes.
+    /// Checks that caps are in their planes and face away from their part; `sides` are the sides of parts on planes.
     pub(super) fn caps(&self, sides: &BTreeMap<(usize, usize), Ordering>, flaws: &mut Flaws) {
         let planes: Vec<Plane> = self.planes.iter().map(|&plane| Plane::of(self.points(plane))).collect();
         for (at, part) in self.parts.iter().enumerate() {
@@ -24,7 +24,7 @@ impl Slices {
                         format!("a cap of part {at} is {off:e} off plane {place}")
                     });
                 }
-                // One that is off its plane may be turned over as well.
+                // A cap that is off its plane may also be turned over.
                 let turns = dot(&normal(corners), &plane.normal).cmp0();
                 // Away from the part: along the normal where the part is below the plane.
                 if turns != Ordering::Equal && turns == sides[&(at, place)] {
@@ -36,7 +36,7 @@ impl Slices {
         }
     }
 
-    /// Pieces of faces are in their planes, face where they do, and add up.
+    /// Checks that pieces of a face are in its plane, face in its direction, and have its area together.
     pub(super) fn faces(&self, expected: Expected, flaws: &mut Flaws) {
         let mut pieces: Vec<Vec<[u32; 3]>> = vec![Vec::new(); self.faces.len()];
         for part in &self.parts {
@@ -64,9 +64,9 @@ impl Slices {
     fn pieces(&self, face: usize, pieces: &[[u32; 3]], expected: Expected, flaws: &mut Flaws) {
         let corners = &self.faces[face];
         let fan = || corners.windows(2).skip(1).map(|next| [corners[0], next[0], next[1]]);
-        // Of a polygon no three corners need turn as it does; the sum over a fan does.
+        // In a polygon, no three corners need to turn as it does; the sum over a fan does.
         let of_axis = |axis| sum(fan().map(|triangle| area(self.points(triangle), axis)).collect());
-        // Seen from where most of it is seen: pieces that rounding has moved out of the plane do not turn.
+        // Seen along the axis with the largest area: pieces that rounding has moved out of the plane keep their turn.
         let seen = (0..3).map(|axis| (axis, of_axis(axis))).filter(|(_, whole)| !whole.is_zero());
         let Some((axis, whole)) = seen.max_by_key(|(_, whole): &(usize, Rational)| whole.clone().abs()) else {
             return;
@@ -106,7 +106,7 @@ impl Slices {
     }
 }
 
-/// Whether the only piece of a triangle is the triangle.
+/// True if the only piece of a triangle is the triangle.
 fn is_whole(corners: &[u32], pieces: &[[u32; 3]]) -> bool {
     let (&[a, b, c], &[piece]) = (corners, pieces) else { return false };
     [[a, b, c], [b, c, a], [c, a, b]].contains(&piece)

@@ -1,13 +1,13 @@
-//! The parts that planes make of a mesh, decided in rationals.
+//! Checks of the parts of a mesh split by planes, decided in rationals.
 //!
-//! Nothing here knows how the parts were made: there are points, triangles, the faces and planes that were given, and
-//! for each triangle what it is said to be a piece of. Each [`Check`] is a law that the parts have to satisfy; together
-//! they say that the parts are solids, that they are on their sides, and that nothing was lost.
+//! The checks do not know how the parts were made. They get points, triangles, the given faces and planes, and for each
+//! triangle its claimed origin. Each [`Check`] is a law for the parts. Together the laws say that the parts are solids,
+//! that they are on their sides, and that nothing was lost.
 //!
 //! # Volumes
-//! Six times the volume of a solid is the sum of the determinants of its triangles. A sum of many
-//! rationals without common factors has as many digits as all of them. So the difference of all parts and the whole is
-//! summed face by face and plane by plane: where all is well each of these sums is zero.
+//! Six times the volume of a solid is the sum of the determinants of its triangles. A sum of many rationals without
+//! common factors has as many digits as all of them together. So the difference of all parts and the whole is summed
+//! face by face and plane by plane: for correct parts each of these sums is zero.
 
 mod closed;
 mod crossing;
@@ -17,57 +17,57 @@ mod volume;
 
 use exact::Point;
 
-/// What a triangle is said to be a piece of.
+/// The claimed origin of a triangle.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Piece {
-    /// A face that was given.
+    /// A given face.
     Face(usize),
-    /// A plane that was given.
+    /// A given plane.
     Cap(usize),
-    /// Neither: the cover of a loop.
+    /// The cover of a loop: neither a face nor a plane.
     Cover,
 }
 
-/// The triangles of one part, by places in the list of points.
+/// The triangles of one part, as indices of points.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Part {
-    /// Counterclockwise as seen from outside.
+    /// The triangles, counterclockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// As many as triangles.
+    /// The origin of each triangle.
     pub pieces: Vec<Piece>,
-    /// Loops that were left open, as a cover would go around them.
+    /// Loops that were left open, in the direction in which a cover would go around them.
     pub open: Vec<Vec<u32>>,
 }
 
-/// A mesh, planes, and what they made of it.
+/// A mesh, planes, and the parts that they make.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Slices {
-    /// All points, those of the mesh and those that were constructed.
+    /// All points: those of the mesh and the constructed ones.
     pub points: Vec<Point>,
     /// The faces of the mesh, counterclockwise as seen from outside.
     pub faces: Vec<Vec<u32>>,
-    /// The planes, three points of each.
+    /// The planes, as three points each.
     pub planes: Vec<[u32; 3]>,
     /// The parts.
     pub parts: Vec<Part>,
 }
 
-/// What is expected.
+/// Options of the checks.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Expected {
-    /// The mesh was closed: the parts have to be, without covers, and their volumes add up.
+    /// True if the mesh was closed: then the parts must be closed without covers, and their volumes must add up.
     pub is_closed: bool,
-    /// Each triangle has to have an area, and none lies on another. What breaks ties makes triangles that have an area, and
-    /// parts that have a volume, in the perturbed scene only.
+    /// True if each triangle must have an area, and must not lie on another. Backends that break ties make triangles
+    /// with an area, and parts with a volume, in the perturbed scene only.
     pub has_areas: bool,
-    /// How many triangles are held against their neighbours, at most; they are spread evenly.
+    /// The maximum number of triangles that are compared with their neighbours; they are spread evenly.
     pub triangles_crossed: usize,
 }
 
-/// A law.
+/// A law for the parts.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Check {
-    /// Each side of a triangle is that of another one of the part, in the other direction.
+    /// Each side of a triangle is a side of another triangle of the part, in the other direction.
     Closed,
     /// No part has points on both sides of a plane.
     Side,
@@ -77,7 +77,7 @@ pub enum Check {
     CapOrientation,
     /// Pieces of a face are in its plane.
     PieceInFace,
-    /// Pieces of a face face where it does.
+    /// Pieces of a face have its direction.
     PieceOrientation,
     /// The areas of the pieces of a face add up to its area.
     FaceArea,
@@ -85,12 +85,12 @@ pub enum Check {
     Volume,
     /// Triangles have an area.
     Degenerate,
-    /// No edge of a part passes through another of its triangles; covers are left out.
+    /// No edge of a part passes through another triangle of the part; covers are left out.
     SelfIntersection,
 }
 
 impl Check {
-    /// All of them.
+    /// All checks.
     pub const ALL: [Check; 10] = [
         Check::Closed,
         Check::Side,
@@ -121,14 +121,14 @@ impl Check {
         }
     }
 
-    /// Whether it is about lengths, areas or volumes, so that vertices that are rounded are enough to violate it. All others are
-    /// about how things turn and hang together.
+    /// True if the check is about lengths, areas or volumes, so that rounding of vertices alone can violate it. All
+    /// other checks are about orientation and topology.
     #[must_use]
     pub const fn is_metric(self) -> bool {
         matches!(self, Check::Side | Check::CapInPlane | Check::PieceInFace | Check::FaceArea | Check::Volume)
     }
 
-    /// What should hold, in a few words.
+    /// The law in a few words.
     #[must_use]
     pub const fn law(self) -> &'static str {
         match self {
@@ -146,20 +146,20 @@ impl Check {
     }
 }
 
-/// What violates a law.
+/// A violation of a law.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Flaw {
     /// The law.
     pub check: Check,
-    /// How often.
+    /// The number of violations.
     pub count: u64,
-    /// The points of the first that does.
+    /// The points of the first violation.
     pub points: Vec<u32>,
-    /// The first that does, in words.
+    /// The first violation, in words.
     pub what: String,
 }
 
-/// Flaws by check: all are counted, the first of each is kept.
+/// Flaws by check: all are counted, and the first of each check is kept.
 #[derive(Default)]
 struct Flaws(Vec<Flaw>);
 
@@ -173,10 +173,10 @@ impl Flaws {
 }
 
 impl Slices {
-    /// Everything that violates a law, at most one entry a law.
+    /// All violated laws, at most one entry for each law.
     ///
     /// # Panics
-    /// If a place is none of the points', faces' or planes'.
+    /// If an index of a point, a face or a plane is out of range.
     #[must_use]
     pub fn flaws(&self, expected: Expected) -> Vec<Flaw> {
         let mut flaws = Flaws::default();
@@ -191,8 +191,8 @@ impl Slices {
         flaws.0
     }
 
-    /// What violates the laws about pieces of faces, and about triangles that pass through each other, at most one entry a law: for parts that are not
-    /// what planes leave.
+    /// The violated laws about pieces of faces, and about triangles that pass through each other, at most one entry for
+    /// each law. It serves for parts that do not come from planes.
     ///
     /// # Panics
     /// As [`Slices::flaws`].
@@ -205,8 +205,9 @@ impl Slices {
         flaws.0
     }
 
-    /// What violates the laws about closed surfaces, at most one entry a law: each part is closed, each triangle has an area, and none passes
-    /// through another one, lies on it or has a corner inside of it. What `expected` says of faces is left out.
+    /// The violated laws about closed surfaces, at most one entry for each law: each part is closed, each triangle has
+    /// an area, and no triangle passes through another triangle, lies on it or has a corner inside it. The options of
+    /// `expected` about faces are ignored.
     ///
     /// # Panics
     /// As [`Slices::flaws`].
@@ -222,7 +223,7 @@ impl Slices {
         flaws.0
     }
 
-    /// How many triangles there are in all parts.
+    /// The number of triangles in all parts.
     #[must_use]
     pub fn triangles(&self) -> usize {
         self.parts.iter().map(|part| part.triangles.len()).sum()

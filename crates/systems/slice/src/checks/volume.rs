@@ -1,4 +1,4 @@
-//! Whether the volumes of the parts add up.
+//! The check that the volumes of the parts add up.
 
 use rug::Rational;
 
@@ -7,7 +7,7 @@ use super::{Check, Flaws, Piece, Slices};
 use predicament_judge::sum::sum;
 
 impl Slices {
-    /// The sum of the parts' volumes against the mesh's, face by face and plane by plane.
+    /// Compares the sum of the parts' volumes with the mesh's, face by face and plane by plane.
     pub(super) fn volumes(&self, flaws: &mut Flaws) {
         let of = |triangle| volume(self.points(triangle));
         let mut by_face: Vec<Vec<Rational>> = vec![Vec::new(); self.faces.len()];

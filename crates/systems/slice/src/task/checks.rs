@@ -1,4 +1,4 @@
-//! What is reported about the parts of a mesh.
+//! The checks in reports about the parts of a mesh.
 
 use crate::algorithm::Contradiction;
 use crate::checks::Check as Law;
@@ -6,15 +6,15 @@ use crate::checks::Check as Law;
 use predicament_tasks::Check;
 use predicament_triangulate::task::RULES as TRIANGULATION;
 
-/// What the algorithm looks after itself.
+/// The invariants that the algorithm checks during its run.
 const RULES: &[&str] = Contradiction::RULES;
 
-/// The check that a law holds.
+/// The check that corresponds to a law.
 pub const fn law(law: Law) -> Check {
     Check::topology(law.name(), law.law())
 }
 
-/// The same law, violated by no more than rounding.
+/// The check for a law that only rounding violates.
 pub const fn rounded(law: Law) -> Check {
     Check::rounded(law.name(), law.law())
 }

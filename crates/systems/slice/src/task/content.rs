@@ -1,4 +1,4 @@
-//! `mesh`, or `points` and `faces`; `planes`; `closed`.
+//! The keys of the task: `mesh`, or `points` and `faces`; `planes`; `closed`.
 
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Origin, Parts, PointSource, Source as SceneSource, Spelled,
@@ -13,26 +13,26 @@ use super::faces::{Wrong, faces_of};
 
 static MESH: TableKind = TableKind::new("reference to a mesh", &["path", "fetch"]);
 
-/// A mesh and planes.
+/// A mesh and the planes that split it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Solid {
     /// The faces, over the first vertices of the scene, counterclockwise as seen from outside.
     pub faces: IndexedFaces,
-    /// How many vertices are the mesh's.
+    /// The number of vertices of the mesh.
     pub vertices: usize,
-    /// For each face three of its vertices that turn as it does.
+    /// For each face, three of its vertices that turn as it does.
     pub supports: Vec<[Vertex; 3]>,
-    /// The planes, in their order, three vertices each.
+    /// The planes in their order, as three vertices each.
     pub planes: Vec<[Vertex; 3]>,
-    /// Whether the mesh has no boundary.
+    /// True if the mesh has no boundary.
     pub is_closed: bool,
 }
 
 impl Solid {
-    /// The mesh to be split.
+    /// The mesh to split.
     ///
     /// # Panics
-    /// If the faces make no mesh; readers of scenes see to that.
+    /// If the faces do not make a mesh; readers of scenes exclude that.
     #[must_use]
     pub fn mesh(&self) -> HalfEdgeMesh {
         let vertices = (0..self.vertices).map(Vertex::input).collect();
@@ -54,7 +54,7 @@ impl Content for Solid {
         canon.vertices(self.planes.as_flattened());
     }
 
-    /// Vertices that only planes have are points like others. Whether the mesh has to be closed is left open.
+    /// Writes vertices that only planes have as ordinary points. The output does not say if the mesh must be closed.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let face = |face: &[u32]| face.iter().map(|&corner| Vertex::input(corner as usize)).collect();
         let lists = vec![
@@ -65,7 +65,7 @@ impl Content for Solid {
     }
 }
 
-/// One of the three points of a plane.
+/// A point of the three that span a plane.
 #[derive(Clone, Copy, Debug)]
 enum PlanePoint {
     Index(Vertex),
@@ -75,7 +75,7 @@ enum PlanePoint {
 /// A plane, with its line.
 type WrittenPlane = (usize, [PlanePoint; 3]);
 
-/// The faces, and where the points are.
+/// The faces, and the source of the points.
 enum Where {
     /// Faces with their lines.
     Written {
@@ -92,7 +92,7 @@ struct Written {
     file: String,
     line: usize,
     mesh: Where,
-    /// Left out: three planes through the middle.
+    /// Optional; the default is three planes through the middle.
     planes: Option<Vec<WrittenPlane>>,
     needs_closed: bool,
 }
@@ -121,7 +121,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sce
     let needs_closed = fields.bool_or("closed", false)?;
     let written = Written { file: fields.file().to_owned(), line: fields.line(), mesh, planes, needs_closed };
     if matches!(&written.mesh, Where::Written { points, .. } if points.is_written()) {
-        // Nothing is read from a cache: everything is written out.
+        // No cache is read: all coordinates are in the suite.
         return Ok(SceneSource::Written(written.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(SceneSource::elsewhere(written))
@@ -169,10 +169,10 @@ impl Elsewhere for Written {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (file, mut coordinates, faces, places, notes) = self.mesh.load(cache)?;
         let count = coordinates.len() / 3;
-        // What follows the last corner of a face is there for planes.
+        // Points after the last corner of a face are for planes.
         let last = faces.iter().flatten().max();
         let vertices = last.map_or(count, |&last| count.min(last as usize + 1));
-        // A mesh in a file of its own has no line in the suite.
+        // A mesh in a separate file has no line in the suite.
         let line = matches!(self.mesh, Where::Written { .. }).then_some(self.line);
         let error = |message: String, cure: &str, line| CorpusError::file(&self.file, message, cure).at_line(line);
         let mut planes = Vec::new();
@@ -222,7 +222,7 @@ impl Elsewhere for Written {
     }
 }
 
-/// A file's name, coordinates, faces, where these are, and what reading changed.
+/// A file's name, its coordinates, its faces, their places in the file, and the changes made by reading.
 type Loaded = (String, Vec<f64>, IndexedFaces, Places, ImportNotes);
 
 impl Where {
@@ -253,7 +253,7 @@ impl Where {
 }
 
 impl Written {
-    /// The planes as they are written, or three through the middle of the box, one across each axis.
+    /// The planes as written, or three planes through the middle of the box, one across each axis.
     fn planes(&self, coordinates: &[f64]) -> Vec<WrittenPlane> {
         if let Some(planes) = &self.planes {
             return planes.clone();
@@ -274,7 +274,7 @@ impl Written {
     }
 }
 
-/// The mesh of these faces with planes, or what is wrong with a face.
+/// The mesh of the faces with planes, or the reason why a face is invalid.
 pub(super) fn solid(
     scene: &Scene,
     vertices: usize,
@@ -291,7 +291,7 @@ pub(super) fn is_line(scene: &Scene, [a, b, c]: [Vertex; 3]) -> bool {
     a == b || b == c || a == c || [Xy, Yz, Zx].into_iter().all(|plane| turns(plane) == Sign::Zero)
 }
 
-/// An edge with a face on one side only, if there is one.
+/// An edge with a face on one side only, if any.
 fn open_edge(solid: &Solid) -> Option<Wrong> {
     if solid.is_closed {
         return None;

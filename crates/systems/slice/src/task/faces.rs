@@ -1,4 +1,4 @@
-//! Whether faces make a mesh that planes can split: manifold, plane, with areas. Decided exactly.
+//! Exact validation of faces for slicing: manifold, planar, with areas.
 
 use predicament_formats::{CorpusError, Places, Position};
 use predicament_judge::{rational, sign};
@@ -7,18 +7,18 @@ use predicament_mesh::half_edge::{ConversionError, IndexedFaces};
 use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
 
-/// What is wrong with a mesh.
+/// The reason why a mesh is invalid.
 #[derive(Debug)]
 pub(super) enum Wrong {
     /// There are no faces.
     NoFaces,
-    /// The faces make no half-edge mesh.
+    /// The faces do not make a half-edge mesh.
     NoMesh(ConversionError),
     /// All corners of a face are in line.
     NoArea { face: usize },
     /// A corner of a face is off the plane of three others.
     NotPlane { face: usize, vertex: Vertex, plane: [Vertex; 3] },
-    /// An edge with one face, where the mesh has to be closed.
+    /// An edge has one face, although the mesh must be closed.
     Open { face: usize, edge: [Vertex; 2] },
 }
 
@@ -29,7 +29,8 @@ impl From<ConversionError> for Wrong {
 }
 
 impl Wrong {
-    /// The error, where its face or its vertex is, else at a line of the suite; the message says where the others are.
+    /// The error at its face or vertex in the file, otherwise at a line of the suite. The message names the other
+    /// places.
     pub(super) fn error(&self, file: &str, places: &Places, line: Option<usize>) -> CorpusError {
         let own = self.position(places);
         let named = |name: fn(&Places, usize) -> String, position: Option<Position>, index: usize| {
@@ -65,7 +66,7 @@ impl Wrong {
     }
 }
 
-/// For each face three of its vertices that turn as it does; and whether the mesh is closed.
+/// For each face, three of its vertices that turn as it does; and true if the mesh is closed.
 pub(super) fn faces_of(
     scene: &Scene,
     vertices: usize,
@@ -97,14 +98,14 @@ pub(super) fn faces_of(
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
 
-/// Whether three vertices are on no line.
+/// True if three vertices are not in line.
 fn has_area(scene: &Scene, triangle: [Vertex; 3]) -> bool {
     let [a, b, c] = triangle.map(|v| scene.point3(v));
     let surely = |plane: Plane| {
         let [i, j] = plane.axes().map(predicament_predicates::Axis::index);
         let products = [(b[i] - a[i]) * (c[j] - a[j]), (b[j] - a[j]) * (c[i] - a[i])];
-        // Three roundings of each product, and one of the difference: far less than this share of them, where
-        // nothing underflows.
+        // Each product has three roundings, the difference one. The total error is far below this share of the
+        // products, without underflow.
         let size = products[0].abs() + products[1].abs();
         size > 1e-200 && size < 1e200 && (products[0] - products[1]).abs() > 1e-14 * size
     };
@@ -112,7 +113,7 @@ fn has_area(scene: &Scene, triangle: [Vertex; 3]) -> bool {
         || PLANES.into_iter().any(|plane| sign(scene, Question::Orient2d(plane), &triangle) != Sign::Zero)
 }
 
-/// Three corners in a row that turn as the polygon does.
+/// Three consecutive corners that turn as the polygon does.
 fn support(scene: &Scene, corners: &[Vertex]) -> Option<[Vertex; 3]> {
     let point = |v: Vertex| scene.point3(v).map(rational);
     let next = |at: usize| (at + 1) % corners.len();
@@ -126,7 +127,7 @@ fn support(scene: &Scene, corners: &[Vertex]) -> Option<[Vertex; 3]> {
             .sum();
         let turns = Sign::from(twice_area.cmp0());
         let triples = (0..corners.len()).map(|at| [corners[at], corners[next(at)], corners[next(next(at))]]);
-        // One that is convex is there: the leftmost of a simple polygon.
+        // A simple polygon has a convex corner: the leftmost.
         let mut convex = triples.filter(|triple| sign(scene, Question::Orient2d(plane), triple) == turns);
         if turns == Sign::Zero { None } else { convex.next() }
     })

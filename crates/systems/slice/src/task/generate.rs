@@ -8,7 +8,7 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 use super::content::{is_line, solid};
 use predicament_tasks::solids::{self, Shape};
 
-/// How planes are chosen.
+/// The choice of a plane.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Cut {
     /// Through three vertices of the mesh.
@@ -76,11 +76,11 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Re
         let solid = solid(&scene, vertices, faces, planes);
         Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("a generator made no solid: {wrong:?}")))
     };
-    // A closed mesh has at most two vertices a face; a few are made even for the smallest n.
+    // A closed mesh has at most two vertices for each face; a few vertices are made even for the smallest n.
     Ok(Recipe::new(move |n| 6 * n + 9 * planes as u64 + 1000, make))
 }
 
-/// A plane through the first `vertices` points; what else it needs is appended.
+/// A plane through the first `vertices` points; other points that it needs are appended.
 fn plane(cut: Cut, points: &mut Vec<[f64; 3]>, vertices: usize, rng: &mut Random) -> [Vertex; 3] {
     let last = i64::try_from(vertices - 1).expect("scenes are smaller than memory");
     let any = |rng: &mut Random| usize::try_from(rng.integer(0, last)).expect("not negative");
@@ -108,7 +108,7 @@ fn plane(cut: Cut, points: &mut Vec<[f64; 3]>, vertices: usize, rng: &mut Random
                     *p = [0, 1, 2].map(|i| p[i] + rng.unit() * (q[i] - p[i]));
                 }
             }
-            // Zero stays what it is: the next doubles are a thousand binary digits away.
+            // Zero does not change: the next doubles are a thousand binary digits away.
             Cut::Near => {
                 chosen = chosen.map(|p| p.map(|x| if x == 0.0 { x } else { step(x, rng.integer(-2, 2)) }));
             }
@@ -123,7 +123,7 @@ fn plane(cut: Cut, points: &mut Vec<[f64; 3]>, vertices: usize, rng: &mut Random
     })
 }
 
-/// Whether three points are on a line.
+/// True if three points are on a line.
 fn is_flat(points: &[[f64; 3]; 3]) -> bool {
     let scene = Scene::from_points3(points).expect("generators make finite points");
     is_line(&scene, [0, 1, 2].map(Vertex::input))

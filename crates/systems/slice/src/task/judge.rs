@@ -1,4 +1,4 @@
-//! The parts against the laws that parts of a mesh satisfy, decided in rationals.
+//! Judging of the parts by the laws for parts of a mesh, decided in rationals.
 
 use crate::algorithm::{Part, Source};
 use crate::checks as laws;
@@ -12,16 +12,16 @@ use super::{Cut, Slice};
 use predicament_tasks::rounding::{Excuse, Rounding};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
 
-/// How many triangles are held against their neighbours at the two levels.
+/// The number of triangles that are compared with their neighbours, at levels quick and full.
 const TRIANGLES_CROSSED: [usize; 2] = [100, 4_000];
 
-/// Judges parts.
+/// Judges the parts of a mesh.
 pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, outcome: &mut Outcome) {
     if let Some((broken, place)) = answer.sliced.broken {
         let place = place.map_or("in the end".to_owned(), |place| format!("at plane {place}"));
         note(outcome, Class::Topology, broken.rule(), format!("violated {place}"), "holds".to_owned());
         if answer.sliced.broken.is_some_and(|(_, place)| place.is_some()) {
-            // The parts are not done: laws about them say nothing.
+            // The parts are incomplete: laws about them mean nothing.
             return;
         }
     }
@@ -42,7 +42,7 @@ pub(super) fn judge(case: &Case<'_, Slice>, asked: &Asked<'_>, answer: &Cut, out
     let is_metric = |flaw: &&laws::Flaw| flaw.check.is_metric();
     let excuse = answer.rounded.as_ref().filter(|_| flaws.iter().any(|flaw| is_metric(&flaw))).map(|rounded| {
         let rounding = Rounding::of_definitions(case.scene(), &answer.sliced.constructions, rounded);
-        // The laws where the vertices are exactly; of those that are not metric nothing is asked.
+        // The laws for the exact vertices; only the metric laws count.
         let inputs = slices.points[..case.scene().len()].iter();
         let slices = Slices { points: inputs.chain(&rounding.exact).cloned().collect(), ..slices.clone() };
         let violated = slices.flaws(Expected { triangles_crossed: 1, ..expected });
@@ -64,7 +64,7 @@ fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: Stri
     outcome.findings.push(Finding::plain(class, check, Vec::new(), got, law));
 }
 
-/// The parts with their points, those that the session has; or a vertex that is no point.
+/// The parts with the session's points, or the vertex that is not a point.
 fn slices(case: &Case<'_, Slice>, answer: &Cut) -> Result<Slices, Vertex> {
     let (scene, content) = (case.scene(), case.content);
     let place = |v: Vertex| {
@@ -91,7 +91,7 @@ fn slices(case: &Case<'_, Slice>, answer: &Cut) -> Result<Slices, Vertex> {
     })
 }
 
-/// The constructed vertices: as they are, or as the session has rounded them.
+/// The constructed vertices: exact, or as the session has rounded them.
 fn constructed(scene: &Scene, answer: &Cut) -> Result<Vec<[Rational; 3]>, Vertex> {
     let vertex = |at: usize| Vertex::constructed(answer.before + at);
     if let Some(rounded) = &answer.rounded {

@@ -1,8 +1,8 @@
-//! `slice`: a mesh split by planes, one after the other.
+//! The task `slice`: a mesh split by planes, one after the other.
 //!
-//! The cascade of the lecture: each plane splits what the planes before it have left, so edges that were constructed
-//! are split again. Exact arithmetic and Simulation of Simplicity keep the points; controls round them between
-//! the cuts, and what comes out is judged as they have it.
+//! The cascade of the lecture: each plane splits the results of the planes before it, so constructed edges are split
+//! again. Exact arithmetic and Simulation of Simplicity keep the points. Controls round them between the cuts, and the
+//! judge uses the rounded points.
 
 mod checks;
 mod content;
@@ -29,18 +29,18 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `slice`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Slice;
 
-/// The parts, and the vertices that were constructed.
+/// The parts, and the constructed vertices.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Cut {
     /// The parts.
     pub sliced: Sliced,
-    /// How many constructions the scene had before.
+    /// The number of constructions that the scene had before.
     pub before: usize,
-    /// What the session has rounded the constructed vertices to; none where it keeps them.
+    /// The session's rounded positions of the constructed vertices; `None` if it keeps them exactly.
     pub rounded: Option<Vec<[f64; 3]>>,
 }
 
@@ -134,7 +134,7 @@ impl Task for Slice {
         true
     }
 
-    /// The truth is in the laws, and in the mesh.
+    /// The task has no separate truth: the laws and the mesh suffice.
     fn truth(&self, _: &Scene, _: &Solid, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)
     }
@@ -191,7 +191,7 @@ impl Task for Slice {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// Each part as meshes, all vertices exactly, and a JSON file of what each triangle is a piece of.
+    /// Writes each part as meshes, all vertices exactly, and a JSON file with the origin of each triangle.
     fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
         let parts = &answer.sliced.parts;
         let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;

@@ -1,4 +1,4 @@
-//! Parts of meshes: right ones have no flaw, and each way to spoil them is seen by the check that was made for it.
+//! Tests of parts of meshes: correct parts have no flaw, and the check for each kind of damage reports it.
 
 use predicament_slice::checks::{Check, Expected, Part, Piece, Slices};
 use rug::Rational;
@@ -9,7 +9,7 @@ const STRICT: Expected = Expected { is_closed: true, has_areas: true, triangles_
 fn halves() -> Slices {
     let square = [[0, 0], [4, 0], [4, 4], [0, 4]];
     let level = |z: i32| square.map(|[x, y]| [x, y, z].map(Rational::from));
-    // 0 to 3 below, 4 to 7 above, 8 to 11 in between.
+    // 0 to 3 below, 4 to 7 above, 8 to 11 between.
     let points = [level(0), level(4), level(2)].concat();
     let faces = vec![
         vec![0, 3, 2, 1],
@@ -46,7 +46,7 @@ fn right_parts_have_no_flaw() {
     assert_eq!(halves().flaws(STRICT), []);
 }
 
-/// A way to spoil parts, and the checks that see it.
+/// A kind of damage to parts, and the checks that report it.
 type Spoilt = (&'static str, fn(&mut Slices), &'static [Check]);
 
 const SPOILT: &[Spoilt] = &[
@@ -80,7 +80,7 @@ const SPOILT: &[Spoilt] = &[
     (
         "a point of the cut is moved off the plane, in its face",
         |slices| slices.points[8][2] += Rational::from((1, 1 << 30)),
-        // The plane is spanned by the point, so it is the other one that is off it.
+        // The point is one of the plane's three, so the plane moves and the fourth point is off it.
         &[Check::Side, Check::CapInPlane],
     ),
     (
@@ -128,7 +128,7 @@ const SPOILT: &[Spoilt] = &[
     (
         "a triangle without area, and what it takes to close the part",
         |slices| {
-            // The bottom once more with its corner at the middle of a diagonal.
+            // The bottom again with its corner at the middle of a diagonal.
             let middle = u32::try_from(slices.points.len()).unwrap();
             slices.points.push([2, 2, 0].map(Rational::from));
             slices.parts[0].triangles.splice(0..1, [[0, 3, 2], [0, 2, middle], [0, middle, 2]]);
@@ -149,7 +149,7 @@ const SPOILT: &[Spoilt] = &[
         |slices| {
             let tip = u32::try_from(slices.points.len()).unwrap();
             slices.points.push([2, 1, -9].map(Rational::from));
-            // Of the upper cap of the lower part.
+            // From the upper cap of the lower part.
             let [a, b, c] = slices.parts[0].triangles[2];
             slices.parts[0].triangles.splice(2..3, [[a, b, tip], [b, c, tip], [c, a, tip]]);
             slices.parts[0].pieces.splice(2..3, [Piece::Cap(0); 3]);
@@ -216,7 +216,7 @@ fn samples_of_triangles_find_what_is_near_them() {
     }
 }
 
-/// Two triangles in one part, by their points, without any other law: how often they pass through each other.
+/// The number of times that two triangles of one part pass through each other, without any other law.
 fn crossings(corners: [[[i32; 3]; 3]; 2]) -> usize {
     let points = corners.as_flattened().iter().map(|p| p.map(Rational::from)).collect();
     let part = Part { triangles: vec![[0, 1, 2], [3, 4, 5]], pieces: vec![Piece::Face(0); 2], ..Part::default() };
@@ -228,7 +228,7 @@ fn crossings(corners: [[[i32; 3]; 3]; 2]) -> usize {
 #[test]
 fn edges_that_pass_beside_a_triangle_do_not_pass_through_it() {
     let flat = [[0, 0, 0], [8, 0, 0], [0, 8, 0]];
-    // An upright triangle of which one edge crosses the plane of the flat one at this place.
+    // An upright triangle with an edge that crosses the plane of the flat triangle at this point.
     let upright = |x: i32, y: i32| [[x, y, -2], [x, y, 2], [x + 1, y + 3, 9]];
     let (mut through, mut beside) = (0, 0);
     for (x, y) in (0..8).flat_map(|x| (0..8).map(move |y| (x, y))) {
@@ -236,7 +236,8 @@ fn edges_that_pass_beside_a_triangle_do_not_pass_through_it() {
             let (mut first, mut second) = (flat, upright(x, y));
             first.rotate_left(turn);
             second.rotate_right(turn);
-            // The upright one meets the plane in the segment from (x, y) to a third of the way to its far corner, at most.
+            // The upright triangle meets the plane in the segment from (x, y) to at most a third of the way to its far
+            // corner.
             let is_inside = x > 0 && y > 0 && x + y < 8;
             if is_inside {
                 assert_eq!(crossings([first, second]), 1, "{x} {y}");

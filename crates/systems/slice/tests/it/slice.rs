@@ -1,4 +1,4 @@
-//! Slicing: parts of solids by exact signs, by broken ties, and by signs that mean nothing.
+//! Tests of slicing: parts of solids under exact signs, under broken ties, and under meaningless signs.
 
 use std::collections::BTreeMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
@@ -31,7 +31,7 @@ fn prism(polygon: &[[f64; 2]]) -> Shape {
     Shape { points, faces: faces.into_iter().collect(), supports }
 }
 
-/// Teeth of one height.
+/// A comb with teeth of one height.
 fn comb(teeth: i32) -> Shape {
     let mut polygon = vec![[0.0, -1.0], [f64::from(2 * teeth - 1), -1.0]];
     for tooth in (0..teeth).rev() {
@@ -59,7 +59,7 @@ impl Shape {
     }
 }
 
-/// Three numbers below n, by a seed.
+/// Three numbers below n, from a seed.
 fn three(n: usize, seed: u64) -> [usize; 3] {
     let mut hasher = DefaultHasher::new();
     seed.hash(&mut hasher);
@@ -70,7 +70,7 @@ fn three(n: usize, seed: u64) -> [usize; 3] {
     [first, second, third]
 }
 
-/// Each directed edge of a part is there as often as its reverse.
+/// Checks that each directed edge of a part occurs as often as its reverse.
 fn check_closed(sliced: &Sliced) {
     for part in &sliced.parts {
         assert_eq!(part.sources.len(), part.triangles.len());
@@ -84,7 +84,7 @@ fn check_closed(sliced: &Sliced) {
     }
 }
 
-/// Planes through three vertices each, of which no three are on a line.
+/// Planes through three vertices each, not all on one line.
 fn planes(shape: &Shape, count: usize, seed: u64) -> Vec<[usize; 3]> {
     let scene = shape.scene();
     let flat = |plane: &[usize; 3]| {
@@ -124,7 +124,7 @@ fn lattice(side: u32) -> Shape {
     Shape { points, faces, supports }
 }
 
-/// Slices a shape by many sets of planes through its vertices, by exact signs, and some by broken ties.
+/// Slices a shape by many sets of planes through its vertices, under exact signs, and some under broken ties.
 fn check(shape: impl Fn(u64) -> Shape) {
     let mut wrong = Vec::new();
     let mut broken_ties = 0;
@@ -138,7 +138,7 @@ fn check(shape: impl Fn(u64) -> Shape) {
         };
         note("exact", &shape.sliced(&mut Exact.prepare(&scene, Off).unwrap(), &planes).unwrap());
         if planes.len() < 3 {
-            // Refused where an edge lies in a plane that has other vertices.
+            // The session refuses if an edge lies in a plane with other vertices.
             if let Ok(sliced) = shape.sliced(&mut Sos::default().prepare(&scene, Off).unwrap(), &planes) {
                 note("sos", &sliced);
                 broken_ties += 1;
@@ -159,7 +159,8 @@ fn lattices_by_planes_through_their_vertices() {
     check(|seed| lattice(1 + u32::try_from(seed % if predicament_effort::whole() { 3 } else { 2 }).unwrap()));
 }
 
-/// An open mesh whose faces nearly lie on each other: the border of a part comes to one constructed vertex more than once.
+/// Tests an open mesh whose faces nearly lie on each other: the border of a part visits one constructed vertex more
+/// than once.
 #[test]
 fn covers_of_borders_that_pass_a_vertex_twice_have_no_corner_twice() {
     let tiny = |x: f32| f64::from(x);
@@ -197,7 +198,7 @@ fn covers_of_borders_that_pass_a_vertex_twice_have_no_corner_twice() {
     assert!(covers > 0);
 }
 
-/// Signs by a hash of the question; every point is constructed.
+/// A session whose signs come from a hash of the question; it constructs every point.
 struct Whim {
     scene: Scene,
     seed: u64,

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that the signs, or the loops, break.
+    /// An invariant that the signs or the loops break.
     pub enum Contradiction {
         NoArea: "a face has area in a plane", "a face has no area in any coordinate plane";
         Hole: "a hole can be joined to a vertex on its left", "a hole cannot be joined to a vertex on its left";

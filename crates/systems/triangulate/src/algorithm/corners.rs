@@ -1,8 +1,8 @@
 //! The corners of all loops, linked, in the order of the sweep.
 //!
-//! Corners at one place are told apart here: consecutive ones become one, and where loops touch in a point, the links are
-//! changed so that each walk follows the boundary of one part of the inside. After that, the sectors of the inside that
-//! corners at one place have do not overlap.
+//! This module separates corners at one position. Consecutive corners at one position are merged. Where loops touch in
+//! a point, the links change so that each walk follows the boundary of one part of the inside. Afterwards the sectors
+//! of the inside at one position do not overlap.
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
@@ -13,28 +13,28 @@ use predicament_grid::sort::sort_by_sign;
 /// The corners of all loops.
 pub(super) struct Corners {
     pub vertex: Vec<Vertex>,
-    /// The next corner of the walk; [`NONE`] for corners that were taken out.
+    /// The next corner of the walk; [`NONE`] for removed corners.
     pub next: Vec<u32>,
     pub previous: Vec<u32>,
-    /// The place of each corner in the order of the sweep; equal where the vertices are at one place.
+    /// The rank of each corner in the order of the sweep; vertices at one position have equal ranks.
     pub rank: Vec<u32>,
     /// All corners in the order of the sweep.
     pub order: Vec<u32>,
 }
 
-/// One end of an edge, as it is seen from a place.
+/// An edge's end at a position, as the edge is seen from there.
 #[derive(Clone, Copy)]
 struct Direction {
-    /// The corner at the place.
+    /// The corner at the position.
     corner: u32,
     /// The corner at the other end.
     far: u32,
-    /// Whether the edge leaves the place.
+    /// True if the edge leaves the position.
     leaves: bool,
 }
 
 impl Corners {
-    /// The corners of these loops in the order of the sweep, linked as the loops are.
+    /// Sorts the corners of the loops in the order of the sweep, and links them as the loops do.
     pub fn new<P: Predicates + ?Sized>(view: &View<'_, P>, loops: &[Vec<Vertex>]) -> Corners {
         let all: usize = loops.iter().map(Vec::len).sum();
         let mut vertex = Vec::with_capacity(all);
@@ -50,22 +50,22 @@ impl Corners {
         Corners { vertex, next, previous, rank, order }
     }
 
-    /// Whether two corners are at one place.
+    /// True if two corners are at one position.
     pub fn has_repeats(&self) -> bool {
         self.order.last().is_some_and(|&last| self.rank[last as usize] as usize + 1 < self.order.len())
     }
 
-    /// Whether the corner is in a walk.
+    /// True if the corner is in a walk.
     pub fn is_linked(&self, corner: u32) -> bool {
         self.next[corner as usize] != NONE
     }
 
-    /// The corners at each place, in the order of the sweep.
+    /// The corners at each position, in the order of the sweep.
     pub fn places(&self) -> impl Iterator<Item = &[u32]> {
         self.order.chunk_by(|&a, &b| self.rank[a as usize] == self.rank[b as usize])
     }
 
-    /// Whether the second corner comes after the first one in the sweep.
+    /// True if corner `a` comes strictly before corner `b` in the sweep.
     #[inline]
     pub fn is_before(&self, a: u32, b: u32) -> bool {
         self.rank[a as usize] < self.rank[b as usize]
@@ -81,8 +81,8 @@ impl Corners {
         self.next[corner as usize] = NONE;
     }
 
-    /// Makes one corner of those that follow each other at one place. The triangles between them have no area, which
-    /// is no one's fault: an edge without length is a side of one.
+    /// Merges consecutive corners at one position. The triangles between them have no area. They are not a flaw: an
+    /// edge without length is a side of each.
     pub fn join_repeats(&mut self, out: &mut Output) {
         for corner in 0..number(self.vertex.len()) {
             while self.is_linked(corner) {
@@ -101,7 +101,7 @@ impl Corners {
         }
     }
 
-    /// Links the corners at each place so that no two sectors of the inside overlap.
+    /// Links the corners at each position so that no two sectors of the inside overlap.
     pub fn untangle<P: Predicates + ?Sized>(&mut self, view: &View<'_, P>, out: &mut Output) {
         let linked = |place: &[u32]| place.iter().copied().filter(|&corner| self.is_linked(corner)).collect();
         let places: Vec<Vec<u32>> = self.places().filter(|place| place.len() > 1).map(linked).collect();
@@ -119,7 +119,8 @@ impl Corners {
         }
         let center = self.vertex[corners[0] as usize];
         sort_by_sign(&mut around, |a, b| self.order_around(view, center, a, b));
-        // A sector of the inside begins at an edge that leaves, and ends at the next one that comes, counterclockwise.
+        // Counterclockwise, a sector of the inside begins at an edge that leaves, and ends at the next edge that
+        // arrives.
         let Some(first) = around.iter().position(|direction| direction.leaves) else { return };
         around.rotate_left(first);
         let (pairs, _) = around.as_chunks::<2>();
@@ -127,22 +128,22 @@ impl Corners {
             out.broken(Contradiction::Place);
             return;
         }
-        // The corner that keeps each edge that comes, and the corner whose edge follows.
+        // Each pair: the corner that keeps the arriving edge, and the corner whose leaving edge follows it.
         let turns: Vec<[u32; 2]> = pairs.iter().map(|[from, to]| [to.corner, from.corner]).collect();
         let after: Vec<u32> = pairs.iter().map(|[from, _]| from.far).collect();
         for (&[comes, leaves], &far) in turns.iter().zip(&after) {
             if comes == leaves {
                 continue;
             }
-            // Where both corners are different vertices, an edge without length joins them.
+            // If the corners are different vertices, an edge without length joins them.
             out.flat([comes, leaves, far].map(|corner| self.vertex[corner as usize]));
             self.link(comes, far);
         }
         self.close_gaps(&turns, out);
     }
 
-    /// Edges without length between the vertices at one place make cycles: those of two edges are closed, all others
-    /// bound a polygon without area.
+    /// Fills the cycles of edges without length between the vertices at one position. A cycle of two edges is already
+    /// closed; any longer cycle bounds a polygon without area.
     fn close_gaps(&self, turns: &[[u32; 2]], out: &mut Output) {
         let mut done = vec![false; turns.len()];
         for start in 0..turns.len() {
@@ -160,7 +161,7 @@ impl Corners {
         }
     }
 
-    /// Which direction comes first, counterclockwise from straight down.
+    /// The order of two directions, counterclockwise from straight down.
     fn order_around<P: Predicates + ?Sized>(
         &self,
         view: &View<'_, P>,
@@ -176,7 +177,7 @@ impl Corners {
         }
         let [u, v] = [a, b].map(|direction| self.vertex[direction.far as usize]);
         match view.turn(center, u, v) {
-            // Two parts of the inside have this edge in common: one ends here, then the other one begins.
+            // Two parts of the inside have this edge in common: one part ends here, then the other begins.
             Sign::Zero if a.leaves != b.leaves => {
                 if a.leaves {
                     Sign::Positive
@@ -189,7 +190,7 @@ impl Corners {
     }
 }
 
-/// The place of each vertex in the order of the sweep; equal where vertices are at one place.
+/// The rank of each vertex in the order of the sweep; vertices at one position have equal ranks.
 pub(super) fn ranks<P: Predicates + ?Sized>(view: &View<'_, P>, vertices: &[Vertex]) -> Vec<u32> {
     rank(view, vertices, &sorted(view, vertices))
 }
@@ -205,7 +206,7 @@ fn rank<P: Predicates + ?Sized>(view: &View<'_, P>, vertices: &[Vertex], order: 
     rank
 }
 
-/// All corners in the order of the sweep: by coordinates as they are first, then by signs.
+/// All corners in the order of the sweep: sorted by input coordinates first, then by signs.
 fn sorted<P: Predicates + ?Sized>(view: &View<'_, P>, vertices: &[Vertex]) -> Vec<u32> {
     let scene = view.session.scene();
     let key = |v: Vertex| match v.is_constructed() {

@@ -1,7 +1,8 @@
-//! Ear clipping on a half-edge mesh, holes joined by auxiliary edges.
+//! Ear clipping on a half-edge mesh; auxiliary edges join holes to their surroundings.
 //!
-//! An ear is a convex corner with no other vertex in its closed triangle. Only corners that are not convex need to be
-//! looked at: where any vertex is in the triangle, one of them is. A corner that is no ear waits for the one that blocks it.
+//! An ear is a convex corner with no other vertex in its closed triangle. Only corners that are not convex need a test:
+//! if the triangle holds any vertex, it also holds a corner that is not convex. A corner that is not an ear waits for
+//! the corner that blocks it.
 
 use std::collections::VecDeque;
 
@@ -13,14 +14,14 @@ use super::reflex::Reflex;
 use super::view::View;
 use super::{Contradiction, NONE, Output, number, sweep};
 
-/// A walk along the boundary of the inside.
+/// A walk: a cycle of linked corners along the boundary of the inside.
 struct Walk {
     corners: Vec<u32>,
-    /// The corner at which it divides the inside, where it is a hole.
+    /// For a hole: the corner at which the walk divides the inside in the sweep.
     split: Option<u32>,
 }
 
-/// Triangulates what the walks bound.
+/// Triangulates the region that the walks bound.
 pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
     let mut walks = walks(corners, out);
     let splits = if walks.len() > 1 { sweep::splits(view, corners, out) } else { Vec::new() };
@@ -69,11 +70,11 @@ fn walks(corners: &Corners, out: &mut Output) -> Vec<Walk> {
     walks
 }
 
-/// All walks as a mesh; each corner is a vertex of it.
+/// All walks as one mesh; each corner is a mesh vertex.
 struct Joined<'a, P: ?Sized> {
     view: &'a View<'a, P>,
     mesh: HalfEdgeMesh,
-    /// The face of each walk: what an outer one bounds, or what is in a hole.
+    /// The mesh face of each walk: the region inside an outer walk, or the region inside a hole.
     faces: Vec<Face>,
     /// The mesh vertex of each corner.
     at: Vec<Option<MeshVertex>>,
@@ -88,7 +89,7 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         let mut start = 0;
         for walk in walks {
             let end = start + number(walk.corners.len());
-            // What is in a hole lies on the other side; the boundary of the mesh then is the hole's walk.
+            // The inside of a hole lies on the other side; then the boundary of the mesh is the hole's walk.
             match walk.split {
                 None => faces.push(start..end),
                 Some(_) => faces.push((start..end).rev()),
@@ -104,7 +105,7 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         Some(Joined { view, faces: mesh.faces().collect(), mesh, at, corner_of })
     }
 
-    /// Joins a hole to what is around it.
+    /// Joins a hole to the region around it with an auxiliary edge.
     fn join(&mut self, split: u32, seen: u32, out: &mut Output) {
         let half_edges = self.at[split as usize].zip(self.at[seen as usize]).and_then(|(v, r)| {
             let hole = self.mesh.ring(v).find(|&h| self.mesh.is_boundary(h))?;
@@ -118,7 +119,7 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         }
     }
 
-    /// Whether a vertex is in the sector of the corner at the end of a half-edge.
+    /// True if a vertex is in the sector of the corner at the end of a half-edge.
     fn faces_toward(&self, h: HalfEdge, v: Vertex) -> bool {
         let corner = [self.mesh.start(h), self.mesh.end(h), self.mesh.end(self.mesh.next(h))];
         let [a, b, c] = corner.map(|v| self.mesh.scene_vertex(v));
@@ -130,26 +131,26 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
     }
 }
 
-/// A face while its ears are cut off.
+/// A face during ear clipping.
 struct Ears<'a, 'b, P: ?Sized> {
     view: &'a View<'a, P>,
     mesh: &'b mut HalfEdgeMesh,
     /// The half-edge of the face that ends at each corner.
     half_edge: Vec<HalfEdge>,
     vertex: Vec<Vertex>,
-    /// The places along both axes.
+    /// The ranks along both axes.
     ranks: Vec<[u32; 2]>,
     next: Vec<u32>,
     previous: Vec<u32>,
     /// The corners that are not convex.
     is_reflex: Vec<bool>,
     reflex: Reflex,
-    /// Corners that may be ears.
+    /// Candidate ears.
     queue: VecDeque<u32>,
     is_queued: Vec<bool>,
-    /// For each corner the last one that waits for it, as a place in the list of all that wait.
+    /// For each corner, the last corner that waits for it, as an index into `waits`.
     waiting: Vec<u32>,
-    /// A corner, and the place of another one that waits for the same.
+    /// A waiting corner, and the index of another corner that waits for the same blocker.
     waits: Vec<[u32; 2]>,
     left: usize,
 }
@@ -244,7 +245,8 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         }
     }
 
-    /// A corner that is not convex in the closed triangle of a corner and its neighbours, at no place of theirs.
+    /// A corner that is not convex and lies in the closed triangle of a corner and its neighbours, at a position
+    /// different from theirs.
     fn blocker(&mut self, corner: u32) -> Option<u32> {
         let ear = self.around(corner);
         let [a, b, c] = ear.map(|corner| self.vertex[corner as usize]);
@@ -272,7 +274,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         })
     }
 
-    /// Cuts a corner off; whether the mesh took it.
+    /// Cuts a corner off; returns true if the mesh accepts the cut.
     fn cut(&mut self, corner: u32, out: &mut Output) -> bool {
         let [a, b, c] = self.around(corner);
         let Ok(rest) = self.mesh.cut_ear(self.half_edge[a as usize]) else { return false };
@@ -292,7 +294,7 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         true
     }
 
-    /// A corner that blocks nothing any more: those that wait for it are tried again.
+    /// Marks a corner that no longer blocks anything, and enqueues the corners that wait for it.
     fn release(&mut self, corner: u32) {
         if std::mem::take(&mut self.is_reflex[corner as usize]) {
             let mut at = std::mem::replace(&mut self.waiting[corner as usize], NONE);
@@ -304,8 +306,9 @@ impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
         }
     }
 
-    /// Goes on where no corner is an ear: at an edge that another vertex is on, with a triangle without area; else as
-    /// signs are wrong, with any corner. Returns a corner near it, or none where the mesh takes none.
+    /// Cuts some corner where no corner is an ear, and returns a corner near it. If a vertex is on an edge, this cuts a
+    /// triangle without area; otherwise signs are wrong, and any corner will do. Returns `None` if the mesh accepts no
+    /// cut.
     fn without_ears(&mut self, near: u32, out: &mut Output) -> Option<u32> {
         let first = if self.next[near as usize] == NONE {
             (0..).zip(&self.next).find(|(_, next)| **next != NONE).map(|(corner, _)| corner)?

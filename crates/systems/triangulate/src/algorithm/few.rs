@@ -1,21 +1,24 @@
-//! Ear clipping of one short loop, without an order of its vertices and without a mesh.
+//! Ear clipping of one short loop, without sorting its vertices and without a mesh.
 //!
-//! The same ears in the same order as in `ears.rs`, but for which corner one waits for that several are in the way of. The order along
-//! both axes only saves turns there, and tells vertices apart that are at one place: without it, that is left to others. So nothing is answered where three vertices have no turn and are not known to be in
-//! line, as those at one place haven't, and where no corner is an ear.
+//! The ears and their order are those of `ears.rs`, except in the choice of the blocker that a corner waits for when
+//! several block it. In `ears.rs` the order along both axes only saves turns and separates vertices at one position.
+//! This module has no such order and returns no answer in two cases: if three vertices have a turn of zero and are not
+//! known to be in line (for example, vertices at one position), and if no corner is an ear.
 //!
-//! A convex loop of n vertices takes n turns, where an order along both axes takes some 4·n comparisons at least.
+//! A convex loop of n vertices takes n turns; an order along both axes takes at least about 4·n comparisons.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::view::View;
 
-/// The most vertices of a loop.
+/// The maximum number of vertices of a loop.
 pub const MOST: usize = 24;
 
-/// Triangles of the inside of one simple loop, by [`Ears`](super::Method::Ears) as [`triangulate`](super::triangulate()) has them; none
-/// where that takes more than turns to tell: in a loop of more than [`MOST`] vertices, or of less than three, or that comes to a vertex
-/// again, where vertices have no turn that are not `in_line`, and where no corner is an ear.
+/// Triangulates the inside of one simple short loop as [`triangulate`](super::triangulate()) with the method
+/// [`Ears`](super::Method::Ears) does, from turns alone.
+///
+/// Returns `None` if turns are not enough: if the loop has more than [`MOST`] vertices, fewer than three, or a vertex
+/// twice; if a turn is zero for vertices that are not `in_line`; or if no corner is an ear.
 #[must_use]
 pub fn triangulate_few<P: Predicates + ?Sized>(
     session: &P,
@@ -29,7 +32,7 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
     if !(3..=MOST).contains(&count) || !(1..count).all(is_new) {
         return None;
     }
-    // In the order in which the half-edges of a mesh end: that from the first vertex to the second is its first one.
+    // The order in which the half-edges of a mesh end: its first half-edge goes from the first vertex to the second.
     let vertices: SmallLoop = std::array::from_fn(|at| vertices[(at + 1) % count]);
     let view = View::new(session, plane, reversed);
     let turn = |a: usize, b: usize, c: usize| match view.turn(vertices[a], vertices[b], vertices[c]) {
@@ -46,7 +49,7 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
         }
     }
     let mut triangles = Vec::with_capacity(count - 2);
-    // For each corner those that it is in the way of, the last one first.
+    // Pairs of a blocker and a corner that waits for it, in the order of waiting.
     let mut waiting: Vec<[usize; 2]> = Vec::new();
     while ears.left > 3 {
         let at = ears.next_in_queue()?;
@@ -93,15 +96,15 @@ pub fn triangulate_few<P: Predicates + ?Sized>(
 
 type SmallLoop = [Vertex; MOST];
 
-/// What is left of a loop.
+/// A loop during ear clipping.
 struct Ears {
     next: [u8; MOST],
     previous: [u8; MOST],
     left: usize,
     is_cut: u32,
-    /// The corners that are not convex.
+    /// The corners that are not convex, as bits.
     is_reflex: u32,
-    /// Corners that may be ears, in a ring, each once.
+    /// Candidate ears, in a ring, each once.
     queue: [u8; MOST],
     first: usize,
     queued: usize,
@@ -157,7 +160,7 @@ impl Ears {
     }
 }
 
-/// A place among at most [`MOST`].
+/// An index below [`MOST`] as a byte.
 fn small(at: usize) -> u8 {
     u8::try_from(at).unwrap_or(0)
 }

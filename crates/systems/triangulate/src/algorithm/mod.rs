@@ -1,40 +1,41 @@
-//! Triangles of polygons with holes, by ear clipping and by a plane sweep.
+//! Triangulation of polygons with holes, by ear clipping and by a plane sweep.
 //!
 //! A polygon is a set of loops of vertices, seen in a coordinate plane. The inside is on the left of every loop: outer
-//! loops are counterclockwise, holes clockwise, and islands in holes are outer loops again. Loops that come in any
-//! orientation are turned by [`oriented`] first, which finds how they nest. A polygon in space is seen in a coordinate plane
-//! that [`projection`] chooses.
+//! loops are counterclockwise, holes clockwise, and islands in holes are outer loops again. [`oriented`] turns loops of
+//! any orientation; it finds how the loops nest. [`projection`] chooses the coordinate plane for a polygon in space.
 //!
-//! Vertices may be constructed ones: only `compare` and `orient2d` are asked. Coordinates of input vertices serve to put
-//! them in order before signs do, and to find vertices near an ear.
+//! Vertices may be constructed: the only predicates are `compare` and `orient2d`. Coordinates of input vertices serve
+//! to sort them before signs do, and to find vertices near an ear.
 //!
 //! # What is allowed
-//! * Loops may touch in vertices, themselves or others, whether the vertex is the same or another one at the same place. The
-//!   links between corners at one place are changed so that each walk follows one part of the inside.
+//! * Loops may touch in vertices: another loop or themselves, in the same vertex or in different vertices at one
+//!   position. The links between corners at one position change so that each walk follows one part of the inside.
 //! * Two loops may have an edge in common, one on each side of it.
-//! * A vertex may be on an edge of another loop, or of the same.
+//! * A vertex may be on an edge of another loop, or of the same loop.
 //! * Vertices may be repeated in a row, and be in line.
 //! * Loops must not cross.
 //!
 //! # What is made
 //! Each triangle is counterclockwise, as the loops are. A loop's edge is the side of one triangle, in the loop's
-//! direction; any other side of a triangle is that of another one in the other direction. So there are n + 2h − 2c triangles for n
-//! vertices, h holes and c outer loops, and two fewer for each loop more that passes through one vertex from inside another.
+//! direction. Any other side of a triangle is also a side of another triangle, in the other direction. So there are n +
+//! 2h − 2c triangles for n vertices, h holes and c outer loops, and two fewer for each further loop that passes through
+//! one vertex from inside another loop.
 //!
 //! # Zero
-//! Order along the sweep: by the first coordinate, then by the second; what is still equal is at one place. So no edge is
-//! vertical. Three vertices in line make no ear and are not cut off from a chain. A triangle has no area only
-//! * at an edge whose ends are at one place, and where loops touch in different vertices at one place: an edge without
-//!   length is a side of it;
+//! The order along the sweep is by the first coordinate, then by the second; vertices that are still equal are at one
+//! position. So no edge is vertical. Three vertices in line are not an ear, and the sweep does not cut them off a
+//! chain. A triangle has no area in two cases only:
+//! * at an edge whose ends are at one position, and where loops touch in different vertices at one position: an edge
+//!   without length is a side of the triangle;
 //! * where a vertex is on an edge: the edge and that vertex make the triangle.
 //!
-//! A corner on an edge's line is on the side on which its neighbours are. Sessions that never say zero take the same way; for
-//! them a loop that touches another one may cross it, and what comes then is said by `broken`, or by the triangles.
+//! A corner on an edge's line counts as on the side of its neighbours. Sessions that never return zero run the same
+//! code. Under such a session, a loop that touches another loop may cross it; then `broken`, or the triangles, show it.
 //!
 //! # Wrong signs
-//! Each loop of the program is bounded by a number that follows from the input. The sweep makes triangles with the right
-//! sides whatever it is told, but they may overlap. The first rule that signs break is named by
-//! [`Triangulation::broken`].
+//! A number that follows from the input bounds each loop of the program. The sweep makes triangles with the right sides
+//! whatever the signs are, but the triangles may overlap. [`Triangulation::broken`] names the first rule that signs
+//! break.
 
 mod contradiction;
 mod corners;
@@ -56,29 +57,29 @@ pub use projection::projection;
 use corners::Corners;
 use view::View;
 
-/// The number that names nothing.
+/// The index that refers to nothing.
 const NONE: u32 = u32::MAX;
 
-/// How a polygon is triangulated.
+/// The method of triangulation.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Method {
-    /// Ears are cut off one after the other, holes joined by auxiliary edges first: quadratic at worst.
+    /// Ear clipping, after auxiliary edges have joined the holes: quadratic at worst.
     Ears,
-    /// Monotone chains are cut up during a plane sweep: n·log n.
+    /// A plane sweep that cuts up monotone chains: n·log n.
     #[default]
     Monotone,
 }
 
-/// Triangles of a polygon.
+/// The triangles of a polygon.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Triangulation {
-    /// By the vertices of the loops, counterclockwise in the plane as it is seen.
+    /// The triangles as vertices of the loops, counterclockwise in the plane as it is seen.
     pub triangles: Vec<[Vertex; 3]>,
-    /// The first rule that the signs, or the loops, have broken.
+    /// The first rule that the signs or the loops break.
     pub broken: Option<Contradiction>,
 }
 
-/// Where triangles go.
+/// The triangles and the first broken rule, while an algorithm runs.
 #[derive(Default)]
 struct Output {
     made: Triangulation,
@@ -89,7 +90,7 @@ impl Output {
         self.made.triangles.push(triangle);
     }
 
-    /// A triangle without area; where two corners are one vertex, it has no sides either.
+    /// Adds a triangle without area; if two of its corners are one vertex, it has no sides either.
     fn flat(&mut self, [a, b, c]: [Vertex; 3]) {
         if a != b && b != c && a != c {
             self.triangle([a, b, c]);
@@ -101,8 +102,8 @@ impl Output {
     }
 }
 
-/// Triangulates what the loops bound in a coordinate plane: `Plane::Xy` of a 2D scene, any of a 3D scene. `reversed` says
-/// that what is counterclockwise in the plane is clockwise as seen from outside.
+/// Triangulates the region that the loops bound in a coordinate plane: `Plane::Xy` of a 2D scene, any plane of a 3D
+/// scene. `reversed` means that counterclockwise in the plane is clockwise as seen from outside.
 ///
 /// The inside is on the left of every loop, as seen from outside. The triangles have the loops' direction.
 pub fn triangulate<P: Predicates + ?Sized>(
@@ -123,7 +124,7 @@ pub fn triangulate<P: Predicates + ?Sized>(
     out.made
 }
 
-/// The corners of all loops, those at one place untangled; none where they cannot be numbered.
+/// The corners of all loops, untangled at each position; `None` if there are too many to number.
 fn corners<P: Predicates + ?Sized>(view: &View<'_, P>, loops: &[Vec<Vertex>], out: &mut Output) -> Option<Corners> {
     let is_short = |one: &Vec<Vertex>| one.len() < 3;
     if loops.iter().any(is_short) {
@@ -146,7 +147,7 @@ fn corners<P: Predicates + ?Sized>(view: &View<'_, P>, loops: &[Vec<Vertex>], ou
     Some(corners)
 }
 
-/// A place in an array as it is stored: there are fewer than 2^32 of anything here.
+/// An index as it is stored: all counts here are below 2^32.
 fn number(place: usize) -> u32 {
     u32::try_from(place).unwrap_or(NONE)
 }

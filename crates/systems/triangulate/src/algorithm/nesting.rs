@@ -1,4 +1,4 @@
-//! How loops nest, by a sweep that does not know their orientation.
+//! Nesting of loops, by a sweep that does not know their orientation.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
@@ -8,8 +8,9 @@ use super::view::View;
 use super::{NONE, Output};
 use predicament_grid::status::Status;
 
-/// The loops with the inside on their left, as [`triangulate`](super::triangulate) takes them: a point is inside where an
-/// odd number of loops is around it. Loops may touch as they may there, and come in any orientation.
+/// Returns the loops with the inside on their left, as [`triangulate`](super::triangulate) takes them. A point is
+/// inside if an odd number of loops surrounds it. Loops may touch as in [`triangulate`](super::triangulate), and have
+/// any orientation.
 pub fn oriented<P: Predicates + ?Sized>(
     session: &P,
     plane: Plane,
@@ -18,7 +19,7 @@ pub fn oriented<P: Predicates + ?Sized>(
 ) -> Vec<Vec<Vertex>> {
     let mut turned = loops.to_vec();
     if let [one] = turned.as_mut_slice() {
-        // Its first corner is enough.
+        // A single loop's first corner is enough.
         let wrong = if reversed { Sign::Positive } else { Sign::Negative };
         if turn_at_first_place(session, plane, loops) == wrong {
             one.reverse();
@@ -44,12 +45,12 @@ pub fn oriented<P: Predicates + ?Sized>(
     turned
 }
 
-/// The sweep over all edges, upper and lower ones alike.
+/// The sweep over all edges, upper and lower edges alike.
 struct Nesting<'a, P: ?Sized> {
     view: &'a View<'a, P>,
     corners: &'a Corners,
     loop_of: Vec<u32>,
-    /// Whether the loop goes the wrong way; none until its first corner has come.
+    /// For each loop, true if its direction is wrong; `None` until the sweep reaches its first corner.
     turned: Vec<Option<bool>>,
     status: Status,
 }
@@ -63,7 +64,7 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
         Nesting { view, corners, loop_of, turned: vec![None; ends.len()], status: Status::default() }
     }
 
-    /// For each loop whether it goes the wrong way.
+    /// For each loop, true if its direction is wrong.
     fn turned(mut self) -> Vec<bool> {
         let corners = self.corners;
         let mut inserted = vec![false; corners.vertex.len()];
@@ -88,7 +89,8 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
         self.turned.into_iter().map(|turned| turned.unwrap_or_default()).collect()
     }
 
-    /// The edges at a corner that go on to the right, by the corners at which they begin: that before it and that after.
+    /// The edges that a corner begins on its right, as the corners at which they begin: the edge before it and the edge
+    /// after it.
     fn edges_to_the_right(&self, corner: u32) -> [u32; 2] {
         let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
         let before_edge = if self.corners.is_before(corner, before) { before } else { NONE };
@@ -96,7 +98,7 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
         [before_edge, after_edge]
     }
 
-    /// Removes what ends at a corner.
+    /// Removes the edges that end at a corner.
     fn leave_left(&mut self, corner: u32, inserted: &mut [bool]) {
         let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
         for (edge, far) in [(before, before), (corner, after)] {
@@ -106,7 +108,7 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
         }
     }
 
-    /// Whether an edge that begins at a corner, on the right of it, is above another edge.
+    /// True if an edge that begins at a corner, on its right, is above another edge.
     fn is_above(&self, other: u32, edge: u32, corner: u32) -> bool {
         let far = if edge == corner { self.corners.next[edge as usize] } else { edge };
         let ends = [other, self.corners.next[other as usize]];
@@ -116,14 +118,14 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
             let [a, b, c] = [left, right, c].map(|corner| self.corners.vertex[corner as usize]);
             self.view.turn(a, b, c)
         };
-        // Of an edge that two loops have in common, that of the upper loop is above.
+        // If two loops have an edge in common, the edge of the upper loop is above.
         let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
         let sibling = if far == after { before } else { after };
         let mut sides = [corner, far, sibling].into_iter().map(side);
         sides.find(|sign| *sign != Sign::Zero) == Some(Sign::Positive)
     }
 
-    /// At the first corner of a loop, by what is below it, whether the loop goes the wrong way.
+    /// Decides at a loop's first corner, from the edges below it, whether the loop has the wrong direction.
     fn decide(&mut self, corner: u32) {
         let one = self.loop_of[corner as usize] as usize;
         let edges = self.edges_to_the_right(corner);
@@ -131,7 +133,7 @@ impl<'a, P: Predicates + ?Sized> Nesting<'a, P> {
             return;
         }
         let [before, after] = edges.map(|edge| self.status.count_below(edge));
-        // The lower edge of an outer loop goes to the right, and has an even number of edges below.
+        // The lower edge of an outer loop goes to the right, and an even number of edges is below it.
         let is_outer = before.min(after).is_multiple_of(2);
         self.turned[one] = Some((after < before) != is_outer);
     }

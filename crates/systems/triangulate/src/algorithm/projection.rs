@@ -1,16 +1,16 @@
-//! In which coordinate plane a face in space is seen.
+//! The choice of the coordinate plane in which a face in space is seen.
 
 use predicament_predicates::{Dimension, Plane, Predicates, Sign, Vertex};
 
 use super::view::View;
 
-/// A coordinate plane in which what the loops bound has area, and whether it is reversed there: whether outer loops are
-/// clockwise. None where there is no such plane: all vertices are in line.
+/// A coordinate plane in which the region of the loops has area, and true if the plane is reversed: if outer loops are
+/// clockwise there. Returns `None` if all vertices are in line: then every such area is zero.
 ///
-/// Of the planes in which the turn at an extreme corner is not zero, the first one of those that show the face largest
-/// in coordinates, where all its vertices have some; else the first one of all. Sessions that never say zero need the
-/// coordinates: for them every plane has a turn at every corner. Of constructed vertices they can tell nothing; take the plane
-/// from what defines the vertices.
+/// Candidates are the planes in which the turn at an extreme corner is not zero. If all vertices of the face have
+/// coordinates, the result is the first candidate with the largest area in coordinates; otherwise it is the first
+/// candidate. Sessions that never return zero need the coordinates: under them every plane has a turn at every corner.
+/// They cannot choose a plane for constructed vertices; take the plane from the vertices' definitions.
 pub fn projection<P: Predicates + ?Sized>(session: &P, loops: &[Vec<Vertex>]) -> Option<(Plane, bool)> {
     let mut planes = [Plane::Xy, Plane::Yz, Plane::Zx];
     if session.scene().dimension() == Dimension::Two {
@@ -27,7 +27,7 @@ pub fn projection<P: Predicates + ?Sized>(session: &P, loops: &[Vec<Vertex>]) ->
     })
 }
 
-/// Twice the area of the loops in a coordinate plane, rounded: to choose a plane, not to decide anything.
+/// Twice the area of the loops in a coordinate plane, rounded. It serves to choose a plane, not to decide anything.
 fn area<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]) -> f64 {
     let point = |v: Vertex| session.scene().point2(plane, v);
     let Some([x, y]) = loops.iter().flatten().next().map(|&v| point(v)) else { return 0.0 };
@@ -42,15 +42,15 @@ fn area<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]
     loops.iter().map(loop_area).sum()
 }
 
-/// The orientation of the outer loops: the turn from the last to the first edge around the first place of the sweep,
-/// positive where the first edge, counterclockwise, leaves it.
+/// The orientation of the outer loops: the turn from the last to the first edge around the first position of the sweep.
+/// It is positive if the first edge, counterclockwise, leaves that position.
 pub(super) fn turn_at_first_place<P: Predicates + ?Sized>(session: &P, plane: Plane, loops: &[Vec<Vertex>]) -> Sign {
     let view = View::new(session, plane, false);
     let all = || loops.iter().flatten().copied();
     let Some(first) = all().reduce(|a, b| if view.order(b, a) == Sign::Negative { b } else { a }) else {
         return Sign::Zero;
     };
-    // The edges at this place: the vertex at the other end, and whether the edge leaves.
+    // The edges at this position: the vertex at the other end, and true if the edge leaves.
     let mut edges: Vec<(Vertex, bool)> = Vec::new();
     for one in loops {
         for at in 0..one.len() {

@@ -1,20 +1,20 @@
-//! The corners that are not convex, by their places in two orders: to find those in an ear.
+//! A grid of the corners that are not convex, to find those in an ear.
 //!
-//! A grid of numbers and not of coordinates: the sweep's order along each axis. It has as many cells as corners, and it
-//! serves constructed vertices as well.
+//! The grid's coordinates are the ranks of the sweep along each axis. It has as many cells as corners, and it serves
+//! constructed vertices as well.
 
 /// Corners in cells, by their ranks along both axes.
 pub(super) struct Reflex {
     side: u64,
-    /// The ranks along each axis are below this.
+    /// An upper bound on the ranks along each axis.
     ranks: u64,
-    /// The first place and the number of the entries of each cell.
+    /// The first index and the number of the entries of each cell.
     cells: Vec<[u32; 2]>,
     entries: Vec<u32>,
 }
 
 impl Reflex {
-    /// These corners, each with its ranks along both axes.
+    /// Builds the grid of corners, each with its ranks along both axes.
     pub fn new(corners: &[(u32, [u32; 2])]) -> Reflex {
         let side = (corners.len() as u64).isqrt().max(1);
         let ranks = 1 + corners.iter().flat_map(|(_, ranks)| ranks).copied().max().map_or(0, u64::from);
@@ -44,8 +44,8 @@ impl Reflex {
         usize::try_from(y * self.side + x).unwrap_or(usize::MAX)
     }
 
-    /// The first corner with ranks in these ranges of which `blocks` is true. Corners of which it is none any more are
-    /// forgotten.
+    /// The first corner with ranks in these ranges for which `blocks` returns true. A corner for which it returns
+    /// `None` is removed: it is convex by now.
     pub fn find(&mut self, ranges: [[u32; 2]; 2], mut blocks: impl FnMut(u32) -> Option<bool>) -> Option<u32> {
         let [[left, right], [bottom, top]] = ranges.map(|range| range.map(|rank| self.step(rank)));
         for y in bottom..=top {

@@ -1,13 +1,14 @@
-//! The plane sweep: triangles at once, without pieces in between.
+//! The plane sweep: it makes triangles directly, without intermediate monotone pieces.
 //!
-//! Between the edges that the sweep line crosses lie regions of the inside. Each knows its lower and its upper edge, and
-//! the chain from the left end of the one to that of the other: what bounds the part that has no triangles yet on its
-//! left. Where a vertex comes at an end of the chain, triangles with it are cut off while the chain's corners are convex
-//! (Hertel and Mehlhorn 1983). Only a vertex with both of its edges on the right has to look for its region, by a search.
+//! Regions of the inside lie between the edges that the sweep line crosses. Each region knows its lower and its upper
+//! edge, and the chain from the left end of the lower edge to that of the upper edge. The chain bounds the part on its
+//! left that has no triangles yet. When a vertex arrives at an end of the chain, the sweep cuts off triangles with it
+//! while the chain's corners are convex (Hertel and Mehlhorn 1983). Only a vertex with both of its edges on the right
+//! needs a search for its region.
 //!
-//! Whatever the signs are, each edge bounds exactly one region, each region has a lower and an upper edge, and every event
-//! closes what it opens; so the triangles are always those of a surface with the right boundary. Signs decide only
-//! whether it is flat.
+//! Whatever the signs are, each edge bounds exactly one region, each region has a lower and an upper edge, and every
+//! event closes what it opens. So the triangles always form a surface with the right boundary. Signs decide only
+//! whether that surface is flat.
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
@@ -26,7 +27,7 @@ struct Region {
     low: u32,
     /// The upper end of the chain.
     high: u32,
-    /// The node of the chain that came last, which nothing hides from what comes next.
+    /// The newest node of the chain: nothing hides it from the next vertex in the region.
     last: u32,
 }
 
@@ -37,7 +38,7 @@ struct Node {
     down: u32,
 }
 
-/// What a corner is to the sweep, in the order in which those at one place are taken.
+/// The event at a corner; events at one position are processed in this order.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Event {
     /// Both edges end here.
@@ -46,9 +47,9 @@ enum Event {
     Lower,
     /// The upper edge of a region ends and the next one begins.
     Upper,
-    /// Both edges begin here, around the outside.
+    /// Both edges begin here, and the outside is between them.
     Split,
-    /// Both edges begin here, around the inside.
+    /// Both edges begin here, and the inside is between them.
     Start,
 }
 
@@ -62,18 +63,18 @@ pub(super) struct Sweep<'a, P: ?Sized> {
     /// The region that each edge bounds, by the corner at which the edge begins.
     region_of: Vec<u32>,
     status: Status,
-    /// Whether triangles are made.
+    /// True if the sweep makes triangles.
     cuts: bool,
-    /// For each splitting corner one that it sees, which came before it.
+    /// Pairs of a splitting corner and an earlier corner that it sees.
     splits: Vec<[u32; 2]>,
 }
 
-/// Triangulates what the walks bound.
+/// Triangulates the region that the walks bound.
 pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
     Sweep::new(view, corners, out, true).run();
 }
 
-/// For each corner at which a walk divides the inside, one that it sees and that came before it.
+/// Pairs of a corner at which a walk divides the inside, and an earlier corner that it sees.
 pub(super) fn splits<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) -> Vec<[u32; 2]> {
     let mut sweep = Sweep::new(view, corners, out, false);
     sweep.run();
@@ -140,8 +141,8 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.view.turn(a, b, c)
     }
 
-    /// The side of the edge that begins at a corner on which another corner is: positive on the left. Where that corner
-    /// is on the edge's line, its neighbours say it.
+    /// The side of the edge that begins at `edge` on which another corner lies: positive on the left. If the corner is
+    /// on the edge's line, its neighbours decide.
     fn side(&self, edge: u32, corner: u32) -> Sign {
         let [a, b] = [edge, self.corners.next[edge as usize]].map(|corner| self.vertex(corner));
         let [before, after] = [self.corners.previous[corner as usize], self.corners.next[corner as usize]];
@@ -150,12 +151,13 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         decided.next().unwrap_or(Sign::Zero)
     }
 
-    /// The region whose lower edge is the next one below a corner.
+    /// The region whose lower edge is the next edge below a corner.
     fn region_below(&self, corner: u32) -> Option<u32> {
         self.status.last_below(|region| self.side(self.regions[region as usize].lower, corner) == Sign::Positive)
     }
 
-    /// Whether a corner is below the upper edge of a region; along with [`Self::region_below`], whether it is inside.
+    /// True if a corner is below the upper edge of a region; together with [`Self::region_below`], true if it is
+    /// inside.
     fn is_below_upper(&self, region: u32, corner: u32) -> bool {
         // Upper edges go to the left.
         self.side(self.regions[region as usize].upper, corner) == Sign::Positive
@@ -171,7 +173,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.nodes[above as usize].down = below;
     }
 
-    /// A region between both edges of a corner on the right, above another region.
+    /// Opens a region between both edges of a corner on the right, above another region.
     fn open(&mut self, below: Option<u32>, corner: u32, chain: u32) -> u32 {
         let region = number(self.regions.len());
         let upper = self.corners.previous[corner as usize];
@@ -198,7 +200,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         };
         let Region { upper, high, last, .. } = self.regions[below as usize];
         self.splits.push([corner, self.nodes[last as usize].corner]);
-        // The chain is divided at its last corner, which then is in both parts.
+        // The chain is divided at its last corner, which then belongs to both parts.
         let above = self.nodes[last as usize].up;
         let copy = self.node(self.nodes[last as usize].corner);
         if above != NONE {
@@ -216,7 +218,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.push_low(new, corner);
     }
 
-    /// A split vertex that is in no region, as signs say: it starts one as any other vertex does.
+    /// Opens a region at a split vertex that is in no region according to the signs, as a start vertex does.
     fn start_inverted(&mut self, corner: u32) {
         let below = self.region_below(corner);
         let chain = self.node(corner);
@@ -238,7 +240,8 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.region_of[upper as usize] = region;
     }
 
-    /// Both edges of the corner are on the left: they bound one region, which ends, or two, which become one.
+    /// Processes a corner whose edges are both on the left: they bound one region, which ends, or two regions, which
+    /// merge.
     fn close(&mut self, corner: u32) {
         let above = self.region_of[self.corners.previous[corner as usize] as usize];
         let below = self.region_of[corner as usize];
@@ -255,7 +258,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.push_low(above, corner);
         let Region { upper, low, high, .. } = self.regions[above as usize];
         let node = self.regions[below as usize].high;
-        // One node for both of this corner.
+        // Both ends at this corner become one node.
         let up = self.nodes[low as usize].up;
         if up == NONE {
             self.regions[below as usize].high = node;
@@ -268,9 +271,9 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.region_of[upper as usize] = below;
     }
 
-    /// Cuts off triangles with a corner at the lower end of the chain, while their corners are convex; returns the lower
-    /// end of what is left. Up to the last corner of the chain, nothing is between it and the new corner: there even
-    /// triangles without area are cut off, which arise only where a vertex is on an edge.
+    /// Cuts off triangles with a corner at the lower end of the chain, while their corners are convex; returns the new
+    /// lower end. Up to the last corner of the chain, nothing is between it and the new corner. There even triangles
+    /// without area are cut off; they arise only where a vertex is on an edge.
     fn cut_low(&mut self, region: u32, corner: u32) -> u32 {
         let Region { mut low, last, .. } = self.regions[region as usize];
         let v = self.vertex(corner);
@@ -294,7 +297,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         }
     }
 
-    /// The same at the upper end.
+    /// Cuts off triangles at the upper end, as `cut_low` does at the lower end.
     fn cut_high(&mut self, region: u32, corner: u32) -> u32 {
         let Region { mut high, last, .. } = self.regions[region as usize];
         let v = self.vertex(corner);
@@ -318,7 +321,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         }
     }
 
-    /// Puts a corner at the lower end of a chain.
+    /// Appends a corner at the lower end of a chain.
     fn push_low(&mut self, region: u32, corner: u32) {
         let low = self.cut_low(region, corner);
         let node = self.node(corner);
@@ -332,7 +335,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         region.high = if self.cuts { high } else { node };
     }
 
-    /// Puts a corner at the upper end of a chain.
+    /// Appends a corner at the upper end of a chain.
     fn push_high(&mut self, region: u32, corner: u32) {
         let high = self.cut_high(region, corner);
         let node = self.node(corner);
@@ -347,7 +350,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         }
     }
 
-    /// Cuts up what is left of a region where it ends.
+    /// Triangulates the rest of a region at its last corner.
     fn finish(&mut self, region: u32, corner: u32) {
         let low = self.cut_low(region, corner);
         self.nodes[low as usize].down = NONE;
@@ -355,7 +358,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             return;
         }
         self.regions[region as usize].low = low;
-        // Where the last corner was cut off, all corners that are left are on the upper side.
+        // If the last corner was cut off, all remaining corners are on the upper side.
         self.regions[region as usize].last = low;
         let mut high = self.cut_high(region, corner);
         let v = self.vertex(corner);

@@ -6,7 +6,7 @@ use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 pub(super) struct View<'a, P: ?Sized> {
     pub session: &'a P,
     plane: Plane,
-    /// In the order of the sweep: exchanged where the plane is seen from behind.
+    /// The axes in the order of the sweep; exchanged if the plane is seen from behind.
     pub axes: [Axis; 2],
     reversed: bool,
 }
@@ -17,13 +17,13 @@ impl<'a, P: Predicates + ?Sized> View<'a, P> {
         View { session, plane, axes: if reversed { [second, first] } else { [first, second] }, reversed }
     }
 
-    /// The same with the axes exchanged in the order; turns stay as they are.
+    /// The same view with the axes exchanged in the order; turns do not change.
     pub fn across(&self) -> View<'a, P> {
         let [first, second] = self.axes;
         View { axes: [second, first], ..*self }
     }
 
-    /// The turn a, b, c as it is seen from this side; zero where two of them are one vertex.
+    /// The turn a, b, c as seen from this side; zero if two of them are one vertex.
     #[inline]
     pub fn turn(&self, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         if a == b || b == c || a == c {

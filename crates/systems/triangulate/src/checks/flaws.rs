@@ -1,4 +1,4 @@
-//! Triangles against the polygon that they should be of.
+//! Checks of triangles against the polygon that they must cover.
 
 use std::cmp::Ordering;
 
@@ -7,32 +7,32 @@ use rug::Integer;
 
 use super::Polygon;
 
-/// The most triangles of which all pairs are looked at.
+/// The maximum number of triangles for which all pairs are compared.
 const MOST_PAIRED: usize = 150;
 
-/// Whether triangles may be flat.
+/// The triangles that may be flat.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Flat {
     /// Only where loops touch.
     WhereLoopsTouch,
-    /// Anywhere: what is flat has area once it is perturbed.
+    /// Anywhere: a flat triangle has area once it is perturbed.
     Anywhere,
 }
 
-/// What is wrong with a triangulation.
+/// A flaw of a triangulation.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Flaw {
     /// The name of the check.
     pub check: &'static str,
-    /// The vertices that it is about, where it is about few.
+    /// The vertices at the flaw; empty if there are many.
     pub vertices: Vec<Vertex>,
-    /// What there is.
+    /// The value found.
     pub got: String,
-    /// What there should be.
+    /// The value expected.
     pub truth: String,
 }
 
-/// What is wrong with these triangles, one flaw of each check at most; the first triangles or sides in their order.
+/// The flaws of the triangles, at most one for each check: the first wrong triangle or side in order.
 #[must_use]
 pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Flaw> {
     let points = &polygon.points;
@@ -103,7 +103,7 @@ fn areas(polygon: &Polygon, places: &[[usize; 3]], flat: Flat) -> Vec<Flaw> {
     found
 }
 
-/// Whether a flat triangle is one that nothing else can stand for: two corners at one place, or all on one edge.
+/// True if a flat triangle has no alternative: two corners at one position, or all three on one edge.
 fn is_at_touch(polygon: &Polygon, [a, b, c]: [usize; 3]) -> bool {
     let points = &polygon.points;
     if points.is_same_place(a, b) || points.is_same_place(b, c) || points.is_same_place(a, c) {
@@ -116,7 +116,8 @@ fn is_at_touch(polygon: &Polygon, [a, b, c]: [usize; 3]) -> bool {
     polygon.touches.on_edges.iter().any(|on_edge| of_one(&on_edge))
 }
 
-/// A side between two places in order, how often in that direction and back; of triangles, then of loops.
+/// A side between two indices in order, and the number of times that it occurs in that direction and back: in
+/// triangles, then in loops.
 struct Side {
     ends: [usize; 2],
     triangles: [usize; 2],
@@ -149,14 +150,14 @@ fn sides(polygon: &Polygon, places: &[[usize; 3]]) -> Vec<Flaw> {
         Flaw { check, got: says(side.triangles), truth: says(truth), vertices: vertices.clone() }
     };
     let is_edge = |side: &&Side| side.loops != [0, 0];
-    // An edge without length has two triangles as any diagonal has.
+    // An edge without length has two triangles, as any diagonal does.
     let boundary = sides.iter().filter(is_edge).find(|side| side.triangles != side.loops);
     let inner = sides.iter().filter(|side| !is_edge(side)).find(|side| side.triangles != [1, 1]);
     let boundary = boundary.map(|side| flaw("boundary", side, side.loops));
     boundary.into_iter().chain(inner.map(|side| flaw("diagonals", side, [1, 1]))).collect()
 }
 
-/// Two triangles with a common inner point: no line along a side of one has them on different sides.
+/// Finds two triangles with a common inner point: no line along a side of one separates them.
 fn overlap(polygon: &Polygon, places: &[[usize; 3]]) -> Option<Flaw> {
     let points = &polygon.points;
     if places.len() > MOST_PAIRED {

@@ -1,10 +1,10 @@
-//! Which loops are holes: by rays from their first vertices, edge by edge.
+//! The choice of the loops that are holes: by rays from their first vertices, edge by edge.
 
 use predicament_judge::boxes::{Boxes, Extent, extent};
 
 use super::plane::Points;
 
-/// For each loop whether it is a hole: whether an odd number of other loops is around it.
+/// For each loop, true if it is a hole: if an odd number of other loops surrounds it.
 pub(super) fn holes(points: &Points, loops: &[Vec<usize>]) -> Vec<bool> {
     let edges: Vec<(usize, [usize; 2])> =
         loops.iter().enumerate().flat_map(|(at, one)| edges(one).map(move |edge| (at, edge))).collect();
@@ -29,7 +29,7 @@ pub(super) fn edges(corners: &[usize]) -> impl Iterator<Item = [usize; 2]> + '_ 
     corners.iter().zip(corners.iter().cycle().skip(1)).map(|(&a, &b)| [a, b])
 }
 
-/// The first vertex from the left, and the other end of its lower edge.
+/// The leftmost vertex, and the other end of its lower edge.
 fn first_edge(points: &Points, corners: &[usize]) -> Option<(usize, usize)> {
     let first = corners.iter().copied().min_by(|&a, &b| points.order(a, b))?;
     let far = edges(corners).flat_map(|[a, b]| [(a, b), (b, a)]);
@@ -38,11 +38,11 @@ fn first_edge(points: &Points, corners: &[usize]) -> Option<(usize, usize)> {
     Some((first, lower))
 }
 
-/// Whether an edge passes below a point, a little to the right of it; one through the point is below where it is below the
-/// edge that begins there.
+/// True if an edge passes below a point, a little to the right of it. An edge through the point is below if it is below
+/// the edge that begins there.
 fn is_below(points: &Points, [a, b]: [usize; 2], start: usize, lower: usize) -> bool {
     let [left, right] = if points.order(a, b).is_lt() { [a, b] } else { [b, a] };
-    // Half open: it begins at this x or before, and ends beyond; upright edges do neither.
+    // Half open: the edge begins at this x or before, and ends beyond it. Vertical edges never qualify.
     if points.order_x(left, start).is_gt() || points.order_x(right, start).is_le() {
         return false;
     }

@@ -9,12 +9,12 @@ pub struct Points {
     vertices: Vec<Vertex>,
     exact: Vec<[Integer; 2]>,
     raw: Vec<[f64; 2]>,
-    /// Coordinates are multiples of 2^−`shift`.
+    /// The exponent of the unit: coordinates are multiples of 2^−`shift`.
     shift: u32,
 }
 
 impl Points {
-    /// These input vertices of a scene.
+    /// Converts input vertices of a scene to integers.
     pub(super) fn new(scene: &Scene, plane: Plane, reversed: bool, vertices: impl Iterator<Item = Vertex>) -> Points {
         let mut vertices: Vec<Vertex> = vertices.collect();
         vertices.sort_unstable();
@@ -38,7 +38,7 @@ impl Points {
         Points { exact: exact.collect(), vertices, raw, shift }
     }
 
-    /// The place of a vertex among these.
+    /// The index of a vertex among the points.
     pub(super) fn place(&self, v: Vertex) -> Option<usize> {
         self.vertices.binary_search(&v).ok()
     }
@@ -86,7 +86,7 @@ impl Points {
         x + Integer::from(&b[1] - &a[1]) * Integer::from(&c[1] - &a[1])
     }
 
-    /// Whether c is on the closed segment from a to b.
+    /// True if c is on the closed segment from a to b.
     pub(super) fn is_on(&self, a: usize, b: usize, c: usize) -> bool {
         // On the line, and not beyond either end.
         self.side(a, b, c).is_eq() && self.along(c, a, b).cmp0().is_le()
@@ -115,11 +115,12 @@ mod tests {
 
     use super::*;
 
-    /// A triangle with legs 2 and 1.5, a point on its longest side, one beyond that, and its first corner again.
+    /// A triangle with legs 2 and 1.5, a point on its longest side, a point beyond that side, and the first corner
+    /// again.
     fn points(reversed: bool) -> Points {
         let places = vec![0.25, 0.5, 2.25, 0.5, 0.25, 2.0, 1.25, 1.25, 4.25, -1.0, 0.25, 0.5];
         let scene = Scene::new(Dimension::Two, places).unwrap();
-        // In any order, some of them twice.
+        // Unsorted, some vertices twice.
         let vertices = [3, 1, 0, 2, 5, 4, 1, 3].map(Vertex::input);
         Points::new(&scene, Plane::Xy, reversed, vertices.into_iter())
     }
@@ -128,7 +129,7 @@ mod tests {
     fn turns_areas_and_products_are_those_by_hand() {
         let points = points(false);
         assert_eq!((points.len(), points.shift), (6, 2));
-        // Twice the area is 3, in sixteenths.
+        // Twice the area is 3: 48 sixteenths.
         assert_eq!([points.turn(0, 1, 2), points.turn(1, 0, 2)], [48, -48].map(Integer::from));
         assert_eq!([points.side(0, 1, 2), points.side(0, 2, 1), points.side(1, 2, 3)], [Greater, Less, Equal]);
         // (2, 0) · (1, 3/4) and (2, 0) · (0, 3/2); (-1, -3/4) · (1, -3/4).

@@ -1,4 +1,4 @@
-//! What is true about the loops of a polygon, before anything is triangulated.
+//! The truth about the loops of a polygon, before any triangulation.
 
 use std::cmp::Ordering;
 
@@ -9,24 +9,24 @@ use super::nesting::{edges, holes};
 use super::plane::Points;
 use super::touches::Touches;
 
-/// A polygon: loops with the inside on their left, and what follows from them.
+/// A polygon: loops with the inside on their left, and facts that follow from them.
 #[derive(Clone, Debug)]
 pub struct Polygon {
     pub(super) points: Points,
-    /// By places among the points.
+    /// The loops, as indices of points.
     pub(super) loops: Vec<Vec<usize>>,
     /// Twice the area.
     pub(super) area: Integer,
-    /// How many triangles there are.
+    /// The number of triangles.
     pub(super) triangles: usize,
     pub(super) touches: Touches,
-    /// A vertex through which loops pass to and fro across each other.
+    /// A vertex at which loops cross each other.
     tangle: Option<Vertex>,
 }
 
 impl Polygon {
-    /// What these loops bound in a coordinate plane: a point is inside where an odd number of them is around it. They may
-    /// go either way.
+    /// The polygon that the loops bound in a coordinate plane: a point is inside if an odd number of loops surrounds
+    /// it. Loops may have either direction.
     ///
     /// # Panics
     /// If a vertex is constructed.
@@ -55,7 +55,7 @@ impl Polygon {
         Polygon { points, loops, area, triangles, touches, tangle }
     }
 
-    /// How many vertices the loops have, each as often as they pass through it.
+    /// The number of corners: a vertex counts once for each time that the loops pass through it.
     #[must_use]
     pub fn corners(&self) -> usize {
         self.loops.iter().map(Vec::len).sum()
@@ -67,7 +67,7 @@ impl Polygon {
         self.points.in_scene_units(&self.area)
     }
 
-    /// Why the loops bound no polygon, and the vertices where: they cross, or pass along one edge twice.
+    /// The reason why the loops bound no polygon, and the vertices there: loops cross, or pass along one edge twice.
     #[must_use]
     pub fn fault(&self) -> Option<(String, Vec<Vertex>)> {
         match (self.touches.crossing, self.tangle) {
@@ -81,17 +81,18 @@ impl Polygon {
         }
     }
 
-    /// Where loops touch or cross.
+    /// The places where loops touch or cross.
     #[must_use]
     pub fn touches(&self) -> &Touches {
         &self.touches
     }
 }
 
-/// How many times loops pass through a vertex from inside another loop that passes through it: the number of corners
-/// there around any direction to the inside, less one, over all vertices.
+/// The number of times that loops pass through a vertex from inside another loop that passes through it. It is, summed
+/// over all vertices, the number of corners around any direction to the inside, less one.
 ///
-/// Where that number is not the same around all edges that leave, loops cross there: the first such vertex comes along.
+/// If that number differs between the edges that leave a vertex, loops cross there: the second value is the first such
+/// vertex.
 fn passages(points: &Points, loops: &[Vec<usize>]) -> (usize, Option<usize>) {
     let mut at: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     for one in loops {
@@ -101,7 +102,7 @@ fn passages(points: &Points, loops: &[Vec<usize>]) -> (usize, Option<usize>) {
     }
     let (mut all, mut tangle) = (0, None);
     for (v, corners) in at.iter().enumerate().filter(|(_, corners)| corners.len() > 1) {
-        // Right after an edge that leaves it is inside.
+        // The region right after an edge that leaves is inside.
         let covers = |direction: usize| {
             corners.iter().filter(|&&[from, to]| is_between(points, v, [from, to], direction)).count()
         };
@@ -114,9 +115,9 @@ fn passages(points: &Points, loops: &[Vec<usize>]) -> (usize, Option<usize>) {
     (all, tangle)
 }
 
-/// Whether what is right after a direction from v, counterclockwise, is in the sector between two others.
+/// True if the region right after a direction from v, counterclockwise, is in the sector between two others.
 fn is_between(points: &Points, v: usize, [from, to]: [usize; 2], direction: usize) -> bool {
-    // How far around from the first: not at all, less than half, half, more.
+    // The angle from the first direction, in classes: zero, less than half a turn, half a turn, more.
     let turn = |far: usize| match (points.side(v, from, far), points.along(v, from, far).cmp0()) {
         (Ordering::Equal, Ordering::Greater) => 0,
         (Ordering::Greater, _) => 1,

@@ -1,4 +1,4 @@
-//! Where loops touch, and whether they cross.
+//! Contacts and crossings of loops.
 
 use predicament_judge::boxes::{Boxes, Extent, extent};
 use predicament_predicates::Vertex;
@@ -6,26 +6,26 @@ use predicament_predicates::Vertex;
 use super::nesting::edges;
 use super::plane::Points;
 
-/// Pairs of edges whose boxes meet: where there are more for each edge, loops are not compared.
+/// The maximum number of pairs of edges with meeting boxes, for each edge; beyond it, loops are not compared.
 const MOST_NEAR: usize = 64;
 
 /// Two edges without a common vertex that have a common point.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Touch {
-    /// The ends of both.
+    /// The ends of both edges.
     pub edges: [[Vertex; 2]; 2],
 }
 
-/// Where loops touch and cross.
+/// The places where loops touch and cross.
 #[derive(Clone, Debug, Default)]
 pub struct Touches {
-    /// Whether all pairs of edges were looked at: if not, the lists are empty.
+    /// True if all pairs of edges were compared; otherwise the lists are empty.
     pub is_known: bool,
     /// Edges that touch.
     pub touching: Vec<Touch>,
     /// Two edges that cross.
     pub crossing: Option<[[Vertex; 2]; 2]>,
-    /// A vertex and the edge that it is on, by places.
+    /// Pairs of a vertex and the edge that it is on, as indices.
     pub(super) on_edges: Vec<(usize, [usize; 2])>,
 }
 
@@ -50,7 +50,7 @@ impl Touches {
         touches
     }
 
-    /// Compares two edges, each with its loop.
+    /// Compares two edges; each comes with its loop.
     fn look(&mut self, points: &Points, (one, e): (usize, [usize; 2]), (other, f): (usize, [usize; 2])) {
         let ends = || [e, f].map(|edge| edge.map(|place| points.vertex(place)));
         let mut is_touching = false;

@@ -1,9 +1,9 @@
-//! What is reported about triangles of polygons.
+//! The checks in reports of triangulated polygons.
 
 use crate::algorithm::Contradiction;
 use predicament_tasks::Check;
 
-/// What the algorithm looks after itself.
+/// The invariants that the algorithm checks during its run.
 pub const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[

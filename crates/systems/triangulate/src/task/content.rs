@@ -1,4 +1,4 @@
-//! `points` and `loops`, or `map`: polygons to triangulate, in the plane or in space.
+//! The keys of the task: `points` and `loops`, or `map`; polygons to triangulate, in the plane or in space.
 
 use crate::algorithm::Method;
 use crate::checks::Polygon;
@@ -13,13 +13,13 @@ use crate::truth::seen;
 use predicament_tasks::map_loops::{Loops, MapLoops, labelled_loops, read_loops};
 use predicament_tasks::map_source::MapSource;
 
-/// Polygons and how they are triangulated.
+/// Polygons and the method to triangulate them.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Polygons {
-    /// The loops of each polygon, in either direction: what an odd number of them is around is inside. In space, all
-    /// vertices of a polygon are in one plane.
+    /// The loops of each polygon, in either direction: a point is inside if an odd number of loops surrounds it. In
+    /// space, all vertices of a polygon are in one plane.
     pub polygons: Vec<Vec<Vec<Vertex>>>,
-    /// How.
+    /// The method of triangulation.
     pub method: Method,
 }
 
@@ -38,8 +38,8 @@ impl Content for Polygons {
         }
     }
 
-    /// Several polygons, and one of a map whose loops cross, are written with `regions`, which are read unchecked as maps are.
-    /// None where there are no polygons.
+    /// Writes several polygons, and a polygon of a map whose loops cross, with `regions`, which are read unchecked as
+    /// maps are. Returns `None` if there are no polygons.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let list = match &self.polygons[..] {
             [] => return None,
@@ -83,7 +83,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
             method,
         };
         if asked.points.is_written() {
-            // Nothing is read from a cache: everything is written out.
+            // No cache is read: all coordinates are in the suite.
             return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
         }
         return Ok(Source::elsewhere(asked));
@@ -94,7 +94,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     Ok(Source::elsewhere(InMap { map: MapSource::read(context, &map)?, method }))
 }
 
-/// Loops over points that are written out or in a data file; without loops, all points in their order are one.
+/// Loops over points that are written out or in a data file; without loops, all points in order make one loop.
 struct OfPoints {
     points: PointSource,
     loops: Option<Loops>,
@@ -146,7 +146,7 @@ impl Elsewhere for OfPoints {
     }
 }
 
-/// Why loops bound no polygon, with the corners where that shows and a cure.
+/// The reason why loops bound no polygon, the corners there if known, and a fix.
 fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'static str)> {
     if let Some((message, corners)) = uneven(scene, loops) {
         return Some((message, corners, "put all corners in one plane and not in line, or divide the face"));
@@ -156,7 +156,7 @@ fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'
     Some((why, corners, "divide the loops where they cross"))
 }
 
-/// Why the corners of a face are not in one plane, or all in line; and which.
+/// The reason why the corners of a face are not in one plane, or are all in line; and those corners.
 fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>)> {
     let corners: Vec<Vertex> = loops.iter().flatten().copied().collect();
     let in_space = scene.dimension() == Dimension::Three;
@@ -174,7 +174,7 @@ fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>)>
     Some((format!("the corner {off} is not in the plane of {}, {b} and {c}", corners[0]), vec![*off, corners[0], b, c]))
 }
 
-/// The regions of a map, each a polygon.
+/// The regions of a map, each as a polygon.
 struct InMap {
     map: MapSource,
     method: Method,

@@ -74,7 +74,7 @@ pub(super) static FAMILIES: [Family; 7] = [
     }),
 ];
 
-/// Whether a key is there; it has one value.
+/// True if a key is present; it has one legal value.
 fn is(fields: &Fields<'_, '_>, key: &'static str, value: &str) -> Result<bool, CorpusError> {
     let Some(field) = fields.get(key) else { return Ok(false) };
     match field.str()? {
@@ -97,6 +97,6 @@ fn recipe(
         let loops = loops.into_iter().map(vertices).collect();
         Parts::new(scene, Polygons { polygons: vec![loops], method })
     };
-    // The smallest shapes have up to sixteen vertices; nests of rings begin with four more each.
+    // The smallest shapes have up to sixteen vertices; each further nest of rings has at least four more.
     Ok(Recipe::new(|n| 3 * n + 100, make))
 }

@@ -1,4 +1,4 @@
-//! Triangles against the truth about their polygon.
+//! Judging of triangles against the truth about their polygon.
 
 use crate::checks::{Flat, Flaw, Polygon, flaws};
 use predicament_judge::{Judged, sign};
@@ -30,7 +30,7 @@ pub(super) fn judge(
             got: "signs, or loops, broke the rule".to_owned(),
             truth: broken.rule().to_owned(),
         });
-        // Loops that touch may cross once they are perturbed: then they bound nothing that has triangles.
+        // Loops that touch may cross once they are perturbed: then no triangulation exists.
         let crosses = perturbed.as_ref().is_some_and(|perturbed| perturbed.crosses(truth));
         if crosses {
             outcome.note(Class::TieBroken, most, || unreachable!("legal"));
@@ -59,7 +59,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// A polygon as the tie judge moves it.
+/// A polygon as the tie judge perturbs it.
 struct Perturbed<'a> {
     judged: Judged<'a>,
     plane: Plane,
@@ -72,7 +72,7 @@ impl Perturbed<'_> {
         if self.reversed { -sign } else { sign }
     }
 
-    /// Whether two edges that touch cross.
+    /// True if two edges that touch cross in the perturbed scene.
     fn crosses(&self, polygon: &Polygon) -> bool {
         let parts =
             |[a, b]: [Vertex; 2], [c, d]: [Vertex; 2]| self.turn([a, b, c]) * self.turn([a, b, d]) == Sign::Negative;
@@ -82,7 +82,7 @@ impl Perturbed<'_> {
         })
     }
 
-    /// The first flat triangle that is clockwise, of a sample.
+    /// The first flat triangle that is clockwise in the perturbed scene, in a sample.
     fn inverted(&self, scene: &Scene, triangles: &[[Vertex; 3]], budget: usize) -> Option<Flaw> {
         let flat = triangles.iter().filter(|triangle| sign(scene, Question::Orient2d(self.plane), *triangle).is_zero());
         let found = flat.take(budget).find(|triangle| self.turn(**triangle) != Sign::Positive)?;

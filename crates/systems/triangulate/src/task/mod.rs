@@ -1,7 +1,8 @@
-//! `triangulate`: triangles of polygons with holes, in the plane and of faces in space.
+//! The task `triangulate`: triangles of polygons with holes, in the plane and of faces in space.
 //!
-//! By ear clipping and by a plane sweep. Wrong signs cut ears across edges, join holes to what they do not see and
-//! lose the order of the sweep; what comes of it is held against the polygon's area, its edges and the number of triangles.
+//! The methods are ear clipping and a plane sweep. Wrong signs cut ears across edges, join holes to vertices that they
+//! do not see, and break the order of the sweep. The judge compares the result with the polygon's area, its edges and
+//! the number of triangles.
 
 mod checks;
 mod content;
@@ -28,11 +29,11 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `triangulate`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Triangulate;
 
-/// The triangles of each polygon, in their order.
+/// The triangulation of each polygon, in order.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Triangulated(pub Vec<Triangulation>);
 
@@ -188,7 +189,7 @@ impl Task for Triangulate {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// OFF, OBJ and PLY of faces in space; SVG and GeoJSON in the plane; and all vertices exactly.
+    /// Writes OFF, OBJ and PLY of faces in space, SVG and GeoJSON in the plane, and all vertices exactly.
     fn write(
         &self,
         scene: &Scene,
@@ -227,7 +228,7 @@ impl Task for Triangulate {
     }
 }
 
-/// Turns the loops as they nest, in a plane in which the polygon is seen, and triangulates it.
+/// Orients the loops as they nest, in a plane in which the polygon is seen, and triangulates it.
 fn solve(session: &dyn Predicates, polygon: &[Vec<Vertex>], content: &Polygons) -> Triangulation {
     let (plane, reversed) = match session.scene().dimension() {
         Dimension::Two => (Plane::Xy, false),
@@ -245,7 +246,7 @@ fn words(vertices: &[Vertex]) -> String {
     predicament_tasks::ids(vertices)
 }
 
-/// The triangles of a polygon in words, as far as they are about these vertices.
+/// The triangles of a polygon at the given vertices, as text.
 fn describe(found: &Triangulation, vertices: &[Vertex]) -> String {
     let is_about = |triangle: &&[Vertex; 3]| {
         let common = triangle.iter().filter(|v| vertices.contains(v)).count();

@@ -1,4 +1,4 @@
-//! Polygons of about n vertices: points, and loops of their indices.
+//! Generated polygons of about n vertices: points, and loops of their indices.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
@@ -15,19 +15,21 @@ fn one_loop(points: Vec<[i64; 2]>) -> Shape {
     (points.into_iter().map(|p| p.map(integer)).collect(), vec![all])
 }
 
-/// Around the origin by angle, at distances from 0.1 to 1, on a grid of 2^-bits; divided: three more vertices on each edge.
+/// A star-shaped polygon around the origin: vertices by angle, at distances from 0.1 to 1, on a grid of 2^-bits.
+/// `divided` adds three vertices on each edge.
 pub(super) fn star(n: usize, bits: u32, divided: bool, rng: &mut Random) -> Shape {
     let corners = (if divided { n / 4 } else { n }).max(4);
     let [first, second] = [corners / 2, corners - corners / 2];
     let unit = power_of_two(-i64::from(bits));
     let mut points = Vec::with_capacity(corners);
-    // On each half circle by the tangent of half the angle; only the four operations, which are the same everywhere.
+    // Points on each half circle by the tangent of half the angle: only the four basic operations, which give the same
+    // results on every platform.
     for (count, side) in [(first, 1.0), (second, -1.0)] {
         for at in 0..count {
             let t = (integer(small(at)) + rng.between(0.25, 0.75)) / integer(small(count)) * 2.0 - 1.0;
             let radius = rng.between(0.1, 1.0) * side;
             let [x, y] = [(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)];
-            // Multiples of four, for what lies between.
+            // Rounded to multiples of four, so that the points between are on the grid.
             points.push([x, y].map(|c| (c * radius / (4.0 * unit)).round() * (4.0 * unit)));
         }
     }
@@ -42,14 +44,14 @@ pub(super) fn star(n: usize, bits: u32, divided: bool, rng: &mut Random) -> Shap
     (points, vec![all])
 }
 
-/// Out along a spiral and back, a unit to the left.
+/// A spiral out and back, one unit to the left.
 pub(super) fn spiral(n: usize) -> Shape {
     let turns = (n / 2).max(2);
     let directions = [[1, 0], [0, 1], [-1, 0], [0, -1]];
     let mut at = [0, 0];
     let (mut out, mut back) = (Vec::with_capacity(2 * turns), Vec::with_capacity(turns));
     for turn in 0..turns {
-        // The last and the next direction; at the ends there is but one.
+        // The previous and the next direction; at the ends there is only one.
         let next = directions[turn % 4];
         let last = if turn == 0 { [0, 0] } else { directions[(turn + 3) % 4] };
         let left = |[x, y]: [i64; 2]| [-y, x];
@@ -64,7 +66,7 @@ pub(super) fn spiral(n: usize) -> Shape {
     one_loop(out)
 }
 
-/// Teeth as high as their number, their tips in line.
+/// A comb whose teeth are as high as their number, with their tips in line.
 pub(super) fn comb(n: usize, sideways: bool) -> Shape {
     let teeth = small(n.saturating_sub(3) / 2).max(1);
     let height = teeth + 2;
@@ -80,13 +82,13 @@ pub(super) fn comb(n: usize, sideways: bool) -> Shape {
     one_loop(points)
 }
 
-/// A square with k by k holes; touching: those of a chessboard, with common corners.
+/// A square with k by k holes. With `touching`, the holes are the squares of a chessboard, with common corners.
 pub(super) fn grid(n: usize, touching: bool) -> Shape {
     let holes = small((n / 4).isqrt().max(1));
     let (pitch, side) = if touching { (1, holes + 2) } else { (2, 2 * holes + 1) };
     let mut points: Vec<[i64; 2]> = vec![[0, 0], [side, 0], [side, side], [0, side]];
     let mut loops: Vec<Vec<usize>> = vec![vec![0, 1, 2, 3]];
-    // Common corners are one vertex: corner (i, j) of a chessboard is at a fixed place.
+    // Common corners are one vertex: corner (i, j) of a chessboard has a fixed index.
     let corner = |i: i64, j: i64| usize::try_from(4 + i * (holes + 1) + j).expect("not negative");
     if touching {
         points.extend((0..=holes).flat_map(|i| (0..=holes).map(move |j| [i + 1, j + 1])));
@@ -108,18 +110,18 @@ pub(super) fn grid(n: usize, touching: bool) -> Shape {
     (points.into_iter().map(|p| p.map(integer)).collect(), loops)
 }
 
-/// Rings of a nest; the sizes go down by a factor of two every two rings.
+/// The number of rings of a nest; sizes halve every two rings.
 const NESTED: usize = 40;
 
-/// Squares and diamonds in turn, each with its corners at the middles of the next larger one's edges, which are vertices of
-/// that; nests side by side. Apart: the vertices at one place are two.
+/// Nests of squares and diamonds in turn, side by side. Each ring has its corners at the midpoints of the next larger
+/// ring's edges, where that ring has vertices. With `apart`, the two rings have different vertices at one position.
 pub(super) fn rings(n: usize, apart: bool) -> Shape {
     let mut points: Vec<[f64; 2]> = Vec::new();
     let mut loops = Vec::new();
     let all = (n / if apart { 8 } else { 4 }).max(2);
     for first in (0..all).step_by(NESTED) {
         let x = integer(small(first / NESTED)) * 4.0;
-        // The four middles of the ring before.
+        // The four midpoints of the previous ring.
         let mut middles: Option<[usize; 4]> = None;
         for ring in 0..NESTED.min(all - first) {
             let r = power_of_two(-small(ring / 2));
@@ -143,7 +145,8 @@ pub(super) fn rings(n: usize, apart: bool) -> Shape {
                 one.reverse();
             }
             loops.push(one);
-            // The lower middle of a square is the first corner of its diamond; of a diamond, the lower left one comes last.
+            // The lower midpoint of a square is the first corner of its diamond; the lower left midpoint of a diamond
+            // comes last.
             let [a, b, c, d] = middle_ids;
             middles = Some(if ring % 2 == 0 { [a, b, c, d] } else { [d, a, b, c] });
         }
@@ -151,8 +154,8 @@ pub(super) fn rings(n: usize, apart: bool) -> Shape {
     (points, loops)
 }
 
-/// Along the diagonal, y − x between a few units; far: in three places with units of the last place of each, as in the
-/// pictures of Kettner and others, where differences are rounded.
+/// A sliver along the diagonal, with y − x within a few units. With `far`, it lies in three places with units of the
+/// last place of each, as in the pictures of Kettner and others: there differences are rounded.
 pub(super) fn sliver(n: usize, far: bool, rng: &mut Random) -> Shape {
     let count = small((n / 2).max(6));
     let places: Vec<[f64; 2]> = if far {
@@ -174,12 +177,12 @@ pub(super) fn sliver(n: usize, far: bool, rng: &mut Random) -> Shape {
     (points, vec![all])
 }
 
-/// The outline of a random tree on a grid, thickened to unit squares: every unit of it is an edge.
+/// The outline of a random tree on a grid, thickened to unit squares; each edge has length one.
 pub(super) fn maze(n: usize, rng: &mut Random) -> Shape {
     // A tree of k² nodes covers 2k² − 1 squares and has 4k² sides.
     let k = (n / 4).isqrt().max(2);
     let width = 2 * k + 1;
-    // Squares of the maze are at odd places; a frame of empty ones is around them.
+    // Squares of the maze have odd indices; a frame of empty squares surrounds them.
     let mut filled = vec![false; width * width];
     let mut path = vec![(1, 1)];
     filled[width + 1] = true;
@@ -197,7 +200,7 @@ pub(super) fn maze(n: usize, rng: &mut Random) -> Shape {
         filled[(y + v) / 2 * width + (x + u) / 2] = true;
         path.push((u, v));
     }
-    // Counterclockwise around the squares: from each grid point where the edge that leaves it ends.
+    // The outline is counterclockwise around the squares: for each grid point, the end of the edge that leaves it.
     let is_filled = |x: usize, y: usize| filled[y * width + x];
     let mut next = vec![None; (width + 1) * (width + 1)];
     let point = |x: usize, y: usize| y * (width + 1) + x;

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use crate::algorithm::Contradiction;
 use predicament_judge::sign;
@@ -85,7 +85,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
     ]
 }
 
-/// Replaces the first two triangles with a common side, all of whose corners are in one line.
+/// Flips the first two triangles with a common side whose corners are all in one line.
 fn flip(scene: &Scene, question: Question, triangles: &mut [[Vertex; 3]]) {
     let is_flat = |corners: [Vertex; 3]| sign(scene, question, &corners).is_zero();
     let flat: Vec<usize> = (0..triangles.len()).filter(|&at| is_flat(triangles[at])).collect();
@@ -95,7 +95,7 @@ fn flip(scene: &Scene, question: Question, triangles: &mut [[Vertex; 3]]) {
                 let [a, b, c] = [0, 1, 2].map(|corner| triangles[i][(corner + turn) % 3]);
                 for other in 0..3 {
                     let [p, q, d] = [0, 1, 2].map(|corner| triangles[j][(corner + other) % 3]);
-                    // The side from a to b is one from b to a of the other.
+                    // The side from a to b of one triangle is the side from b to a of the other.
                     if p == b && q == a && d != c && is_flat([a, c, d]) {
                         triangles[i] = [a, d, c];
                         triangles[j] = [d, b, c];

@@ -1,4 +1,4 @@
-//! The integration tests, as one binary: each further one would link the crate and compile what they share again.
+//! The integration tests, as one binary: more binaries would link the crate and compile shared code again.
 
 mod triangulate;
 mod triangulation;

@@ -1,4 +1,4 @@
-//! Triangulations of small polygons, whole: sides, areas and counts in integers.
+//! Triangulations of small polygons, checked completely: sides, areas and counts in integers.
 
 use std::collections::BTreeMap;
 
@@ -29,7 +29,8 @@ fn doubled_area(points: &[[i32; 2]], corners: &[Vertex]) -> i64 {
     (0..corners.len()).map(|i| at(i)[0] * at(i + 1)[1] - at(i)[1] * at(i + 1)[0]).sum()
 }
 
-/// Sides balance, no triangle is negative, areas add up; returns the number of triangles and of those without area.
+/// Checks that sides balance, no triangle is negative and areas add up; returns the numbers of all triangles and of
+/// triangles without area.
 fn check(points: &[[i32; 2]], loops: &Loops, found: &Triangulation) -> (usize, usize) {
     assert_eq!(found.broken, None, "{points:?} {loops:?}");
     let mut sides: BTreeMap<[Vertex; 2], i64> = BTreeMap::new();
@@ -49,7 +50,8 @@ fn check(points: &[[i32; 2]], loops: &Loops, found: &Triangulation) -> (usize, u
     (areas.len(), areas.iter().filter(|area| **area == 0).count())
 }
 
-/// By both methods, exactly and perturbed; the numbers of triangles and of those without area are those of exact.
+/// Triangulates by both methods, exactly and perturbed; returns the exact numbers of all triangles and of triangles
+/// without area.
 fn both(points: &[[i32; 2]], loops: &Loops, is_simple: bool) -> [(usize, usize); 2] {
     let scene = scene(points);
     let exact = Exact.prepare(&scene, Off).unwrap();
@@ -67,7 +69,7 @@ fn both(points: &[[i32; 2]], loops: &Loops, is_simple: bool) -> [(usize, usize);
 
 #[test]
 fn vertices_in_line_make_no_flat_triangle() {
-    // A square with vertices in the middle of its sides, twice on one.
+    // A square with vertices in the middle of its sides, two on one side.
     let points = [[0, 0], [1, 0], [2, 0], [3, 0], [3, 3], [2, 3], [0, 3], [0, 1]];
     assert_eq!(both(&points, &loops(&[&[0, 1, 2, 3, 4, 5, 6, 7]]), true), [(6, 0); 2]);
     // A triangle with all vertices but one on one line.
@@ -105,7 +107,7 @@ fn holes_and_islands() {
     let all = loops(&[&[0, 1, 2, 3], &[7, 6, 5, 4], &[8, 9, 10, 11], &[15, 14, 13, 12], &[19, 18, 17, 16]]);
     // n + 2h - 2c
     assert_eq!(both(&points, &all, true), [(20 + 6 - 4, 0); 2]);
-    // Whatever way the loops go, nesting turns them.
+    // Nesting orients loops of any direction.
     let scene = scene(&points);
     let session = Exact.prepare(&scene, Off).unwrap();
     for turned in 0..32 {
@@ -121,12 +123,12 @@ fn holes_and_islands() {
 
 #[test]
 fn loops_that_touch_in_vertices() {
-    // A hole that touches the outer loop in a vertex of both: the same one, and another one at the same place.
+    // A hole that touches the outer loop in a vertex: the same vertex, and a different vertex at the same position.
     let points = [[0, 0], [6, 0], [6, 6], [0, 6], [2, 1], [1, 2], [0, 0]];
     assert_eq!(both(&points, &loops(&[&[0, 1, 2, 3], &[0, 5, 4]]), true), [(5, 0); 2]);
     let found = both(&points, &loops(&[&[0, 1, 2, 3], &[6, 5, 4]]), false);
     assert_eq!(found, [(7, 2); 2], "n + 2h - 2, two of them at the edge without length");
-    // Two outer loops with a vertex in common, and a bow tie of one loop.
+    // Two outer loops with a vertex in common, and one loop in the shape of a bow tie.
     let points = [[0, 0], [2, 0], [1, 1], [2, 2], [0, 2]];
     assert_eq!(both(&points, &loops(&[&[0, 1, 2], &[2, 3, 4]]), true), [(2, 0); 2]);
     assert_eq!(both(&points, &loops(&[&[0, 1, 2, 3, 4, 2]]), true), [(2, 0); 2]);
@@ -142,7 +144,7 @@ fn loops_that_touch_in_vertices() {
 
 #[test]
 fn vertices_on_edges_and_repeats() {
-    // A hole with a vertex on the lower edge, one with a vertex on the upper edge, one on the left and one on the right.
+    // Four holes with a vertex on an edge: the lower, the upper, the left and the right edge.
     let points = [
         [0, 0],
         [12, 0],
@@ -176,7 +178,7 @@ fn adjacent_loops_keep_their_common_edge() {
     assert_eq!(both(&points, &both_sides, true), [(6, 0); 2]);
 }
 
-/// The corners of these loops cut out of upright lines by a plane, in a session that constructs them.
+/// Constructs the corners of the loops as intersections of vertical lines with a plane, in a session.
 fn cut<P: Predicates>(session: &mut P, loops: &[Vec<[i32; 2]>], scene: &Scene) -> Loops {
     let plane = [0, 1, 2].map(|back| Vertex::input(scene.len() - 1 - back));
     let mut at = 0;
@@ -224,7 +226,7 @@ fn constructed_vertices_and_planes_seen_from_behind() {
     }
 }
 
-/// Distinct points around a middle, in order: what it sees of a loop is simple.
+/// Distinct points in angular order around a centre; the loop is simple.
 fn star(points: &[[i32; 2]]) -> Option<Vec<[i32; 2]>> {
     let half = |&[x, y]: &[i32; 2]| u8::from(y < 0 || y == 0 && x < 0);
     let cross = |p: &[i32; 2], q: &[i32; 2]| p[0] * q[1] - p[1] * q[0];
@@ -235,7 +237,8 @@ fn star(points: &[[i32; 2]]) -> Option<Vec<[i32; 2]>> {
     (is_around && around.len() >= 3).then_some(around)
 }
 
-/// Loops with every kind of corner: what is answered is right, and where the loop is convex, it is what a mesh and an order would give.
+/// Tests loops with every kind of corner: each answer is right, and for a convex loop it equals the answer with a mesh
+/// and an order.
 #[test]
 fn short_loops_need_no_order() {
     let mut runner = proptest::test_runner::TestRunner::deterministic();
@@ -261,7 +264,7 @@ fn short_loops_need_no_order() {
             assert_eq!(few.as_ref(), Some(&found.triangles));
             convex += 1;
         }
-        // Three in line of which nobody knows are left to others.
+        // If `in_line` does not know three vertices in line, the function returns `None`.
         let unknown = triangulate_few(&exact, Plane::Xy, false, &loops[0], |_, _, _| false);
         assert!(unknown.is_none() || unknown == few);
         assert!(unknown.is_none() || (0..count).all(|at| !turn(at).is_zero()));
@@ -295,11 +298,11 @@ fn short_loops_that_are_none_are_left_to_others() {
     assert_eq!(few(&(0..=MOST).collect::<Vec<_>>()), None, "too many");
 }
 
-/// Signs from a hash of the question.
+/// A session whose signs come from a hash of the question.
 struct Dice<'s> {
     scene: &'s Scene,
     seed: u64,
-    /// Of eight answers so many are right.
+    /// The number of right answers out of every eight.
     right: u64,
 }
 
@@ -377,7 +380,7 @@ proptest! {
         projection(&session, &loops);
     }
 
-    /// Loops without shared vertices: sides balance whatever the signs are, by the sweep.
+    /// Tests loops without shared vertices: under the sweep, sides balance whatever the signs are.
     #[test]
     fn whatever_signs_are_the_sweep_closes(
         points in prop::collection::vec([-50..50_i32, -50..50], 3..40),

@@ -1,4 +1,4 @@
-//! Each check of triangulations fails on an output that is wrong in its way, and on no other.
+//! Each check of triangulations fails on an output that is wrong in its way, and not on the others.
 
 use predicament_predicates::{Plane, Scene, Vertex};
 use predicament_triangulate::checks::{Flat, Flaw, Polygon, flaws};
@@ -34,7 +34,7 @@ fn right_triangles_pass() {
     assert_eq!((square().area(), square().corners()), (4.into(), 5));
 }
 
-/// Of each check the first flaw, with what there is and what there should be.
+/// The first flaw of each check, with the value found and the value expected.
 #[test]
 fn flaws_say_what_is_wrong_and_where() {
     let said = |polygon: &Polygon, triangles: &[[usize; 3]]| -> Vec<String> {
@@ -67,7 +67,7 @@ fn flaws_say_what_is_wrong_and_where() {
 fn each_check_fails_on_what_it_is_for() {
     let square = square();
     let right = [[0, 1, 4], [1, 3, 4], [1, 2, 3]];
-    // A vertex that is none of the polygon's, and one that stands twice.
+    // A vertex that is not in the polygon, and a vertex that occurs twice.
     assert_eq!(checks(&square, &[right[0], right[1], right[2], [0, 0, 1]])[..2], ["vertices", "count"]);
     assert_eq!(checks(&square, &[right[0], right[1], right[2], [0, 1, 7]])[..2], ["vertices", "count"]);
     // A triangle is missing.
@@ -75,24 +75,24 @@ fn each_check_fails_on_what_it_is_for() {
     // A triangle without area where none is needed.
     assert_eq!(checks(&square, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]), ["positive"]);
     assert_eq!(found(&square, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]], Flat::Anywhere), []);
-    // The sides are right, but one triangle is clockwise, and so others overlap.
+    // The sides are right, but one triangle is clockwise, so others overlap.
     let reflex = polygon(&[[0.0, 0.0], [4.0, 0.0], [1.0, 1.0], [0.0, 4.0]], &[&[0, 1, 2, 3]]);
     assert_eq!(checks(&reflex, &[[0, 1, 2], [0, 2, 3]]), [""; 0]);
     assert_eq!(checks(&reflex, &[[0, 1, 3], [1, 2, 3]]), ["positive"]);
-    // A triangle twice: one too many, too much area, its sides too often.
+    // A triangle twice: one too many, too much area, and its sides too often.
     let twice = checks(&square, &[right[0], right[1], right[2], right[2]]);
     assert_eq!(twice, ["count", "area", "boundary", "diagonals", "overlap"]);
-    // The two ways to divide a quadrilateral, half and half: areas and number are right, sides are not.
+    // One triangle of each of the two divisions of a quadrilateral: area and count are right, sides are not.
     let plain = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], &[&[0, 1, 2, 3]]);
     assert_eq!(checks(&plain, &[[0, 1, 2], [1, 2, 3]]), ["boundary", "diagonals", "overlap"]);
-    // A square on its own twice, by both ways: each side of the loop is in two triangles.
+    // A square covered twice, by both divisions: each side of the loop is in two triangles.
     let both = checks(&plain, &[[0, 1, 2], [0, 2, 3], [0, 1, 3], [1, 2, 3]]);
     assert_eq!(both, ["count", "area", "boundary", "overlap"]);
 }
 
 #[test]
 fn areas_and_overlaps_are_told_apart() {
-    // A hole that is filled: its edges are diagonals then.
+    // A filled hole: its edges become diagonals.
     let points = [[0.0, 0.0], [9.0, 0.0], [0.0, 9.0], [2.0, 2.0], [3.0, 2.0], [2.0, 3.0]];
     let ring = polygon(&points, &[&[0, 1, 2], &[3, 4, 5]]);
     let right = [[0, 1, 4], [0, 4, 3], [0, 3, 5], [0, 5, 2], [5, 4, 2], [4, 1, 2]];
@@ -114,14 +114,14 @@ fn numbers_of_triangles_where_loops_touch() {
         assert_eq!(checks(&polygon, triangles), [""; 0]);
         polygon.area()
     };
-    // A hole in a corner, with the vertex of the outer loop.
+    // A hole in a corner that shares the vertex of the outer loop.
     let points = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0], [2.0, 1.0], [1.0, 2.0], [0.0, 0.0]];
     let five = [[0, 1, 4], [4, 1, 2], [4, 2, 5], [5, 2, 3], [0, 5, 3]];
     assert_eq!(area(&points, &[&[0, 1, 2, 3], &[0, 4, 5]], &five) * 2, 69);
-    // The same with a vertex of its own: two triangles at the edge without length.
+    // The same hole with its own vertex: two triangles at the edge without length.
     let seven = [[0, 1, 4], [0, 4, 6], [4, 1, 2], [4, 2, 5], [5, 2, 3], [6, 5, 3], [0, 6, 3]];
     assert_eq!(area(&points, &[&[0, 1, 2, 3], &[6, 4, 5]], &seven) * 2, 69);
-    // A vertex of a hole on an edge: the triangle of both is flat, and allowed there only.
+    // A vertex of a hole on an edge: the triangle of both is flat, and allowed only there.
     let points = [[0.0, 0.0], [4.0, 0.0], [2.0, 4.0], [2.0, 0.0], [2.5, 1.0], [1.5, 1.0]];
     let of: [&[usize]; 2] = [&[0, 1, 2], &[3, 4, 5]];
     let right = [[0, 1, 3], [3, 1, 4], [4, 1, 2], [5, 4, 2], [0, 5, 2], [0, 3, 5]];
@@ -131,16 +131,16 @@ fn numbers_of_triangles_where_loops_touch() {
 #[test]
 fn an_edge_in_common_is_one_of_two_loops_from_both_sides() {
     let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0], [4.0, 0.0], [4.0, 2.0], [1.0, 1.0]];
-    // Squares side by side, whatever way they are given.
+    // Squares side by side, in any direction.
     for second in [&[1, 4, 5, 2][..], &[2, 5, 4, 1]] {
         let neighbors = polygon(&points, &[&[0, 1, 2, 3], second]);
         assert_eq!((neighbors.fault(), neighbors.area()), (None, 8.into()), "{second:?}");
     }
-    // A loop that goes to a vertex inside of it and back by the same edge.
+    // A loop that goes to a vertex inside it and back along the same edge.
     let slit = polygon(&points, &[&[0, 1, 2, 6, 2, 3]]).fault().expect("one edge twice");
     let [a, b] = vertices([2, 6]);
     let said = format!("the edges from {a} to {b} and from {b} to {a} cross, or are in line with common points");
     assert_eq!(slit, (said, vec![a, b, b, a]));
-    // A loop twice.
+    // The same loop twice.
     assert!(polygon(&points, &[&[0, 1, 2, 3], &[0, 1, 2, 3]]).fault().is_some());
 }

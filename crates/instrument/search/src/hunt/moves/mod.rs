@@ -1,8 +1,9 @@
-//! Moves from a scene to another: what a hunt tries.
+//! Moves from one scene to another.
 //!
-//! None knows a task: a scene is rows of coordinates, and items that name vertices. A move that makes no scene of the task is
-//! refused when its text is read. Derivation from a scene that is interesting already beats random points: most moves keep
-//! what makes it so (a scaling, a turn by a Pythagorean triple), or change the last bits of it.
+//! Moves do not depend on the task: a scene is rows of coordinates, and items that name vertices. If a move makes an
+//! invalid scene of the task, reading its text refuses it. Derivation from an interesting scene beats random points.
+//! Most moves keep the property that makes it interesting (a scaling, a rotation by a Pythagorean triple), or change
+//! only the last bits.
 
 mod numbers;
 mod places;
@@ -13,18 +14,18 @@ pub(super) use structure::MOST_ROWS;
 
 use predicament_corpus::{Random, Spelled};
 
-/// A scene that is being changed.
+/// A scene during a change.
 pub(super) struct Draft<'a> {
     pub spelled: Spelled,
-    /// Another scene, to take from.
+    /// Another scene, for recombination.
     pub mate: Option<&'a Spelled>,
     pub random: &'a mut Random,
 }
 
-/// A move: whether it changed anything.
+/// A move; returns true if it changed anything.
 type Move = fn(&mut Draft<'_>) -> bool;
 
-/// All moves with how often each is tried.
+/// All moves, with their relative frequencies.
 const MOVES: [(&str, u32, Move); 30] = [
     ("ulps", 12, numbers::ulps),
     ("beside a power of two", 3, numbers::beside_power),
@@ -66,7 +67,7 @@ const RECOMBINING: [(&str, u32, Move); 3] = [
 ];
 
 impl Draft<'_> {
-    /// Makes one to four moves; the names of those that changed something.
+    /// Makes one to four moves; returns the names of the effective ones.
     pub(super) fn change(&mut self) -> Vec<&'static str> {
         let mut names = Vec::new();
         if self.mate.is_some() {
@@ -100,7 +101,7 @@ impl Draft<'_> {
         changed.then_some(name)
     }
 
-    /// A number below `n`, which is not zero.
+    /// A random number below `n`; `n` is not zero.
     fn below(&mut self, n: usize) -> usize {
         let most = i64::try_from(n.max(1)).unwrap_or(i64::MAX) - 1;
         usize::try_from(self.random.integer(0, most)).unwrap_or_default()
@@ -111,12 +112,12 @@ impl Draft<'_> {
         self.spelled.rows().len()
     }
 
-    /// A row, by its number.
+    /// A row, by its index.
     fn row(&self, at: usize) -> Vec<f64> {
         self.spelled.rows()[at].clone()
     }
 
-    /// Puts a row in the place of another, along as many axes as both have.
+    /// Replaces a row by another, along as many axes as both have.
     fn put(&mut self, at: usize, row: &[f64]) -> bool {
         let Some(place) = self.spelled.rows_mut().nth(at) else { return false };
         let mut changed = false;
@@ -127,7 +128,7 @@ impl Draft<'_> {
         changed
     }
 
-    /// A row to change and its number; none where there are no coordinates.
+    /// A random row and its index; `None` if there are no coordinates.
     fn pick(&mut self) -> Option<(usize, Vec<f64>)> {
         let rows = self.rows();
         if rows == 0 {
@@ -138,7 +139,8 @@ impl Draft<'_> {
         (!row.is_empty()).then_some((at, row))
     }
 
-    /// Another row of as many coordinates, most often at another place; none where there is none.
+    /// Another row with the same number of coordinates, most often at a different position; `None` if there is no such
+    /// row.
     fn another(&mut self, length: usize, besides: &[usize]) -> Option<(usize, Vec<f64>)> {
         let all: Vec<usize> = {
             let rows = self.spelled.rows();
@@ -151,7 +153,7 @@ impl Draft<'_> {
         Some((at, self.row(at)))
     }
 
-    /// Every coordinate changed; whether any is another.
+    /// Changes every coordinate; returns true if any coordinate is different.
     fn each(&mut self, change: impl Fn(usize, f64) -> f64) -> bool {
         let mut changed = false;
         for row in self.spelled.rows_mut() {
@@ -164,7 +166,7 @@ impl Draft<'_> {
         changed
     }
 
-    /// A number within a half, of any size down to 2^-`bits`.
+    /// A number of magnitude at most one half, of any size down to 2^-`bits`.
     fn small(&mut self, bits: i64) -> f64 {
         let exponent = self.random.integer(0, bits);
         (self.random.unit() - 0.5) * predicament_formats::bits::power_of_two(-exponent)
@@ -187,8 +189,8 @@ mod tests {
         }
     }
 
-    /// Each move of the list changes a plain scene, gives the same for the same seed, and leaves it finite and its
-    /// vertices where there are points.
+    /// Checks each move of the list: it changes a plain scene, gives the same result for the same seed, keeps
+    /// coordinates finite and vertices in range.
     #[test]
     fn every_move_changes_a_scene() {
         let scene =
@@ -212,7 +214,7 @@ mod tests {
         }
     }
 
-    /// The smallest doubles, the largest, and both in one scene.
+    /// Tests the smallest doubles, the largest, and both in one scene.
     #[test]
     fn no_move_minds_the_ends_of_the_range() {
         let ends = [f64::from_bits(1), -f64::from_bits(7), f64::MAX, -f64::MAX / 3.0, 0.0];

@@ -5,7 +5,7 @@ use predicament_formats::bits::{power_of_two, rounded, step, top_exponent};
 use super::super::climb::ulp;
 use super::Draft;
 
-/// A coordinate with its row.
+/// Changes one coordinate, given with its row and axis.
 fn one(draft: &mut Draft<'_>, change: impl FnOnce(&mut Draft<'_>, f64, usize, usize) -> Option<f64>) -> bool {
     let Some((at, mut row)) = draft.pick() else { return false };
     let axis = draft.below(row.len());
@@ -14,7 +14,7 @@ fn one(draft: &mut Draft<'_>, change: impl FnOnce(&mut Draft<'_>, f64, usize, us
     draft.put(at, &row)
 }
 
-/// Some ulps up or down, most often few.
+/// Moves a coordinate by some ulps up or down, most often few.
 pub(super) fn ulps(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, _, _| {
         let bits = if draft.random.one_in(2) { 2 } else { draft.random.integer(1, 40) };
@@ -24,7 +24,7 @@ pub(super) fn ulps(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// Just beside a power of two: half an ulp is most of what it can be.
+/// Moves a coordinate just beside a power of two, where half an ulp is relatively largest.
 pub(super) fn beside_power(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, _, _| {
         let exponent = top_exponent(x).unwrap_or(0) + draft.random.integer(0, 1);
@@ -34,7 +34,7 @@ pub(super) fn beside_power(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// Half an ulp of another coordinate, or by that much elsewhere: where a difference is rounded the other way.
+/// Moves a coordinate by or to half an ulp of another one, where a difference rounds the other way.
 pub(super) fn half_ulp(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, at, _| {
         let length = draft.row(at).len();
@@ -45,7 +45,7 @@ pub(super) fn half_ulp(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// Fewer significant bits.
+/// Reduces the number of significant bits.
 pub(super) fn fewer_bits(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, _, _| {
         let bits = u32::try_from(draft.random.integer(1, 40)).unwrap_or(1);
@@ -53,7 +53,7 @@ pub(super) fn fewer_bits(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// The coordinate of another point: points in line with an axis.
+/// Copies the coordinate of another point: the points are then in line with an axis.
 pub(super) fn copied(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, _, at, axis| {
         let length = draft.row(at).len();
@@ -63,7 +63,7 @@ pub(super) fn copied(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// Nearer to the coordinate of another point, or a little off.
+/// Moves a coordinate nearer to that of another point, or a little off.
 pub(super) fn nearer(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, at, axis| {
         let length = draft.row(at).len();
@@ -74,12 +74,12 @@ pub(super) fn nearer(draft: &mut Draft<'_>) -> bool {
     })
 }
 
-/// The other sign.
+/// Changes the sign of a coordinate.
 pub(super) fn negated(draft: &mut Draft<'_>) -> bool {
     one(draft, |_, x, _, _| Some(-x))
 }
 
-/// Another exponent, some binades away or anywhere.
+/// Changes the exponent, by some binades or to any value.
 pub(super) fn exponent(draft: &mut Draft<'_>) -> bool {
     one(draft, |draft, x, _, _| {
         let k = if draft.random.one_in(3) { draft.random.integer(-1000, 1000) } else { draft.random.nonzero(60) };

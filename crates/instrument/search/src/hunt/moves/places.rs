@@ -1,13 +1,13 @@
-//! Moves of a point onto or near what others span, rounded to doubles.
+//! Moves of a point onto or near the span of others, rounded to doubles.
 //!
-//! The nearest doubles to a point of a line are rarely on it: what is made here is nearly degenerate, and now and then it is
-//! degenerate exactly, where all numbers are short.
+//! The nearest doubles to a point of a line are rarely on it. So the results are nearly degenerate, and sometimes
+//! exactly degenerate, if all numbers are short.
 
 use predicament_formats::bits::power_of_two;
 
 use super::Draft;
 
-/// A point and others of its dimension, all at different places.
+/// A point and N others of its dimension, all at different positions.
 fn spanned<const N: usize>(draft: &mut Draft<'_>) -> Option<(usize, [Vec<f64>; N])> {
     let (at, row) = draft.pick()?;
     let mut places = vec![at];
@@ -20,7 +20,7 @@ fn spanned<const N: usize>(draft: &mut Draft<'_>) -> Option<(usize, [Vec<f64>; N
     Some((at, others.try_into().ok()?))
 }
 
-/// A parameter along a line: a fraction of small numbers, or any.
+/// A parameter along a line: a fraction of small integers, or any number.
 fn parameter(draft: &mut Draft<'_>) -> f64 {
     match draft.below(4) {
         0 => draft.random.unit(),
@@ -38,43 +38,43 @@ fn parameter(draft: &mut Draft<'_>) -> f64 {
     }
 }
 
-/// p + t·(q − p).
+/// The point p + t·(q − p).
 fn along(p: &[f64], q: &[f64], t: f64) -> Vec<f64> {
     p.iter().zip(q).map(|(a, b)| a + t * (b - a)).collect()
 }
 
-/// The largest distance along an axis.
+/// The largest distance of two points along an axis.
 fn reach(p: &[f64], q: &[f64]) -> f64 {
     p.iter().zip(q).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// Onto another point.
+/// Moves a point onto another point.
 pub(super) fn onto_point(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p])) = spanned::<1>(draft) else { return false };
     draft.put(at, &p)
 }
 
-/// Beside another point, at any distance.
+/// Moves a point beside another point, at any distance.
 pub(super) fn near_point(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p, q])) = spanned::<2>(draft) else { return false };
     let near = off(draft, &p, reach(&p, &q));
     draft.put(at, &near)
 }
 
-/// A point off by some part of a length.
+/// A point displaced by some fraction of a length.
 fn off(draft: &mut Draft<'_>, p: &[f64], length: f64) -> Vec<f64> {
     let part = power_of_two(-draft.random.integer(1, 60));
     p.iter().map(|x| x + length * part * (2.0 * draft.random.unit() - 1.0)).collect()
 }
 
-/// Onto the line of two others.
+/// Moves a point onto the line of two others.
 pub(super) fn onto_line(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p, q])) = spanned::<2>(draft) else { return false };
     let t = parameter(draft);
     draft.put(at, &along(&p, &q, t))
 }
 
-/// Beside the line of two others, at any distance.
+/// Moves a point beside the line of two others, at any distance.
 pub(super) fn near_line(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p, q])) = spanned::<2>(draft) else { return false };
     let t = parameter(draft);
@@ -82,7 +82,7 @@ pub(super) fn near_line(draft: &mut Draft<'_>) -> bool {
     draft.put(at, &near)
 }
 
-/// Onto the plane of three others; in the plane, onto the line from one to a point of the others' line.
+/// Moves a point onto the plane of three others; in 2D, onto the line from one point to a point of the others' line.
 pub(super) fn onto_plane(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p, q, r])) = spanned::<3>(draft) else { return false };
     let [s, t] = [parameter(draft), parameter(draft)];
@@ -90,14 +90,14 @@ pub(super) fn onto_plane(draft: &mut Draft<'_>) -> bool {
     draft.put(at, &onto)
 }
 
-/// The fourth corner of a parallelogram.
+/// Moves a point to the fourth corner of a parallelogram.
 pub(super) fn parallelogram(draft: &mut Draft<'_>) -> bool {
     let Some((at, [p, q, r])) = spanned::<3>(draft) else { return false };
     let corner: Vec<f64> = p.iter().zip(&q).zip(&r).map(|((a, b), c)| a + (b - c)).collect();
     draft.put(at, &corner)
 }
 
-/// Onto the circle of three others, or the sphere of four.
+/// Moves a point onto the circle of three others, or the sphere of four.
 pub(super) fn onto_sphere(draft: &mut Draft<'_>) -> bool {
     let Some((at, row)) = draft.pick() else { return false };
     let mut places = vec![at];
@@ -109,7 +109,7 @@ pub(super) fn onto_sphere(draft: &mut Draft<'_>) -> bool {
     }
     let Some(center) = center(&others) else { return false };
     let on = if draft.random.one_in(2) {
-        // The mirror image of one of them in the center, along some axes: exact where numbers are short.
+        // The mirror image of one of them in the centre, along some axes: exact if numbers are short.
         let image = |(x, c): (&f64, &f64)| if draft.random.one_in(2) { 2.0 * c - x } else { *x };
         others[0].iter().zip(&center).map(image).collect()
     } else {
@@ -122,7 +122,7 @@ pub(super) fn onto_sphere(draft: &mut Draft<'_>) -> bool {
     draft.put(at, &on)
 }
 
-/// The center of the circle of three points or the sphere of four, by elimination.
+/// The centre of the circle of three points or the sphere of four, by elimination.
 fn center(points: &[Vec<f64>]) -> Option<Vec<f64>> {
     let (last, rest) = points.split_last()?;
     let n = last.len();

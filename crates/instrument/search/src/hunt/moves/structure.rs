@@ -1,6 +1,7 @@
-//! Moves of what is asked, and of points from one scene to another.
+//! Moves of queries, and of points from one scene to another.
 //!
-//! Simulation of Simplicity goes by the order of the vertices, and a query's answer may go by that of its arguments.
+//! Simulation of Simplicity depends on the order of the vertices, and a query's answer may depend on the order of its
+//! arguments.
 
 use predicament_corpus::{Items, Spelled};
 use predicament_predicates::Vertex;
@@ -8,12 +9,12 @@ use predicament_predicates::Vertex;
 use super::Draft;
 use crate::{drop_points, drop_unnamed};
 
-/// Points and rows that a scene may have, at most: more cost time and say little.
+/// The maximum number of points and rows of a scene: more cost time and show little.
 pub(in crate::hunt) const MOST_ROWS: usize = 40;
-/// Items of a list that a move may add to, at most.
+/// The maximum number of items in a list to which a move may add.
 const MOST_ITEMS: usize = 12;
 
-/// A list of tuples and one of them.
+/// A random list of tuples and a random tuple in it, as indices.
 fn tuple(draft: &mut Draft<'_>) -> Option<(usize, usize)> {
     let lists: Vec<usize> = (0..draft.spelled.lists.len())
         .filter(|&list| {
@@ -36,7 +37,7 @@ fn vertices(spelled: &mut Spelled, list: usize, item: usize) -> Option<&mut Vec<
     }
 }
 
-/// Two vertices of an item exchanged.
+/// Exchanges two vertices of an item.
 pub(super) fn arguments_exchanged(draft: &mut Draft<'_>) -> bool {
     let Some((list, item)) = tuple(draft) else { return false };
     let length = draft.spelled.lists[list].items.vertices(item).len();
@@ -46,7 +47,7 @@ pub(super) fn arguments_exchanged(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// The coordinates of two points exchanged, so that they come in another order.
+/// Exchanges the coordinates of two points, so that their order changes.
 pub(super) fn points_exchanged(draft: &mut Draft<'_>) -> bool {
     let count = draft.spelled.points.len();
     if count < 2 {
@@ -55,7 +56,7 @@ pub(super) fn points_exchanged(draft: &mut Draft<'_>) -> bool {
     let a = draft.below(count);
     let b = (a + 1 + draft.below(count - 1)) % count;
     draft.spelled.points.swap(a, b);
-    // What names them goes with them, so that nothing changes but the order.
+    // Items that name the points are renamed too, so that only the order changes.
     if draft.random.one_in(2) {
         let exchange = |v: &mut Vertex| {
             if *v == Vertex::input(a) {
@@ -69,7 +70,7 @@ pub(super) fn points_exchanged(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// Another vertex in an item.
+/// Replaces a vertex in an item by another.
 pub(super) fn other_vertex(draft: &mut Draft<'_>) -> bool {
     let count = draft.spelled.points.len();
     let Some((list, item)) = tuple(draft).filter(|_| count > 0) else { return false };
@@ -83,7 +84,7 @@ pub(super) fn other_vertex(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// A point added where another is; some item names it instead.
+/// Adds a point at the position of another; some item names it instead.
 pub(super) fn point_twice(draft: &mut Draft<'_>) -> bool {
     let count = draft.spelled.points.len();
     if count == 0 || draft.rows() >= MOST_ROWS {
@@ -101,7 +102,7 @@ pub(super) fn point_twice(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// An item added that is like another, with two vertices exchanged.
+/// Adds a copy of an item, with two vertices exchanged.
 pub(super) fn item_twice(draft: &mut Draft<'_>) -> bool {
     let Some((list, item)) = tuple(draft) else { return false };
     let Items::Tuples(all) = &mut draft.spelled.lists[list].items else { return false };
@@ -117,7 +118,7 @@ pub(super) fn item_twice(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// A point left out, with all that names it; nothing that is asked for may be empty then.
+/// Removes a point, with all items that name it, unless a list becomes empty.
 pub(super) fn point_less(draft: &mut Draft<'_>) -> bool {
     let count = draft.spelled.points.len();
     if count < 2 {
@@ -133,7 +134,7 @@ pub(super) fn point_less(draft: &mut Draft<'_>) -> bool {
     true
 }
 
-/// Some rows of the other scene in the places of one's own.
+/// Replaces some rows by rows of the other scene.
 pub(super) fn points_of_mate(draft: &mut Draft<'_>) -> bool {
     let Some(mate) = draft.mate else { return false };
     let theirs: Vec<Vec<f64>> = mate.rows().into_iter().cloned().collect();
@@ -146,7 +147,7 @@ pub(super) fn points_of_mate(draft: &mut Draft<'_>) -> bool {
     changed
 }
 
-/// One axis of the other scene's points.
+/// Replaces one axis by that of the other scene's points.
 pub(super) fn axis_of_mate(draft: &mut Draft<'_>) -> bool {
     let Some(mate) = draft.mate else { return false };
     let axis = draft.below(3);
@@ -162,7 +163,7 @@ pub(super) fn axis_of_mate(draft: &mut Draft<'_>) -> bool {
     changed
 }
 
-/// Both scenes in one, where they have the same keys and are small.
+/// Combines both scenes in one, if they have the same keys and are small.
 pub(super) fn beside_mate(draft: &mut Draft<'_>) -> bool {
     let Some(mate) = draft.mate else { return false };
     let own = &mut draft.spelled;

@@ -1,36 +1,37 @@
-//! Moves of the whole scene: other sizes, places and directions of the same shape.
+//! Moves of the whole scene: other sizes, positions and directions of the same shape.
 //!
-//! Most are exact as long as the coordinates are short: the new scene is as degenerate as the old one, where doubles are coarser or finer.
+//! Most moves are exact while coordinates are short: the new scene is as degenerate as the old one, where doubles are
+//! coarser or finer.
 
 use predicament_formats::bits::{power_of_two, scale, top_exponent};
 
 use super::Draft;
 
-/// floor(log2) of the largest coordinate; none where all are zero.
+/// The value floor(log2) of the largest coordinate; `None` if all are zero.
 fn top(draft: &Draft<'_>) -> Option<i64> {
     draft.spelled.rows().into_iter().flatten().filter_map(|&x| top_exponent(x)).max()
 }
 
-/// All coordinates times a power of two, which may be anywhere from the smallest doubles to the largest.
+/// Multiplies all coordinates by a power of two, anywhere from the smallest doubles to the largest.
 pub(super) fn scaled(draft: &mut Draft<'_>) -> bool {
     let Some(top) = top(draft) else { return false };
     let k = if draft.random.one_in(3) { draft.random.nonzero(60) } else { draft.random.integer(-1060, 1022) - top };
-    // Twice the whole range of exponents is more than one scaling does.
+    // Two steps, since one scaling does not cover twice the range of exponents.
     draft.each(|_, x| scale(scale(x, k / 2), k - k / 2))
 }
 
-/// An exponent to scale a part by: near, or far.
+/// An exponent to scale a part of the scene by: near zero, or far from it.
 fn part(draft: &mut Draft<'_>) -> i64 {
     if draft.random.one_in(3) { draft.random.integer(-900, 900) } else { draft.random.nonzero(60) }
 }
 
-/// One axis times a power of two: lines and planes stay what they are.
+/// Multiplies one axis by a power of two: lines and planes stay lines and planes.
 pub(super) fn axis_scaled(draft: &mut Draft<'_>) -> bool {
     let (k, axis) = (part(draft), draft.below(3));
     draft.each(|along, x| if along == axis { scale(x, k) } else { x })
 }
 
-/// One point times a power of two.
+/// Multiplies one point by a power of two.
 pub(super) fn point_scaled(draft: &mut Draft<'_>) -> bool {
     let Some((at, row)) = draft.pick() else { return false };
     let k = part(draft);
@@ -38,7 +39,7 @@ pub(super) fn point_scaled(draft: &mut Draft<'_>) -> bool {
     draft.put(at, &moved)
 }
 
-/// Everything far away along one axis or all, where doubles are coarser.
+/// Moves all points far away along one axis or all axes, where doubles are coarser.
 pub(super) fn far_away(draft: &mut Draft<'_>) -> bool {
     let Some(top) = top(draft) else { return false };
     let exponent = (top + draft.random.integer(0, 50)).clamp(-1022, 1020);
@@ -48,13 +49,13 @@ pub(super) fn far_away(draft: &mut Draft<'_>) -> bool {
     draft.each(|along, x| if along == axis || axis == 3 { x + shift } else { x })
 }
 
-/// Everything moved so that one point is the origin.
+/// Moves all points so that one point is the origin.
 pub(super) fn to_origin(draft: &mut Draft<'_>) -> bool {
     let Some((_, pivot)) = draft.pick() else { return false };
     draft.each(|axis, x| x - pivot.get(axis).copied().unwrap_or(0.0))
 }
 
-/// A turn with a change of size, in whole numbers: by a Pythagorean triple about an axis, or by a quaternion.
+/// Rotates and scales the scene in integers: by a Pythagorean triple about an axis, or by a quaternion.
 pub(super) fn turned(draft: &mut Draft<'_>) -> bool {
     const TRIPLES: [[f64; 2]; 6] = [[3.0, 4.0], [5.0, 12.0], [8.0, 15.0], [7.0, 24.0], [20.0, 21.0], [4.0, 3.0]];
     let length = draft.spelled.rows().first().map_or(0, |row| row.len());
@@ -91,7 +92,7 @@ pub(super) fn turned(draft: &mut Draft<'_>) -> bool {
     mapped(draft, &matrix)
 }
 
-/// One axis with a multiple of another added: degenerate lines and planes stay so.
+/// Adds a multiple of one axis to another: degenerate lines and planes stay degenerate.
 pub(super) fn sheared(draft: &mut Draft<'_>) -> bool {
     let length = draft.spelled.rows().first().map_or(0, |row| row.len());
     // (Rows of four are cubes, which have no shear.)
@@ -107,7 +108,7 @@ pub(super) fn sheared(draft: &mut Draft<'_>) -> bool {
     mapped(draft, &matrix)
 }
 
-/// The axes in another order, and some of them turned around.
+/// Permutes the axes, and reverses some of them.
 pub(super) fn axes_exchanged(draft: &mut Draft<'_>) -> bool {
     let length = draft.spelled.rows().first().map_or(0, |row| row.len());
     if !(2..=3).contains(&length) {
@@ -135,7 +136,7 @@ fn mapped(draft: &mut Draft<'_>, matrix: &[[f64; 3]; 3]) -> bool {
     changed
 }
 
-/// All coordinates onto a grid, most often a coarse one: many are equal then, and many triples in line.
+/// Rounds all coordinates to a grid, most often a coarse one: then many are equal, and many triples are in line.
 pub(super) fn onto_grid(draft: &mut Draft<'_>) -> bool {
     let Some(top) = top(draft) else { return false };
     let unit = top - if draft.random.one_in(3) { draft.random.integer(4, 20) } else { draft.random.integer(0, 3) };

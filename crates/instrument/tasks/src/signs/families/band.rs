@@ -1,10 +1,8 @@
 //! Queries whose determinants are at the edges of a tolerance band.
 //!
-//! The tolerance scheme of Wang, Jiang, Schroeder and Teran registers
-//! determinants within thresholds that are multiples of ε·L² in 2D (κ: 10, 21,
-//! 32) and ε^(3/4)·L³ in 3D (ξ and ρ: 28, 56, 83.14), with ε = 2^-52 the machine
-//! epsilon and L the largest edge of the scene's bounding box. Random queries
-//! never come near them; these do.
+//! The tolerance scheme of Wang, Jiang, Schroeder and Teran registers determinants within thresholds that are multiples
+//! of ε·L² in 2D (κ: 10, 21, 32) and ε^(3/4)·L³ in 3D (ξ and ρ: 28, 56, 83.14), with ε = 2^-52 the machine epsilon and
+//! L the largest edge of the scene's bounding box. Random queries never come near the thresholds; these queries do.
 
 use predicament_predicates::{PredicateKind, Vertex};
 
@@ -14,9 +12,9 @@ use predicament_corpus::{Random, Recipe};
 use predicament_formats::bits::power_of_two;
 use predicament_formats::{CorpusError, Fields};
 
-/// T₋, T and T₊ of κ, in units of ε·L².
+/// The thresholds T₋, T and T₊ of κ, in units of ε·L².
 pub(super) const PLANE: [f64; 3] = [10.0, 21.0, 32.0];
-/// T₋, T and T₊ of ξ and ρ, in units of ε^(3/4)·L³.
+/// The thresholds T₋, T and T₊ of ξ and ρ, in units of ε^(3/4)·L³.
 pub(super) const SPACE: [f64; 3] = [28.0, 56.0, 83.14];
 
 /// Reads a table of the family, which has no parameters of its own.
@@ -28,7 +26,7 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
     ))
 }
 
-/// `n` queries between two anchors that make L exactly 1.
+/// A scene of `n` queries between two anchors that make L exactly 1.
 fn band(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
     let space = kind == PredicateKind::Orient3d;
     let dimension = super::native(kind);
@@ -57,8 +55,8 @@ fn target(multiples: [f64; 3], unit: f64, rng: &mut Random) -> f64 {
     sign * multiple * unit * rng.between(1.0 - 1.0 / 64.0, 1.0 + 1.0 / 64.0)
 }
 
-/// a, b and a point that far beside the line through them. Short edges are as
-/// likely as long ones: the shorter, the finer the determinant can be aimed.
+/// Points a, b and a third point beside the line through them, at a distance for the target determinant. Short edges
+/// are as likely as long ones; with a short edge the determinant can be set more finely.
 fn triangle(rng: &mut Random) -> [[f64; 2]; 3] {
     loop {
         let a = unit2(rng);
@@ -77,7 +75,7 @@ fn triangle(rng: &mut Random) -> [[f64; 2]; 3] {
     }
 }
 
-/// a, b, c and a point that far off their plane.
+/// Points a, b, c and a fourth point off their plane, at a distance for the target determinant.
 fn tetrahedron(rng: &mut Random) -> [[f64; 3]; 4] {
     loop {
         let [a, b, c] = [unit3(rng), unit3(rng), unit3(rng)];
@@ -94,7 +92,7 @@ fn tetrahedron(rng: &mut Random) -> [[f64; 3]; 4] {
     }
 }
 
-/// Whether a query stays between the anchors.
+/// True if a query stays between the anchors.
 fn inside(coordinates: &[f64]) -> bool {
     coordinates.iter().all(|x| (0.0..=1.0).contains(x))
 }

@@ -1,5 +1,5 @@
-//! Exactly degenerate: integer points on a common line, plane, circle or
-//! sphere in general position, so that no coordinate test sees it coming.
+//! Exactly degenerate queries: integer points on a common line, plane, circle or sphere in general position, so that no
+//! coordinate test detects it.
 
 use predicament_predicates::PredicateKind;
 
@@ -7,20 +7,20 @@ use predicament_corpus::{Random, Recipe};
 use predicament_formats::bits::{integer, power_of_two};
 use predicament_formats::{CorpusError, Fields};
 
-/// How large the integers of a query are.
+/// The magnitudes of a query's integers.
 struct Sizes {
-    /// Of a line's or plane's first point, and of a circle's centre.
+    /// The magnitude of a line's or plane's first point, and of a circle's centre.
     origin: i64,
-    /// Of a direction's components.
+    /// The magnitude of a direction's components.
     step: i64,
-    /// How many steps away the points lie.
+    /// The number of steps to the points.
     steps: i64,
-    /// Of the integers that parametrise points on a circle or sphere.
+    /// The magnitude of the integers that parametrise points on a circle or sphere.
     parameter: i64,
 }
 
-/// Every answer 0, also after scaling by 2^k: the coordinates are integers of
-/// at most 48 bits times a power of two, hence doubles.
+/// A query whose answer is 0, also after scaling by 2^k: the coordinates are integers of at most 48 bits times a power
+/// of two, hence doubles.
 pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let sizes = Sizes { origin: 1 << 30, step: 1 << 15, steps: 1 << 15, parameter: 12 };
     let unit = power_of_two(rng.integer(-40, 40));
@@ -33,9 +33,8 @@ pub(super) fn read_decimal(task: &'static str, fields: &Fields<'_, '_>) -> Resul
     super::by_query(task, fields, move |kind, rng, out| decimal(kind, digits, rng, out))
 }
 
-/// Degenerate as decimals with a few digits behind the point; the nearest
-/// doubles miss by their roundings. Dividing an integer by a power of ten
-/// (both doubles) rounds as reading the decimal does.
+/// A query that is degenerate as decimals with a few fractional digits; the nearest doubles miss it by their roundings.
+/// Dividing an integer by a power of ten (both doubles) rounds as reading the decimal does.
 fn decimal(kind: PredicateKind, digits: u32, rng: &mut Random, out: &mut Vec<f64>) {
     let sizes = Sizes { origin: 100, step: 12, steps: 12, parameter: 3 };
     let power = integer(10_i64.pow(digits));
@@ -84,11 +83,10 @@ fn plane(sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
     places.iter().flat_map(|[j, k]| [0, 1, 2].map(|i| origin[i] + j * u[i] + k * v[i])).collect()
 }
 
-/// So many different points on one circle (N = 2) or sphere (N = 3).
+/// Distinct points on one circle (N = 2) or sphere (N = 3).
 ///
-/// A rational point of the unit circle or sphere is n/d with the numerators
-/// (2ps, …, s² − Σp²) over d = s² + Σp² for integers p, s; times the product of
-/// all the denominators it is an integer point of one large circle or sphere.
+/// A rational point of the unit circle or sphere is n/d with the numerators (2ps, …, s² − Σp²) over d = s² + Σp² for
+/// integers p, s. Times the product of all the denominators it is an integer point of one large circle or sphere.
 fn round<const N: usize>(count: usize, sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
     let mut points: Vec<([i64; N], i64)> = Vec::with_capacity(count);
     while points.len() < count {

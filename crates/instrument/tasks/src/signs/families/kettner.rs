@@ -1,14 +1,13 @@
-//! The neighbourhoods in which Kettner et al. saw naive arithmetic fail,
-//! and what corresponds to them for the other predicates.
+//! The neighbourhoods in which Kettner et al. saw naive arithmetic fail, and their equivalents for the other
+//! predicates.
 
 use predicament_predicates::PredicateKind;
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
 
-/// One point from the 256 × 256 doubles next to (0.5, 0.5), against points on
-/// a line, plane, circle or sphere through (0.5, 0.5) with coordinates up to
-/// 130: the differences cancel, the rest is rounding.
+/// A point from the 256 × 256 doubles next to (0.5, 0.5), against points on a line, plane, circle or sphere through
+/// (0.5, 0.5) with coordinates up to 130: the differences cancel, the rest is rounding.
 pub(super) fn kettner(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let mut near_half = || 0.5 + integer(rng.integer(0, 255)) * power_of_two(-53);
     let p = [near_half(), near_half(), near_half()];

@@ -1,4 +1,4 @@
-//! The families by name, and the predicates that they can make queries for.
+//! The families by name, and the predicates for which they make queries.
 
 use std::sync::OnceLock;
 

@@ -26,7 +26,7 @@ pub(super) use list::of;
 
 use super::{SignQueries, queries};
 
-/// The number of coordinates in which a family thinks about a predicate.
+/// The number of coordinates that a family uses for a predicate.
 fn native(kind: PredicateKind) -> usize {
     match kind {
         PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => 2,
@@ -34,8 +34,7 @@ fn native(kind: PredicateKind) -> usize {
     }
 }
 
-/// Points, what is constructed from them, and the queries where these are not
-/// simply one after the other.
+/// Points, constructions from them, and the queries unless these are consecutive tuples.
 #[derive(Default)]
 struct Cloud {
     coordinates: Vec<f64>,
@@ -43,7 +42,7 @@ struct Cloud {
     constructions: Vec<Construction>,
 }
 
-/// What a generator's table asks, whatever the family.
+/// The keys of a generator's table that all families share.
 #[derive(Clone, Copy)]
 struct Asked {
     question: Question,
@@ -51,8 +50,8 @@ struct Asked {
 }
 
 impl Asked {
-    /// Reads `axis`, `plane` and `dimension`; `fixed` is that of the family's points, where it is not
-    /// for the table to say.
+    /// Reads `axis`, `plane` and `dimension`; `fixed` is the dimension of the family's points, if the table cannot
+    /// choose it.
     fn read(task: &'static str, fields: &Fields<'_, '_>, fixed: Option<Dimension>) -> Result<Asked, CorpusError> {
         let kind: PredicateKind = task.parse().unwrap_or_else(|error| panic!("{error}"));
         let question = queries::question(fields, kind)?;
@@ -77,7 +76,7 @@ impl Asked {
         self.question.kind()
     }
 
-    /// The coordinates of so many queries that have no point in common.
+    /// The number of coordinates of a number of queries without common points.
     fn coordinates(self, queries: u64) -> u64 {
         queries * (self.kind().arity() * self.dimension.count()) as u64
     }
@@ -92,7 +91,7 @@ impl Asked {
         Parts::new(scene, SignQueries::new(QuerySet::new(self.question, args)))
     }
 
-    /// The scene of a cloud whose points are in the plane in which the family thinks.
+    /// The scene of a cloud whose points are in the family's own plane.
     fn placed(self, cloud: Cloud, making: &Making) -> Parts {
         let mut rest = Random::new(making.family, "coordinates that nobody asks about", making.seed);
         let coordinates = shape::place(cloud.coordinates, self.question, self.dimension, &mut rest);
@@ -100,8 +99,7 @@ impl Asked {
     }
 }
 
-/// A recipe that makes a scene query by query: the first queries of a larger
-/// amount are those of a smaller one.
+/// A recipe that makes a scene query by query: a smaller scene is a prefix of a larger one.
 fn by_query(
     task: &'static str,
     fields: &Fields<'_, '_>,

@@ -1,4 +1,4 @@
-//! Almost degenerate: a few ulps off a line, plane, circle or sphere.
+//! Nearly degenerate queries: a few ulps off a line, plane, circle or sphere.
 
 use predicament_predicates::PredicateKind;
 
@@ -12,8 +12,8 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
     super::by_query(task, fields, move |kind, rng, out| near(kind, ulps, rng, out))
 }
 
-/// A query whose last point is where it would be degenerate, up to rounding,
-/// moved by at most `ulps` ulps in every coordinate.
+/// A query whose last point is at a degenerate position, up to rounding, moved by at most `ulps` ulps in every
+/// coordinate.
 pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut Vec<f64>) {
     let start = out.len();
     let dimension = super::native(kind);
@@ -56,8 +56,7 @@ pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut V
     }
 }
 
-/// Two points and their midpoint, rounded; for `orient3d` with a fourth point
-/// anywhere.
+/// Two points and their midpoint, rounded; for `orient3d` with an arbitrary fourth point.
 pub(super) fn midpoint(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let dimension = super::native(kind);
     let a: Vec<_> = (0..dimension).map(|_| rng.unit()).collect();
@@ -78,8 +77,8 @@ pub(super) fn unit3(rng: &mut Random) -> [f64; 3] {
     [rng.unit(), rng.unit(), rng.unit()]
 }
 
-/// A point of the unit circle, up to rounding: no sine, whose last bits
-/// differ between platforms, but the rational parametrisation.
+/// A point of the unit circle, up to rounding, by the rational parametrisation: the last bits of a sine differ between
+/// platforms.
 fn circle(rng: &mut Random) -> [f64; 2] {
     let t = rng.between(-1.0, 1.0);
     let m = 1.0 + t * t;

@@ -1,5 +1,5 @@
-//! The pixel maps of Kettner, Mehlhorn, Pion, Schirra and Yap: every pixel a
-//! neighbour of p, coloured by the turn that it makes with q and r.
+//! The pixel maps of Kettner, Mehlhorn, Pion, Schirra and Yap: every pixel is a neighbour of p, coloured by its turn
+//! with q and r.
 
 use predicament_predicates::Vertex;
 
@@ -21,7 +21,7 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
 /// A square of points against two fixed ones.
 #[derive(Clone, PartialEq, Debug)]
 struct PixelMap {
-    /// The coordinates of columns and of rows: those of p and k steps, exactly.
+    /// The coordinates of columns and of rows: those of p plus k steps, exactly.
     grid: [Vec<f64>; 2],
     q: [f64; 2],
     r: [f64; 2],
@@ -51,12 +51,12 @@ impl PixelMap {
         Ok(PixelMap { grid: [columns?, rows?], q, r })
     }
 
-    /// How many pixels, one query each.
+    /// The number of pixels, with one query each.
     fn pixels(&self) -> usize {
         self.grid[0].len() * self.grid[1].len()
     }
 
-    /// The pixels, those of a row after each other, then q and r; query (pixel, q, r) for each.
+    /// The pixels, row by row, then q and r; one query (pixel, q, r) for each.
     fn points(&self) -> Cloud {
         let n = self.pixels();
         let [columns, rows] = &self.grid;
@@ -68,7 +68,7 @@ impl PixelMap {
     }
 }
 
-/// So that every multiple with up to 53 bits is a double, too.
+/// True if x is a power of two, so that every multiple with up to 53 bits is a double, too.
 fn is_power_of_two(x: f64) -> bool {
     x.is_normal() && x.to_bits() & ((1 << 52) - 1) == 0 && x > 0.0
 }
@@ -82,7 +82,7 @@ fn point(field: &Field<'_, '_>) -> Result<[f64; 2], CorpusError> {
         .map_err(|_| field.error(format!("a point of {found} coordinates"), "a pixel map is flat: write two"))
 }
 
-/// x + y where that is a double: the error term of Knuth's sum is zero.
+/// The value x + y if that is a double: if the error term of Knuth's sum is zero.
 fn exact_sum(x: f64, y: f64) -> Option<f64> {
     let sum = x + y;
     let y_seen = sum - x;

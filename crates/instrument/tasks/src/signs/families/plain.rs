@@ -6,12 +6,12 @@ use super::native;
 use predicament_corpus::Random;
 use predicament_formats::bits::integer;
 
-/// Uniform in the unit square or cube.
+/// Points uniform in the unit square or cube.
 pub(super) fn uniform(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     out.extend((0..kind.arity() * native(kind)).map(|_| rng.unit()));
 }
 
-/// Small integers.
+/// Points with small integer coordinates.
 pub(super) fn grid(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     out.extend((0..kind.arity() * native(kind)).map(|_| integer(rng.integer(0, 15))));
 }

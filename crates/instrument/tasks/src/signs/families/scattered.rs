@@ -1,7 +1,7 @@
 //! Queries at random vertices among many points, as they come from an index, a hash or a queue.
 //!
-//! In the other families the points of a query lie side by side in memory, and those of the next query follow. Here each vertex is
-//! anywhere, so that the time of a query is that of fetching its points, once these are more than a cache holds.
+//! In the other families the points of a query are adjacent in memory, and those of the next query follow. Here each
+//! vertex has a random address, so the time of a query is that of fetching its points, once these exceed the cache.
 
 use predicament_corpus::{Random, Recipe};
 use predicament_formats::{CorpusError, Fields};
@@ -9,7 +9,7 @@ use predicament_predicates::{PredicateKind, Vertex};
 
 use super::{Asked, Cloud};
 
-/// Points for each query: 10^6 for 200,000.
+/// The number of points for each query: 10^6 for 200,000.
 const POINTS: usize = 5;
 
 /// Reads a table of the family, which has no parameters of its own.
@@ -21,7 +21,7 @@ pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe
     }))
 }
 
-/// `n` queries of distinct vertices of points that are uniform in [0, 1).
+/// A scene of `n` queries of distinct vertices, with points uniform in [0, 1).
 fn scattered(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
     let points = POINTS * n;
     let coordinates = (0..points * super::native(kind)).map(|_| rng.unit()).collect();

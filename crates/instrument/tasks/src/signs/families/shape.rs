@@ -1,12 +1,11 @@
-//! Maps a family's coordinates to the axis or plane that the question is about.
+//! The map from a family's coordinates to the axis or plane of the question.
 
 use predicament_predicates::{Axis, Dimension, Plane, Question};
 
 use predicament_corpus::Random;
 
-/// Puts points where the question looks: a family's first coordinate onto
-/// the axis that is compared, its plane onto the plane that is asked about.
-/// Coordinates that nobody asks about are uniform in [0, 1).
+/// Maps points to the axes of the question: a family's first coordinate to the compared axis, its plane to the
+/// question's plane. Coordinates that the question does not use are uniform in [0, 1).
 pub(super) fn place(coordinates: Vec<f64>, question: Question, dimension: Dimension, rng: &mut Random) -> Vec<f64> {
     let (first, second) = match question {
         Question::Compare(axis) => (axis, if axis == Axis::Y { Axis::X } else { Axis::Y }),

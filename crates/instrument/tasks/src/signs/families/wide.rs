@@ -1,4 +1,4 @@
-//! The whole range of exponents, where products overflow and underflow.
+//! Queries over the whole range of exponents, where products overflow and underflow.
 
 use predicament_predicates::PredicateKind;
 
@@ -6,9 +6,8 @@ use super::{degenerate, native, near, plain};
 use predicament_corpus::Random;
 use predicament_formats::bits::{HIGHEST, LOWEST, scale, top_exponent};
 
-/// An ordinary query, scaled as a whole so that its largest coordinate gets
-/// any exponent that a double can have. Signs don't change where no bit is
-/// lost; near the bottom, bits are lost, and the rounded points are the query.
+/// An ordinary query, scaled as a whole so that its largest coordinate has any exponent of a double. Signs do not
+/// change if no bit is lost. Near the bottom of the range bits are lost, and the rounded points are the query.
 pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let start = out.len();
     match rng.integer(0, 2) {
@@ -25,8 +24,8 @@ pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) 
     }
 }
 
-/// Every coordinate with its own exponent. One in four repeats the value
-/// that the point before it has on the same axis, so that differences vanish.
+/// A query whose coordinates all have random exponents. One in four repeats the value that the point before it has on
+/// the same axis, so that differences vanish.
 pub(super) fn mixed(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let (start, dimension) = (out.len(), native(kind));
     for _ in 0..kind.arity() * dimension {

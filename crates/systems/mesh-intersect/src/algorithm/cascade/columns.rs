@@ -1,7 +1,7 @@
-//! The parts of two meshes that a step looks at.
+//! The parts of two meshes that a step processes.
 //!
-//! A triangle that is beyond the box of the other mesh is in none of it. So all that an overlay has to know of a mesh is what
-//! meets the other one's box, and, to tell where that is, what a ray straight up from there can meet.
+//! A triangle beyond the other mesh's box is not in the other mesh. So an overlay only needs the part of a mesh that
+//! meets the other's box, and the triangles that a ray straight up from there can meet: these decide the location.
 
 use std::sync::Arc;
 
@@ -13,13 +13,13 @@ use super::NoStep;
 use crate::algorithm::rounding::{Closed, Rounded};
 use predicament_overlay::algorithm::overlay::Operation;
 
-/// What is in the columns over each other's boxes.
+/// The triangles in the columns above and below each other's boxes.
 pub(super) struct Columns {
-    /// The places of these triangles, of either mesh.
+    /// The indices of these triangles, for either mesh.
     pub near: [Vec<u32>; 2],
-    /// The places of the others.
+    /// The indices of the other triangles.
     far: [Vec<u32>; 2],
-    /// The vertices of what is near, ascending.
+    /// The vertices of near triangles, ascending.
     vertices: [Vec<u32>; 2],
 }
 
@@ -48,7 +48,7 @@ impl Columns {
         }
     }
 
-    /// The points of what is near, the second mesh being the one that moves.
+    /// The points of near triangles; the second mesh is the one that moves.
     pub fn scene(&self, operands: [&Closed; 2]) -> Result<Scene, SceneError> {
         let points = |mesh: usize| self.vertices[mesh].iter().map(move |&v| operands[mesh].points[v as usize]);
         let all: Vec<[f64; 3]> = points(0).chain(points(1)).collect();
@@ -56,7 +56,7 @@ impl Columns {
         Ok(scene.with_second_mesh((self.vertices[0].len()..all.len()).map(Vertex::input)))
     }
 
-    /// What is near, over the points of one scene.
+    /// The near parts of both meshes, over the points of one scene.
     pub fn meshes(&self, operands: [&Closed; 2]) -> Result<[Arc<MaterialMesh>; 2], NoStep> {
         let counts = self.vertices.each_ref().map(Vec::len);
         let mesh = |mesh: usize| {
@@ -72,10 +72,10 @@ impl Columns {
         Ok([mesh(0)?, mesh(1)?])
     }
 
-    /// The result of an operation: what is far, as far as it is kept, and the result of what is near; none where one of both has nothing near. With it for
-    /// each point whether a vertex has moved there.
+    /// The result of an operation: the kept part of the far triangles, and the result of the near ones (`None` if one
+    /// of the meshes has no near part). The second value is, for each point, true if a vertex has moved there.
     pub fn joined(&self, operands: [&Closed; 2], operation: Operation, near: Option<&Rounded>) -> (Closed, Vec<bool>) {
-        // Vertices by mesh and number, then new ones.
+        // Vertices by mesh and index, then new ones.
         let [first, second] = operands.map(|mesh| mesh.points.len());
         let mut of = vec![u32::MAX; first + second + near.map_or(0, |near| near.vertices.len())];
         let mut result = Closed::default();
@@ -90,7 +90,8 @@ impl Columns {
             of[at]
         };
         for (mesh, operand) in operands.into_iter().enumerate() {
-            // Beyond the other mesh's box; with nothing near there, all of it is outside of the other one.
+            // These triangles are beyond the other mesh's box. If there is no near part, the whole mesh is outside the
+            // other.
             if !operation.holds([mesh == 0, mesh == 1]) {
                 continue;
             }

@@ -1,11 +1,12 @@
-//! Boolean operations on closed meshes of doubles, whose results are such meshes again: cascades.
+//! Cascades: Boolean operations on closed meshes of doubles, whose results are again such meshes.
 //!
-//! Each step is an overlay of the two meshes ([`mod@crate::algorithm::overlay`]), one of which moves by an infinitesimal, the limit of its result
-//! ([`mod@crate::algorithm::limit`]), and the limit rounded to doubles ([`mod@crate::algorithm::rounding`]). Where the vertices of a result are
-//! doubles, a step is exact: then results are those of the operations on point sets, regularised, whatever was done before.
+//! Each step is an overlay of the two meshes ([`mod@crate::algorithm::overlay`]), one of which moves by an
+//! infinitesimal, the limit of its result ([`mod@crate::algorithm::limit`]), and the limit rounded to doubles
+//! ([`mod@crate::algorithm::rounding`]). If the vertices of a result are doubles, a step is exact: then results are
+//! those of the operations on point sets, regularised, whatever steps came before.
 //!
-//! Where they are not, the mesh of doubles may cross itself, and then it is no operand. With [`Rounding::Resolved`] what crosses is resolved and rounded
-//! again ([`mod@crate::algorithm::resolve`]), until nothing does.
+//! Otherwise the mesh of doubles may cross itself, and then it is not a valid operand. With [`Rounding::Resolved`]
+//! crossings are resolved and rounded again ([`mod@crate::algorithm::resolve`]), until none remain.
 
 mod columns;
 
@@ -22,51 +23,52 @@ use predicament_overlay::algorithm::overlay::Operation;
 
 pub use crate::algorithm::rounding::Closed;
 
-/// What a step has done.
+/// Statistics of a step.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Step {
-    /// Points that were constructed.
+    /// The number of points constructed.
     pub constructed: usize,
-    /// What of the perturbed result was without extent.
+    /// The parts of the perturbed result without extent.
     pub limit: limit::Counts,
-    /// What rounding has done.
+    /// Statistics of rounding.
     pub rounding: rounding::Counts,
-    /// What was resolved of what rounding has left; none where that was not asked for.
+    /// Statistics of the resolution of rounding flaws; `None` if it was not requested.
     pub resolved: Option<resolve::Counts>,
 }
 
 impl Step {
-    /// Flaws that the result has: pairs that cross after resolution, where that was asked for; else also folds and triangles that have turned over.
+    /// The number of flaws of the result: pairs that cross after resolution, if it was requested; otherwise also folds
+    /// and reversed triangles.
     #[must_use]
     pub fn left(&self) -> usize {
         self.resolved.map_or(self.rounding.left, |resolved| resolved.left)
     }
 }
 
-/// What becomes of flaws of rounding.
+/// The treatment of rounding flaws.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Rounding {
-    /// They are counted.
+    /// Flaws are counted.
     #[default]
     Counted,
-    /// They are resolved, and what comes of that is rounded again.
+    /// Flaws are resolved, and the result is rounded again.
     Resolved,
 }
 
-/// Why there is no result.
+/// The reason why there is no result.
 #[derive(Clone, PartialEq, Debug)]
 pub enum NoStep {
-    /// A triangle of a mesh is wrong: of the first, 0, or of the second, 1.
+    /// A triangle of a mesh is invalid: of the first mesh (0), or of the second (1).
     Mesh(usize, MaterialError),
     /// A coordinate is not finite, or there are too many vertices.
     Scene(SceneError),
-    /// A backend does not take the scene.
+    /// A backend declines the scene.
     Declined(Declined),
-    /// There is no overlay, or no limit of it.
+    /// The overlay, or the limit of its result, fails.
     Undone(Undone),
-    /// A result is no mesh of doubles.
+    /// A result cannot be rounded to a mesh of doubles.
     Rounding(NotRounded),
-    /// A result crosses itself, and that is not resolved.
+    /// A result crosses itself, and the resolution fails.
     Unresolved(Unresolved),
 }
 
@@ -91,26 +93,27 @@ impl From<Declined> for NoStep {
     }
 }
 
-/// How steps are done.
+/// The configuration of steps.
 #[derive(Clone, Copy)]
 pub struct Cascade<'a> {
-    /// Moves the second mesh as a whole, so that nothing between the two touches.
+    /// The backend that moves the second mesh as a whole, so that the two meshes never touch.
     pub perturbed: &'a dyn Sessions,
-    /// Says zero where something is zero.
+    /// The backend that returns exact zeros.
     pub exact: &'a dyn Sessions,
-    /// What a zero of the first is.
+    /// The meaning of a zero of `perturbed`.
     pub zeros: Zeros,
-    /// What becomes of flaws of rounding.
+    /// The treatment of rounding flaws.
     pub rounding: Rounding,
 }
 
 impl Cascade<'_> {
-    /// The result of an operation on two closed meshes. No mesh at all is empty space.
+    /// The result of an operation on two closed meshes. An empty mesh is empty space.
     ///
-    /// Only what is above, below and beside the box of the other mesh is overlaid; the rest stays as it is, or goes. That the
-    /// operands are closed is not checked ([`Closed::check`]).
+    /// Only the part above, below and beside the box of the other mesh is overlaid; the rest is kept or dropped
+    /// unchanged. The function does not check that the operands are closed ([`Closed::check`]).
     ///
-    /// Many steps on small meshes are best called from a thread of a rayon pool: from outside each of their short loops is handed to one.
+    /// Call many steps on small meshes from a thread of a rayon pool: from outside, each of their short loops has to
+    /// enter the pool.
     ///
     /// # Errors
     /// [`NoStep`], with the first reason.

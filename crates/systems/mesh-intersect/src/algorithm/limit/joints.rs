@@ -1,7 +1,7 @@
-//! Vertices on edges: triangles at an open edge are divided at the vertices of other open edges inside of it.
+//! Vertices on edges: triangles at an open edge are divided at the vertices of other open edges inside it.
 //!
-//! The surface is closed along each line, but not edge by edge: one side of a line may have a vertex where the other side has none. Between
-//! vertices that follow each other, all that is passed one way is passed back.
+//! The surface is closed along each line, but not edge by edge: one side of a line may have a vertex that the other
+//! side lacks. Between consecutive vertices, both directions are passed equally often.
 
 use std::collections::HashMap;
 
@@ -11,14 +11,14 @@ use predicament_predicates::{Axis, Plane, Predicates, Vertex};
 use super::places::Places;
 use predicament_grid::sort::sort_by_sign;
 
-/// The vertices inside of edges.
+/// The vertices inside edges.
 pub(crate) struct Joints {
-    /// By edge from the smaller vertex to the larger: what is inside, in this order.
+    /// For each edge, from the smaller vertex to the larger, the vertices inside it in order.
     inside: HashMap<[Vertex; 2], Vec<Vertex>>,
 }
 
 impl Joints {
-    /// The vertices of these edges that are inside of others of them.
+    /// Finds the vertices of these edges that are inside other edges of the list.
     pub fn of(session: &dyn Predicates, places: &Places, edges: &[[Vertex; 2]]) -> Joints {
         let mut vertices: Vec<Vertex> = edges.as_flattened().to_vec();
         vertices.sort_unstable();
@@ -32,7 +32,7 @@ impl Joints {
             let extent = [0, 1, 2].map(|axis: usize| (ends[0][axis] / 2.0 - ends[1][axis] / 2.0).abs());
             let mut axes = [Axis::X, Axis::Y, Axis::Z];
             axes.sort_by(|i, j| extent[j.index()].total_cmp(&extent[i.index()]));
-            // Different vertices are at different places.
+            // Different vertices are at different positions.
             let order = axes.into_iter().map(|axis| (axis, session.compare(axis, b, a)));
             let Some((axis, ahead)) = order.into_iter().find(|(_, sign)| !sign.is_zero()) else { continue };
             let is_between = |v: Vertex| {
@@ -52,12 +52,12 @@ impl Joints {
         Joints { inside }
     }
 
-    /// Whether nothing is inside of any edge.
+    /// True if no edge has a vertex inside.
     pub fn is_empty(&self) -> bool {
         self.inside.is_empty()
     }
 
-    /// A triangle, divided at all vertices inside of its edges; none where there are none.
+    /// A triangle, divided at all vertices inside its edges; `None` if there are none.
     pub fn divided(&self, triangle: [Vertex; 3]) -> Option<Vec<[Vertex; 3]>> {
         let [a, b, c] = triangle;
         let sides = [[a, b], [b, c], [c, a]].map(|[from, to]| {
@@ -77,8 +77,8 @@ impl Joints {
     }
 }
 
-/// Divides a triangle at vertices inside of its sides: a fan from the corner that is opposite to a side with some, in the first and the
-/// last triangle of which the other two sides are.
+/// Divides a triangle at vertices inside its sides. The result is a fan from the corner opposite to a side with such
+/// vertices; the other two sides belong to the first and the last triangle of the fan.
 fn divide([a, b, c]: [Vertex; 3], [ab, bc, ca]: [Vec<Vertex>; 3], all: &mut Vec<[Vertex; 3]>) {
     if ab.is_empty() {
         if bc.is_empty() && ca.is_empty() {

@@ -1,23 +1,29 @@
-//! The limit of a perturbed result as the perturbation goes to zero: what the Boolean operation of the meshes themselves is, regularised.
+//! The limit of a perturbed result as the perturbation goes to zero: the regularised Boolean operation of the
+//! unperturbed meshes.
 //!
-//! [`mod@crate::algorithm::overlay`] overlays meshes one of which has moved by an infinitesimal, so that its results can have triangles without area,
-//! vertices apart that are at one place, and sheets without volume: the union of two boxes that share a face keeps that face
-//! twice, where the move opens a gap. The volume of the result is continuous in the move, and so is its surface as a chain of oriented
-//! triangles. What that chain is where the move is zero, is found here by an exact session: vertices at one place become one, triangles without
-//! area go, triangles that face each other in one plane cancel. The limit does not depend on the move: it is the closure of the
-//! interior of the result (Requicha's *regularised* operation).
+//! [`mod@crate::algorithm::overlay`] overlays meshes one of which has moved by an infinitesimal. So its results can
+//! have triangles without area, different vertices at one position, and sheets without volume: the union of two boxes
+//! that share a face keeps that face twice, if the move opens a gap. The volume of the result is continuous in the
+//! move, and so is its surface as a chain of oriented triangles. An exact session finds that chain for the zero move:
+//! vertices at one position are merged, triangles without area are removed, and triangles that face each other in one
+//! plane cancel. The limit does not depend on the move: it is the closure of the interior of the result (Requicha's
+//! *regularised* operation).
 //!
 //! # Steps
-//! 1. Triangles whose boxes may meet those of the other mesh are the only ones that are looked at.
-//! 2. Vertices at one place: by the nearest doubles, and where these are equal and not exact, by `compare` (`places.rs`).
-//! 3. Triangles with a vertex twice go, and pairs of opposite ones: 5 would do that too, and takes longer.
-//! 4. Triangles without area go: one `orient2d` each, in a plane where the triangle that they are a part of has area.
-//! 5. What faces each other otherwise is cut in its plane (`sheets.rs`).
-//! 6. Where 4 and 5 have left edges open, triangles are divided at the vertices on their edges (`joints.rs`).
+//! 1. Only triangles whose boxes may meet those of the other mesh are processed.
+//! 2. Vertices at one position are found: by the nearest doubles, and if these are equal and not exact, by `compare`
+//!    (`places.rs`).
+//! 3. Triangles with a vertex twice are removed, and pairs of opposite ones; step 5 would do that too, and takes
+//!    longer.
+//! 4. Triangles without area are removed: one `orient2d` each, in a plane where the triangle that contains them has
+//!    area.
+//! 5. Other triangles that face each other are cut in their plane (`sheets.rs`).
+//! 6. If steps 4 and 5 leave edges open, triangles are divided at the vertices on their edges (`joints.rs`).
 //!
 //! # What is taken
-//! Results of sessions that move a mesh as a whole: a line that is parallel to a plane stays so, and each constructed vertex is a point
-//! in the limit. Where each vertex moves on its own that may not hold; the limit is refused where it does not.
+//! Results of sessions that move a mesh as a whole: a line that is parallel to a plane stays parallel, and each
+//! constructed vertex is a point in the limit. If each vertex moves separately that may fail; then the limit is
+//! refused.
 
 pub(crate) mod chain;
 pub(crate) mod joints;
@@ -41,35 +47,35 @@ use crate::algorithm::overlay::{MeshOverlay, Solid, SurfaceContradiction, Undone
 /// The limit of a result.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Limit {
-    /// The surface: closed, counterclockwise as seen from outside, each triangle with an area; triangles meet in vertices and edges only where
-    /// those of the operands do.
+    /// The surface: closed, counterclockwise as seen from outside, each triangle with an area. Triangles meet in
+    /// vertices and edges only, unless those of the operands meet elsewhere.
     pub solid: Solid,
     /// The doubles nearest to its vertices.
     pub places: Places,
-    /// What was done.
+    /// Statistics of the limit.
     pub counts: Counts,
 }
 
-/// How much of a result was without extent.
+/// The numbers of elements of a result without extent.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Counts {
-    /// Vertices that another one at the same place stands for.
+    /// Vertices replaced by another one at the same position.
     pub merged: usize,
     /// Triangles without area.
     pub flat: usize,
-    /// Triangles that an opposite one has cancelled.
+    /// Triangles cancelled by an opposite one.
     pub cancelled: usize,
-    /// Triangles that were replaced by what a facing one does not cover.
+    /// Triangles replaced by the part that a facing one does not cover.
     pub covered: usize,
-    /// Triangles that were divided at vertices on their edges.
+    /// Triangles divided at vertices on their edges.
     pub divided: usize,
 }
 
-/// The limit of a result of an overlay, in a session that says zero where something is zero, and knows what the overlay has constructed.
+/// Computes the limit of a result of an overlay, in a session with exact zeros that knows the overlay's constructions.
 ///
 /// # Errors
-/// [`Undone::Broken`] where a constructed vertex is no point without a move, or signs break an invariant; [`Undone::Refused`] where
-/// the session does not construct a point.
+/// [`Undone::Broken`] if a constructed vertex is not a point without the move, or signs break an invariant;
+/// [`Undone::Refused`] if the session does not construct a point.
 pub fn limit(session: &mut dyn Predicates, overlay: &MeshOverlay, solid: Solid) -> Result<Limit, Undone> {
     let places = Places::new(session.scene())?;
     let mut work = Work { places, ..Work::default() };
@@ -81,24 +87,24 @@ pub fn limit(session: &mut dyn Predicates, overlay: &MeshOverlay, solid: Solid) 
     work.finish(solid)
 }
 
-/// A result on the way to its limit.
+/// A result during the computation of its limit.
 #[derive(Default)]
 struct Work {
     places: Places,
-    /// The triangles that are looked at, of either mesh, in their order.
+    /// The processed triangles of either mesh, in order.
     parts: [Vec<Part>; 2],
-    /// The places of triangles that go.
+    /// The indices of removed triangles.
     gone: Vec<u32>,
-    /// Those of them that leave edges open.
+    /// Removed triangles that leave edges open.
     removed: Vec<[Vertex; 3]>,
-    /// Those of them that others may border on.
+    /// Removed triangles that others may border on.
     dead: Gone,
     added: Vec<([Vertex; 3], Label)>,
     counts: Counts,
 }
 
 impl Work {
-    /// Takes the triangles that are near the other mesh, by vertices of which each stands for all at its place.
+    /// Takes the triangles near the other mesh, and replaces vertices at one position by one of them.
     fn merge(&mut self, session: &dyn Predicates, solid: &Solid) {
         let near = near(session, &self.places, solid);
         let vertices = near.iter().flatten().flat_map(|&place| solid.triangles[place as usize]).collect();
@@ -124,7 +130,7 @@ impl Work {
 
     /// Removes pairs of opposite triangles.
     fn cancel(&mut self) {
-        // A triangle with ascending vertices, and whether it is turned the same way then.
+        // The triangle with ascending vertices, and true if that keeps its orientation.
         let sorted = |part: &Part| {
             let [a, b, c] = part.triangle;
             let mut all = [a, b, c];
@@ -179,7 +185,7 @@ impl Work {
         Ok(())
     }
 
-    /// Replaces what faces a triangle of the other mesh by what is left of it.
+    /// Replaces triangles that face a triangle of the other mesh by their uncovered parts.
     fn uncover(&mut self, session: &mut dyn Predicates, overlay: &MeshOverlay) -> Result<(), Undone> {
         let meshes = overlay.meshes().each_ref().map(|mesh| &**mesh);
         let parts = self.parts.each_ref().map(|parts| &parts[..]);
@@ -194,7 +200,7 @@ impl Work {
         self.removed.extend(self.parts.iter().flatten().filter(is_covered).map(|part| part.triangle));
         self.keep(|part| gone.binary_search(&part.place).is_err());
         self.gone.extend(gone);
-        // One point can have been constructed twice; the older vertex stands for it.
+        // One point may have been constructed twice; the older vertex replaces the newer.
         let new = instead.iter().flat_map(|(triangle, _)| *triangle);
         let old = self.parts.iter().flatten().flat_map(|part| part.triangle);
         let same = Same::of(session, &self.places, new.chain(old).collect());
@@ -203,7 +209,7 @@ impl Work {
         Ok(())
     }
 
-    /// The edges that are open: what was removed has them, and what was added has not, or the other way round.
+    /// The open edges: removed and added triangles do not balance there.
     fn open(&self) -> Vec<[Vertex; 2]> {
         let mut chain = Chain::default();
         self.removed.iter().for_each(|&triangle| chain.add(triangle, 1));
@@ -241,7 +247,7 @@ impl Work {
         self.added = added;
     }
 
-    /// The result with all changes.
+    /// Applies all changes to the result.
     fn finish(mut self, mut solid: Solid) -> Result<Limit, Undone> {
         if !self.open().is_empty() {
             return Err(Undone::Broken(SurfaceContradiction::LimitClosed.into()));
@@ -267,7 +273,8 @@ impl Work {
     }
 }
 
-/// The triangles whose boxes may meet that of one from the other mesh, with all other pieces of the same triangle.
+/// The triangles whose boxes may meet that of a triangle from the other mesh, with all other pieces of the same
+/// triangle.
 fn near(session: &dyn Predicates, places: &Places, solid: &Solid) -> [Vec<u32>; 2] {
     let scene = session.scene();
     let of = |mesh: u8| -> Vec<u32> {
@@ -279,7 +286,7 @@ fn near(session: &dyn Predicates, places: &Places, solid: &Solid) -> [Vec<u32>; 
         .each_ref()
         .map(|all| move |at: usize| Bounds::of(solid.triangles[all[at] as usize].map(|v| places.nearest(scene, v))));
     let (near, _) = shared(all.each_ref().map(Vec::len), [&box_of[0], &box_of[1]]);
-    // Pieces of one triangle follow each other.
+    // Pieces of one triangle are consecutive.
     let pieces = |place: u32| {
         let source = solid.sources[place as usize];
         let before = solid.sources[..place as usize].iter().rev().take_while(|&&other| other == source).count();

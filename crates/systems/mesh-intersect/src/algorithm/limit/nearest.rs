@@ -1,7 +1,7 @@
-//! The doubles nearest to a point where a line meets a plane, or three planes meet.
+//! The doubles nearest to the intersection of a line and a plane, or of three planes.
 //!
-//! A line and a plane meet at p + t·(q − p), t = n/(n − m), with the distances n and m of p and q from the plane: a quotient of integers, once all
-//! coordinates are integers in one unit.
+//! A line and a plane meet at p + t·(q − p), t = n/(n − m), with the distances n and m of p and q from the plane: a
+//! quotient of integers, once all coordinates are integers in one unit.
 
 use std::cmp::Ordering;
 
@@ -12,17 +12,17 @@ use rug::{Complete, Integer, Rational};
 /// A vector, or a point, in units of a power of two.
 type Space = [Integer; 3];
 
-/// The nearest doubles, and where the point is from there.
+/// The nearest doubles, and the direction of the point from them in each coordinate.
 pub(super) type Nearest = ([f64; 3], [Ordering; 3]);
 
-/// Coordinates of so many bits have products of four differences in 128 bits.
+/// The number of bits of coordinates for which products of four differences fit 128 bits.
 const SHORT: i32 = 26;
 
-/// The doubles nearest to a point, of two equally near ones the even one, and where the point is from there in each coordinate; none where line and
-/// plane meet in no single point, or the definition is of another kind, or of constructed vertices.
+/// The doubles nearest to a point (ties to even), and the direction of the point from them in each coordinate. `None`
+/// if line and plane do not meet in a single point, or the definition is of another kind, or uses constructed vertices.
 ///
-/// A coordinate beyond all doubles is the largest one. Rounding is monotone: of two points the one with the smaller coordinate has
-/// no larger one here.
+/// A coordinate beyond all doubles becomes the largest double. Rounding is monotone: the smaller of two coordinates is
+/// never rounded to the larger double.
 pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<Nearest> {
     if !definition.is_of_inputs() {
         return None;
@@ -55,7 +55,7 @@ pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<Neares
     }
 }
 
-/// Coordinates times a weight, in units of a power of two, as doubles.
+/// Converts weighted coordinates, in units of a power of two, to doubles.
 fn point(at: Space, weight: &Integer, exponent: i32) -> Option<Nearest> {
     if weight.is_zero() {
         return None;
@@ -84,9 +84,9 @@ fn normal([a, b, c]: [&Space; 3]) -> Space {
     cross(&minus(b, a), &minus(c, a))
 }
 
-/// The double nearest to a rational, of two equally near ones the even one, and where the rational is from there.
+/// The double nearest to a rational (ties to even), and the direction of the rational from it.
 fn rounded(x: &Rational) -> (f64, Ordering) {
-    // Towards zero; the other candidate is the next one away from there.
+    // Rounded towards zero; the other candidate is the next double away from zero.
     let inner = x.to_f64().clamp(f64::MIN, f64::MAX);
     let outer = if x.cmp0().is_lt() { inner.next_down() } else { inner.next_up() };
     let [here, there] = [inner, outer].map(Rational::from_f64);
@@ -97,14 +97,14 @@ fn rounded(x: &Rational) -> (f64, Ordering) {
         nearer.is_lt() || (nearer.is_eq() && inner.to_bits().is_multiple_of(2))
     });
     match (side, is_inner) {
-        // (-0 comes as 0.)
+        // (−0 becomes 0.)
         (Ordering::Equal, _) => (inner + 0.0, side),
         (_, true) => (inner, side),
         (_, false) => (outer, side.reverse()),
     }
 }
 
-/// The point, where coordinates are few bits apart and it is a multiple of their unit.
+/// The point, if coordinates differ in few bits and the point is a multiple of their unit.
 fn short(points: &[[f64; 3]; 5]) -> Option<[f64; 3]> {
     let exponent = ExponentRange::of(points.as_flattened()).map_or(0, |range| range.lowest);
     let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
@@ -129,7 +129,7 @@ fn short(points: &[[f64; 3]; 5]) -> Option<[f64; 3]> {
         if above % weight != 0 {
             return None;
         }
-        // Between the coordinates of p and q, where these are on two sides of the plane; else perhaps too large.
+        // Between the coordinates of p and q, if these are on two sides of the plane; otherwise possibly too large.
         let whole = i32::try_from(p[axis] + above / weight).ok()?;
         *x = f64::from(whole) * power_of_two(exponent);
     }

@@ -1,4 +1,4 @@
-//! Where vertices are: the nearest doubles, and which vertices are at one place.
+//! Positions of vertices: the nearest doubles, and the vertices that coincide.
 
 use std::cmp::Ordering;
 
@@ -10,22 +10,23 @@ use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 /// The doubles nearest to all vertices of a scene.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Places {
-    /// By the number of the construction: the doubles, and where the point is from there.
+    /// For each construction, by index: the nearest doubles, and the direction of the point from them.
     constructed: Vec<([f64; 3], [Ordering; 3])>,
 }
 
 impl Places {
-    /// The doubles nearest to the vertices that a scene constructs.
+    /// Computes the doubles nearest to the vertices that a scene constructs.
     ///
     /// # Errors
-    /// [`Undone::Broken`] where a line and a plane of input vertices meet in no single point, or a vertex is constructed otherwise.
+    /// [`Undone::Broken`] if a line and a plane of input vertices do not meet in a single point, or a vertex has
+    /// another kind of definition.
     pub fn new(scene: &Scene) -> Result<Places, Undone> {
         let mut places = Places::default();
         places.extend(scene)?;
         Ok(places)
     }
 
-    /// Adds what the scene has constructed since.
+    /// Adds the scene's newer constructions.
     pub(crate) fn extend(&mut self, scene: &Scene) -> Result<(), Undone> {
         let new = &scene.constructions()[self.constructed.len()..];
         let points = predicament_grid::parallel::all(new, &|definition| nearest(scene, definition));
@@ -35,7 +36,7 @@ impl Places {
         Ok(())
     }
 
-    /// The doubles nearest to a vertex; -0 comes as 0.
+    /// The doubles nearest to a vertex; −0 becomes 0.
     ///
     /// # Panics
     /// If the scene has no such vertex.
@@ -45,8 +46,8 @@ impl Places {
         point.map(|x| x + 0.0)
     }
 
-    /// In each coordinate of a vertex the double on the other side of its place than the nearest one; the nearest one where that is its
-    /// place.
+    /// In each coordinate of a vertex, the adjacent double on the other side of its exact position than the nearest
+    /// double; the nearest double itself if it is exact.
     pub(crate) fn beyond(&self, scene: &Scene, v: Vertex) -> [f64; 3] {
         let nearest = self.nearest(scene, v);
         let sides = v.construction().map_or([Ordering::Equal; 3], |index| self.constructed[index].1);
@@ -57,7 +58,7 @@ impl Places {
         })
     }
 
-    /// Whether a vertex is where [`Places::nearest`] says.
+    /// True if the doubles of [`Places::nearest`] are the exact position.
     ///
     /// # Panics
     /// If the scene has no such vertex.
@@ -67,16 +68,16 @@ impl Places {
     }
 }
 
-/// Which vertices stand for others at the same place.
+/// The representatives of coinciding vertices.
 #[derive(Default)]
 pub(crate) struct Same {
-    /// A vertex and the one that stands for it, ascending; those that stand for themselves are left out.
+    /// Pairs of a vertex and its different representative, ascending.
     stands: Vec<[Vertex; 2]>,
 }
 
 impl Same {
-    /// Of these vertices at one place the first stands for all: an input vertex, if there is one. Input vertices of one mesh alone stay as
-    /// they are.
+    /// Finds coinciding vertices. The first of each group represents it: an input vertex, if there is one. Groups that
+    /// consist only of input vertices of one mesh are kept.
     pub fn of(session: &dyn Predicates, places: &Places, mut vertices: Vec<Vertex>) -> Same {
         vertices.sort_unstable();
         vertices.dedup();
@@ -111,12 +112,12 @@ impl Same {
         Same { stands }
     }
 
-    /// The vertex that stands for one.
+    /// The representative of a vertex.
     pub fn stand(&self, v: Vertex) -> Vertex {
         self.stands.binary_search_by_key(&v, |pair| pair[0]).map_or(v, |at| self.stands[at][1])
     }
 
-    /// How many vertices another one stands for.
+    /// The number of vertices with a different representative.
     pub fn count(&self) -> usize {
         self.stands.len()
     }

@@ -1,4 +1,5 @@
-//! A plane in space as a scene in the plane: its vertices seen in a coordinate plane, where [`mod@predicament_overlay::algorithm::overlay`] works.
+//! A plane in space as a planar scene: its vertices seen in a coordinate plane, where
+//! [`mod@predicament_overlay::algorithm::overlay`] works.
 
 use std::collections::HashMap;
 
@@ -6,35 +7,38 @@ use predicament_predicates::{Axis, Construction, DefinitionError, Plane, Predica
 
 use super::places::Places;
 
-/// What a segment in the plane is a part of.
+/// The line that contains a segment in the plane.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Line {
     /// The line of two input vertices.
     Edge([Vertex; 2]),
-    /// Where the plane of three input vertices passes through this one.
+    /// The intersection of this plane with the plane of three input vertices.
     Cut([Vertex; 3]),
 }
 
-/// A session about vertices of a plane, each an input vertex of a 2D scene at the nearest doubles; all signs are those of the session in space.
+/// A session about vertices of a plane, each an input vertex of a 2D scene at the nearest doubles; all signs are those
+/// of the session in space.
 ///
-/// Nearest doubles are in the order of the coordinates, where they are not equal: boxes of segments that meet have a point in common there too.
+/// Unequal nearest doubles have the order of the exact coordinates: if segments meet, their boxes in doubles have a
+/// point in common too.
 pub(crate) struct InPlane<'a> {
     session: &'a mut dyn Predicates,
     plane: Plane,
-    /// The input vertices, then what was constructed.
+    /// The input vertices, then the constructed ones.
     flat: Scene,
     /// The vertex in space of each input vertex.
     vertices: Vec<Vertex>,
-    /// The vertex in space of each constructed one.
+    /// The vertex in space of each constructed vertex.
     constructed: Vec<Vertex>,
-    /// What a segment is a part of, by its ends.
+    /// The line of each segment, by its ends.
     lines: HashMap<[Vertex; 2], Line>,
-    /// Three input vertices of the plane, and one that is not in it.
+    /// Three input vertices of the plane, and a vertex that is not in it.
     of: ([Vertex; 3], Vertex),
 }
 
 impl<'a> InPlane<'a> {
-    /// A session about these vertices of the plane of three input vertices, with another one that is not in it; none where no 2D scene has them.
+    /// A session about these vertices of the plane of three input vertices, with a vertex that is not in it; `None` if
+    /// no 2D scene can hold them.
     pub fn new(
         session: &'a mut dyn Predicates,
         places: &Places,
@@ -52,12 +56,12 @@ impl<'a> InPlane<'a> {
         Some(InPlane { session, plane, flat, vertices, constructed: Vec::new(), lines: HashMap::new(), of })
     }
 
-    /// Notes what a segment of this scene is a part of.
+    /// Stores the line of a segment of this scene.
     pub fn on_line(&mut self, [a, b]: [Vertex; 2], line: Line) {
         self.lines.insert([a.min(b), a.max(b)], line);
     }
 
-    /// A vertex in space.
+    /// The vertex in space that corresponds to a vertex.
     pub fn vertex(&self, v: Vertex) -> Vertex {
         v.construction().map_or_else(|| self.vertices[v.index()], |index| self.constructed[index])
     }
@@ -73,7 +77,7 @@ impl Predicates for InPlane<'_> {
         &self.flat
     }
 
-    /// Where two lines in the plane cross, as the point of a line and a plane in space, or of three planes.
+    /// Constructs the crossings of lines in the plane, as points of a line and a plane in space, or of three planes.
     fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
         let InPlane { session, flat, constructed, lines, of: (corners, apart), .. } = self;
         flat.construct_all(definitions, |scene, vertex| {
@@ -103,7 +107,7 @@ impl Predicates for InPlane<'_> {
 
     fn orient2d(&self, _: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         let [a, b, c] = [a, b, c].map(|v| self.vertex(v));
-        // A point without segments is two vertices of the scene.
+        // The scene has two vertices for a point without segments.
         if a == b || b == c || c == a { Sign::Zero } else { self.session.orient2d(self.plane, a, b, c) }
     }
 

@@ -1,7 +1,8 @@
 //! Sheets without volume: parts of two triangles, one of either mesh, in one plane, that face each other.
 //!
-//! Where the move of a mesh has opened a gap of no width, a result has both of its sides. In the limit these cancel: of either
-//! triangle is left what the other one does not cover, by [`mod@predicament_overlay::algorithm::overlay`] in the plane.
+//! If the move of a mesh has opened a gap of zero width, a result has both sides of the gap. In the limit these cancel:
+//! of either triangle the part remains that the other does not cover, by
+//! [`mod@predicament_overlay::algorithm::overlay`] in the plane.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,49 +17,50 @@ use crate::algorithm::overlay::{Contradiction, Source, SurfaceContradiction, Und
 use predicament_overlay::algorithm::overlay::{Edge, Method, Operation, Polygon, Rule, overlay};
 use predicament_triangulate::algorithm::triangulate;
 
-/// What a triangle of a result is a part of, and whether it faces the other way.
+/// The source of a result's triangle, and true if it faces the other way.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Label {
     pub source: Source,
     pub is_turned: bool,
 }
 
-/// A triangle of a result, by vertices that stand for others.
+/// A triangle of a result, by representatives of its vertices.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part {
-    /// Its place in the result.
+    /// Its index in the result.
     pub place: u32,
     pub triangle: [Vertex; 3],
-    /// As the overlay named them.
+    /// Its vertices in the overlay.
     pub named: [Vertex; 3],
     pub label: Label,
 }
 
-/// Parts of two triangles that face each other and have a common area: what they are parts of, in the first mesh and in the second; the plane
-/// that both are seen in; and how the first is turned there.
+/// Parts of two triangles that face each other and have a common area: their sources in the first mesh and in the
+/// second, the plane in which both are seen, and the orientation of the first there.
 struct Facing {
     labels: [Label; 2],
     plane: Plane,
     turn: Sign,
 }
 
-/// What is left of parts that others cover: the places of those that go, and what comes instead.
+/// The uncovered remainder of parts: the indices of the removed parts, and their replacements.
 #[derive(Default)]
 pub(super) struct Left {
     pub gone: Vec<u32>,
     pub instead: Vec<([Vertex; 3], Label)>,
 }
 
-/// Parts that are gone already, and still border on others of the same triangle: with them, diagonals between parts cancel.
+/// Parts that are already removed, and still border on others of the same triangle: they make diagonals between parts
+/// cancel.
 #[derive(Default)]
 pub(super) struct Gone {
-    /// Without area, or with a vertex twice.
+    /// Parts without area, or with a vertex twice.
     pub flat: Vec<Part>,
-    /// Opposite ones.
+    /// Pairs of opposite parts.
     pub cancelled: Vec<[Part; 2]>,
 }
 
-/// What is left of the parts of the first mesh and those of the second where they face each other.
+/// The uncovered remainder of the parts of both meshes that face each other.
 pub(super) fn left(
     session: &mut dyn Predicates,
     places: &Places,
@@ -78,7 +80,7 @@ pub(super) fn left(
     for part in parts.iter().copied().flatten().chain(dead) {
         by_label.entry(part.label).or_default().push(part);
     }
-    // What has parts that are looked at here has all of them looked at, and so have the triangles that faced those.
+    // If one part of a triangle is processed, all its parts are, and so are the triangles that face it.
     let mut labels: BTreeSet<Label> = facing.iter().flat_map(|pair| pair.labels).collect();
     loop {
         let is_new = |pair: &&[Part; 2]| pair.iter().any(|part| labels.contains(&part.label));
@@ -104,7 +106,7 @@ pub(super) fn left(
             let other: Vec<&Part> = others.iter().flat_map(|label| &by_label[label]).copied().collect();
             left.gone.extend(own.iter().map(|part| part.place).filter(|place| live.contains(place)));
             let triangles = uncovered(session, places, meshes, plane, [own, &other])?;
-            // Triangles come counterclockwise in the plane.
+            // Triangles are counterclockwise in the plane.
             let is_reversed = (turn == Sign::Negative) == (side == 0);
             let turned = |[a, b, c]: [Vertex; 3]| if is_reversed { [a, c, b] } else { [a, b, c] };
             left.instead.extend(triangles.into_iter().map(|triangle| (turned(triangle), labels[side])));
@@ -150,7 +152,7 @@ fn facing(
     Ok(all)
 }
 
-/// The coordinate plane in which a triangle is largest, and its turn there.
+/// The coordinate plane in which a triangle has the largest area, and its turn there.
 pub(crate) fn view(session: &dyn Predicates, places: &Places, [a, b, c]: [Vertex; 3]) -> Result<(Plane, Sign), Undone> {
     let [p, q, r] = [a, b, c].map(|v| places.nearest(session.scene(), v));
     let area = |plane: Plane| {
@@ -164,7 +166,8 @@ pub(crate) fn view(session: &dyn Predicates, places: &Places, [a, b, c]: [Vertex
     turns.into_iter().find(|(_, turn)| !turn.is_zero()).ok_or(Undone::Broken(Contradiction::NoArea))
 }
 
-/// Whether two triangles that are turned the same way have more in common than a border: no edge of either has the other one beyond it.
+/// True if two triangles with the same orientation have more in common than a border: no edge of either has the other
+/// triangle beyond it.
 fn have_common_area(session: &dyn Predicates, plane: Plane, turn: Sign, [first, second]: [[Vertex; 3]; 2]) -> bool {
     let is_beyond = |[a, b, c]: [Vertex; 3], other: [Vertex; 3]| {
         [[a, b], [b, c], [c, a]]
@@ -174,18 +177,18 @@ fn have_common_area(session: &dyn Predicates, plane: Plane, turn: Sign, [first, 
     !is_beyond(first, second) && !is_beyond(second, first)
 }
 
-/// An edge of parts by its first use.
+/// An edge of parts, as in its first use.
 struct Border {
-    /// How often it is passed as there, less how often back.
+    /// The number of times that it is passed in this direction, less the times back.
     times: i32,
-    /// In the plane.
+    /// The ends in the plane.
     ends: [Vertex; 2],
     line: Option<Line>,
-    /// Whether it was passed from the smaller name to the larger.
+    /// True if the first use went from the smaller name to the larger.
     is_up: bool,
 }
 
-/// What is left of some parts that others don't cover, counterclockwise in a coordinate plane.
+/// The remainder of some parts that others do not cover, counterclockwise in a coordinate plane.
 fn uncovered(
     session: &mut dyn Predicates,
     places: &Places,
@@ -208,7 +211,7 @@ fn uncovered(
     let at = |v: Vertex| Vertex::input(vertices.partition_point(|&other| other < v));
     let mut lines = Vec::new();
     let mut polygon = |parts: &[&Part]| {
-        // Diagonals between parts cancel by their names, also those to vertices that others stand for.
+        // Diagonals between parts cancel by their original names, also at vertices with a different representative.
         let mut border: BTreeMap<[Vertex; 2], Border> = BTreeMap::new();
         for part in parts {
             for corner in 0..3 {
@@ -258,8 +261,8 @@ fn uncovered(
     Ok(triangles)
 }
 
-/// What two vertices of a part of a triangle are on by definition, if there is one such line: an edge, or where a triangle of the other mesh
-/// passes through.
+/// The line that contains two vertices of a part of a triangle by definition, if there is a single one: an edge, or the
+/// intersection with a triangle of the other mesh.
 fn line_of(scene: &Scene, mut triangle: [Vertex; 3], [p, q]: [Vertex; 2]) -> Option<Line> {
     let lpi = |v: Vertex| match scene.construction(v) {
         Some(&Lpi { line, plane }) => Some((line, plane)),

@@ -1,13 +1,14 @@
-//! The faces into which segments divide a triangle, by what is beside what: no predicate is asked here.
+//! The faces into which segments divide a triangle, from adjacency alone: no predicate is used here.
 //!
-//! Nodes around the triangle come first, counterclockwise: corners, and the points where its edges pass through
-//! other triangles. A segment begins there, one at each point. Inside are points where edges of the other mesh pass through the triangle, with
-//! a segment for each triangle at such an edge, in counterclockwise order.
+//! Nodes around the triangle come first, counterclockwise: corners, and the points where its edges pass through other
+//! triangles. One segment begins at each such point. The inner nodes are points where edges of the other mesh pass
+//! through the triangle. Each has a segment for each triangle at such an edge, in counterclockwise order.
 
 use super::Contradiction;
 use predicament_predicates::Vertex;
 
-/// A part of two triangles' common line, between two nodes; the region of the other mesh on its left, as seen from in front, and that on its right.
+/// A part of two triangles' common line, between two nodes; with the region of the other mesh on its left, as seen from
+/// the front, and on its right.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment {
     pub nodes: [u32; 2],
@@ -20,37 +21,38 @@ pub(super) struct Segment {
 pub(super) struct Divided {
     /// The vertex of each node.
     pub vertices: Vec<Vertex>,
-    /// So many nodes are around the triangle.
+    /// The number of nodes around the triangle.
     pub around: usize,
     pub segments: Vec<Segment>,
-    /// For each node inside the ends of segments there, counterclockwise: twice the place of the segment, one more where it ends here.
+    /// For each inner node, the ends of segments there, counterclockwise: twice the index of the segment, plus one if
+    /// the segment ends here.
     pub inside: Vec<Vec<u32>>,
-    /// For each node around the region of the border from there on.
+    /// For each node around the triangle, the region along the border after it.
     pub regions: Vec<u32>,
-    /// For each node around the edges of the triangle that it is on, a bit for each.
+    /// For each node around the triangle, the triangle's edges through it, as bits.
     pub lines: Vec<u64>,
     /// The other triangle of each end of a segment, ascending, and its node.
     pub ends: Vec<(u32, u32)>,
 }
 
-/// A walk around a face, the face on its left.
+/// A walk around a face, with the face on its left.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Walk {
     pub vertices: Vec<Vertex>,
-    /// The region of the other mesh that the face is in.
+    /// The region of the other mesh that contains the face.
     pub region: u32,
-    /// Whether it comes by the border of the triangle.
+    /// True if it passes along the border of the triangle.
     pub is_at_border: bool,
 }
 
 impl Divided {
-    /// The walks around all faces: one for each face without holes, else one more for each hole.
+    /// The walks around all faces: one for each face, and one more for each hole.
     ///
     /// # Errors
-    /// The invariant that does not hold.
+    /// The invariant that fails.
     pub fn walks(&self) -> Result<Vec<Walk>, Contradiction> {
         let around = self.around;
-        // Arcs: those around the triangle, each from the node of its number, then either way of each segment.
+        // Arcs: those around the triangle, each from the node of its index, then both directions of each segment.
         let arcs = around + 2 * self.segments.len();
         let mut leaves: Vec<Option<usize>> = vec![None; around];
         for (segment, place) in self.segments.iter().zip((around..).step_by(2)) {
@@ -75,7 +77,7 @@ impl Divided {
             if node < around {
                 return Some(if arc < around { leaves[node].unwrap_or(node) } else { node });
             }
-            // The way back, then clockwise from there.
+            // The reverse direction, then clockwise from there.
             let back = (arc - around) ^ 1;
             let there = &self.inside[node - around];
             let at = there.iter().position(|&end| end as usize == back)?;

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that does not hold, where signs contradict each other.
+    /// An invariant that fails because signs contradict each other.
     pub enum Contradiction {
         Region: "a face is in one region of the other mesh", "a face is in two regions of the other mesh";
         NoArea: "a triangle has an area in a coordinate plane", "a triangle has no area in any coordinate plane";
@@ -26,7 +26,7 @@ contradiction! {
 }
 
 contradiction! {
-    /// A rule of limits and of resolved surfaces that does not hold.
+    /// An invariant of limits and of resolved surfaces that fails.
     pub enum SurfaceContradiction {
         Plane: "a plane of doubles is a scene", "a plane of doubles is not a scene";
         Planar: "no point is inside of an edge, and no two edges cross", "a point is inside of an edge, or two edges cross";

@@ -1,4 +1,4 @@
-//! A triangle that the other mesh passes through: its segments, its faces, and triangles of these.
+//! A triangle cut by the other mesh: its segments, its faces, and their triangulation.
 
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
@@ -12,7 +12,7 @@ use super::regions::VertexRegions;
 use super::{Contradiction, Piece, radial};
 use predicament_triangulate::algorithm::{MOST, Method, triangulate, triangulate_few};
 
-/// One mesh as it is cut by the other.
+/// A mesh and the cuts that the other mesh makes in it.
 pub(super) struct Cutting<'a> {
     pub session: &'a dyn Predicates,
     pub mesh: &'a MaterialMesh,
@@ -23,7 +23,7 @@ pub(super) struct Cutting<'a> {
     pub other_near: &'a Near,
     /// The points on the edges of the other mesh.
     pub others: &'a Points,
-    /// The regions of the other mesh that this mesh's vertices are in.
+    /// The regions of the other mesh that contain this mesh's vertices.
     pub regions: &'a VertexRegions,
 }
 
@@ -32,27 +32,27 @@ struct End {
     /// The other triangle.
     with: u32,
     node: u32,
-    /// What is on the left of the segment as it leaves the node, seen from in front, and on its right.
+    /// The regions on the left of the segment as it leaves the node, seen from the front, and on its right.
     sides: [u32; 2],
 }
 
 impl Cutting<'_> {
-    /// Whether anything passes through a triangle that is near, or through its edges.
+    /// True if anything passes through a near triangle, or through its edges.
     pub fn is_cut(&self, place: u32) -> bool {
         self.near.edges_of[place as usize].iter().any(|&edge| !self.own.on(edge).is_empty())
             || !self.others.within(place).is_empty()
     }
 
-    /// The pieces of a triangle that is near.
+    /// The pieces of a near triangle.
     ///
     /// # Errors
-    /// The invariant that does not hold.
+    /// The invariant that fails.
     pub fn pieces(&self, place: u32) -> Result<Vec<Piece>, Contradiction> {
         let of = self.near.triangles[place as usize];
         let corners = self.mesh.triangles()[of as usize];
         let divided = self.divided(place)?;
         let mut walks = divided.walks()?;
-        // A face with holes has several walks. Those of one region are faces and holes together.
+        // A face with holes has several walks. The walks of one region are faces and holes together.
         let has_holes = walks.iter().any(|walk| !walk.is_at_border);
         if has_holes {
             walks.sort_by_key(|walk| walk.region);
@@ -92,13 +92,14 @@ impl Cutting<'_> {
         Ok(pieces)
     }
 
-    /// What is known of the lines that the nodes of a triangle are on, its edges and where planes of the other mesh pass through it.
+    /// The lines of a triangle's nodes: its edges, and the intersections with planes of the other mesh.
     fn known(&self, place: u32, divided: &Divided) -> Known<'_> {
         let mut lines = divided.lines.clone();
         lines.resize(divided.vertices.len(), 0);
         let mut with: Vec<u32> = divided.ends.iter().map(|&(with, _)| with).collect();
         with.dedup();
-        // Triangles at an edge that passes through here are in one plane if the far corner of one is in that of the other.
+        // Triangles at an edge that passes through here are in one plane if the far corner of one is in the plane of
+        // the other.
         let mut plane: Vec<usize> = (0..with.len()).collect();
         let find = |plane: &[usize], mut at: usize| {
             while plane[at] != at {
@@ -135,14 +136,14 @@ impl Cutting<'_> {
         self.other.triangles()[self.other_near.triangles[place as usize] as usize]
     }
 
-    /// The corner of a triangle of the other mesh that is not on an edge of it.
+    /// The corner of a triangle of the other mesh that is not on a given edge of it.
     fn apex(&self, place: u32, edge: u32) -> Vertex {
         let ends = self.other_near.edges[edge as usize];
         let corners = self.corners_of_other(place);
         corners.into_iter().find(|v| !ends.contains(v)).unwrap_or(corners[0])
     }
 
-    /// What divides a triangle.
+    /// Collects the nodes and segments that divide a triangle.
     fn divided(&self, place: u32) -> Result<Divided, Contradiction> {
         let mut divided = Divided::default();
         let mut ends = Vec::new();
@@ -181,7 +182,7 @@ impl Cutting<'_> {
         Ok(divided)
     }
 
-    /// The nodes around a triangle, and the ends of segments there.
+    /// Adds the nodes around a triangle, and the ends of segments there.
     fn go_around(&self, place: u32, divided: &mut Divided, ends: &mut Vec<End>) {
         let of = self.near.triangles[place as usize];
         let corners = self.mesh.triangles()[of as usize];
@@ -195,7 +196,7 @@ impl Cutting<'_> {
                 let hit = self.own.hits[at as usize];
                 let is_from_behind = hit.is_first_behind == is_forward;
                 let [front, behind] = self.other.sides()[self.other_near.triangles[hit.triangle as usize] as usize];
-                // A segment leaves the border with what was before it on its left.
+                // A segment leaves the border with the region before it on its left.
                 let sides = if is_from_behind { [behind, front] } else { [front, behind] };
                 ends.push(End { with: hit.triangle, node: number(divided.vertices.len()), sides });
                 divided.vertices.push(self.own.vertices[at as usize]);
@@ -210,7 +211,8 @@ impl Cutting<'_> {
         }
     }
 
-    /// A point where an edge of the other mesh passes through: a segment for each triangle at that edge ends there.
+    /// Adds a point where an edge of the other mesh passes through: a segment for each triangle at that edge ends
+    /// there.
     fn point_inside(&self, hit: Hit, vertex: Vertex, divided: &mut Divided, ends: &mut Vec<End>) {
         let node = number(divided.vertices.len());
         divided.vertices.push(vertex);
@@ -220,14 +222,16 @@ impl Cutting<'_> {
             let is_forward = self.other.triangles()[of][corner] == first;
             let is_from_behind = hit.is_first_behind == is_forward;
             let [front, behind] = self.other.sides()[of];
-            // The other triangle has what is in front of this one on the left of the segment where its own edge comes from there.
-            // Seen from in front of this one, what is behind the other is on the left then.
+            // If the other triangle's own edge comes from the front of this triangle, the other triangle has the region
+            // in front of this one on the left of the segment. Seen from the front of this triangle, the region behind
+            // the other is then on the left.
             let sides = if is_from_behind { [front, behind] } else { [behind, front] };
             ends.push(End { with, node, sides });
         }
     }
 
-    /// Sorts the ends of segments at a point inside around the edge that passes there, counterclockwise as seen from in front.
+    /// Sorts the ends of segments at an inner point around the edge that passes there, counterclockwise as seen from
+    /// the front.
     fn sort_around(&self, hit: Hit, there: &mut Vec<(u32, u32)>) {
         let [u, v] = self.other_near.edges[hit.edge as usize];
         let axis = if hit.is_first_behind { [v, u] } else { [u, v] };
@@ -238,7 +242,7 @@ impl Cutting<'_> {
     }
 }
 
-/// The coordinate plane in which a triangle is largest, and whether it is clockwise there.
+/// The coordinate plane in which a triangle has the largest area, and true if it is clockwise there.
 fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane, bool), Contradiction> {
     let [a, b, c] = triangle;
     let [from, to, third] = triangle.map(|v| session.scene().point3(v));

@@ -1,31 +1,33 @@
-//! A session that is not asked what is known: three points of one line have no turn, and two points of a line
-//! across an axis have one coordinate there.
+//! A session that answers known zeros itself: three points of one line have no turn, and two points of a line across an
+//! axis have equal coordinates there.
 //!
-//! Points on an edge of a triangle are in line, and so are those where a plane of the other mesh passes through it, also if several coplanar
-//! triangles are in that plane. Such a zero holds for any perturbation, which makes it the dearest question there is: a perturbed
-//! session has to look at every power before it says so.
+//! Points on an edge of a triangle are in line, and so are the intersections with a plane of the other mesh, even if
+//! several coplanar triangles are in that plane. Such a zero holds for any perturbation, which makes it the most
+//! expensive predicate: a perturbed session must evaluate every power of ε before it returns zero.
 
 use std::sync::OnceLock;
 
 use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
 
-/// A session that knows the lines that some vertices are on.
+/// A session that knows lines through some vertices.
 pub(super) struct Known<'a> {
     session: &'a dyn Predicates,
     corners: [Vertex; 3],
-    /// By vertex, ascending: a bit for each line. The first three are the edges of the triangle.
+    /// The lines through each vertex, sorted by vertex: a bit for each line. The first three lines are the edges of the
+    /// triangle.
     lines: Vec<(Vertex, u64)>,
     /// Three vertices of the plane through each of the other lines, from the fourth on.
     planes: Vec<[Vertex; 3]>,
-    /// For each axis the lines across it: of two points of such a line neither has the larger coordinate. Most triangles take no order
-    /// of vertices, and so none of this.
+    /// For each axis the lines across it: two points of such a line have equal coordinates there. It is computed on
+    /// demand, because most triangles compare no vertices.
     level: OnceLock<[u64; 3]>,
 }
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 
 impl<'a> Known<'a> {
-    /// A session that knows these lines in a triangle: those along its edges first, then those in planes of the other mesh.
+    /// Builds a session that knows these lines in a triangle: those along its edges first, then those in planes of the
+    /// other mesh.
     pub fn new(
         session: &'a dyn Predicates,
         corners: [Vertex; 3],
@@ -37,7 +39,7 @@ impl<'a> Known<'a> {
         Known { session, corners, lines, planes, level: OnceLock::new() }
     }
 
-    /// Whether three vertices are known to be on one line.
+    /// True if three vertices are known to be on one line.
     pub fn are_in_line(&self, a: Vertex, b: Vertex, c: Vertex) -> bool {
         self.lines(a) & self.lines(b) & self.lines(c) != 0
     }

@@ -1,8 +1,8 @@
-//! Where edges of one mesh pass through triangles of the other: `orient3d` of input vertices, and nothing else.
+//! Detection of edges of one mesh that pass through triangles of the other, by `orient3d` of input vertices only.
 //!
-//! An edge passes through a triangle iff its ends are on two sides of the triangle's plane, and it passes the three edges of the
-//! triangle on the same side. Whatever the signs are, each edge of a triangle is asked about in one direction for all
-//! triangles that have it, so that none falls between two triangles.
+//! An edge passes through a triangle iff its ends are on two sides of the triangle's plane, and it passes the three
+//! edges of the triangle on the same side. Whatever the signs are, each edge of a triangle is tested in one direction
+//! for all triangles that have it, so no edge falls between two triangles.
 
 use predicament_grid::Bounds;
 use predicament_grid::two_level::{Sizes, TwoLevel};
@@ -13,20 +13,20 @@ use rayon::prelude::*;
 use super::near::{Near, number};
 use super::{Touch, Zeros};
 
-/// Triangles that one thread takes at a time.
+/// The number of triangles in one thread's work item.
 const PART: usize = 256;
 
 /// An edge that passes through a triangle of the other mesh.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Hit {
     pub edge: u32,
-    /// Its place among those that are near.
+    /// The triangle's index among the near triangles.
     pub triangle: u32,
-    /// Whether the edge begins behind the triangle, and ends in front of it.
+    /// True if the edge begins behind the triangle, and ends in front of it.
     pub is_first_behind: bool,
 }
 
-/// What is asked about in one direction: the edges of one mesh, and the triangles of the other.
+/// The edges of one mesh and the triangles of the other, to be tested in one direction.
 pub(super) struct Question<'a> {
     pub session: &'a dyn Predicates,
     /// The mesh of the edges, 0 or 1.
@@ -41,7 +41,7 @@ impl Question<'_> {
     /// All edges that pass through triangles, by triangle, then by edge.
     ///
     /// # Errors
-    /// An edge that touches a triangle where zeros are refused: the first by triangle.
+    /// An edge that touches a triangle, if zeros are refused: the first by triangle.
     pub fn hits(&self) -> Result<Vec<Hit>, Touch> {
         let scene = self.session.scene();
         let edges = &self.edges.edges;
@@ -78,7 +78,7 @@ impl Question<'_> {
         let bounds = Bounds::of(triangle.map(|v| scene.point3(v)));
         asked.edges.clear();
         grid.within(&bounds, |_, entries| {
-            // Without branches: whether a box is near is as good as random.
+            // Without branches: they would be unpredictable, as nearness of boxes is nearly random.
             let mut count = asked.edges.len();
             asked.edges.resize(count + entries.len(), 0);
             for &edge in entries {
@@ -127,7 +127,8 @@ impl Question<'_> {
         Ok(())
     }
 
-    /// On which sides the line of an edge passes the edges of a triangle, with zeros as `seen`. It passes by where two are opposite.
+    /// The sides on which the line of an edge passes the edges of a triangle, with zeros as in `seen`. The line misses
+    /// the triangle if two sides are opposite.
     fn turns(
         &self,
         [p, q]: [Vertex; 2],
@@ -151,24 +152,25 @@ impl Question<'_> {
     }
 }
 
-/// A line that meets the plane of a triangle outside of it.
+/// The result for a line that meets the plane of a triangle outside it.
 struct PassesBy;
 
-/// What is asked about one triangle; kept to be used again.
+/// The tests of one triangle; the memory is reused.
 #[derive(Default)]
 struct Asked {
     edges: Vec<u32>,
-    /// For each edge the places of its ends.
+    /// For each edge, the indices of its ends.
     places: Vec<[u32; 2]>,
-    /// Each vertex once.
+    /// The ends of all edges, each vertex once.
     ends: Vec<Vertex>,
     signs: Vec<Sign>,
-    /// By a number made of the vertex, or one of the next: one more than its place. A power of two of them, half of them zero.
+    /// A hash table by vertex with linear probing: index plus one, or zero. Its size is a power of two; half of it is
+    /// empty.
     table: Vec<u32>,
 }
 
 impl Asked {
-    /// Asks on which side of a triangle's plane the ends of all edges are, each vertex once.
+    /// Finds the sides of all edges' ends on a triangle's plane, each vertex once.
     fn ask(&mut self, session: &dyn Predicates, edges: &[[Vertex; 2]], triangle: [Vertex; 3]) {
         let size = (4 * self.edges.len()).next_power_of_two();
         self.table.clear();
@@ -184,7 +186,7 @@ impl Asked {
         session.orient3d_plane(triangle, &self.ends, &mut self.signs);
     }
 
-    /// The place of a vertex among the ends, the last one if it is new.
+    /// The index of a vertex among the ends; a new vertex is appended.
     fn place(&mut self, v: Vertex) -> u32 {
         // (An odd number near 2^64 divided by the golden ratio; any other would do.)
         let mixed = v.index().wrapping_mul(0x9e37_79b9_7f4a_7c15) >> 32;
@@ -202,13 +204,13 @@ impl Asked {
         }
     }
 
-    /// Whether all ends are on one side.
+    /// True if all ends are on one side.
     fn are_beside(&self) -> bool {
         self.signs.first().is_none_or(|first| !first.is_zero() && self.signs.iter().all(|sign| sign == first))
     }
 }
 
-/// Whether two closed boxes have a point in common.
+/// True if two closed boxes have a point in common.
 #[inline(always)]
 pub(super) fn do_meet(a: &Bounds<3>, b: &Bounds<3>) -> bool {
     let along = |axis: usize| (a.low[axis] <= b.high[axis]) & (b.low[axis] <= a.high[axis]);
@@ -223,8 +225,8 @@ fn is_one_sign([a, b, c]: [Sign; 3]) -> bool {
     a == b && b == c
 }
 
-/// Whether an edge in the plane of a triangle is apart from it: a line through two of the five vertices has all others of
-/// the triangle, or of the edge, on its far side.
+/// True if an edge in the plane of a triangle is apart from it: on a line through two of the five vertices, all others
+/// of the triangle, or of the edge, are on the far side.
 fn is_apart(session: &dyn Predicates, [p, q]: [Vertex; 2], triangle: [Vertex; 3]) -> bool {
     let [a, b, c] = triangle;
     let seen = [Plane::Xy, Plane::Yz, Plane::Zx]

@@ -1,29 +1,34 @@
-//! Two multi-material meshes overlaid: 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5; Magalhães, *Exact and parallel
-//! intersection of 3D triangular meshes*, 2017).
+//! Overlay of two multi-material meshes: 3D-EPUG-Overlay (Franklin and Magalhães, section 4.5; Magalhães, *Exact and
+//! parallel intersection of 3D triangular meshes*, 2017).
 //!
 //! # Steps
-//! 1. Triangles that may meet the other mesh are found by a bit for each cell of a fine grid (`near.rs`, [`predicament_grid::shared`]);
-//!    of a large part that both meshes have, most are set aside where one of them moves as a whole (`same.rs`).
-//! 2. Edges of either mesh that pass through triangles of the other are found by `orient3d` of input vertices (`meet.rs`).
-//! 3. Their points are constructed in one call, in the order of the triangles, and sorted along their edges by `compare` (`points.rs`).
-//! 4. The region of the other mesh that each vertex is in follows from these, along edges that pass through nothing; what
-//!    is left is located (`regions.rs`, [`predicament_mesh_locate::algorithm`]).
-//! 5. Two triangles meet in a segment. Segments divide a triangle into faces; which, follows from what is beside what
-//!    (`arcs.rs`), and from the order of triangles around an edge where more than two share it (`radial.rs`). Faces are triangulated in the
-//!    coordinate plane in which the triangle is largest (`cut.rs`, [`mod@predicament_triangulate::algorithm`]).
+//! 1. Triangles that may meet the other mesh are found by a bit for each cell of a fine grid (`near.rs`,
+//!    [`predicament_grid::shared`]). If both meshes share a large part and one of them moves as a whole, most triangles
+//!    of that part are set aside (`same.rs`).
+//! 2. Edges of either mesh that pass through triangles of the other are found by `orient3d` of input vertices
+//!    (`meet.rs`).
+//! 3. Their points are constructed in one call, in the order of the triangles, and sorted along their edges by
+//!    `compare` (`points.rs`).
+//! 4. The region of the other mesh that contains each vertex follows from these points, along edges that pass through
+//!    nothing; remaining vertices are located (`regions.rs`, [`predicament_mesh_locate::algorithm`]).
+//! 5. Two triangles meet in a segment. Segments divide a triangle into faces. The faces follow from adjacency
+//!    (`arcs.rs`), and from the order of triangles around an edge that more than two share (`radial.rs`). Faces are
+//!    triangulated in the coordinate plane in which the triangle has the largest area (`cut.rs`,
+//!    [`mod@predicament_triangulate::algorithm`]).
 //! 6. [`MeshOverlay::solid`] takes the surface of a Boolean operation, [`MeshOverlay::regions`] all of it.
 //!
 //! # Zeros
-//! All this is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one mesh moves by (ε, ε²,
-//! ε³), which is `sos:per-mesh` here. A session that says zero where an edge and a triangle touch can have that refused, with the edge and
-//! the triangle ([`Zeros::Refused`]), or taken for positive ([`Zeros::Positive`]), which is what programs do that compare with `>=`.
-//! A session that registers contacts has its own way ([`mesh_overlay_registered`]).
-//! Nothing is asked about two vertices, edges or triangles of one mesh but the order of triangles around an edge, and the plane that a triangle
-//! is seen in: each mesh may have coplanar triangles.
+//! The algorithm is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one
+//! mesh moves by (ε, ε², ε³), which is `sos:per-mesh` here. If a session returns zero where an edge and a triangle
+//! touch, the overlay can be refused, with the edge and the triangle ([`Zeros::Refused`]), or the zero can count as
+//! positive ([`Zeros::Positive`]), as in programs that compare with `>=`. A session that registers contacts has a
+//! separate function ([`mesh_overlay_registered`]). Between two vertices, edges or triangles of one mesh, only the
+//! order of triangles around an edge and the plane that a triangle is seen in are tested: each mesh may have coplanar
+//! triangles.
 //!
 //! # What is taken
-//! Meshes that do not cross themselves, are not inside out, and whose triangles have an area. Others may break an invariant, which is named
-//! ([`Undone::Broken`]), or have a result with the faults of the mesh.
+//! Meshes that do not cross themselves, are not inside out, and whose triangles have an area. Other meshes may break an
+//! invariant, which is named ([`Undone::Broken`]), or have a result with the faults of the mesh.
 //!
 //! # Wrong signs
 //! Each loop of the program ends after a number of steps that follows from the input.
@@ -80,36 +85,37 @@ pub(crate) use self::near::number;
 use self::points::Points;
 use self::regions::Known;
 
-/// What a zero between the two meshes is.
+/// The meaning of a zero between the two meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zeros {
-    /// Where an edge and a triangle touch, there is no result.
+    /// A contact of an edge and a triangle is refused: there is no result.
     Refused,
-    /// Positive.
+    /// A zero counts as positive.
     Positive,
 }
 
-/// An edge of one mesh that touches a triangle of the other: with an end, with a border, or along a part.
+/// An edge of one mesh that touches a triangle of the other: with an end, at the border, or along a part.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Touch {
     /// The mesh of the edge: 0 for the first.
     pub mesh: u8,
     /// The ends of the edge.
     pub edge: [Vertex; 2],
-    /// The place of the triangle in the other mesh.
+    /// The index of the triangle in the other mesh.
     pub triangle: u32,
 }
 
-/// Why there is no overlay.
+/// The reason why there is no overlay.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Undone {
     /// An edge and a triangle touch.
     Touch(Touch),
-    /// Two simplices that are less than an edge and a triangle are registered as in contact: the vertices of the first mesh's, and of the second's.
+    /// Two simplices smaller than an edge and a triangle are registered as in contact: the vertices of the first mesh's
+    /// simplex, and of the second's.
     Contact([Vec<Vertex>; 2]),
     /// The session does not construct a point.
     Refused(Refused),
-    /// Signs contradict each other: the first rule that does not hold.
+    /// Signs contradict each other: the first rule that fails.
     Broken(Contradiction),
 }
 
@@ -146,9 +152,9 @@ impl std::error::Error for Undone {}
 /// A part of a triangle that is in one region of the other mesh.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Piece {
-    /// Turned as the triangle is.
+    /// Its vertices, with the triangle's orientation.
     pub triangle: [Vertex; 3],
-    /// The place of the triangle in its mesh.
+    /// The index of the triangle in its mesh.
     pub of: u32,
     /// The region of the other mesh.
     pub region: u32,
@@ -158,9 +164,9 @@ pub struct Piece {
 #[derive(Clone, Debug)]
 pub struct MeshOverlay {
     meshes: [Arc<MaterialMesh>; 2],
-    /// For each triangle of either mesh one more than the region of the other that it is in; none where it is cut.
+    /// For each triangle of either mesh, its region of the other mesh plus one; `None` if it is cut.
     whole: [Vec<Option<NonZero<u32>>>; 2],
-    /// The pieces of triangles that are cut, in their order.
+    /// The pieces of cut triangles, in order.
     pieces: [Vec<Piece>; 2],
     constructions: Vec<Construction>,
 }
@@ -172,7 +178,7 @@ impl MeshOverlay {
         &self.meshes
     }
 
-    /// The pieces of the triangles of the first mesh, 0, or the second, 1, that the other one cuts, in their order.
+    /// The pieces of cut triangles of the first mesh (0) or the second (1), in order.
     ///
     /// # Panics
     /// If there is no such mesh.
@@ -181,7 +187,7 @@ impl MeshOverlay {
         &self.pieces[mesh]
     }
 
-    /// How much memory it takes besides the meshes, in bytes.
+    /// The memory of the overlay without the meshes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let whole: usize = self.whole.iter().map(|whole| size_of_val(&whole[..])).sum();
@@ -189,17 +195,19 @@ impl MeshOverlay {
         whole + pieces + size_of_val(&self.constructions[..])
     }
 
-    /// What the overlay was the first to construct in the session, in the order of the vertices: all of its points in a new session.
+    /// The overlay's new constructions in the session, in the order of the vertices: all of its points in a new
+    /// session.
     #[must_use]
     pub fn constructions(&self) -> &[Construction] {
         &self.constructions
     }
 }
 
-/// Overlays two meshes, over vertices of their own in one scene.
+/// Overlays two meshes with disjoint vertices in one scene.
 ///
 /// # Errors
-/// [`Undone`] where a session that says zero has that refused, does not construct a point, or has signs that break an invariant.
+/// [`Undone`] if the session returns zero and zeros are refused, does not construct a point, or has signs that break an
+/// invariant.
 pub fn mesh_overlay(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
@@ -208,7 +216,7 @@ pub fn mesh_overlay(
     run(session, meshes, zeros, Extent::Whole, &mut |_| {})
 }
 
-/// What an overlay does, in this order.
+/// The steps of an overlay, in order.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Step {
     /// Triangles that may meet the other mesh are found.
@@ -223,7 +231,7 @@ pub enum Step {
     Faces,
 }
 
-/// [`mesh_overlay`], which says when each step is done.
+/// Overlays like [`mesh_overlay`], and reports the end of each step.
 ///
 /// # Errors
 /// As [`mesh_overlay`].
@@ -236,16 +244,16 @@ pub fn mesh_overlay_by_steps(
     run(session, meshes, zeros, Extent::Whole, done)
 }
 
-/// How much of two meshes there is.
+/// The part of two meshes that an overlay is given.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Extent {
-    /// All of both.
+    /// Both whole meshes.
     Whole,
-    /// Of each all triangles above and below the box of the other one, and those that meet it, at least.
+    /// At least all triangles of each mesh above and below the other's box, and those that meet it.
     Columns,
 }
 
-/// [`mesh_overlay`] of parts of two closed meshes ([`Extent::Columns`]).
+/// Overlays like [`mesh_overlay`], for parts of two closed meshes ([`Extent::Columns`]).
 pub(crate) fn overlay_of_columns(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
@@ -254,7 +262,7 @@ pub(crate) fn overlay_of_columns(
     run(session, meshes, zeros, Extent::Columns, &mut |_| {})
 }
 
-/// An overlay of the whole of two meshes, or of columns.
+/// Overlays whole meshes, or columns.
 fn run(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
@@ -278,7 +286,7 @@ fn run(
     finish(session, &meshes, before, (near, &bounds), hits, extent, done)
 }
 
-/// The steps after it is known what passes through what.
+/// Runs the steps after all passages are known.
 fn finish(
     session: &mut dyn Predicates,
     meshes: &[Arc<MaterialMesh>; 2],

@@ -1,29 +1,30 @@
-//! What of each mesh is near the other one: the triangles, and their edges.
+//! The triangles and edges of each mesh that are near the other mesh.
 
 use predicament_grid::{Bounds, shared};
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Scene, Vertex};
 use rayon::prelude::*;
 
-/// Triangles that one thread takes at a time.
+/// The number of triangles in one thread's work item.
 const PART: usize = 16384;
 
 /// The triangles of a mesh that may meet the other one.
 pub(super) struct Near {
-    /// Their places in the mesh, ascending.
+    /// Their indices in the mesh, ascending.
     pub triangles: Vec<u32>,
     /// Their edges, each once, from the smaller vertex to the larger, ascending.
     pub edges: Vec<[Vertex; 2]>,
-    /// For each triangle here its edges: that from its first corner to its second, and so on.
+    /// The edges of each near triangle: first that from its first corner to its second, and so on.
     pub edges_of: Vec<[u32; 3]>,
-    /// For each edge the end of its uses.
+    /// For each edge, the end of its uses in the list.
     ends: Vec<u32>,
-    /// Uses of edges: three times the place of a triangle here, and the corner that it begins at.
+    /// Uses of edges: three times the index of a near triangle, plus the corner at which the edge begins.
     uses: Vec<u32>,
 }
 
 impl Near {
-    /// What is near in both meshes, and their boxes. All that meets is in it, but for two triangles neither of which is `asked` about.
+    /// Finds the near parts of both meshes, and their boxes. The result contains everything that meets, except pairs of
+    /// triangles neither of which is in `asked`.
     pub fn of(scene: &Scene, meshes: [&MaterialMesh; 2], asked: Option<[Vec<u32>; 2]>) -> ([Near; 2], [Bounds<3>; 2]) {
         let box_of = meshes.map(|mesh| {
             let triangles = mesh.triangles();
@@ -59,7 +60,7 @@ impl Near {
         let largest = triangles.iter().flat_map(corners).map(Vertex::index).max().unwrap_or(0);
         let side = |[a, b]: [Vertex; 2]| (a.min(b).index() - smallest, a.max(b));
         let sides = || triangles.iter().map(corners).flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).map(side);
-        // By the smaller vertex: counted, added up and filled; few have the same, and are sorted by the larger.
+        // Counting sort by the smaller vertex; few edges share it, and these are sorted by the larger.
         let mut starts = vec![0_u32; largest - smallest + 2];
         sides().for_each(|(from, _)| starts[from + 1] += 1);
         let mut sum = 0;
@@ -89,7 +90,7 @@ impl Near {
         Near { triangles, edges, edges_of, ends, uses: sorted.into_iter().map(|(_, side)| side).collect() }
     }
 
-    /// The triangles at an edge: place here, and the corner that the edge begins at there.
+    /// The triangles at an edge: index among the near triangles, and the corner at which the edge begins.
     pub fn uses(&self, edge: u32) -> impl Iterator<Item = (u32, usize)> + '_ {
         let start = edge.checked_sub(1).map_or(0, |before| self.ends[before as usize]);
         let uses = &self.uses[start as usize..self.ends[edge as usize] as usize];
@@ -102,7 +103,7 @@ impl Near {
     }
 }
 
-/// The first and the last vertex that a mesh has.
+/// The first and the last vertex of a mesh.
 pub(super) fn span(mesh: &MaterialMesh) -> [usize; 2] {
     let indices = |triangles: &[[Vertex; 3]]| {
         let all = || triangles.as_flattened().iter().map(|v| v.index());
@@ -112,7 +113,7 @@ pub(super) fn span(mesh: &MaterialMesh) -> [usize; 2] {
     mesh.triangles().par_chunks(PART).map(indices).reduce_with(wider).expect("a mesh has triangles")
 }
 
-/// A place in a list as it is stored.
+/// An index as it is stored.
 pub(crate) fn number(place: usize) -> u32 {
     u32::try_from(place).expect("fewer than 2^32 sides of triangles")
 }

@@ -1,4 +1,4 @@
-//! The points where edges pass through triangles: constructed together, and in order along their edges.
+//! The points where edges pass through triangles: constructed together, and sorted along their edges.
 
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Axis, Construction, Predicates, Refused, Vertex};
@@ -9,17 +9,17 @@ use predicament_grid::sort::sort_by_sign;
 
 /// The points on the edges of one mesh.
 pub(super) struct Points {
-    /// By triangle of the other mesh, then by edge.
+    /// The hits, by triangle of the other mesh, then by edge.
     pub hits: Vec<Hit>,
-    /// The vertex of each.
+    /// The vertex of each hit.
     pub vertices: Vec<Vertex>,
-    /// Places of hits, by edge, in order along each.
+    /// Indices of hits, by edge, in order along each.
     along: Vec<u32>,
-    /// For each edge the end of its places.
+    /// For each edge, the end of its entries in `along`.
     ends: Vec<u32>,
 }
 
-/// What defines the points of both meshes, those on edges of the first mesh first.
+/// The definitions of the points of both meshes, those on edges of the first mesh first.
 pub(super) fn definitions(hits: [&[Hit]; 2], near: [&Near; 2], meshes: [&MaterialMesh; 2]) -> Vec<Construction> {
     let of = |mesh: usize| {
         let (edges, triangles) = (&near[mesh].edges, &near[1 - mesh].triangles);
@@ -32,7 +32,7 @@ pub(super) fn definitions(hits: [&[Hit]; 2], near: [&Near; 2], meshes: [&Materia
 }
 
 impl Points {
-    /// The points of these hits on the edges of a mesh, sorted.
+    /// Sorts the points of these hits along the edges of a mesh.
     pub fn new(session: &dyn Predicates, near: &Near, hits: Vec<Hit>, vertices: &[Vertex]) -> Points {
         let mut ends = vec![0_u32; near.edges.len()];
         hits.iter().for_each(|hit| ends[hit.edge as usize] += 1);
@@ -41,7 +41,7 @@ impl Points {
             sum += *end;
             *end = sum;
         }
-        // Filled from the end; afterwards each is where its edge's places begin.
+        // Filled from the end; afterwards each entry is the start of its edge's range.
         let mut starts = ends.clone();
         let mut along = vec![0; hits.len()];
         for (place, hit) in hits.iter().enumerate().rev() {
@@ -62,13 +62,13 @@ impl Points {
         points
     }
 
-    /// The places of the hits on an edge, from its first vertex to its second.
+    /// The indices of the hits on an edge, from its first vertex to its second.
     pub fn on(&self, edge: u32) -> &[u32] {
         let start = edge.checked_sub(1).map_or(0, |before| self.ends[before as usize]);
         &self.along[start as usize..self.ends[edge as usize] as usize]
     }
 
-    /// The places of the hits in a triangle of the other mesh.
+    /// The indices of the hits in a triangle of the other mesh.
     pub fn within(&self, triangle: u32) -> std::ops::Range<usize> {
         let start = self.hits.partition_point(|hit| hit.triangle < triangle);
         let count = self.hits[start..].iter().take_while(|hit| hit.triangle == triangle).count();
@@ -89,7 +89,7 @@ impl Points {
     }
 }
 
-/// Constructs all points; those of the first mesh, then those of the second.
+/// Constructs all points: those of the first mesh, then those of the second.
 pub(super) fn construct(
     session: &mut dyn Predicates,
     hits: [&[Hit]; 2],

@@ -1,8 +1,8 @@
-//! The region of the other mesh that each vertex is in.
+//! The region of the other mesh that contains each vertex.
 //!
-//! A vertex is in one region, and so are both ends of an edge that passes through nothing: sets of vertices are joined along such
-//! edges. Where an edge passes through a triangle, the triangle tells the regions of its ends; vertices beyond the other mesh's box are outside.
-//! One point of each set that neither tells about is located.
+//! A vertex is in one region, and so are both ends of an edge that passes through nothing: union-find joins vertices
+//! along such edges. If an edge passes through a triangle, the triangle decides the regions of its ends. Vertices
+//! beyond the other mesh's box are outside. For each remaining set, one point is located.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,12 +17,12 @@ use super::points::Points;
 use super::{Contradiction, Extent, Undone};
 use predicament_mesh_locate::algorithm::{Location, MeshIndex, Ray, Scratch, locate_all};
 
-/// No region is known.
+/// The region is not known.
 const UNKNOWN: u32 = u32::MAX;
-/// Vertices that one thread takes at a time.
+/// The number of vertices in one thread's work item.
 const PART: usize = 16384;
 
-/// Vertices in sets.
+/// Sets of vertices, by union-find.
 struct Sets {
     parent: Vec<u32>,
 }
@@ -41,13 +41,13 @@ impl Sets {
         }
     }
 
-    /// Joins two sets; the larger number stands for both.
+    /// Joins two sets; the larger number is the representative.
     fn join(&mut self, a: u32, b: u32) {
         let [a, b] = [self.find(a), self.find(b)];
         self.parent[a.min(b) as usize] = a.max(b);
     }
 
-    /// [`Sets::find`] without a change.
+    /// Finds a representative like [`Sets::find`], without path compression.
     fn found(&self, v: u32) -> u32 {
         let mut at = v;
         while self.parent[at as usize] != at {
@@ -57,7 +57,7 @@ impl Sets {
     }
 }
 
-/// The region of the other mesh that each vertex of a mesh is in.
+/// The region of the other mesh that contains each vertex of a mesh.
 pub(super) struct VertexRegions {
     /// The first vertex of the mesh.
     first: usize,
@@ -70,7 +70,7 @@ impl VertexRegions {
     }
 }
 
-/// What all sets are made from.
+/// The input of the sets.
 pub(super) struct Known<'a> {
     pub session: &'a dyn Predicates,
     pub meshes: &'a [Arc<MaterialMesh>; 2],
@@ -80,7 +80,8 @@ pub(super) struct Known<'a> {
     pub extent: Extent,
 }
 
-/// For each vertex of either mesh the region of the other that it is in. The two meshes are two tasks.
+/// For each vertex of either mesh, the region of the other mesh that contains it. The two meshes are two parallel
+/// tasks.
 pub(super) fn regions(known: &Known<'_>) -> Result<[VertexRegions; 2], Undone> {
     let (first, second) = rayon::join(|| known.of_mesh(0), || known.of_mesh(1));
     Ok([first?, second?])
@@ -90,7 +91,7 @@ impl Known<'_> {
     fn of_mesh(&self, side: usize) -> Result<VertexRegions, Undone> {
         let triangles = self.meshes[side].triangles();
         let [first, last] = span(&self.meshes[side]);
-        // Vertices by their numbers from the first one on, then what is outside.
+        // Vertices by their numbers from the first one on, then an entry for the outside.
         let (scene, count) = (self.session.scene(), last + 1 - first);
         let at = |v: Vertex| number(v.index() - first);
         let outside = number(count);
@@ -150,7 +151,7 @@ impl Known<'_> {
         }
     }
 
-    /// The regions that the ends of edges are in which pass through triangles.
+    /// The regions of the ends of edges that pass through triangles.
     fn told(&self, side: usize) -> Vec<(Vertex, u32)> {
         let (meshes, near, points) = (self.meshes, self.near, self.points);
         let mut known = Vec::new();
@@ -176,7 +177,7 @@ impl Known<'_> {
         let queries: Vec<Vertex> = unknown.values().copied().collect();
         let locations = match self.extent {
             Extent::Whole => locate_all(&index, self.session, &queries, &|_| true),
-            // Nothing is known about cells without triangles; a ray straight up stays in the column.
+            // The cells without triangles have no known region; a ray straight up stays in the column.
             Extent::Columns => {
                 let up = |&q: &Vertex| index.question(self.session, q, Ray::UP, &mut Scratch::default());
                 predicament_grid::parallel::all(&queries, &up)

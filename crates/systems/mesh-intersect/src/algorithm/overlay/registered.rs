@@ -1,8 +1,9 @@
-//! An overlay by registered contacts, in floating point only (Wang, Jiang, Schroeder and Teran, Algorithms 7 to 12).
+//! Overlay by registered contacts, in floating point only (Wang, Jiang, Schroeder and Teran, Algorithms 7 to 12).
 //!
-//! A tolerance scheme says which pairs of simplices are in contact, and where on either one by weights. What passes through what is what was
-//! registered; a point is where its weight puts it on its edge; everything after that is asked about points in doubles. A contact of less
-//! than an edge with a triangle is a degeneracy, and there is no result, as where exact signs are zero.
+//! A tolerance scheme decides which pairs of simplices are in contact, and gives weights for the point on either
+//! simplex. The passages are the registered contacts, and a point is on its edge by its weight. All later predicates
+//! use points in doubles. A contact of simplices smaller than an edge and a triangle is a degeneracy, and there is no
+//! result, as with exact zeros.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -17,22 +18,23 @@ use super::near::Near;
 use super::{Contradiction, Extent, MeshOverlay, Step, Undone, finish};
 use predicament_contacts::algorithm::pairs::{Contact, contacts};
 
-/// Points in doubles: those of a scene, and registered ones beside them. Signs are those of floating-point determinants.
+/// A session of points in doubles: those of a scene, and registered points. Signs are those of floating-point
+/// determinants.
 #[derive(Clone, Debug)]
 pub struct Registered {
     scene: Scene,
-    /// Where definitions were registered.
+    /// For each definition, its registered position.
     places: BTreeMap<Construction, [f64; 3]>,
-    /// The constructed vertices, in their order.
+    /// The constructed vertices, in order.
     points: Vec<[f64; 3]>,
 }
 
-/// Overlays two meshes by the contacts that a session registers, over vertices of their own in its scene; `done` is told when each step is
-/// done. Returned with it is where the constructed vertices are.
+/// Overlays two meshes with disjoint vertices by the contacts that a session registers; `done` is called after each
+/// step. Also returns the positions of the constructed vertices.
 ///
 /// # Errors
-/// [`Undone::Contact`] where less than an edge and a triangle are in contact; [`Undone::Refused`] if the session registers no contacts;
-/// [`Undone::Broken`] where signs of doubles break an invariant.
+/// [`Undone::Contact`] if simplices smaller than an edge and a triangle are in contact; [`Undone::Refused`] if the
+/// session registers no contacts; [`Undone::Broken`] if signs of doubles break an invariant.
 pub fn mesh_overlay_registered(
     session: &dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
@@ -66,10 +68,10 @@ pub fn mesh_overlay_registered(
     Ok((overlay, points))
 }
 
-/// The places of triangles that are near, by their vertices in ascending order.
+/// The indices of near triangles, by their vertices in ascending order.
 type Triangles = BTreeMap<[Vertex; 3], Vec<u32>>;
 
-/// What contacts are between.
+/// The simplices of contacts.
 struct Found<'a> {
     complexes: [&'a Complex; 2],
     near: [&'a Near; 2],
@@ -77,7 +79,7 @@ struct Found<'a> {
 }
 
 impl Found<'_> {
-    /// Adds a contact to what passes through what: a triangle that is there several times is passed as often.
+    /// Adds a contact to the passages; if a triangle occurs several times, the edge passes through each copy.
     fn add(
         &self,
         contact: &Contact,
@@ -110,7 +112,7 @@ impl Found<'_> {
     }
 }
 
-/// For what is near in either mesh where its triangles are.
+/// Returns a function that finds the triangles of the near part of either mesh by their vertices.
 fn by_vertices(meshes: [&MaterialMesh; 2]) -> impl FnMut(&Near) -> Triangles {
     let mut meshes = meshes.into_iter();
     move |near| {
@@ -126,7 +128,7 @@ fn by_vertices(meshes: [&MaterialMesh; 2]) -> impl FnMut(&Near) -> Triangles {
 }
 
 impl Registered {
-    /// Where a vertex is.
+    /// The position of a vertex.
     #[must_use]
     pub fn place(&self, v: Vertex) -> [f64; 3] {
         v.construction().map_or_else(|| self.scene.point3(v), |index| self.points[index])
@@ -182,12 +184,16 @@ impl Predicates for Registered {
         Sign::of(minor(1, 2) * r[0] + minor(2, 0) * r[1] + minor(0, 1) * r[2])
     }
 
+    /// Not supported.
+    ///
     /// # Panics
     /// Always: it is not supported.
     fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
         unreachable!("declined")
     }
 
+    /// Not supported.
+    ///
     /// # Panics
     /// Always: it is not supported.
     fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {

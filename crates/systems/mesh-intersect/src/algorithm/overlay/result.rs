@@ -1,4 +1,4 @@
-//! What users take from an overlay: Boolean operations, and the regions of both meshes together.
+//! The results of an overlay: Boolean operations, and the regions of both meshes together.
 
 use crate::answer::{Regions, Source};
 use predicament_mesh::OUTSIDE;
@@ -9,27 +9,28 @@ use rayon::prelude::*;
 use super::{MeshOverlay, Piece};
 use predicament_overlay::algorithm::overlay::Operation;
 
-/// Triangles that one thread takes at a time.
+/// The number of triangles in one thread's work item.
 const PART: usize = 32768;
 
 /// A solid: a closed surface, counterclockwise as seen from outside.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Solid {
-    /// By input vertices and constructed ones.
+    /// The triangles, as input vertices and constructed ones.
     pub triangles: Vec<[Vertex; 3]>,
-    /// For each triangle what it is, or is a piece of.
+    /// For each triangle, its source: the triangle of a mesh that contains it.
     pub sources: Vec<Source>,
-    /// For each triangle whether it faces the other way than what it is a piece of.
+    /// For each triangle, true if it faces the other way than its source.
     pub turned: Vec<bool>,
 }
 
 impl Solid {
-    /// The result as a half-edge mesh, with its labels: a face's marker is the mesh that it is of, 0 or 1, and its user data the place of its
-    /// triangle here, by which [`Solid::sources`] and [`Solid::turned`] say the rest. Vertices are those that are corners, ascending.
+    /// Converts the result to a half-edge mesh with labels. A face's marker is its mesh, 0 or 1, and its user data the
+    /// index of its triangle here, to be used with [`Solid::sources`] and [`Solid::turned`]. Vertices are the corners,
+    /// ascending.
     ///
     /// # Errors
-    /// [`ConversionError`] where four triangles share an edge, as along the curves of a symmetric difference, or where parts of an operand
-    /// touch.
+    /// [`ConversionError`] if four triangles share an edge, as along the curves of a symmetric difference, or where
+    /// parts of an operand touch.
     pub fn half_edges(&self) -> Result<HalfEdgeMesh, ConversionError> {
         let mut vertices: Vec<Vertex> = self.triangles.as_flattened().to_vec();
         vertices.sort_unstable();
@@ -47,9 +48,9 @@ impl Solid {
 }
 
 impl MeshOverlay {
-    /// The result of an operation on what is inside of the meshes: in any of their regions.
+    /// The result of an operation on the insides of the meshes: all of their regions.
     ///
-    /// Triangles of the first mesh come first, whole ones before pieces, both in the order of the mesh.
+    /// Triangles of the first mesh come first, whole triangles before pieces, both in the order of the mesh.
     #[must_use]
     pub fn solid(&self, operation: Operation) -> Solid {
         let mut solid = Solid::default();
@@ -88,8 +89,8 @@ impl MeshOverlay {
         solid
     }
 
-    /// All triangles with the regions of both meshes on either side, as a number for each pair of regions that comes up: the
-    /// triangles, their regions in front and behind, and the pairs by number; the first pair is outside of both.
+    /// All triangles, with the pair of regions of both meshes on either side. The result has the triangles, the indices
+    /// of the pairs in front and behind, and the list of pairs; the first pair is outside both.
     #[must_use]
     pub fn regions(&self) -> Regions {
         let mut pairs: Vec<[u32; 2]> = vec![[OUTSIDE; 2]];

@@ -1,21 +1,24 @@
-//! Triangles that both meshes have, where nothing of the one passes through anything of the other.
+//! Shared triangles of both meshes: pairs that certainly do not pass through each other are set aside.
 //!
-//! A mesh is overlaid with itself, or with what was cut from it. Each edge is then tied with all triangles around it, and nearly none of them meet
-//! once one of the meshes has moved. What both have is found by its coordinates here, and set aside where that can be told without a tie.
+//! The case is a mesh overlaid with itself, or with a part cut from it. Each edge is then tied with all triangles
+//! around it, and hardly any of them meet once one of the meshes has moved. This module finds shared triangles by their
+//! coordinates, and sets them aside if that can be decided without a tie.
 //!
 //! # What is set aside
 //! Let S be the surface of one mesh, and S + δ the same surface in the other, δ = (ε, ε², ε³) or its opposite.
 //!
-//! - *Around a vertex.* Seen along x, the triangles around it all turn the same way and go around it once: they are a graph over a
-//!   polygon of the yz plane. Its x differs by at most some L times the distance in that plane; moved by δ it is above itself by at least
-//!   ε − L(ε² + ε³), and does not meet itself. Two triangles that have a corner in common are both around that corner.
-//! - *Elsewhere.* An edge and a triangle that are apart are apart after a small enough move. A triangle is set aside only if it
-//!   is apart from all other such triangles that it has no corner in common with: a plane across an axis or a diagonal separates them, or a
-//!   line in a coordinate plane, by the signs of determinants in doubles that exceed their rounding errors.
+//! - *Around a vertex.* Seen along x, the triangles around it all turn the same way and go around it once: they are a
+//!   graph over a polygon of the yz plane. Its x differs by at most some L times the distance in that plane; moved by δ
+//!   it is above itself by at least ε − L(ε² + ε³), and does not meet itself. Two triangles that have a corner in
+//!   common are both around that corner.
+//! - *Elsewhere.* An edge and a triangle that are apart are apart after a small enough move. A triangle is set aside
+//!   only if it is apart from all other such triangles that it has no corner in common with: a plane across an axis or
+//!   a diagonal separates them, or a line in a coordinate plane, by the signs of determinants in doubles that exceed
+//!   their rounding errors.
 //!
-//! So an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the other. All other
-//! pairs are asked about. The surface is closed, so that the triangles around a vertex are loops; a loop whose triangles turn the same way
-//! crosses a ray as often as it goes around.
+//! So an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the
+//! other. All other pairs are tested. The surface is closed, so that the triangles around a vertex are loops; a loop
+//! whose triangles turn the same way crosses a ray as often as it goes around.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicBool, Ordering::Relaxed};
@@ -28,21 +31,21 @@ use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 use super::meet::do_meet;
 use super::near::{number, span};
 
-/// Smaller meshes are asked about in full.
+/// The minimum size of a mesh; smaller meshes are tested in full.
 const FEWEST: usize = 4096;
-/// So many vertices are looked for before all are.
+/// The number of sampled vertices before all are compared.
 const SAMPLE: usize = 256;
-/// One in so many has to be found, of the sample, and of all triangles.
+/// The minimum share that must be found, one in this number, of the sample and of all triangles.
 const SHARE: usize = 8;
-/// Vertices or triangles that one thread takes at a time.
+/// The number of vertices or triangles in one thread's work item.
 const PART: usize = 4096;
-/// Of a cell with more triangles than this none is looked at: they are asked about.
+/// The maximum number of triangles of a cell; in cells with more, none is set aside.
 const MOST: usize = 512;
-/// There is no such vertex or triangle.
+/// The index for no vertex or triangle.
 const NONE: u32 = u32::MAX;
 
-/// The triangles of either mesh that are asked about, ascending: all but those that are set aside. None if that is not worth its while, or not
-/// known of the session.
+/// The triangles of either mesh that must be tested, ascending: all except those set aside. `None` if setting aside is
+/// not worthwhile, or the session is not known to move a mesh as a whole.
 pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> Option<[Vec<u32>; 2]> {
     let is_one_surface = |mesh: &MaterialMesh| mesh.sides().iter().all(|sides| sides == &mesh.sides()[0]);
     let is_large = meshes.iter().all(|mesh| mesh.triangles().len() >= FEWEST);
@@ -72,7 +75,7 @@ pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) 
     Some([asked(aside.len(), &|at| aside[at]), asked(same.len(), &|at| same[at] != NONE && aside[same[at] as usize])])
 }
 
-/// The vertices of a mesh: from the first to the last that it has.
+/// The range of a mesh's vertices, from the first to the last.
 #[derive(Clone, Copy)]
 struct Vertices {
     first: usize,
@@ -94,12 +97,12 @@ impl Vertices {
     }
 }
 
-/// The bits of a point; those of zero for its opposite.
+/// The bits of a point; −0 becomes 0.
 fn bits(p: [f64; 3]) -> [u64; 3] {
     p.map(|x| (x + 0.0).to_bits())
 }
 
-/// A number made of others.
+/// A hash of three words.
 fn mixed(words: [u64; 3]) -> usize {
     // (Odd numbers without a pattern; any others would do.)
     let sum = words[0].wrapping_mul(0x9e37_79b9_7f4a_7c15)
@@ -110,13 +113,14 @@ fn mixed(words: [u64; 3]) -> usize {
     low
 }
 
-/// Things by three words: each in a slot that follows from them, or in one of the next.
+/// A hash table of items by three words, with linear probing.
 struct Table {
     slots: Vec<u32>,
 }
 
 impl Table {
-    /// The things `0..count`, of which those without words are left out; of those with the same words the first.
+    /// Inserts the items `0..count`; items without words are left out, and of those with the same words the first is
+    /// kept.
     fn of(count: usize, words: &dyn Fn(usize) -> [u64; 3]) -> Table {
         let mut table = Table { slots: vec![NONE; (2 * count).next_power_of_two()] };
         for at in 0..count {
@@ -129,7 +133,7 @@ impl Table {
         table
     }
 
-    /// The slot of what is found, or where it would be.
+    /// The slot of an item, or the empty slot for it.
     fn slot(&self, words: [u64; 3], is_it: &dyn Fn(usize) -> bool) -> usize {
         let mut slot = mixed(words) & (self.slots.len() - 1);
         while self.slots[slot] != NONE && !is_it(self.slots[slot] as usize) {
@@ -143,7 +147,7 @@ impl Table {
     }
 }
 
-/// Whether enough vertices of a sample of the second mesh are where the first mesh has one.
+/// True if enough vertices of a sample of the second mesh coincide with vertices of the first.
 fn is_worth_it(scene: &Scene, first: Vertices, second: Vertices) -> bool {
     let place = |of: Vertices, at: usize| bits(scene.point3(of.vertex(at)));
     let sample = |at: usize| place(second, at * (second.count / SAMPLE).max(1));
@@ -158,7 +162,7 @@ fn is_worth_it(scene: &Scene, first: Vertices, second: Vertices) -> bool {
     found >= count / SHARE
 }
 
-/// For each vertex of the second mesh the place of the first mesh's vertex that is where it is.
+/// For each vertex of the second mesh, the index of the first mesh's vertex at its position.
 fn same_vertices(scene: &Scene, first: Vertices, second: Vertices) -> Vec<u32> {
     let place = |of: Vertices, at: usize| bits(scene.point3(of.vertex(at)));
     let table = OnceLock::new();
@@ -176,7 +180,7 @@ fn same_vertices(scene: &Scene, first: Vertices, second: Vertices) -> Vec<u32> {
     predicament_grid::parallel::each(second.count.div_ceil(PART), &find).concat()
 }
 
-/// For each triangle of the second mesh the place of one of the first mesh with the same three vertices.
+/// For each triangle of the second mesh, the index of a triangle of the first mesh with the same three vertices.
 fn same_triangles(meshes: [&MaterialMesh; 2], first: Vertices, second: Vertices, same: &[u32]) -> Vec<u32> {
     let sorted = |mut places: [u32; 3]| {
         places.sort_unstable();
@@ -201,12 +205,12 @@ fn same_triangles(meshes: [&MaterialMesh; 2], first: Vertices, second: Vertices,
     predicament_grid::parallel::each(count.div_ceil(PART), &part).concat()
 }
 
-/// For each vertex whether the triangles around it are one graph over the yz plane.
+/// For each vertex, true if the triangles around it are one graph over the yz plane.
 fn clear_vertices(session: &dyn Predicates, mesh: &MaterialMesh, of: Vertices) -> Vec<bool> {
     const UP: u8 = 1;
     const DOWN: u8 = 2;
     const OTHER: u8 = 4;
-    /// A triangle that crosses the ray from the vertex along y; two of them are as bad as more.
+    /// The increment for a triangle that crosses the ray from the vertex along y: exactly one crossing is required.
     const CROSSING: u8 = 8;
     let turn = |&[a, b, c]: &[Vertex; 3]| session.orient2d(Plane::Yz, a, b, c);
     let turns = predicament_grid::parallel::all(mesh.triangles(), &turn);
@@ -233,7 +237,7 @@ fn clear_vertices(session: &dyn Predicates, mesh: &MaterialMesh, of: Vertices) -
     seen.into_iter().map(|seen| seen == UP | CROSSING || seen == DOWN | CROSSING).collect()
 }
 
-/// For each of these triangles whether it is known to be apart from all others of them that have no corner of it.
+/// For each of these triangles, true if it is certainly apart from all others without a common corner.
 fn apart(scene: &Scene, mesh: &MaterialMesh, of: &[u32]) -> Vec<bool> {
     let corners = |at: u32| mesh.triangles()[of[at as usize] as usize];
     let box_of = |&at: &u32| Bounds::of(mesh.triangles()[at as usize].map(|v| scene.point3(v)));
@@ -249,7 +253,7 @@ fn apart(scene: &Scene, mesh: &MaterialMesh, of: &[u32]) -> Vec<bool> {
                 list.iter().copied().for_each(meet);
                 continue;
             }
-            // Boxes of one cell are side by side for all pairs of them.
+            // Boxes of one cell are copied together, for all pairs.
             here.clear();
             here.extend(list.iter().map(|&at| {
                 let own = corners(at);
@@ -273,9 +277,9 @@ fn apart(scene: &Scene, mesh: &MaterialMesh, of: &[u32]) -> Vec<bool> {
     meets.into_iter().map(|meets| !meets.into_inner()).collect()
 }
 
-/// Where a triangle is along the diagonals of the coordinate planes.
+/// The extent of a triangle along the diagonals of the coordinate planes.
 ///
-/// A rounded sum is monotone in the sum: of two that differ the smaller one is that of the smaller sum.
+/// Rounded sums are monotone: of two different rounded sums, the smaller one belongs to the smaller exact sum.
 struct Diagonals {
     low: [f64; 6],
     high: [f64; 6],
@@ -292,19 +296,19 @@ impl Diagonals {
         Diagonals { low, high }
     }
 
-    /// Whether none of them is known to separate the two.
+    /// True if no diagonal certainly separates the two.
     #[inline]
     fn do_meet(&self, other: &Diagonals) -> bool {
         (0..6).all(|i| (self.low[i] <= other.high[i]) & (other.low[i] <= self.high[i]))
     }
 }
 
-/// Whether a line in a coordinate plane is known to separate two triangles.
+/// True if a line in a coordinate plane certainly separates two triangles.
 fn are_apart([t, s]: [[[f64; 3]; 3]; 2]) -> bool {
     planes(t).into_iter().any(|plane| are_separated(plane, t, s))
 }
 
-/// The two axes of each coordinate plane, that in which a triangle is about largest first.
+/// The two axes of each coordinate plane; first the plane in which a triangle has about the largest area.
 fn planes(t: [[f64; 3]; 3]) -> [[usize; 2]; 3] {
     let area = |[i, j]: [usize; 2]| {
         ((t[1][i] - t[0][i]) * (t[2][j] - t[0][j]) - (t[1][j] - t[0][j]) * (t[2][i] - t[0][i])).abs()
@@ -314,7 +318,8 @@ fn planes(t: [[f64; 3]; 3]) -> [[usize; 2]; 3] {
     planes
 }
 
-/// Whether a line along an edge of one of two triangles has the other one strictly beyond it in a coordinate plane. Unproved, it is not.
+/// True if a line along an edge of one of two triangles certainly has the other strictly beyond it in a coordinate
+/// plane.
 fn are_separated([i, j]: [usize; 2], t: [[f64; 3]; 3], s: [[f64; 3]; 3]) -> bool {
     let flat = |t: [[f64; 3]; 3]| t.map(|p| [p[i], p[j]]);
     let [t, s] = [flat(t), flat(s)];
@@ -329,15 +334,17 @@ fn are_separated([i, j]: [usize; 2], t: [[f64; 3]; 3], s: [[f64; 3]; 3]) -> bool
     (0..3).any(|edge| is_beyond(t, s, edge) || is_beyond(s, t, edge))
 }
 
-/// Whether a, b, c turn counterclockwise, rather than clockwise; none where rounding could decide.
+/// The turn of a, b, c: true for counterclockwise, false for clockwise, `None` if rounding could decide.
 ///
-/// With u = 2^-53, the determinant of rounded differences has an error of less than 4 u times the sum of its products' magnitudes
-/// (Shewchuk, *Adaptive precision floating-point arithmetic*, 1997, section 4.3), if that sum is far from underflow; it is not if it overflows.
+/// With u = 2^-53, the determinant of rounded differences has an error of less than 4 u times the sum of its products'
+/// magnitudes (Shewchuk, *Adaptive precision floating-point arithmetic*, 1997, section 4.3), if that sum is far from
+/// underflow; it is not if it overflows.
 #[inline]
 fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Option<bool> {
-    /// 4 u.
+    /// The relative error bound 4 u.
     const ERROR: f64 = 2.0 * f64::EPSILON;
-    /// Products that underflow have an error of at most 2^-1074: nothing beside 4 u times 2^-900.
+    /// The least sum of magnitudes for that bound: products that underflow have an error of at most 2^-1074, which is
+    /// negligible beside 4 u times 2^-900.
     const LEAST: f64 = 1e-270;
     let left = (a[0] - c[0]) * (b[1] - c[1]);
     let right = (a[1] - c[1]) * (b[0] - c[0]);

@@ -1,10 +1,11 @@
-//! Triangles cut where others meet them.
+//! Triangles, cut where others meet them.
 //!
-//! Triangles of one plane that meet are cut together: what they cover in common is cut in one way. In their plane the edges of all of them, and the
-//! traces of the triangles of other planes that meet one of them, are arranged ([`mod@predicament_overlay::algorithm::overlay`]) and triangulated (`planar.rs`).
+//! Triangles of one plane that meet are cut together, so their common part is cut in one way. In their plane the edges
+//! of all of them, and the traces of the triangles of other planes that meet one of them, are arranged
+//! ([`mod@predicament_overlay::algorithm::overlay`]) and triangulated (`planar.rs`).
 //!
-//! A trace may reach beyond the triangle that it cuts, and cross others there. Nothing comes of that: parts outside are left out. Inside, each point of a trace is a point
-//! of both triangles, so that both are cut at the same points.
+//! A trace may extend beyond the triangle that it cuts, and cross others there. This has no effect: parts outside are
+//! left out. Inside, each point of a trace is a point of both triangles, so both are cut at the same points.
 
 use std::collections::BTreeMap;
 
@@ -18,15 +19,15 @@ use crate::algorithm::limit::sheets::view;
 use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 use predicament_overlay::algorithm::overlay::{Edge, Method, arrange};
 
-/// Triangles that meet others.
+/// Groups of triangles that meet others.
 #[derive(Default)]
 pub(super) struct Groups {
-    /// Triangles of one plane, by their places, with the triangles of other planes that one of them meets; all ascending.
+    /// Indices of triangles of one plane, and of the triangles of other planes that meet one of them; all ascending.
     pub all: Vec<[Vec<u32>; 2]>,
 }
 
 impl Groups {
-    /// The groups of triangles that meet in pairs, each pair with whether it is of one plane.
+    /// Groups the triangles that meet in pairs; each pair comes with true if it is in one plane.
     pub fn of(pairs: &[([u32; 2], bool)]) -> Groups {
         let mut leaders: BTreeMap<u32, u32> = pairs.iter().flat_map(|(pair, _)| *pair).map(|at| (at, at)).collect();
         let leader = |leaders: &BTreeMap<u32, u32>, mut at: u32| {
@@ -58,7 +59,7 @@ impl Groups {
     }
 }
 
-/// What the triangles of a group are cut into.
+/// Cuts the triangles of a group; returns the pieces.
 pub(super) fn cut(
     session: &mut dyn Predicates,
     places: &mut Places,
@@ -71,7 +72,7 @@ pub(super) fn cut(
     let other_corners = others.iter().flat_map(corners);
     let all_corners = faces.iter().flat_map(|face| face.corners);
     let apart = other_corners.chain(all_corners).find(|&v| !side(session, own, v).is_zero());
-    // All of the mesh is in one plane.
+    // The whole mesh is in one plane.
     let Some(apart) = apart else { return Ok(Vec::new()) };
     let mut segments = Segments::default();
     for [a, b, c] in members.iter().map(corners) {
@@ -106,7 +107,7 @@ pub(super) fn cut(
     let within = |&v: &Vertex| -> Vec<usize> {
         (0..members.len()).filter(|&member| members[member].holds(session, plane, v)).collect()
     };
-    // Of the nodes those that are in triangles of the group.
+    // Keeps the nodes that are in triangles of the group.
     let (kept, within): (Vec<usize>, Vec<Vec<usize>>) =
         nodes.iter().map(within).enumerate().filter(|(_, within)| !within.is_empty()).unzip();
     let vertices: Vec<Vertex> = kept.iter().map(|&node| nodes[node]).collect();
@@ -131,11 +132,11 @@ pub(super) fn cut(
     Ok(parts)
 }
 
-/// A triangle as it is seen in a coordinate plane.
+/// A triangle as seen in a coordinate plane.
 struct Member {
-    /// Counterclockwise there.
+    /// The corners, counterclockwise there.
     corners: [Vertex; 3],
-    /// How often it is passed so.
+    /// The number of times that the surface passes it in that orientation.
     times: i32,
 }
 
@@ -147,17 +148,17 @@ impl Member {
         }
     }
 
-    /// Whether a vertex of its plane is in it, or on its border.
+    /// True if a vertex of its plane is in it, or on its border.
     fn holds(&self, session: &dyn Predicates, plane: Plane, v: Vertex) -> bool {
         let [a, b, c] = self.corners;
         [[a, b], [b, c], [c, a]].into_iter().all(|[p, q]| turn(session, plane, [p, q, v]) != Sign::Negative)
     }
 }
 
-/// Segments of a plane, by vertices of a scene of it.
+/// Segments in a plane, by vertices of a planar scene.
 #[derive(Default)]
 struct Segments {
-    /// The vertices in space; a point without segments comes twice.
+    /// The vertices in space; a point without segments occurs twice.
     vertices: Vec<Vertex>,
     of: BTreeMap<Vertex, Vertex>,
     ends: Vec<[Vertex; 2]>,
@@ -180,7 +181,7 @@ impl Segments {
         self.lines.push((ends, line));
     }
 
-    /// Adds a point that may be on no segment: a segment without length.
+    /// Adds a point that may be on no segment, as a segment without length.
     fn point(&mut self, v: Vertex) {
         let first = self.vertex(v);
         let second = Vertex::input(self.vertices.len());
@@ -189,9 +190,9 @@ impl Segments {
     }
 }
 
-/// What a triangle has in common with the plane of another: a segment or a point, or nothing.
+/// The intersection of a triangle with the plane of another: a segment, a point, or nothing.
 struct Trace {
-    /// Its corners there.
+    /// Its corners in the plane.
     at: Vec<Vertex>,
     /// Its edges that cross the plane.
     crossings: Vec<[Vertex; 2]>,

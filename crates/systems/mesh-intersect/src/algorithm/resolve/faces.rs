@@ -8,11 +8,12 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct Face {
     pub corners: [Vertex; 3],
-    /// How often the surface passes it as it is oriented, less how often the other way round: one at least.
+    /// The number of times that the surface passes it in its orientation, less the times in the other: at least one.
     pub times: i32,
 }
 
-/// The faces that triangles add up to, in the order of their first: pairs of opposite ones are gone, as is what has a vertex twice or no area.
+/// The faces in the sum of triangles, in the order of their first occurrence, without pairs of opposite triangles,
+/// triangles with a vertex twice, and triangles without area.
 pub(super) fn summed(session: &dyn Predicates, triangles: impl Iterator<Item = [Vertex; 3]>) -> Vec<Face> {
     let mut places = BTreeMap::new();
     let mut all: Vec<Face> = Vec::new();
@@ -43,7 +44,7 @@ fn is_flat(session: &dyn Predicates, [a, b, c]: [Vertex; 3]) -> bool {
     [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| session.orient2d(plane, a, b, c).is_zero())
 }
 
-/// The turn of three vertices in a coordinate plane; zero where two of them are one.
+/// The turn of three vertices in a coordinate plane; zero if two of them are one vertex.
 pub(super) fn turn(session: &dyn Predicates, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
     if a == b || b == c || c == a { Sign::Zero } else { session.orient2d(plane, a, b, c) }
 }

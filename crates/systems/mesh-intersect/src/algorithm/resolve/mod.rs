@@ -1,28 +1,38 @@
-//! Closed meshes that cross, fold onto or touch themselves, as meshes that do not.
+//! Resolution of closed meshes that cross, fold onto or touch themselves.
 //!
-//! A mesh of doubles that was rounded, or read from a file, may pass through itself. What it bounds is taken to be what it goes around more often than not at all: where its winding number
-//! is positive. That is what is left of it here, regularised, as a surface whose triangles meet in common corners and edges only. A part that is inside of another goes, and so
-//! does one that is turned inside out.
+//! A mesh of doubles that was rounded, or read from a file, may pass through itself. Its inside is defined as the
+//! points with a positive winding number. The resolution returns that inside, regularised, as a surface whose triangles
+//! meet in common corners and edges only. A part inside another part is removed, and so is a part that is turned inside
+//! out.
 //!
 //! # Steps of a resolution
-//! 1. Vertices at one place become one; triangles with a vertex twice or without area go; equal ones are counted, and opposite ones cancel (`faces.rs`).
-//! 2. Pairs of triangles that have more in common than corners and edges are found, exactly: [`mod@crate::algorithm::rounding::flaws`].
-//! 3. Triangles in such pairs are cut along what they have in common: those of one plane together (`cut.rs`). No other triangle is cut: a point of a triangle's edge that is on a third one is found by
-//!    the neighbour at this edge as well.
-//! 4. Of vertices at one place the first stands for all.
-//! 5. Winding numbers on both sides of each face (`winding.rs`): what has the inside behind it and the outside in front stays.
+//! 1. Vertices at one position are merged; triangles with a vertex twice or without area are removed; equal triangles
+//!    are counted, and opposite ones cancel (`faces.rs`).
+//! 2. Pairs of triangles that have more in common than corners and edges are found, exactly:
+//!    [`mod@crate::algorithm::rounding::flaws`].
+//! 3. Triangles in such pairs are cut along their intersections: those of one plane together (`cut.rs`). No other
+//!    triangle is cut: if a point of a triangle's edge is on a third triangle, the neighbour at this edge finds it as
+//!    well.
+//! 4. Vertices at one position are replaced by the first of them.
+//! 5. Winding numbers on both sides of each face are computed (`winding.rs`): faces with the inside behind them and the
+//!    outside in front stay.
 //!
-//! All points are crossings of an edge and a plane, or of three planes, of input vertices. All decisions are signs of the session, which has to say zero where something is zero.
+//! All points are intersections of an edge and a plane, or of three planes, of input vertices. All decisions are signs
+//! of the session, which must return exact zeros.
 //!
 //! # Back to doubles
-//! [`rounded`] rounds a resolution ([`mod@crate::algorithm::rounding`]), resolves what crosses then, and so on (Valque, *Iterated snap rounding in space*; Devillers, Lazard and Lenhart, *Rounding meshes in
-//! 3D*, subdivide in advance instead), [`PASSES`] times at most, and not for long where pairs that meet become more. What has the fewest stays.
+//! [`rounded`] rounds a resolution ([`mod@crate::algorithm::rounding`]), resolves new crossings, and repeats this at
+//! most [`PASSES`] times (Valque, *Iterated snap rounding in space*; Devillers, Lazard and Lenhart, *Rounding meshes in
+//! 3D*, subdivide in advance instead). It stops early if the pairs that meet become more. It keeps the pass with the
+//! fewest pairs.
 //!
-//! **Guaranteed**, if it ends with nothing [left](Counts::left): the mesh is closed, no triangle is without area, triangles meet in common corners and edges only, the winding number is 0 or 1
-//! everywhere off the surface, and each point of the surface is within [`Counts::farthest`] in each coordinate of a point of the surface that was given.
+//! **Guaranteed**, if it ends with nothing [left](Counts::left): the mesh is closed, each triangle has an area, and
+//! triangles meet in common corners and edges only. The winding number is 0 or 1 everywhere off the surface. Each point
+//! of the surface is within [`Counts::farthest`] in each coordinate of a point of the given surface.
 //!
-//! **Not guaranteed** is that it ends so: a rounded vertex may pass through a triangle that was beside it, in each pass another one. What crosses after the last pass is counted. Nor is the topology
-//! kept where parts are nearer to each other than doubles are: they grow together, or vanish.
+//! **Not guaranteed** is that it ends so: in each pass another rounded vertex may pass through a triangle that was
+//! beside it. Crossings after the last pass are counted. The topology is not kept either where parts are nearer to each
+//! other than doubles are: such parts merge, or vanish.
 
 mod cut;
 mod faces;
@@ -40,13 +50,13 @@ use crate::algorithm::rounding::flaws::pairs;
 use crate::algorithm::rounding::{self, Closed, NotRounded, Rounded};
 use crate::algorithm::sessions::{Sessions, with};
 
-/// Roundings, at most, each of the resolution of what the one before it left.
+/// The maximum number of roundings; each rounds the resolution of the previous result.
 pub const PASSES: usize = 16;
 
-/// What was done.
+/// Statistics of a resolution.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
 pub struct Counts {
-    /// Resolutions of something.
+    /// The number of resolutions that had something to resolve.
     pub passes: usize,
     /// Pairs of triangles that had more in common than corners and edges.
     pub pairs: usize,
@@ -56,9 +66,10 @@ pub struct Counts {
     pub constructed: usize,
     /// Faces, after cutting, that do not bound the inside.
     pub dropped: usize,
-    /// Pairs that are left after the last rounding; 0 for a resolution, which leaves none.
+    /// Pairs that remain after the last rounding; 0 for a resolution, which leaves none.
     pub left: usize,
-    /// In each coordinate no point has moved farther than this, in units of the scene: the sum of the largest moves of all roundings.
+    /// An upper bound on the move of any point in each coordinate, in units of the scene: the sum of the largest moves
+    /// of all roundings.
     pub farthest: f64,
 }
 
@@ -77,22 +88,22 @@ impl Counts {
 /// A mesh that does not cross itself.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Resolved {
-    /// The points of the mesh that was given, and the constructed ones.
+    /// The points of the given mesh, and the constructed ones.
     pub scene: Scene,
-    /// Counterclockwise as seen from outside, by vertices of the scene, each of them at another place.
+    /// The triangles, counterclockwise as seen from outside, by vertices of the scene at different positions.
     pub triangles: Vec<[Vertex; 3]>,
-    /// The doubles nearest to these.
+    /// The doubles nearest to the scene's vertices.
     pub places: Places,
-    /// What was done.
+    /// Statistics of the resolution.
     pub counts: Counts,
 }
 
-/// Why there is no result.
+/// The reason why there is no result.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Unresolved {
     /// A coordinate is not finite, or there are too many vertices.
     Scene(SceneError),
-    /// The backend does not take the scene.
+    /// The backend declines the scene.
     Declined(Declined),
     /// A point is not constructed, or signs or the mesh break an invariant.
     Undone(Undone),
@@ -131,13 +142,14 @@ impl From<NotRounded> for Unresolved {
     }
 }
 
-/// The surface of what a closed mesh goes around more often than not at all, without self-intersections; `exact` is what says zero where something is zero.
+/// Computes the surface of the points with a positive winding number in a closed mesh, without self-intersections;
+/// `exact` is the backend with exact zeros.
 ///
 /// # Errors
-/// [`Unresolved`]; [`Undone::Broken`] also where the mesh is not closed.
+/// [`Unresolved`]; [`Undone::Broken`] also if the mesh is not closed.
 ///
 /// # Panics
-/// If a triangle has a vertex that there is not.
+/// If a triangle has a vertex that does not exist.
 pub fn resolved(exact: &dyn Sessions, mesh: &Closed) -> Result<Resolved, Unresolved> {
     let scene = Scene::from_points3(&mesh.points).map_err(Unresolved::Scene)?;
     with(exact, &scene, &mut |session| {
@@ -147,7 +159,7 @@ pub fn resolved(exact: &dyn Sessions, mesh: &Closed) -> Result<Resolved, Unresol
     })
 }
 
-/// The same in doubles, as far as [`PASSES`] roundings go; no mesh at all is empty space.
+/// Resolves a mesh to doubles, with at most [`PASSES`] roundings; an empty mesh is empty space.
 ///
 /// # Errors
 /// As [`resolved`].
@@ -159,8 +171,8 @@ pub fn rounded(exact: &dyn Sessions, mesh: &Closed) -> Result<(Closed, Counts), 
     rounded_since(exact, mesh.clone(), all, true)
 }
 
-/// [`rounded`] for a mesh of which only triangles with a moved vertex can meet others; `is_suspect` says that it may go around something not once even if
-/// none of them does.
+/// Resolves like [`rounded`], for a mesh in which only triangles with a moved vertex can meet others. `is_suspect`
+/// means that a winding number may differ from 0 and 1 even if no triangles meet.
 pub(crate) fn rounded_since(
     exact: &dyn Sessions,
     mut mesh: Closed,
@@ -177,7 +189,7 @@ pub(crate) fn rounded_since(
             counts.left = pairs.len();
             let fewest = best.as_ref().map_or(usize::MAX, |(_, best)| best.left);
             worse = if pairs.len() < fewest { 0 } else { worse + 1 };
-            // (Of two without any the later one: it goes around everything once.)
+            // (If two passes have no pairs, the later one: its winding numbers are 0 and 1.)
             if pairs.len() <= fewest {
                 best = Some((mesh.clone(), counts));
             }
@@ -201,14 +213,14 @@ pub(crate) fn rounded_since(
     Ok(best.expect("there is a first pass"))
 }
 
-/// Passes that leave no fewer pairs than one before them, after which nothing more is tried.
+/// The maximum number of passes without fewer pairs than an earlier pass.
 const WORSE: usize = 3;
-/// Nothing more is tried where a pass leaves so many times the fewest pairs,
+/// The process stops if a pass leaves more pairs than [`MOST`] and than this many times the fewest.
 const GROWTH: usize = 8;
-/// and more than this.
+/// The process never stops early with at most this number of pairs: see [`GROWTH`].
 const MOST: usize = 256;
 
-/// The largest distance along a coordinate of a vertex from where it may go: at most an ulp.
+/// The largest distance along a coordinate between a vertex and its possible roundings: at most an ulp.
 fn farthest(session: &dyn Predicates, triangles: &[[Vertex; 3]], places: &Places) -> f64 {
     let constructed = triangles.as_flattened().iter().filter(|v| v.is_constructed());
     let move_of = |&v: &Vertex| {
@@ -218,15 +230,15 @@ fn farthest(session: &dyn Predicates, triangles: &[[Vertex; 3]], places: &Places
     constructed.map(move_of).fold(0.0, f64::max)
 }
 
-/// The faces of a mesh, and those that meet.
+/// The faces of a mesh, and the pairs that meet.
 struct Found {
     faces: Vec<Face>,
-    /// By their places, with whether they are of one plane.
+    /// Pairs of indices, each with true if they are in one plane.
     pairs: Vec<([u32; 2], bool)>,
 }
 
 fn find(session: &dyn Predicates, mesh: &Closed, is_moved: &(dyn Fn(u32) -> bool + Sync)) -> Found {
-    // Of vertices at one place the first stands for all, and has moved if one of them has.
+    // Vertices at one position are replaced by the first, which has moved if one of them has.
     let key = |v: u32| mesh.points[v as usize].map(|x| (x + 0.0).to_bits());
     let mut order: Vec<u32> = (0..number(mesh.points.len())).collect();
     order.sort_unstable_by_key(|&v| (key(v), v));
@@ -248,7 +260,7 @@ fn find(session: &dyn Predicates, mesh: &Closed, is_moved: &(dyn Fn(u32) -> bool
     Found { faces, pairs }
 }
 
-/// What bounds the inside.
+/// The faces that bound the inside.
 struct Kept {
     triangles: Vec<[Vertex; 3]>,
     places: Places,

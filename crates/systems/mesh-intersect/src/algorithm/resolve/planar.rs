@@ -1,8 +1,8 @@
-//! Triangulations of points in the plane that have given edges.
+//! Triangulations of points in the plane that contain given edges.
 //!
-//! A sweep over the points, from left to right, adds each to the convex hull of those before it. Then edges are flipped until those that are
-//! wanted are there (Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993). Isolated points and chains
-//! with a free end need no treatment of their own, as they would with loops.
+//! A sweep over the points, from left to right, adds each to the convex hull of those before it. Then edges are flipped
+//! until the given edges exist (Sloan, *A fast algorithm for generating constrained Delaunay triangulations*, 1993).
+//! Isolated points and chains with a free end need no special treatment, as they would with loops.
 
 use crate::algorithm::overlay::SurfaceContradiction;
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
@@ -13,7 +13,7 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 pub(super) struct Points<'a> {
     pub session: &'a dyn Predicates,
     pub plane: Plane,
-    /// All at different places.
+    /// The vertices, all at different positions.
     pub vertices: &'a [Vertex],
 }
 
@@ -23,7 +23,7 @@ impl Points<'_> {
         self.session.orient2d(self.plane, a, b, c)
     }
 
-    /// The places of all points, from left to right, and from below to above where neither is left.
+    /// The indices of all points, from left to right, and from bottom to top if their x is equal.
     fn sorted(&self) -> Vec<u32> {
         let mut order: Vec<u32> = (0..).take(self.vertices.len()).collect();
         let [first, second] = self.plane.axes();
@@ -37,7 +37,7 @@ impl Points<'_> {
         order
     }
 
-    /// Triangles of the convex hull, counterclockwise, by places of points; each of these edges is one of theirs.
+    /// Triangles of the convex hull, counterclockwise, as indices of points; each given edge is an edge of a triangle.
     ///
     /// # Errors
     /// The invariant that signs break.
@@ -50,13 +50,13 @@ impl Points<'_> {
         Ok(mesh.triangles())
     }
 
-    /// The triangulation of the sweep; without triangles where all points are on one line.
+    /// The triangulation of the sweep; without triangles if all points are on one line.
     fn swept(&self) -> Mesh {
         let order = self.sorted();
         let mut mesh = Mesh::default();
         let off = (2..order.len()).find(|&at| !self.turn(order[0], order[1], order[at]).is_zero());
         let Some(off) = off else { return mesh };
-        // The hull, counterclockwise: what follows each point, and what comes before it.
+        // The hull, counterclockwise: the next and the previous point of each point.
         let mut hull: Vec<u32> = order[..off].to_vec();
         let is_left = self.turn(order[0], order[1], order[off]) == Sign::Positive;
         if !is_left {
@@ -69,7 +69,7 @@ impl Points<'_> {
         let mut last = order[off];
         for (at, &point) in order.iter().enumerate().skip(off + 1) {
             let (mut ahead, mut back) = (last, last);
-            // Its left neighbour is on the hull, and so not all of the hull is seen.
+            // Its left neighbour is on the hull, so a part of the hull is not visible.
             for _ in 0..at {
                 let next = around.next[ahead as usize];
                 if self.turn(ahead, next, point) != Sign::Negative {
@@ -93,7 +93,7 @@ impl Points<'_> {
         mesh
     }
 
-    /// Flips edges until there is this one.
+    /// Flips edges until the given edge exists.
     fn enforce(
         &self,
         mesh: &mut Mesh,
@@ -128,7 +128,7 @@ impl Points<'_> {
         mesh.has([a, b]).then_some(()).ok_or(SurfaceContradiction::Planar)
     }
 
-    /// The edges that cross the way from one point to another.
+    /// The edges that cross the segment from one point to another.
     fn crossed(&self, mesh: &Mesh, [a, b]: [u32; 2]) -> Result<VecDeque<[u32; 2]>, SurfaceContradiction> {
         let is_ahead =
             |&(u, w): &(u32, u32)| self.turn(a, u, b) == Sign::Positive && self.turn(a, w, b) == Sign::Negative;
@@ -168,7 +168,7 @@ impl Hull {
 /// Triangles by their edges.
 #[derive(Default)]
 struct Mesh {
-    /// For each edge in the direction of a triangle its third corner.
+    /// For each edge in the direction of a triangle, its third corner.
     apices: BTreeMap<(u32, u32), u32>,
 }
 
@@ -198,7 +198,7 @@ impl Mesh {
         self.add([d, w, c]);
     }
 
-    /// Each once, ascending by the least corner, with which it begins.
+    /// The triangles, each once, ascending by the least corner, which comes first.
     fn triangles(&self) -> Vec<[u32; 3]> {
         let all = self.apices.iter().map(|(&(a, b), &c)| [a, b, c]);
         all.filter(|[a, b, c]| a < b && a < c).collect()

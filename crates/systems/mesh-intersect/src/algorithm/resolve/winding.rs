@@ -1,9 +1,10 @@
-//! How often a surface goes around what is on either side of its faces.
+//! Winding numbers of a surface on both sides of its faces.
 //!
-//! Faces that meet at an edge where no other one is have the same numbers. Of each such patch one face asks, by a ray from a point of it that is off everything else: from a corner
-//! v the point v + ε(a − v) + ε²(b − v), with the other two corners a and b, and ε as small as it takes. Its projection is on no line of two others, as
-//! that would be an equation with three zeros: signs are those of v, where these are zero those of a, and then those of b. So nothing is constructed, and no
-//! number has more digits than the corners have.
+//! Faces that meet at an edge without other faces have equal numbers. In each such patch, one face computes them by a
+//! ray from a point of it that is off everything else: from a corner v the point v + ε(a − v) + ε²(b − v), with the
+//! other two corners a and b, and ε small enough. Its projection is on no line of two others, as that would be an
+//! equation with three zeros: signs are those of v, if these are zero those of a, and then those of b. So nothing is
+//! constructed, and no number has more digits than the corners have.
 
 use predicament_grid::{Bounds, BoxIndex};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
@@ -13,7 +14,8 @@ use crate::algorithm::limit::Places;
 use crate::algorithm::limit::sheets::view;
 use crate::algorithm::overlay::{SurfaceContradiction, Undone};
 
-/// For each face the winding number in front of it; behind it that is more, by the times that the face is passed.
+/// For each face, the winding number in front of it; behind it the number is larger by the times that the face is
+/// passed.
 pub(super) fn in_front(session: &dyn Predicates, places: &Places, faces: &[Face]) -> Result<Vec<i32>, Undone> {
     let leaders = patches(faces)?;
     let scene = session.scene();
@@ -44,7 +46,7 @@ pub(super) fn in_front(session: &dyn Predicates, places: &Places, faces: &[Face]
     Ok(all)
 }
 
-/// For each face the first of its patch.
+/// For each face, the first face of its patch.
 fn patches(faces: &[Face]) -> Result<Vec<usize>, Undone> {
     let mut edges: Vec<([Vertex; 2], usize, i32)> = Vec::with_capacity(3 * faces.len());
     for (at, Face { corners: [a, b, c], times }) in faces.iter().enumerate() {
@@ -75,11 +77,11 @@ fn patches(faces: &[Face]) -> Result<Vec<usize>, Undone> {
 /// A ray along an axis from a point of a face.
 struct Ray {
     axis: Axis,
-    /// The plane across it.
+    /// The plane across the ray.
     plane: Plane,
-    /// The point is the first of these, moved towards the second, and by less towards the third.
+    /// The start of the ray: the first vertex, moved towards the second, and by less towards the third.
     from: [Vertex; 3],
-    /// Whether the ray begins in front of the face.
+    /// True if the ray begins in front of the face.
     is_in_front: bool,
 }
 
@@ -103,7 +105,7 @@ impl Ray {
             .ok_or(Undone::Broken(SurfaceContradiction::Faces.into()))
     }
 
-    /// By how much the winding number is less where the ray has passed a face.
+    /// The decrease of the winding number when the ray passes a face.
     fn leaves(&self, session: &dyn Predicates, face: Face) -> Result<i32, Undone> {
         let [a, b, c] = face.corners;
         let up = turn(session, self.plane, [a, b, c]);
@@ -115,7 +117,7 @@ impl Ray {
                 return Ok(0);
             }
         }
-        // The point is below: behind a face that looks up, in front of one that looks down.
+        // The point is below: behind a face that looks up, in front of a face that looks down.
         let is_below = self.first(|v| side(session, face.corners, v))? == up;
         Ok(match (is_below, up) {
             (false, _) => 0,

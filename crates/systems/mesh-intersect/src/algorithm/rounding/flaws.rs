@@ -1,4 +1,4 @@
-//! What rounding has done to a mesh: triangles that have turned over, folds, and triangles that pass through each other.
+//! Flaws of rounding in a mesh: reversed triangles, folds, and triangles that pass through each other.
 
 use predicament_grid::{Bounds, BoxIndex, shared};
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
@@ -6,18 +6,18 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 /// The flaws of a mesh of doubles.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Flaws {
-    /// Triangles that have turned over.
+    /// The number of reversed triangles.
     pub turned: usize,
     /// Pairs of triangles with a common edge, of which one lies on the other.
     pub folded: usize,
     /// Other pairs of triangles that have more in common than corners and edges.
     pub crossing: usize,
-    /// The vertices of such triangles, ascending.
+    /// The vertices of flawed triangles, ascending.
     pub vertices: Vec<u32>,
 }
 
 impl Flaws {
-    /// All of them.
+    /// The number of all flaws.
     #[must_use]
     pub fn count(&self) -> usize {
         self.turned + self.folded + self.crossing
@@ -28,12 +28,13 @@ impl Flaws {
     }
 }
 
-/// The flaws of triangles with a moved vertex, each with the place of what it is a part of, and how that was turned in a coordinate plane.
+/// Finds the flaws of triangles with a moved vertex. Each triangle comes with the index of its source, and with its
+/// turn in a coordinate plane before rounding.
 ///
-/// The session has to say zero where something is zero.
+/// The session must return exact zeros.
 ///
 /// # Panics
-/// If a triangle has a vertex or a place that there is not.
+/// If a triangle has a vertex or an index out of range.
 pub fn flaws(
     session: &dyn Predicates,
     triangles: &[([u32; 3], u32)],
@@ -44,7 +45,7 @@ pub fn flaws(
     for &(triangle, place) in triangles {
         if let Some((plane, turn)) = turns[place as usize] {
             let [a, b, c] = triangle.map(vertex);
-            // (Seen from its edge it is flat, not turned.)
+            // (Seen from its edge it is flat, not reversed.)
             if session.orient2d(plane, a, b, c) == -turn {
                 flaws.turned += 1;
                 flaws.note(triangle);
@@ -63,7 +64,7 @@ pub fn flaws(
     flaws
 }
 
-/// The pairs of triangles, by their places, of which one has a moved vertex and that have more in common than corners and edges.
+/// The pairs of triangles, as indices, with a moved vertex and more in common than corners and edges.
 pub(crate) fn pairs(
     session: &dyn Predicates,
     count: usize,
@@ -79,7 +80,7 @@ pub(crate) fn pairs(
         let mut found = Vec::new();
         index.near(&box_of(first), 0.0, &mut found);
         let others = found.into_iter().map(|at| near[at as usize] as usize);
-        // Of two moved ones once.
+        // Each pair of two moved triangles once.
         let others = others.filter(|&other| other != first && (other > first || !has_moved(other)));
         let number = |at: usize| u32::try_from(at).expect("fewer than 2^32 triangles");
         let flaw = |other: usize| {
@@ -95,16 +96,16 @@ fn vertex(v: u32) -> Vertex {
     Vertex::input(v as usize)
 }
 
-/// What is wrong with two triangles.
+/// The kind of flaw of two triangles.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Flaw {
-    /// One lies on the other along a common edge, or they have the same corners.
+    /// The triangles overlap along a common edge, or have the same corners.
     Fold,
-    /// They have another point in common.
+    /// The triangles have another point in common.
     Crossing,
 }
 
-/// What two triangles have in common besides their common vertices and edge, if anything.
+/// The flaw of two triangles that have more in common than their common vertices and edge, if any.
 ///
 /// # Panics
 /// If the scene has no such vertex.
@@ -112,7 +113,7 @@ pub fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Opti
     let common: Vec<u32> = first.into_iter().filter(|v| second.contains(v)).collect();
     let [t, u] = [first.map(vertex), second.map(vertex)];
     match common[..] {
-        // The same triangle again, or opposite ones: a sheet.
+        // The same triangle twice, or opposite triangles: a sheet.
         [_, _, _] => Some(Flaw::Fold),
         [p, q] => {
             let apex = |triangle: [u32; 3]| triangle.into_iter().find(|v| !common.contains(v)).map(vertex);
@@ -138,7 +139,7 @@ pub fn flaw(session: &dyn Predicates, first: [u32; 3], second: [u32; 3]) -> Opti
     }
 }
 
-/// Whether two vertices of one plane with an edge are on the same side of it.
+/// True if two vertices in one plane with an edge are on the same side of it.
 fn is_one_side(session: &dyn Predicates, [p, q]: [Vertex; 2], [v, w]: [Vertex; 2]) -> bool {
     [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().any(|plane| {
         let [first, second] = [v, w].map(|v| session.orient2d(plane, p, q, v));
@@ -146,7 +147,7 @@ fn is_one_side(session: &dyn Predicates, [p, q]: [Vertex; 2], [v, w]: [Vertex; 2
     })
 }
 
-/// Whether an edge and a triangle without a common vertex have a point in common.
+/// True if an edge and a triangle without a common vertex have a point in common.
 fn meet(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -> bool {
     let sides = [p, q].map(|v| session.orient3d(a, b, c, v));
     match sides {
@@ -159,20 +160,21 @@ fn meet(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -
     }
 }
 
-/// Whether an edge in the plane of a triangle has a point in common with it.
+/// True if an edge in the plane of a triangle has a point in common with it.
 fn meet_in_plane(session: &dyn Predicates, [p, q]: [Vertex; 2], [a, b, c]: [Vertex; 3]) -> bool {
     let planes = [Plane::Xy, Plane::Yz, Plane::Zx].into_iter();
     let seen = planes.map(|plane| (plane, session.orient2d(plane, a, b, c))).find(|(_, turn)| !turn.is_zero());
     let Some((plane, turn)) = seen else { return true };
-    // Apart, if an edge of the triangle has both ends beyond it, or the edge's line has the triangle on one side.
+    // They are apart if an edge of the triangle has both ends beyond it, or the edge's line has the triangle on one
+    // side.
     let beyond = |u: Vertex, v: Vertex| [p, q].iter().all(|&w| session.orient2d(plane, u, v, w) == -turn);
     let sides = [a, b, c].map(|v| session.orient2d(plane, p, q, v));
     let is_aside = !sides[0].is_zero() && sides.iter().all(|side| *side == sides[0]);
     !(beyond(a, b) || beyond(b, c) || beyond(c, a) || is_aside)
 }
 
-/// Whether two triangles of one plane with one common vertex have more than that in common there: an edge of one goes into the other, or along
-/// one of its edges.
+/// True if two triangles in one plane with one common vertex have more than that in common there: an edge of one goes
+/// into the other, or along one of its edges.
 fn overlap_at(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
     let [a, b, c] = first;
     if second.iter().any(|&v| v != p && !session.orient3d(a, b, c, v).is_zero()) {
@@ -193,13 +195,14 @@ fn overlap_at(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]
     first.iter().any(|&w| is_inside(second, w)) || second.iter().any(|&w| is_inside(first, w))
 }
 
-/// Whether an edge of one triangle at a common vertex goes the same way as one of the other, which is in another plane.
+/// True if an edge of one triangle at a common vertex has the direction of an edge of the other, which is in another
+/// plane.
 fn along_edge(session: &dyn Predicates, p: Vertex, [first, second]: [[Vertex; 3]; 2]) -> bool {
     let others = |triangle: [Vertex; 3]| triangle.into_iter().filter(move |&v| v != p);
     others(first).any(|v| others(second).any(|w| is_same_way(session, p, v, w)))
 }
 
-/// Whether two vertices are in the same direction from a third.
+/// True if two vertices are in the same direction from a third.
 fn is_same_way(session: &dyn Predicates, p: Vertex, v: Vertex, w: Vertex) -> bool {
     use predicament_predicates::Axis::{X, Y, Z};
     [Plane::Xy, Plane::Yz, Plane::Zx].into_iter().all(|plane| session.orient2d(plane, p, v, w).is_zero())

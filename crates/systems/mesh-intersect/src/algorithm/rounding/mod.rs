@@ -1,21 +1,22 @@
-//! Results of operations on meshes as meshes of doubles.
+//! Rounding of operation results to meshes of doubles.
 //!
-//! A constructed vertex goes to the nearest double in each coordinate. That moves it by half an ulp, and a thin triangle may collapse,
-//! turn over, or pass through another one. What becomes of a result is counted, and mended where that can be done by other
-//! choices.
+//! A constructed vertex is rounded to the nearest double in each coordinate. That moves it by up to half an ulp, and a
+//! thin triangle may collapse, turn over, or pass through another one. The flaws of a result are counted, and mended if
+//! other roundings help.
 //!
 //! # Steps
-//! 1. Vertices at one place become one. Triangles with a vertex twice go, and pairs of opposite ones, and flat ones: their neighbours are divided
-//!    at vertices on their edges.
-//! 2. Triangles with moved vertices are looked at, exactly: whether they have turned over (`turned`), lie on a neighbour (`folded`), or pass through
-//!    another one or touch it where they have no common vertex (`crossing`): see `flaws.rs`.
-//! 3. Vertices of such triangles go to other doubles beside their place, and all is looked at again, [`PASSES`] times at most. The
-//!    first way with the fewest flaws stays.
+//! 1. Vertices at one position are merged. Triangles with a vertex twice are removed, and so are pairs of opposite
+//!    triangles and flat triangles: their neighbours are divided at vertices on their edges.
+//! 2. Triangles with moved vertices are tested, exactly: for reversal (`turned`), for lying on a neighbour (`folded`),
+//!    and for passing through or touching a triangle without a common vertex (`crossing`): see `flaws.rs`.
+//! 3. Vertices of such triangles move to other doubles beside their exact position, and everything is tested again, at
+//!    most [`PASSES`] times. The first rounding with the fewest flaws stays.
 //!
 //! # What is guaranteed
-//! The result is closed and has no triangle without area. If no flaw is left, its triangles meet in common vertices and edges
-//! only, or where they have met before and none of them has a moved vertex; none is turned over, and each vertex is within one ulp of its place in each coordinate. That flaws do not stay is not guaranteed:
-//! for that, vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
+//! The result is closed and has no triangle without area. If no flaw is left, its triangles meet in common vertices and
+//! edges only, or where they met before and none of them has a moved vertex. Then no triangle is reversed, and each
+//! vertex is within one ulp of its exact position in each coordinate. It is not guaranteed that no flaws stay: for
+//! that, vertices would have to move farther (Valque, *Iterated snap rounding in space*), or triangles be divided.
 
 pub mod flaws;
 
@@ -28,7 +29,7 @@ use crate::algorithm::limit::joints::Joints;
 use crate::algorithm::limit::{Limit, Places};
 use crate::algorithm::sessions::{Sessions, with};
 
-/// Ways of rounding that are tried.
+/// The maximum number of roundings that are tried.
 pub const PASSES: u32 = 8;
 
 /// A closed mesh of doubles: an empty one is empty space.
@@ -36,15 +37,15 @@ pub const PASSES: u32 = 8;
 pub struct Closed {
     /// The vertices, each of them a corner.
     pub points: Vec<[f64; 3]>,
-    /// Counterclockwise as seen from outside.
+    /// The triangles, counterclockwise as seen from outside.
     pub triangles: Vec<[u32; 3]>,
 }
 
 impl Closed {
-    /// Whether it is closed, and each triangle has three vertices that there are. An empty one is.
+    /// Checks that the mesh is closed, and that each triangle has three existing vertices. An empty mesh is valid.
     ///
     /// # Errors
-    /// The first triangle, else the first edge, that is wrong.
+    /// The first invalid triangle, otherwise the first invalid edge.
     pub fn check(&self) -> Result<(), MaterialError> {
         if self.triangles.is_empty() {
             return Ok(());
@@ -55,46 +56,46 @@ impl Closed {
     }
 }
 
-/// What rounding has done.
+/// Statistics of rounding.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub struct Counts {
-    /// Constructed vertices that are no doubles.
+    /// Constructed vertices that are not doubles.
     pub moved: usize,
-    /// Vertices that have become one with another.
+    /// Vertices merged with another one.
     pub merged: usize,
-    /// Triangles that are gone.
+    /// Triangles that have collapsed.
     pub collapsed: usize,
-    /// Triangles that have turned over where all vertices go to the nearest doubles.
+    /// Triangles that are reversed if all vertices go to the nearest doubles.
     pub turned: usize,
-    /// Pairs of triangles with a common edge, of which one lies on the other then.
+    /// Pairs of triangles with a common edge, of which one then lies on the other.
     pub folded: usize,
-    /// Other pairs of triangles that pass through each other then.
+    /// Other pairs of triangles that then pass through each other.
     pub crossing: usize,
-    /// Vertices that do not go to the nearest doubles, so that there are fewer of these.
+    /// Vertices rounded to other doubles than the nearest, to reduce these flaws.
     pub mended: usize,
-    /// All of these that are left.
+    /// The flaws that remain.
     pub left: usize,
 }
 
-/// A limit in doubles.
+/// A limit, rounded to doubles.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Rounded {
     /// The mesh.
     pub closed: Closed,
-    /// For each point the vertex of the limit that it was.
+    /// For each point, the vertex of the limit that it rounds.
     pub vertices: Vec<Vertex>,
-    /// For each point whether a vertex has moved there.
+    /// For each point, true if a vertex has moved there.
     pub moved: Vec<bool>,
-    /// What rounding has done.
+    /// Statistics of rounding.
     pub counts: Counts,
 }
 
-/// Why there is no result.
+/// The reason why there is no result.
 #[derive(Clone, PartialEq, Debug)]
 pub enum NotRounded {
     /// There are too many vertices.
     Scene(SceneError),
-    /// The backend does not take the scene.
+    /// The backend declines the scene.
     Declined(Declined),
 }
 
@@ -115,15 +116,16 @@ impl std::fmt::Display for NotRounded {
 
 impl std::error::Error for NotRounded {}
 
-/// The limit of a result in doubles. The session is the one of the limit; `exact` is what says zero where something is zero.
+/// Rounds the limit of a result to doubles. The session is the one of the limit; `exact` is the backend with exact
+/// zeros.
 ///
 /// # Errors
-/// [`NotRounded`], where the rounded mesh is no scene that the backend takes.
+/// [`NotRounded`], if the rounded mesh is not a scene that the backend accepts.
 pub fn rounded(exact: &dyn Sessions, session: &dyn Predicates, limit: &Limit) -> Result<Rounded, NotRounded> {
     of_triangles(exact, session, (&limit.solid.triangles, &limit.places), PASSES)
 }
 
-/// A closed surface in doubles, by at most so many ways.
+/// Rounds a closed surface to doubles, with a maximum number of tries.
 pub(crate) fn of_triangles(
     exact: &dyn Sessions,
     session: &dyn Predicates,
@@ -176,15 +178,15 @@ pub(crate) fn of_triangles(
     Ok(best.expect("there is a first pass"))
 }
 
-/// A vertex on its way to doubles.
+/// A vertex and its candidate roundings.
 #[derive(Clone, Copy)]
 struct Place {
     /// The nearest doubles.
     nearest: [f64; 3],
-    /// In each coordinate the double on the other side of its place; the nearest one where that is its place.
+    /// In each coordinate, the double on the other side of the exact position; the nearest double if it is exact.
     other: [f64; 3],
     is_moved: bool,
-    /// A bit for each coordinate that goes to the other side.
+    /// A bit for each coordinate that is rounded to the other side.
     way: u32,
 }
 
@@ -193,7 +195,7 @@ impl Place {
         [0, 1, 2].map(|axis: usize| if self.way >> axis & 1 == 1 { self.other[axis] } else { self.nearest[axis] })
     }
 
-    /// Takes another way, by a mixture of the number of the pass and the vertex.
+    /// Chooses another rounding, by a hash of the pass and the vertex.
     fn turn_to(&mut self, pass: u32) {
         if self.is_moved {
             let bits = self.nearest.iter().fold(u64::from(pass), |sum, x| {
@@ -204,21 +206,21 @@ impl Place {
     }
 }
 
-/// The vertices of a limit, its triangles by these, and how each triangle is turned in a coordinate plane.
+/// The vertices of a limit, its triangles by these, and the turn of each triangle in a coordinate plane.
 struct Rounding {
     vertices: Vec<Place>,
-    /// The vertex of the limit that each is.
+    /// The vertex of the limit for each vertex here.
     names: Vec<Vertex>,
     triangles: Vec<[u32; 3]>,
-    /// For triangles with a moved vertex.
+    /// The turns of triangles with a moved vertex.
     turns: Vec<Option<(Plane, Sign)>>,
 }
 
 /// A rounded mesh over all vertices.
 struct Built {
-    /// With the place of the triangle that each is, or is a part of.
+    /// The triangles, each with the index of its source.
     triangles: Vec<([u32; 3], u32)>,
-    /// For each vertex whether it has moved, or stands for one that has.
+    /// For each vertex, true if it has moved, or represents one that has.
     moved: Vec<bool>,
     merged: usize,
     collapsed: usize,
@@ -262,9 +264,9 @@ impl Rounding {
         self.vertices.iter().map(Place::point).collect()
     }
 
-    /// The mesh of doubles as the vertices are now, without what has no area.
+    /// The mesh of doubles with the current roundings, without triangles that have no area.
     fn built(&self, session: &dyn Predicates) -> Built {
-        // Of vertices at one place the first stands for all; only moved ones have come there.
+        // Vertices at one position are replaced by the first; only moved ones can newly coincide.
         let points = self.points();
         let mut order: Vec<u32> = (0..number(points.len())).collect();
         let key = |v: u32| points[v as usize].map(|x| (x + 0.0).to_bits());
@@ -314,7 +316,7 @@ impl Rounding {
     }
 }
 
-/// The coordinate planes, those first in which a triangle is largest.
+/// The coordinate planes, sorted by a triangle's area, largest first.
 fn by_area([p, q, r]: [[f64; 3]; 3]) -> [Plane; 3] {
     let area = |plane: Plane| {
         let [i, j] = plane.axes().map(Axis::index);
@@ -348,7 +350,7 @@ fn cancel(triangles: &mut Vec<([u32; 3], u32)>) {
     triangles.retain(|_| goes.next() == Some(false));
 }
 
-/// A mesh over the vertices that it has corners at, and which these are.
+/// A mesh of the vertices that are corners, and the indices of these.
 fn compact(points: &[[f64; 3]], triangles: &[([u32; 3], u32)]) -> (Closed, Vec<u32>) {
     let mut of = vec![u32::MAX; points.len()];
     let mut kept = Vec::new();

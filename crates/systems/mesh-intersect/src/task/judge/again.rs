@@ -1,13 +1,15 @@
-//! The same overlay asked for in other ways, of the same backend: with the meshes exchanged, and a difference as an intersection.
+//! Repeated overlays by the same backend: with the meshes exchanged, and a difference as an intersection.
 //!
 //! # Exchanged
-//! The overlay of B and A has the volumes of that of A and B. Where nothing touches it has the same parts of the same triangles too. Where
-//! something does, a perturbation that moves the second mesh moves another one now, and sheets without volume come and go.
+//! The overlay of B and A has the volumes of that of A and B. If nothing touches, it also has the same parts of the
+//! same triangles. Otherwise a perturbation that moves the second mesh now moves the other one, and sheets without
+//! volume appear and vanish.
 //!
 //! # Complement
-//! A∖B is what A has in common with the complement of B in a box around both. The complement is given as a mesh: the box, and the surface of B with its sides
-//! exchanged, over the same vertices, with those of the box behind all others. So each perturbation moves A and B as before, and results
-//! have the same parts of the same triangles, ties or not.
+//! A∖B is the intersection of A and the complement of B in a box around both. The complement is given as a mesh: the
+//! box, and the surface of B with its sides exchanged, over the same vertices, with the box's vertices after all
+//! others. So each perturbation moves A and B as before, and results have the same parts of the same triangles, even
+//! with ties.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -22,7 +24,8 @@ use super::{Judging, MeshIntersect, TwoMeshes, points};
 use crate::task::content::for_both;
 use predicament_tasks::{Asked, Stop};
 
-/// What triangles of a box around the origin are, by corners whose bits are their coordinates' signs, seen counterclockwise from outside.
+/// The triangles of a box around the origin, counterclockwise as seen from outside; the bits of a corner are the signs
+/// of its coordinates.
 const BOX: [[usize; 3]; 12] = [
     [0, 2, 3],
     [0, 3, 1],
@@ -53,7 +56,7 @@ impl Other {
 }
 
 impl Judging<'_> {
-    /// Overlays the meshes again.
+    /// Overlays the meshes again, and compares the results.
     pub(super) fn again(&self, asked: &Asked<'_>, found: &mut Violations) -> Result<(), Stop> {
         let is_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
         self.with_exchanged(asked, is_exact, found);
@@ -62,7 +65,8 @@ impl Judging<'_> {
         asked.watch.done(0)
     }
 
-    /// What the results of another scene have of each triangle, which is the first of `places` by its source there; a finding where there are none.
+    /// The measures of each triangle in the results of another scene; `places` maps its sources to those here. A
+    /// finding is recorded if there are no results.
     fn results_of(
         &self,
         other: &Other,
@@ -117,7 +121,7 @@ impl Judging<'_> {
         let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
         let own = [0, 1, 2, 3].map(|at| self.laws.of_result(at));
         let second = self.laws.of_mesh(1);
-        // The difference of the second and the first, and what both have in common, are the second.
+        // The difference of the second and the first, together with the intersection, is the second.
         let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
             ("unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
             ("intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
@@ -147,7 +151,7 @@ impl Judging<'_> {
         points
             .extend((0..8).map(|corner: u8| [0, 1, 2].map(|axis| if corner >> axis & 1 == 0 { -half } else { half })));
         let of = &self.laws.meshes[1];
-        // The surface of the second mesh; places of its triangles there.
+        // The surface of the second mesh, and the indices of its triangles.
         let (mut triangles, mut sides, mut places) = (Vec::new(), Vec::new(), Vec::new());
         for ((triangle, of_triangle), at) in of.triangles().iter().zip(of.sides()).zip(0..) {
             let outside = of_triangle.map(|region| u32::from(region == OUTSIDE));
@@ -162,7 +166,7 @@ impl Judging<'_> {
         let Ok(complement) = MaterialMesh::new(points.len(), triangles, sides) else { return };
         let first = MaterialMesh::clone(&self.laws.meshes[0]);
         let Some(other) = Other::new(&points, [first, complement]) else { return };
-        // Triangles of the box come after all of the mesh.
+        // Triangles of the box come after the mesh's triangles.
         let beyond = u32::MAX;
         let back = |source: Source| match source.mesh {
             0 => source,
@@ -178,7 +182,7 @@ impl Judging<'_> {
     }
 }
 
-/// What is left of sums, each taken so many times.
+/// The sum of measures with coefficients, without zeros.
 fn left(terms: &[(&Sums, i32)]) -> Sums {
     let mut left = Sums::new();
     for (sums, times) in terms {

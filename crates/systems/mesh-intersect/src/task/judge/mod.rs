@@ -1,7 +1,7 @@
-//! The overlay of two meshes against the laws that it satisfies, decided in rationals.
+//! Judging of an overlay of two meshes by its laws, decided in rationals.
 //!
-//! The laws are in the [checks](crate::checks). Here they are asked, in which order and about how much, beside the same overlay asked for in
-//! other ways (`again.rs`); and what rounding alone explains is told from what it does not.
+//! The laws are in the [checks](crate::checks). This module chooses their order and sample sizes, and repeats the
+//! overlay in other ways (`again.rs`). It separates violations that rounding alone explains from others.
 
 mod again;
 
@@ -20,16 +20,16 @@ use super::{MeshIntersect, Overlaid};
 use predicament_tasks::rounding::Rounding;
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
-/// Triangles held against their neighbours, at the two levels.
+/// The number of triangles compared with their neighbours, at the two levels.
 const CROSSED: [usize; 2] = [16, 2_000];
-/// Triangles that middles of pieces are held against, all together, at the two levels.
+/// The number of triangles compared with middles of pieces, all together, at the two levels.
 const LOCATED: [usize; 2] = [2_000, 400_000];
-/// Overlays of more triangles have no volumes added up, at the two levels.
+/// The maximum number of triangles of an overlay whose volumes are summed, at the two levels.
 const ADDED_UP: [usize; 2] = [1_500, 40_000];
 
-/// Points of space that are located, at the two levels.
+/// The number of points in space that are located, at the two levels.
 const PROBED: [usize; 2] = [8, 200];
-/// The checks of laws that rounded vertices are enough to violate: those about planes, areas and volumes.
+/// The checks of laws that rounding of vertices alone can violate: those about planes, areas and volumes.
 const METRIC: [&str; 8] = [
     Law::PieceInFace.name(),
     Law::FaceArea.name(),
@@ -40,10 +40,11 @@ const METRIC: [&str; 8] = [
     "meshes exchanged",
     "difference by complement",
 ];
-/// Meshes of more triangles are not overlaid again, at the two levels; of 24 times as many where ties are not broken, which takes the most time.
+/// The maximum number of triangles of meshes that are overlaid again, at the two levels; 24 times as many if ties are
+/// not broken, because tie-breaking takes the most time.
 const AGAIN: [usize; 2] = [12, 100];
 
-/// What is sampled.
+/// The parts of the check that are sampled, as text.
 pub(super) fn sampled(content: &TwoMeshes) -> Option<String> {
     (content.triangles() > CROSSED[0])
         .then(|| "pieces cover all triangles, and regions are closed; regions and crossings: an even sample".to_owned())
@@ -127,7 +128,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// Makes findings of what violates laws.
+/// Converts violations to findings.
 fn report(found: &mut Violations, outcome: &mut Outcome) {
     for Violation { check, got, law } in found.drain(..) {
         outcome.counts.add(Class::Topology, 1);
@@ -135,17 +136,17 @@ fn report(found: &mut Violations, outcome: &mut Outcome) {
     }
 }
 
-/// Where vertices are that a session has rounded.
+/// The choice of positions for vertices that a session has rounded.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Where {
-    /// Where it has them.
+    /// The session's rounded positions.
     Given,
-    /// Where they are exactly, if that is within the bound of [`Rounding`].
+    /// The exact positions, if they are within the bound of [`Rounding`].
     Exactly,
 }
 
-/// All points: those of the scene, then the constructed ones, as they are or as the session has rounded them; or a vertex that is
-/// no point, or not where it should be.
+/// All points: those of the scene, then the constructed ones, exact or as the session has rounded them; or a vertex
+/// that is not a point, or is off its position.
 fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, Vertex> {
     let vertex = |at: usize| Vertex::constructed(answer.before + at);
     let mut all = truth::given(scene);
@@ -167,14 +168,14 @@ fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, 
     truth::points(scene, &answer.constructions).map_err(vertex)
 }
 
-/// An answer, held against laws.
+/// An answer that is being judged.
 struct Judging<'a> {
     laws: Laws<'a>,
     answer: &'a Overlaid,
     place: Where,
 }
 
-/// What holds laws and notes what violates them.
+/// A function that checks laws and records violations.
 type Holds<'l> = dyn Fn(&Judging<'_>, &mut Violations) -> Result<(), Stop> + 'l;
 
 impl<'a> Judging<'a> {
@@ -198,8 +199,8 @@ impl<'a> Judging<'a> {
         Judging { laws, answer, place }
     }
 
-    /// Holds laws of which some are metric: what rounding alone explains is of the class that says so. `exact` is filled with the
-    /// same answer with vertices where they are exactly, once it is needed.
+    /// Checks laws of which some are metric: violations that rounding alone explains get the class `Rounded`. `exact`
+    /// is filled with the same answer with vertices at their exact positions, when it is first needed.
     fn measured(
         &self,
         exact: &OnceCell<(Rounding<3>, Judging<'a>)>,
@@ -228,7 +229,7 @@ impl<'a> Judging<'a> {
         Ok(())
     }
 
-    /// The same answer with vertices where they are exactly.
+    /// The same answer with vertices at their exact positions.
     fn exactly(&self, rounded: &[[f64; 3]]) -> (Rounding<3>, Judging<'a>) {
         let rounding = Rounding::of_definitions(self.laws.scene, &self.answer.constructions, rounded);
         let inputs = self.laws.points[..self.laws.scene.len()].iter();
@@ -236,7 +237,7 @@ impl<'a> Judging<'a> {
         (rounding, Judging { laws: Laws { points, ..self.laws }, answer: self.answer, place: Where::Exactly })
     }
 
-    /// The results without a perturbation, if they were asked for and the session can say what they are.
+    /// The results without the perturbation, if they were requested and the session can compute them.
     fn settlement(&self, found: &mut Violations) -> Option<Settlement<'_>> {
         match self.answer.settled.as_ref()? {
             Ok(settled) => {
@@ -261,7 +262,8 @@ impl<'a> Judging<'a> {
     }
 }
 
-/// Points in no special place: every second one in the box of both meshes, the others where the boxes of the meshes overlap.
+/// Points in general position: every second one in the box of both meshes, the others where the boxes of the meshes
+/// overlap.
 fn probes(scene: &Scene, content: &TwoMeshes, count: usize) -> Vec<[f64; 3]> {
     let mut random = Random::new("points", "mesh-intersect", 1);
     let boxes = content.meshes.each_ref().map(|mesh| {

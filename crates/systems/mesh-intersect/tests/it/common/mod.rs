@@ -1,4 +1,4 @@
-//! What the tests share.
+//! Shared code of the tests.
 
 #[path = "../../../../delaunay/tests/it/common/liar.rs"]
 pub mod liar;

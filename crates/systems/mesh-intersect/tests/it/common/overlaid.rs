@@ -1,4 +1,4 @@
-//! Laws that every overlay of two meshes satisfies, in rationals.
+//! Laws of every overlay of two meshes, in rationals.
 
 use std::collections::BTreeMap;
 
@@ -14,17 +14,17 @@ use rug::Rational;
 use super::shapes::Shape;
 use super::volumes::{Point, Surface, area, common, cross, dot, minus, volume};
 
-/// Two meshes in one scene, the second of which may move, with the truth about what they have in common.
+/// Two meshes in one scene, the second of which may move, with the true volumes of their intersections.
 pub struct Pair {
     pub shapes: [Shape; 2],
     pub scene: Scene,
     /// The volumes of all regions of either mesh.
     volumes: [Vec<Rational>; 2],
-    /// What a region of the first has in common with one of the second, by both.
+    /// The volume of the intersection of a region of the first mesh and one of the second, by both.
     common: BTreeMap<[u32; 2], Rational>,
 }
 
-/// What an overlay showed.
+/// Statistics of a checked overlay.
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Seen {
     pub done: usize,
@@ -48,7 +48,7 @@ impl std::ops::AddAssign for Seen {
 }
 
 impl Pair {
-    /// A pair of which no volumes are known.
+    /// A pair whose volumes are not known.
     pub fn without_truth(first: Shape, second: Shape) -> Pair {
         let points = [&first.points[..], &second.points].concat();
         let moving = (first.points.len()..points.len()).map(Vertex::input);
@@ -59,7 +59,7 @@ impl Pair {
     pub fn new(first: Shape, second: Shape) -> Pair {
         let pair = Pair::without_truth(first, second);
         let first = &pair.shapes[0];
-        // Somewhere in the first, in no plane of small whole numbers.
+        // Inside the first, not in any plane of small integers.
         let apex = [0, 1, 2].map(|i: usize| {
             let along = || first.points.iter().map(|p| p[i]);
             let [low, high] = [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)];
@@ -83,7 +83,7 @@ impl Pair {
         [a.mesh(0, self.scene.len()), b.mesh(a.points.len(), self.scene.len())].map(std::sync::Arc::new)
     }
 
-    /// The volume of what both have in common.
+    /// The volume of the intersection.
     pub fn common(&self) -> Rational {
         self.common.values().sum()
     }
@@ -102,7 +102,7 @@ impl Pair {
         }
     }
 
-    /// Asserts all laws of an overlay that is done.
+    /// Asserts all laws of a finished overlay.
     pub fn laws(&self, scene: &Scene, overlay: &MeshOverlay) -> Seen {
         let points = Points::of(scene);
         let input = (0..scene.len()).map(Vertex::input);
@@ -142,7 +142,7 @@ impl Pair {
         self.shapes[mesh].triangles[triangle].map(|at| self.shapes[mesh].points[at].map(rational))
     }
 
-    /// Whether a triangle is in one of a mesh.
+    /// Asserts that a triangle is in a triangle of a mesh.
     fn assert_of(&self, corners: &[Point; 3], mesh: usize, triangle: usize) {
         let source = self.source(mesh, triangle);
         let normal = area(&source);
@@ -155,7 +155,7 @@ impl Pair {
         }
     }
 
-    /// Each region of the result is closed and as large as it should be.
+    /// Asserts that each region of the result is closed and has the right volume.
     fn assert_regions(&self, regions: &Regions, volumes: &BTreeMap<([Vertex; 3], Source), Rational>) {
         assert_eq!(regions.pairs[0], [0, 0]);
         assert!(regions.pairs.is_sorted() && regions.sides.iter().all(|[front, behind]| front != behind));
@@ -186,7 +186,7 @@ impl Pair {
         }
     }
 
-    /// Pieces of a triangle are in it, turned as it is, and together as large.
+    /// Asserts that pieces of a triangle are in it, have its orientation, and its area together.
     fn assert_parts(&self, regions: &Regions, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) {
         let mut areas: BTreeMap<[usize; 2], Point> = BTreeMap::new();
         for (triangle, source) in regions.triangles.iter().zip(&regions.sources) {
@@ -205,8 +205,8 @@ impl Pair {
         }
     }
 
-    /// Holds the regions of triangles against the judge, where points around the centroid are all in one region of the
-    /// other mesh: how many there are, and how many triangles have no area.
+    /// Compares the regions of triangles with the judge, if points around the centroid are all in one region of the
+    /// other mesh; returns the number of compared triangles, and of those without area.
     fn located(&self, regions: &Regions, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) -> (usize, usize) {
         let (mut queries, mut flat) = (Vec::new(), 0);
         for (place, triangle) in regions.triangles.iter().enumerate() {
@@ -250,7 +250,7 @@ impl Pair {
         (located, flat)
     }
 
-    /// Whether an edge and a triangle have a point in common, other than that the edge passes through the triangle.
+    /// True if an edge and a triangle have a point in common, other than by a passage of the edge through the triangle.
     fn do_touch(&self, Touch { mesh, edge, triangle }: Touch) -> bool {
         let mesh = usize::from(mesh);
         let meshes = self.meshes();
@@ -259,7 +259,7 @@ impl Pair {
         self.touches(edge, corners)
     }
 
-    /// Whether anything touches.
+    /// True if anything touches.
     pub fn is_degenerate(&self) -> bool {
         let meshes = &self.meshes();
         let mut pairs = (0..2).flat_map(|mesh| {
@@ -283,7 +283,7 @@ impl Pair {
         let [p, q] = edge.map(|v| doubles(v).map(rational));
         let corners = triangle.map(|v| doubles(v).map(rational));
         let normal = area(&corners);
-        // On which sides of the planes through the edges of the triangle, square to it, a point is.
+        // The sides of a point on the planes through the edges of the triangle, perpendicular to it.
         let beside = |p: &Point| {
             [(0, 1), (1, 2), (2, 0)]
                 .map(|(i, j)| dot(&normal, &area(&[corners[i].clone(), corners[j].clone(), p.clone()])))
@@ -319,7 +319,8 @@ impl Pair {
     }
 }
 
-/// Whether each edge is used as often one way as the other, where each triangle counts this often; none has a vertex twice.
+/// True if each edge is used equally often in both directions, with these multiplicities of triangles, and no triangle
+/// has a vertex twice.
 pub fn is_closed(triangles: impl Iterator<Item = ([Vertex; 3], i32)>) -> bool {
     let mut uses: BTreeMap<[Vertex; 2], i32> = BTreeMap::new();
     for ([a, b, c], times) in triangles {

@@ -1,4 +1,4 @@
-//! Closed and multi-material meshes with small whole coordinates.
+//! Closed and multi-material meshes with small integer coordinates.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,7 +7,7 @@ use predicament_predicates::{Question, Scene, Sign, Vertex};
 
 use super::volumes::Surface;
 
-/// A mesh over points of its own.
+/// A mesh with its own points.
 #[derive(Clone, Default, Debug)]
 pub struct Shape {
     pub points: Vec<[f64; 3]>,
@@ -28,7 +28,7 @@ impl Random {
         (x ^ (x >> 31)) % bound
     }
 
-    /// A whole number from −`most` to `most`.
+    /// An integer from −`most` to `most`.
     pub fn whole(&mut self, most: u32) -> f64 {
         f64::from(u32::try_from(self.below(2 * u64::from(most) + 1)).unwrap()) - f64::from(most)
     }
@@ -44,7 +44,7 @@ impl Shape {
         Shape { points, triangles, sides }
     }
 
-    /// A region for each tetrahedron that is not flat.
+    /// A mesh with a region for each tetrahedron that is not flat.
     pub fn tetrahedra(points: Vec<[f64; 3]>, tetrahedra: &[[usize; 4]]) -> Shape {
         let scene = Scene::from_points3(&points).unwrap();
         let turned = |corners: &[usize; 4]| {
@@ -64,7 +64,7 @@ impl Shape {
         Shape { points, triangles, sides: mesh.sides().to_vec() }
     }
 
-    /// Unit cubes in six tetrahedra each, this many along each axis.
+    /// A lattice of unit cubes with the given number along each axis, six tetrahedra in each.
     pub fn lattice([nx, ny, nz]: [usize; 3]) -> Shape {
         let at = |[x, y, z]: [usize; 3]| (x * (ny + 1) + y) * (nz + 1) + z;
         let (mut points, mut tetrahedra) = (Vec::new(), Vec::new());
@@ -87,7 +87,7 @@ impl Shape {
         Shape::tetrahedra(points, &tetrahedra)
     }
 
-    /// Tetrahedra between neighbours of a closed or open fan of points, around the edge between two others.
+    /// Tetrahedra between neighbours of a closed or open fan of points, around the edge between two other points.
     pub fn fan([top, bottom]: [[f64; 3]; 2], around: &[[f64; 3]], is_closed: bool) -> Shape {
         let points = [&[top, bottom], around].concat();
         let count = around.len();
@@ -130,12 +130,12 @@ impl Shape {
         shape
     }
 
-    /// A box of two triangles a side.
+    /// A box with two triangles on each side.
     pub fn cuboid(low: [f64; 3], high: [f64; 3]) -> Shape {
         Shape::cubes(&[[0; 3]]).mapped(|p| [0, 1, 2].map(|i: usize| if p[i] == 0.0 { low[i] } else { high[i] }))
     }
 
-    /// An octahedron, each face in four so many times, rounded to whole coordinates on a sphere.
+    /// An octahedron, with each face subdivided into four `levels` times, rounded to integer coordinates on a sphere.
     pub fn sphere(radius: f64, levels: usize) -> Shape {
         let mut points: Vec<[f64; 3]> =
             [[1., 0., 0.], [-1., 0., 0.], [0., 1., 0.], [0., -1., 0.], [0., 0., 1.], [0., 0., -1.]].to_vec();
@@ -164,7 +164,7 @@ impl Shape {
         Shape::solid(points, triangles).mapped(on_sphere)
     }
 
-    /// A torus around the z axis of a grid of so many quadrangles, rounded to whole coordinates.
+    /// A torus around the z axis, a grid of n × m quadrangles, rounded to integer coordinates.
     pub fn torus([radius, pipe]: [f64; 2], [n, m]: [u32; 2]) -> Shape {
         let turn = |i: u32, n: u32| std::f64::consts::TAU * f64::from(i) / f64::from(n);
         let mut points = Vec::new();
@@ -191,18 +191,18 @@ impl Shape {
         self.mapped(|p| [0, 1, 2].map(|i: usize| p[i] + by[i]))
     }
 
-    /// By a matrix with this determinant, which is positive.
+    /// The shape transformed by a matrix with a positive determinant.
     pub fn sheared(self, rows: [[f64; 3]; 3]) -> Shape {
         self.mapped(|p| rows.map(|row| (0..3).map(|i| row[i] * p[i]).sum()))
     }
 
-    /// Inside and outside exchanged: what is around a cavity.
+    /// The shape with inside and outside exchanged: the surface of a cavity.
     pub fn inverted(mut self) -> Shape {
         self.triangles.iter_mut().for_each(|triangle| triangle.reverse());
         self
     }
 
-    /// Both, apart from each other.
+    /// Both shapes as one, apart from each other.
     pub fn and(mut self, other: &Shape) -> Shape {
         let first = self.points.len();
         self.points.extend(&other.points);
@@ -211,7 +211,7 @@ impl Shape {
         self
     }
 
-    /// A mesh over all points of a scene, of which those from `first` on are of this shape.
+    /// A mesh over all points of a scene; the points from `first` on belong to this shape.
     pub fn mesh(&self, first: usize, all: usize) -> MaterialMesh {
         let triangles = self.triangles.iter().map(|triangle| triangle.map(|at| Vertex::input(first + at))).collect();
         MaterialMesh::new(all, triangles, self.sides.clone()).unwrap()
@@ -229,7 +229,7 @@ impl Shape {
         self.triangles.iter().zip(&self.sides).filter_map(turned).collect()
     }
 
-    /// The regions but the one outside.
+    /// The regions except the outside.
     pub fn regions(&self) -> std::ops::RangeInclusive<u32> {
         1..=self.sides.as_flattened().iter().copied().max().unwrap_or(0)
     }

@@ -1,4 +1,4 @@
-//! Whether triangles meet in common corners and edges only, by clipping in rationals: each pair, one after the other.
+//! Tests that triangles meet in common corners and edges only, by clipping in rationals, pair by pair.
 
 use std::cmp::Ordering;
 
@@ -25,7 +25,7 @@ fn clipped(polygon: &[Point], value: &dyn Fn(&Point) -> Rational) -> Vec<Point> 
     all
 }
 
-/// The corners of what two triangles have in common.
+/// The corners of the intersection of two triangles.
 pub fn common(first: &[Point; 3], second: &[Point; 3]) -> Vec<Point> {
     let normal = area(second);
     let height = |p: &Point| dot(&normal, &minus(p, &second[0]));
@@ -39,13 +39,13 @@ pub fn common(first: &[Point; 3], second: &[Point; 3]) -> Vec<Point> {
     polygon
 }
 
-/// Whether two triangles have nothing in common but corners of both, and what is between two of them.
+/// True if two triangles have nothing in common except corners of both, and the edge between two of them.
 pub fn is_proper(first: &[Point; 3], second: &[Point; 3]) -> bool {
     let corners = first.iter().filter(|corner| second.contains(corner)).count();
     corners < 3 && common(first, second).iter().all(|p| first.contains(p) && second.contains(p))
 }
 
-/// The pairs of triangles of a surface that are not as they should be.
+/// The pairs of triangles of a surface that meet improperly.
 pub fn improper(surface: &[[Point; 3]]) -> Vec<[usize; 2]> {
     // Conversion rounds toward zero, by less than a step.
     let around = |triangle: &[Point; 3]| {

@@ -1,14 +1,15 @@
-//! Volumes of meshes and of what two of them have in common, in rationals, without an overlay.
+//! Volumes of meshes and of their intersections, in rationals, without an overlay.
 //!
-//! A closed surface is a sum of tetrahedra with one apex: over each triangle one, positive where its front looks away from the apex.
-//! So what is in two surfaces has as its volume the sum, over all pairs of triangles, of the products of both signs and the volume
-//! that two tetrahedra with the same apex have in common. As seen from the apex that is nearer triangles, cut by cones over others.
+//! A closed surface is a sum of tetrahedra with one apex: one over each triangle, positive if its front looks away from
+//! the apex. So the volume of the intersection of two surfaces is a sum over all pairs of triangles: the product of
+//! both signs and the intersection volume of two tetrahedra with the same apex. That intersection is, as seen from the
+//! apex, the nearer triangles, cut by cones over the others.
 
 use rug::Rational;
 
-/// A place in space.
+/// A point in space.
 pub type Point = [Rational; 3];
-/// A surface by its triangles, counterclockwise as seen from outside.
+/// A surface as triangles, counterclockwise as seen from outside.
 pub type Surface = Vec<[Point; 3]>;
 
 pub fn minus(a: &Point, b: &Point) -> Point {
@@ -37,16 +38,16 @@ pub fn volume(surface: &[[Point; 3]]) -> Rational {
 struct Wedge {
     corners: [Point; 3],
     is_outward: bool,
-    /// Planes through the apex: what is within is not below any.
+    /// Planes through the apex: points within are not below any of them.
     sides: [Point; 3],
     /// The normal of the base away from the apex, and the height of the base along it.
     base: (Point, Rational),
-    /// Corners and sides, about, of length one.
+    /// Approximate unit vectors of corners and sides.
     about: [[[f64; 3]; 3]; 2],
 }
 
 impl Wedge {
-    /// None for a flat one.
+    /// The wedge over a triangle; `None` if it is flat.
     fn new(corners: [Point; 3]) -> Option<Wedge> {
         let [a, b, c] = &corners;
         let height = dot(a, &cross(b, c));
@@ -63,13 +64,13 @@ impl Wedge {
         height.cmp0().is_ne().then_some(Wedge { corners, is_outward, sides, base, about })
     }
 
-    /// Whether a side of this one is far from parting it from the other.
+    /// True unless a side of this wedge clearly separates it from the other.
     fn may_reach(&self, other: &Wedge) -> bool {
         let beyond = |side: &[f64; 3], p: &[f64; 3]| (0..3).map(|i| side[i] * p[i]).sum::<f64>() < -1e-9;
         !self.about[1].iter().any(|side| other.about[0].iter().all(|p| beyond(side, p)))
     }
 
-    /// The volume over that part of the base that is in the other one.
+    /// The volume over the part of the base that is in the other wedge.
     fn under(&self, other: &Wedge) -> Rational {
         let mut polygon = self.corners.to_vec();
         for side in &other.sides {
@@ -90,7 +91,7 @@ impl Wedge {
     }
 }
 
-/// The part of a polygon where this is not negative.
+/// The part of a polygon where the height is not negative.
 fn kept(polygon: &[Point], height: impl Fn(&Point) -> Rational) -> Vec<Point> {
     let heights: Vec<Rational> = polygon.iter().map(height).collect();
     let mut kept = Vec::new();
@@ -110,7 +111,7 @@ fn kept(polygon: &[Point], height: impl Fn(&Point) -> Rational) -> Vec<Point> {
     kept
 }
 
-/// The volume of what is in both surfaces.
+/// The volume of the intersection of both surfaces.
 pub fn common(a: &[[Point; 3]], b: &[[Point; 3]], apex: &Point) -> Rational {
     let wedges = |surface: &[[Point; 3]]| -> Vec<Wedge> {
         surface.iter().filter_map(|corners| Wedge::new(corners.each_ref().map(|p| minus(p, apex)))).collect()

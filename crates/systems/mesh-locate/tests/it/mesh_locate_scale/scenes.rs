@@ -1,20 +1,21 @@
 //! Meshes with truths in closed form.
 //!
-//! All coordinates are integers times a power of two, so that integers tell where a point is: by floor and the order of the
-//! fractions in a lattice of tetrahedra, by binary search between the planes of boxes, by the largest coordinate in cubes in
-//! each other. A point of a turned scene is turned back, which gives 625 times where it was.
+//! All coordinates are integers times a power of two, so integers decide the location of a point. In a lattice of
+//! tetrahedra: by floor and the order of the fractions. Between the planes of boxes: by binary search. In nested cubes:
+//! by the largest coordinate. A point of a rotated scene is rotated back, which gives its position times 625.
 
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::Vertex;
 
-/// In units of 2^-UNIT.
+/// A point in units of 2^-UNIT.
 pub type Point = [i64; 3];
 
-/// With the largest scene, its turned coordinates and the halves of edges stay within the 53 bits of a double.
+/// The exponent of the unit. With the largest scene, rotated coordinates and the halves of edges stay within the 53
+/// bits of a double.
 const UNIT: u32 = 38;
 const ONE: i64 = 1 << UNIT;
 
-/// As doubles, times 2^-[`UNIT`]: all of the integer's bits fit.
+/// The coordinates as doubles, times 2^-[`UNIT`]: all of the integer's bits fit.
 pub fn coordinates(p: Point) -> [f64; 3] {
     p.map(|x| {
         assert!(x.unsigned_abs() <= 1 << 53, "{x}");
@@ -24,11 +25,11 @@ pub fn coordinates(p: Point) -> [f64; 3] {
     })
 }
 
-/// Where points are.
+/// The true locations of points.
 pub trait Truth {
-    /// The region that a point is in; none if it is on a triangle.
+    /// The region that contains a point; `None` if it is on a triangle.
     fn region(&self, p: Point) -> Option<u32>;
-    /// Whether a point is in a region or on its border.
+    /// True if a point is in a region or on its border.
     fn touches(&self, region: u32, p: Point) -> bool;
 }
 
@@ -36,13 +37,13 @@ fn number(i: i64) -> u32 {
     u32::try_from(i).expect("few regions")
 }
 
-/// Cubes of this edge in six tetrahedra each, this many along each axis.
+/// A lattice of cubes with a given edge and count along each axis; six tetrahedra make each cube.
 struct Lattice {
     side: i64,
     edge: i64,
 }
 
-/// Along which axes one goes from a corner to the opposite one, and whether that is an even permutation.
+/// The orders of axes from a corner to the opposite one, and true for an even permutation.
 const ORDERS: [([usize; 3], bool); 6] = [
     ([0, 1, 2], true),
     ([1, 2, 0], true),
@@ -80,7 +81,7 @@ impl Truth for Lattice {
 struct Boxes([Vec<i64>; 3]);
 
 impl Boxes {
-    /// Where a cell is along the three axes, and how many there are along each.
+    /// The position of a cell along the three axes, and the number of cells along each.
     fn cell(&self, at: usize) -> [usize; 3] {
         let [_, ny, nz] = self.0.each_ref().map(|planes| planes.len() - 1);
         [at / nz / ny, at / nz % ny, at % nz]
@@ -109,7 +110,7 @@ impl Truth for Boxes {
     }
 }
 
-/// Cubes around the origin, by half their edges, ascending: region 1 is between the last and the one before.
+/// Cubes around the origin, by half their edges, ascending: region 1 is between the last cube and the one before.
 struct Nested(Vec<i64>);
 
 impl Nested {
@@ -131,7 +132,7 @@ impl Truth for Nested {
     }
 }
 
-/// A scene of which all points are turned by the matrix of the generators.
+/// A scene whose points are all rotated by the matrix of the generators.
 struct Turned<T>(T);
 
 const TURN: [Point; 3] = [[15, 20, 0], [-12, 9, 20], [16, -12, 15]];
@@ -140,7 +141,7 @@ fn turned([x, y, z]: Point) -> Point {
     TURN.map(|[a, b, c]| a * x + b * y + c * z)
 }
 
-/// 625 times the point that was turned: the matrix is a rotation times 25.
+/// 625 times the original of a rotated point: the matrix is a rotation times 25.
 fn turned_back(p: Point) -> Point {
     [0, 1, 2].map(|axis| (0..3).map(|row| TURN[row][axis] * p[row]).sum())
 }
@@ -225,7 +226,7 @@ pub fn boxes(side: i64, turn: bool) -> Case {
             };
             let region =
                 |cell: [usize; 3]| u32::try_from((cell[0] * cells[1] + cell[1]) * cells[2] + cell[2] + 1).unwrap();
-            // In front is the cell further along the axis.
+            // The cell further along the axis is in front.
             let front = if low[axis] == cells[axis] { OUTSIDE } else { region(low) };
             let mut below = low;
             let back = low[axis].checked_sub(1).map_or(OUTSIDE, |under| {
@@ -247,7 +248,7 @@ pub fn boxes(side: i64, turn: bool) -> Case {
     Case { points, mesh, truth }
 }
 
-/// Half of the cubes are evenly apart, half of them four units.
+/// Nested cubes: half of them at equal distances, half of them four units apart.
 pub fn nested(count: i64) -> Case {
     let halves: Vec<i64> = (1..=count).map(|i| i * ONE).chain((1..=count).map(|i| (count + 1) * ONE + 4 * i)).collect();
     let (mut points, mut triangles, mut sides) = (Vec::new(), Vec::new(), Vec::new());
@@ -264,7 +265,7 @@ pub fn nested(count: i64) -> Case {
     Case { points, mesh, truth: Box::new(Nested(halves)) }
 }
 
-/// SplitMix64.
+/// The random number generator SplitMix64.
 pub struct Random(pub u64);
 
 impl Random {

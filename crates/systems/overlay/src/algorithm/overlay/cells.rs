@@ -1,13 +1,13 @@
-//! The grid's way to the pairs that may meet: cell by cell.
+//! The grid method: candidate pairs of segments, cell by cell.
 //!
-//! In a cell of few segments those whose boxes meet are asked about. A crowded cell is seen in its own coordinates, rounded:
-//! * *Chords*: segments that are long there, extended to the cell's border. Two of them cross only if their ends on the border
-//!   take turns, which one walk around it tells, at the cost of the pairs that it finds: a thousand spokes side by side
-//!   make none. Ends that are nearer than rounding errors count as taking turns.
-//! * *Short* segments are asked about with those whose boxes meet theirs, found in the order of their left ends.
+//! In a cell with few segments, pairs with meeting boxes are tested. A crowded cell uses its own coordinates, rounded:
+//! * *Chords*: segments that are long in the cell, extended to its border. Two chords cross only if their ends
+//!   alternate on the border. One pass around the border finds these pairs, at the cost of the pairs found: a thousand
+//!   spokes side by side make none. Ends that are nearer than rounding errors count as alternating.
+//! * *Short* segments are tested against those whose boxes meet theirs, found in the order of their left ends.
 //!
-//! Where most chords of a crowded cell cross, they may pass through one point: a crossing is constructed, and all that
-//! pass through it are one *bundle*, an entry each and not one a pair.
+//! If most chords of a crowded cell cross, they may pass through one point. Then one crossing is constructed, and all
+//! chords through it form one *bundle*: an entry for each chord, not for each pair.
 
 use std::mem;
 
@@ -18,22 +18,22 @@ use super::meet::Asker;
 use super::reach::{Extent, Reach};
 use super::view::View;
 
-/// Cells with more segments are looked at more closely.
+/// The maximum number of segments of a cell without the crowded treatment.
 const CROWD: usize = 32;
-/// A segment that is shorter in a cell, in units of it, is no chord.
+/// The minimum length of a chord, in units of the cell.
 const SHORT: f64 = 1.0 / 32.0;
-/// How far outside of the cell its border is drawn.
+/// The distance of the border from the cell, outside it.
 const BORDER: f64 = 1.0 / 64.0;
-/// More than what positions on the border are wrong by: 2^-38 over [`SHORT`], several times.
+/// A bound on the error of positions on the border: several times 2^-38 over [`SHORT`].
 const NEAR: f64 = 1.0 / 65536.0;
-/// Pairs of chords for each chord from which on a bundle is looked for.
+/// The number of pairs of chords, per chord, from which a bundle is searched.
 const TANGLE: usize = 16;
-/// A bundle has at least so many segments.
+/// The minimum number of segments in a bundle.
 const BUNDLE: usize = 16;
-/// The most pairs that are asked about in crowded cells.
+/// The maximum number of pairs tested in crowded cells.
 const MOST_PAIRS: u64 = 1 << 34;
 
-/// Finds the pairs that may meet and asks about them.
+/// Finds candidate pairs and tests them.
 pub(super) struct Cells<'a> {
     reach: &'a Reach,
     ends: &'a [[Vertex; 2]],
@@ -41,10 +41,10 @@ pub(super) struct Cells<'a> {
     asked: u64,
 }
 
-/// What all segments have in common.
+/// Finds all intersections of segments.
 ///
 /// # Errors
-/// [`Refused`] where there is too much of it.
+/// [`Refused`] if there are too many.
 pub(super) fn meetings(
     session: &mut dyn Predicates,
     raster: &Raster,
@@ -83,7 +83,7 @@ impl Cells<'_> {
         (a[0] <= b[2]) & (b[0] <= a[2]) & (a[1] <= b[3]) & (b[1] <= a[3])
     }
 
-    /// Asks about the segments of two parts.
+    /// Tests the segments of two parts.
     #[inline]
     fn ask(&mut self, session: &dyn Predicates, i: u32, j: u32) {
         let [i, j] = [i, j].map(|at| self.reach.segments[at as usize]);
@@ -97,7 +97,7 @@ impl Cells<'_> {
         self.ends[self.reach.segments[part as usize] as usize]
     }
 
-    /// The segments of parts, ascending as these.
+    /// The segments of parts, in ascending order, as the parts are.
     fn segments_of(&self, parts: &[u32]) -> Vec<u32> {
         let mut segments: Vec<u32> = parts.iter().map(|&at| self.reach.segments[at as usize]).collect();
         segments.dedup();
@@ -166,7 +166,7 @@ impl Cells<'_> {
         Ok(())
     }
 
-    /// Asks about the pairs of a bundle that are on one line: they have more than its point in common.
+    /// Tests the pairs of a bundle that are on one line: they have more than its point in common.
     fn in_line(&mut self, session: &dyn Predicates, bundle: &[(u32, [f64; 2])]) {
         let mut pairs = Vec::new();
         near_ends(bundle, &border_ends(bundle), usize::MAX, &mut pairs);
@@ -188,12 +188,12 @@ impl Cells<'_> {
         }
     }
 
-    /// Asks about pairs of which one at least is short, in the order of their left ends.
+    /// Tests pairs with at least one short segment, in the order of their left ends.
     fn short(&mut self, session: &dyn Predicates, members: &[u32], short: &[u32]) {
         let mut sorted: Vec<(Extent, u32, bool)> =
             members.iter().map(|&at| (self.reach.boxes[at as usize], at, short.binary_search(&at).is_ok())).collect();
         sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
-        // Long ones and short ones apart: no two long ones are compared.
+        // Long and short segments separately: two long ones are never compared.
         let mut open: [Vec<(Extent, u32)>; 2] = [Vec::new(), Vec::new()];
         for (own, at, is_short) in sorted {
             for list in if is_short { &mut open[..] } else { &mut open[1..] } {
@@ -209,7 +209,7 @@ impl Cells<'_> {
         }
     }
 
-    /// Segments through one point of a tangle, ascending; none where it has none that many pass.
+    /// The segments through one point of a tangle, ascending; `None` if no point has enough of them.
     fn bundle(
         &mut self,
         session: &mut dyn Predicates,
@@ -239,14 +239,14 @@ impl Cells<'_> {
     }
 }
 
-/// Whether two segments cross between their ends.
+/// True if two segments cross between their ends.
 fn crosses(session: &dyn Predicates, [[a, b], [c, d]]: [[Vertex; 2]; 2]) -> bool {
     let view = View::new(session);
     let opposite = |one: Sign, other: Sign| one != Sign::Zero && one == -other;
     opposite(view.turn(a, b, c), view.turn(a, b, d)) && opposite(view.turn(c, d, a), view.turn(c, d, b))
 }
 
-/// Whether a point of a segment's line is not beyond its ends.
+/// True if a point of a segment's line is not beyond its ends.
 fn is_within(session: &dyn Predicates, [a, b]: [Vertex; 2], point: Vertex) -> bool {
     [Axis::X, Axis::Y].into_iter().all(|axis| {
         let [from, to] = [session.compare(axis, a, point), session.compare(axis, point, b)];
@@ -254,8 +254,8 @@ fn is_within(session: &dyn Predicates, [a, b]: [Vertex; 2], point: Vertex) -> bo
     })
 }
 
-/// Where a segment's line enters and leaves the border of the unit cell, as ways around it from 0 to 4, ascending; none for a
-/// segment that is short.
+/// The positions where a segment's line enters and leaves the border of the unit cell, as distances around it from 0 to
+/// 4, ascending; `None` for a short segment.
 fn chord([a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     let along = [b[0] - a[0], b[1] - a[1]];
     if along[0].abs().max(along[1].abs()) < SHORT {
@@ -288,7 +288,7 @@ fn chord([a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
     Some([s.min(t), s.max(t)])
 }
 
-/// The ends of chords on the border with the chords' places, in the order around it.
+/// The ends of chords on the border with the chords' indices, in the order around it.
 fn border_ends(chords: &[(u32, [f64; 2])]) -> Vec<(f64, u32)> {
     let mut ends: Vec<(f64, u32)> =
         chords.iter().zip(0_u32..).flat_map(|(&(_, [s, t]), at)| [(s, at), (t, at)]).collect();
@@ -296,12 +296,13 @@ fn border_ends(chords: &[(u32, [f64; 2])]) -> Vec<(f64, u32)> {
     ends
 }
 
-/// The pairs of chords whose ends take turns around the border, or are too near to tell; none if there are more than so many.
+/// The pairs of chords whose ends alternate around the border, or are too near to decide; `None` if there are more than
+/// `most`.
 fn crossing_chords(chords: &[(u32, [f64; 2])], most: usize) -> Option<Vec<[u32; 2]>> {
     let ends = border_ends(chords);
     let number = |at: u32| chords[at as usize].0;
     let mut pairs = Vec::new();
-    // Chords that were begun and not ended, in the order in which they began.
+    // Open chords, in the order of their first ends.
     let mut open: Vec<u32> = Vec::new();
     let mut is_open = vec![false; chords.len()];
     for &(_, at) in &ends {
@@ -319,8 +320,8 @@ fn crossing_chords(chords: &[(u32, [f64; 2])], most: usize) -> Option<Vec<[u32; 
     near_ends(chords, &ends, most, &mut pairs).then_some(pairs)
 }
 
-/// Adds the pairs of chords with ends near each other, also across the corner where the way around begins; says whether
-/// there are no more than so many.
+/// Adds the pairs of chords with ends near each other, also across the corner where positions begin; returns true if
+/// there are at most `most` pairs.
 fn near_ends(chords: &[(u32, [f64; 2])], ends: &[(f64, u32)], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
     let number = |at: u32| chords[at as usize].0;
     for (place, &(s, at)) in ends.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! The vertices on each segment in their order, and the pieces between them.
+//! The vertices on each segment in order, and the pieces between them.
 
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
 
@@ -9,40 +9,40 @@ use super::view::View;
 use super::{Contradiction, NONE, number, partial};
 use predicament_grid::sort::sort_by_sign;
 
-/// A part of a segment between two vertices that follow each other on it.
+/// A part of a segment between two consecutive vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Piece {
-    /// The nodes at its ends, in the order of the segment from its lower vertex to the other.
+    /// The nodes at its ends, in the order from the segment's lower vertex to the other.
     pub ends: [u32; 2],
-    /// A segment that it is on: the first, if there are several. `u32::MAX` for a run of edges, which
-    /// [`combine`](super::combine) makes.
+    /// Its segment, or the first of several. `u32::MAX` for a run of edges, which [`combine`](super::combine) makes.
     pub segment: u32,
-    /// How many times each operand passes it in this direction, less how many times back.
+    /// For each operand, the number of times that it passes the piece in this direction, less the times back.
     pub label: [i32; 2],
 }
 
-/// What lies on each segment.
+/// The nodes and pieces on each segment.
 #[derive(Default)]
 pub(super) struct Chains {
     /// The vertex of each node: input vertices by index, then constructed ones by definition.
     pub nodes: Vec<Vertex>,
-    /// How many nodes are input vertices.
+    /// The number of nodes that are input vertices.
     pub inputs: usize,
-    /// The place of each segment's first node in `along`, and the number of those.
+    /// The index of each segment's first node in `along`; then the length of `along`.
     pub first: Vec<u32>,
-    /// Segment after segment, the nodes on it in its order.
+    /// The nodes on each segment in order, segment after segment.
     pub along: Vec<u32>,
-    /// The piece from each of these to the next on its segment; none after the last, and where no edge passes.
+    /// For each entry of `along`, the piece to the next node on its segment; `NONE` after the last, and where no edge
+    /// passes.
     pub piece: Vec<u32>,
-    /// Parts of segments, then runs.
+    /// The pieces: parts of segments, then runs.
     pub pieces: Vec<Piece>,
-    /// What the last pieces are, as many as there are of these.
+    /// The runs; the last pieces stand for them, in the same order.
     pub runs: Vec<Run>,
-    /// The first rule that signs have broken.
+    /// The first rule that signs break.
     pub broken: Option<Contradiction>,
 }
 
-/// Vertices by one number: input ones first, constructed ones after.
+/// A common numbering of vertices: input vertices first, then constructed ones.
 #[derive(Clone, Copy)]
 struct Slots {
     inputs: usize,
@@ -59,7 +59,7 @@ impl Slots {
     }
 }
 
-/// Vertices at one place, by union-find; the root of a class is its lowest slot.
+/// Vertices at one position, by union-find; the root of a class is its lowest slot.
 struct Places(Vec<u32>);
 
 impl Places {
@@ -78,10 +78,10 @@ impl Places {
 }
 
 impl Chains {
-    /// Constructs the crossings and sorts what is on each segment.
+    /// Constructs the crossings and sorts the vertices on each segment.
     ///
     /// # Errors
-    /// [`Refused`] where the session does not construct a crossing.
+    /// [`Refused`] if the session does not construct a crossing.
     pub fn new(
         session: &mut dyn Predicates,
         supports: &Supports,
@@ -154,7 +154,7 @@ impl Chains {
         self.first[segment] as usize..self.first[segment + 1] as usize
     }
 
-    /// From slots to nodes, one for each place on a segment: the node of each slot that stands for one.
+    /// Converts slots to nodes, one for each position on a segment; returns the node of each representative slot.
     fn number_nodes(&mut self, scene: &Scene, slots: Slots, places: &mut Places) -> Vec<u32> {
         let mut node = vec![NONE; places.0.len()];
         for slot in &mut self.along {
@@ -169,7 +169,7 @@ impl Chains {
         self.nodes = used(inputs, 0);
         self.inputs = self.nodes.len();
         let mut constructed = used(constructed, slots.inputs);
-        // Those of one call are in this order already.
+        // Vertices constructed in one call are in this order already.
         if !constructed.is_sorted_by_key(|&v| scene.construction(v)) {
             constructed.sort_by_key(|&v| scene.construction(v));
         }
@@ -182,7 +182,7 @@ impl Chains {
         node
     }
 
-    /// Vertices of one place that follow each other on a segment are one node of its chain.
+    /// Merges consecutive vertices at one position of a segment into one node of its chain.
     fn join_repeats(&mut self) {
         let mut kept = 0;
         for segment in 0..self.first.len() - 1 {
@@ -203,7 +203,7 @@ impl Chains {
         }
     }
 
-    /// The pieces between the nodes, each once.
+    /// Makes the pieces between the nodes, each once.
     fn cut(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool) {
         self.piece = vec![NONE; self.along.len()];
         self.pieces.reserve(self.along.len());
@@ -242,12 +242,12 @@ impl Chains {
         }
     }
 
-    /// Makes one of the pieces between the same two nodes.
+    /// Merges the pieces between the same two nodes.
     fn join_pieces(&mut self) {
         let key = |piece: &Piece| [piece.ends[0].min(piece.ends[1]), piece.ends[0].max(piece.ends[1])];
         let mut order: Vec<([u32; 2], u32)> = self.pieces.iter().map(key).zip(0..).collect();
         order.sort_unstable();
-        // The first of each group stays.
+        // The first piece of each group stays.
         let mut kept: Vec<u32> = (0..number(self.pieces.len())).collect();
         for group in order.chunk_by(|a, b| a.0 == b.0) {
             for &(_, at) in &group[1..] {
@@ -276,13 +276,13 @@ impl Chains {
     }
 }
 
-/// The vertices inside of each segment, unsorted.
+/// The inner vertices of each segment, unsorted.
 struct OnSegments {
     first: Vec<u32>,
     vertices: Vec<Vertex>,
     same: Vec<[Vertex; 2]>,
     has_overlaps: bool,
-    /// Whether some of the vertices can be at the place of an end of their segment.
+    /// True if some of the vertices can coincide with an end of their segment.
     may_be_ends: bool,
 }
 
@@ -309,7 +309,7 @@ fn constructed(session: &mut dyn Predicates, supports: &Supports, meetings: Meet
         defined.sort();
     }
     let definition = |&(pair, _): &(Pair, _)| Construction::Ssi(pair.map(|at| supports.ends[at as usize]));
-    // Where nothing crosses, a session that constructs nothing will do.
+    // If nothing crosses, a session without constructions suffices.
     let definitions: Vec<Construction> = defined.iter().map(definition).collect();
     let points = if definitions.is_empty() { Vec::new() } else { session.construct(&definitions)? };
     let mut on: Vec<(u32, Vertex)> = Vec::with_capacity(2 * points.len() + touches.len());
@@ -340,7 +340,7 @@ fn constructed(session: &mut dyn Predicates, supports: &Supports, meetings: Meet
     Ok(OnSegments { first, vertices, same, has_overlaps, may_be_ends })
 }
 
-/// Sorts vertices along a segment: by rounded coordinates first, then by signs, for which they are in order mostly.
+/// Sorts vertices along a segment: by rounded coordinates first, then by signs, which change little.
 fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>) {
     if inner.len() < 2 {
         return;
@@ -351,7 +351,7 @@ fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &m
     sort_by_sign(inner, |a, b| along.order(a, b));
 }
 
-/// About where vertices are: what they are put in order by before signs do it.
+/// Approximate positions of vertices: they give the order before signs do.
 struct About<'s> {
     scene: &'s Scene,
     keys: Vec<(f64, Vertex)>,

@@ -1,9 +1,9 @@
-//! The rules that the algorithm relies on.
+//! The invariants that the algorithm relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule of arrangements that signs break.
+    /// An invariant of arrangements that signs break.
     pub enum Contradiction {
         Component: "a component lies in a face of one that begins left of it", "a component lies in a face of none that begins left of it";
         Crossing: "a crossing is on both its segments", "a crossing is not on both its segments";

@@ -1,37 +1,37 @@
-//! A result and another polygon: what is far from the other one need not be looked at.
+//! Overlay of a result with another polygon: parts that are far from the other polygon are not processed.
 //!
-//! The edges of a result meet in vertices only. So those that the other polygon's box does not reach have nothing to meet, and
-//! stay as they are:
-//! * A region whose box is off the other's is in the new result, or is not, as a whole.
-//! * Of the other regions, edges off the box that follow each other are a [`Run`]: one piece of the arrangement, which nothing
+//! The edges of a result meet in vertices only. So edges outside the other polygon's box meet nothing, and do not
+//! change:
+//! * A region whose box is off the other's is in the new result as a whole, or not at all.
+//! * In the other regions, consecutive edges off the box form a [`Run`]: one piece of the arrangement, which nothing
 //!   divides. At its ends it has the directions of its first and its last edge.
 //!
-//! The leftmost vertex of each loop is where its component is looked for in the faces of others, and in vertices of several loops
-//! these touch. The edges there are no part of a run.
+//! The leftmost vertex of each loop is needed to find the face around its component; in vertices of several loops the
+//! loops touch. The edges at these vertices are not part of a run.
 
 use predicament_predicates::{Predicates, Scene, Vertex};
 
 use super::polygon::{Edge, Polygon, Region};
 use super::reach::{Extent, edge_extent, range};
 
-/// Edges of a loop that follow each other, off the other operand's box.
+/// Consecutive edges of a loop, off the other operand's box.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Run {
-    /// Two or more, in the order of the loop.
+    /// Two or more edges, in the order of the loop.
     pub edges: Vec<Edge>,
 }
 
 impl Run {
-    /// Where it begins and ends.
+    /// The first and the last vertex.
     pub fn ends(&self) -> [Vertex; 2] {
         [self.edges[0].from, self.edges[self.edges.len() - 1].to]
     }
 }
 
-/// A result, divided by what another polygon can reach.
+/// A result, divided by the box of another polygon.
 #[derive(Default)]
 pub(super) struct Split {
-    /// Edges to be compared.
+    /// Edges to compare.
     pub near: Vec<Edge>,
     /// The rest of their loops.
     pub runs: Vec<Run>,
@@ -89,10 +89,10 @@ fn keep_both(at: usize, is_near: &mut [bool]) {
     is_near[(at + is_near.len() - 1) % is_near.len()] = true;
 }
 
-/// How often loops pass vertices.
+/// The number of times that loops pass each vertex.
 pub(super) struct Touched {
     inputs: usize,
-    /// How often: not at all, once, more than once.
+    /// The number, capped at 2: zero, one, or more.
     times: Vec<u8>,
 }
 
@@ -110,7 +110,7 @@ impl Touched {
         v.construction().map_or_else(|| v.index(), |index| self.inputs + index)
     }
 
-    /// How often a vertex is passed: 2 stands for more.
+    /// The number of times that loops pass a vertex; 2 means two or more.
     pub fn times(&self, v: Vertex) -> u8 {
         self.times[self.slot(v)]
     }

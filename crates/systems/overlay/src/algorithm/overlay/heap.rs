@@ -1,13 +1,13 @@
-//! A binary heap whose order is asked for, and may contradict itself.
+//! A binary heap with an external order, which may contradict itself.
 
 use predicament_predicates::{Sign, Vertex};
 
-/// Vertices, of which the first one by an order is known.
+/// Vertices, with access to the first by an order.
 #[derive(Default)]
 pub(super) struct Heap(Vec<Vertex>);
 
 impl Heap {
-    /// The first one.
+    /// The first vertex.
     pub fn first(&self) -> Option<Vertex> {
         self.0.first().copied()
     }
@@ -26,7 +26,7 @@ impl Heap {
         }
     }
 
-    /// Removes the first one.
+    /// Removes the first vertex.
     pub fn pop(&mut self, order: impl Fn(Vertex, Vertex) -> Sign) {
         let Some(last) = self.0.pop() else { return };
         let Some(first) = self.0.first_mut() else { return };

@@ -1,7 +1,7 @@
-//! Where two segments meet, by the signs of turns.
+//! Intersection of two segments, by the signs of turns.
 //!
-//! Pairs are asked about in batches. Two segments without a common vertex take two questions where the ends of one are on one
-//! side of the other, else four:
+//! Pairs are tested in batches. Two segments without a common vertex take two orientation tests if the ends of one are
+//! on one side of the other, otherwise four:
 //!
 //! | sides of the second's ends | sides of the first's ends | what they have in common |
 //! |---|---|---|
@@ -10,40 +10,40 @@
 //! | one is zero | one is zero | an end of each, at one place |
 //! | zero | zero | a line: each end that is between the other's is on it |
 //!
-//! A session that never says zero finds crossings alone, and segments with a common vertex have only that in common.
+//! A session that never returns zero finds only crossings, and segments with a common vertex have only that in common.
 
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::view::View;
 
-/// Pairs that are asked about together.
+/// The number of pairs in a batch.
 const BATCH: usize = 512;
 
-/// The most crossings: each is a vertex to be constructed, of about 200 bytes in all.
+/// The maximum number of crossings: each is a vertex to construct, of about 200 bytes in all.
 pub(super) const MOST_CROSSINGS: usize = 1 << 24;
 
-/// Two segments by their places, the lower one first.
+/// Two segments by index, the lower first.
 pub(super) type Pair = [u32; 2];
 
-/// What all segments have in common, pair by pair.
+/// All intersections of segments, pair by pair.
 #[derive(Default)]
 pub(super) struct Meetings {
     /// Pairs that cross between their ends.
     pub crossings: Vec<Pair>,
-    /// A segment and a vertex of another one that is on it between its ends.
+    /// Pairs of a segment and another segment's vertex that is on it between its ends.
     pub touches: Vec<(u32, Vertex)>,
-    /// Vertices at one place.
+    /// Pairs of vertices at one position.
     pub same: Vec<[Vertex; 2]>,
     /// Pairs on one line that have more than a point in common.
     pub overlaps: Vec<Pair>,
-    /// Segments through one point, ascending, and a pair of them that crosses there.
+    /// For each point with many segments, these segments, ascending; at least one pair of them crosses there.
     pub bundles: Vec<Vec<u32>>,
-    /// Whether there are more than [`MOST_CROSSINGS`].
+    /// True if there are more than [`MOST_CROSSINGS`].
     pub too_many: bool,
 }
 
 impl Meetings {
-    /// Sorts and drops what was found twice.
+    /// Sorts the lists and removes duplicates.
     pub fn settle(&mut self) {
         self.crossings.sort_unstable();
         self.crossings.dedup();
@@ -59,16 +59,16 @@ impl Meetings {
     }
 }
 
-/// Asks about pairs of segments.
+/// Tests pairs of segments.
 pub(super) struct Asker<'a> {
     ends: &'a [[Vertex; 2]],
     pub found: Meetings,
     pending: Vec<Pair>,
     queries: Vec<[Vertex; 3]>,
     signs: Vec<Sign>,
-    /// Pairs whose second segment is on no single side of the first, and the two signs.
+    /// Pairs of which the second segment is not on one side of the first, and the two signs.
     open: Vec<(Pair, [Sign; 2])>,
-    /// The number of crossings beyond which those found twice are dropped.
+    /// The number of crossings beyond which duplicates are removed.
     most: usize,
 }
 
@@ -85,7 +85,7 @@ impl<'a> Asker<'a> {
         }
     }
 
-    /// Asks about two different segments, now or later.
+    /// Tests two different segments, now or in a later batch.
     #[inline]
     pub fn ask(&mut self, session: &dyn Predicates, i: u32, j: u32) {
         let pair = if i < j { [i, j] } else { [j, i] };
@@ -100,7 +100,7 @@ impl<'a> Asker<'a> {
         }
     }
 
-    /// Asks about what is left.
+    /// Tests the remaining pairs.
     pub fn flush(&mut self, session: &dyn Predicates) {
         let ends = self.ends;
         self.queries.clear();
@@ -138,7 +138,7 @@ impl<'a> Asker<'a> {
                 }
                 continue;
             }
-            // Lines that cross in one point: it is the vertex whose side is zero.
+            // For lines that cross in one point: the vertex whose side is zero.
             let at = |signs: [Sign; 2], ends: [Vertex; 2]| {
                 signs.iter().position(|sign| *sign == Sign::Zero).map(|at| ends[at])
             };
@@ -149,7 +149,7 @@ impl<'a> Asker<'a> {
                 (None, None) => {}
             }
         }
-        // Some are found in several cells. To sort them out costs as much as to find them, so that is not done often.
+        // Some crossings are found in several cells. Removing duplicates costs as much as finding them, so it is rare.
         if self.found.crossings.len() > self.most {
             self.found.crossings.sort_unstable();
             self.found.crossings.dedup();
@@ -158,7 +158,7 @@ impl<'a> Asker<'a> {
         }
     }
 
-    /// Two segments with one common vertex: they have more in common only if they go the same way from there.
+    /// Two segments with one common vertex: they have more in common only if they have the same direction from there.
     fn at_a_vertex(&mut self, view: View<'_>, pair: Pair) {
         let [first, second] = pair.map(|at| self.ends[at as usize]);
         let common = if second.contains(&first[0]) { first[0] } else { first[1] };
@@ -170,7 +170,7 @@ impl<'a> Asker<'a> {
     }
 }
 
-/// Two segments on one line: which ends of each are on the other.
+/// Two segments on one line: finds the ends of each that are on the other.
 fn in_line(found: &mut Meetings, view: View<'_>, pair: Pair, segments: [[Vertex; 2]; 2]) {
     let mut inner = 0;
     let mut same = 0;

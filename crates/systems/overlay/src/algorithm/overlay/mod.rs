@@ -1,28 +1,30 @@
-//! Arrangements of segments in the plane, and the Boolean operations on polygons that stand on them.
+//! Arrangements of segments in the plane, and the Boolean operations on polygons that use them.
 //!
 //! # Steps
-//! 1. Edges are grouped by the *input segments* that they are on. From here on all is about those, each once.
-//! 2. Pairs that meet where edges reach are found, by a [grid](predicament_grid::Raster) or by Bentley and Ottmann's sweep: the [`Method`].
-//! 3. Crossings are constructed, in the order of the segments. Each is defined by two input segments, whatever was constructed
-//!    before: coordinates do not grow from one overlay to the next.
-//! 4. What is on each segment is sorted along it. Vertices at one place become one node: many segments through one point
-//!    have one there, where the session says that the points are equal.
+//! 1. Edges are grouped by the *input segments* that they are on. All later steps use input segments, each once.
+//! 2. Pairs that meet where edges reach are found, by a [grid](predicament_grid::Raster) or by Bentley and Ottmann's
+//!    sweep: the [`Method`].
+//! 3. Crossings are constructed, in the order of the segments. Each is defined by two input segments, whatever was
+//!    constructed before: coordinates do not grow from one overlay to the next.
+//! 4. The vertices on each segment are sorted along it. Vertices at one position become one node: many segments through
+//!    one point have one node there, if the session says that the points are equal.
 //! 5. The order around nodes makes cycles, and rays from the leftmost nodes of components make faces of them.
-//! 6. Winding numbers go from face to face, by the number of times that each operand passes the edge between them. The faces that
-//!    are inside of a result make its regions.
+//! 6. Winding numbers propagate from face to face, by the number of times that each operand passes the edge between
+//!    them. The faces inside a result make its regions.
 //!
 //! # What is allowed
-//! Everything: segments may be repeated, overlap, touch and cross in any number in one point, be vertical or have no length; loops
-//! may cross themselves. A session that never says zero sees none of that but repeated vertices: for it, touching segments
-//! cross or do not, vertices at one place are apart, and k segments through a point cross k·(k − 1)/2 times.
+//! Everything: segments may be repeated, overlap, touch and cross in any number in one point, be vertical or have no
+//! length; loops may cross themselves. A session that never returns zero sees only repeated vertices. For it, touching
+//! segments cross or do not, vertices at one position are apart, and k segments through a point cross k·(k − 1)/2
+//! times.
 //!
 //! # Memory
-//! It is linear in segments and crossings. Segments through one point are entries of that point, not pairs, where the session
-//! sees that it is one. More than 2^24 crossings are refused.
+//! Memory is linear in segments and crossings. Segments through one point are entries of that point, not pairs, if the
+//! session sees that it is one point. More than 2^24 crossings are refused.
 //!
 //! # Wrong signs
-//! Each loop of the program ends after a number of steps that follows from the input. The first rule that signs break is named by
-//! `broken`.
+//! Each loop of the program ends after a number of steps that follows from the input. `broken` names the first rule
+//! that signs break.
 
 mod cells;
 mod chains;
@@ -55,37 +57,38 @@ use nest::Pieces;
 use reach::Reach;
 use supports::{Label, Supports};
 
-/// The number that names nothing.
+/// The index that refers to nothing.
 const NONE: u32 = u32::MAX;
 
-/// How segments that meet are found.
+/// The method to find segments that meet.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Method {
-    /// Segments in one cell of a grid are compared.
+    /// A grid: segments in one cell are compared.
     #[default]
     Grid,
-    /// A line sweeps over the plane from left to right, and neighbours on it are compared (Bentley and Ottmann 1979).
+    /// A sweep: a line moves over the plane from left to right, and neighbours on it are compared (Bentley and Ottmann
+    /// 1979).
     Sweep,
 }
 
 /// An arrangement of segments: nodes, the pieces between them, and faces.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Arrangement {
-    /// The vertex of each node: input vertices by index, then constructed ones by definition. Of vertices at one place it is
-    /// the first of these.
+    /// The vertex of each node: input vertices by index, then constructed ones by definition. For vertices at one
+    /// position it is the first of these.
     pub vertices: Vec<Vertex>,
-    /// The segments by their ends, the lower id first; ascending, each once.
+    /// The segments as pairs of ends, the lower id first; ascending, each once.
     pub segments: Vec<[Vertex; 2]>,
-    /// Segment after segment, the nodes on it in its order.
+    /// The nodes on each segment in order, segment after segment.
     along: Vec<u32>,
     first: Vec<u32>,
-    /// The parts of segments between nodes that follow each other, in the order of the segments.
+    /// The parts of segments between consecutive nodes, in the order of the segments.
     pub pieces: Vec<Piece>,
-    /// What the last of these are, as many as there are of these.
+    /// The runs; the last pieces stand for them, in the same order.
     runs: Vec<Run>,
-    /// The pieces as the edges of a subdivision.
+    /// The subdivision whose edges are the pieces.
     pub subdivision: Subdivision,
-    /// The first rule that signs have broken.
+    /// The first rule that signs break.
     pub broken: Option<Contradiction>,
 }
 
@@ -102,41 +105,41 @@ impl Arrangement {
 pub struct Overlay {
     /// The arrangement.
     pub arrangement: Arrangement,
-    /// By faces, for each operand: its winding number, or 0 and 1 where its rule is even and odd.
+    /// The winding numbers of each face, for each operand; 0 and 1 if its rule is even-odd.
     pub windings: Vec<[i32; 2]>,
     rules: [Rule; 2],
 }
 
 impl Overlay {
-    /// The regions of the result of an operation. The session has to be the one that the overlay was made with.
+    /// The regions of the result of an operation. The session must be the one that made the overlay.
     #[must_use]
     pub fn regions(&self, session: &dyn Predicates, operation: Operation) -> Regions {
         self.beside(session, operation, &[])
     }
 
-    /// The regions of a result that has others besides.
+    /// The regions of a result that has other regions besides.
     fn beside(&self, session: &dyn Predicates, operation: Operation, apart: &[Region]) -> Regions {
         self.arrangement.extraction(session, &self.windings, self.rules, apart).regions(operation)
     }
 }
 
-/// The arrangement of these edges.
+/// Computes the arrangement of edges.
 ///
 /// # Errors
-/// [`Refused`] where the session does not construct a crossing, or where there are too many.
+/// [`Refused`] if the session does not construct a crossing, or if there are too many.
 ///
 /// # Panics
-/// If the support of an edge is no input segment of a 2D scene, or there are 2^30 edges or more.
+/// If the support of an edge is not an input segment of a 2D scene, or there are 2^30 edges or more.
 pub fn arrange(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> Result<Arrangement, Refused> {
     let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
     let supports = Supports::new(&*session, &edges, |_| false);
     arranged(session, supports, &[], method)
 }
 
-/// The overlay of two polygons.
+/// Computes the overlay of two polygons.
 ///
-/// Edges that both sides of a polygon pass as often cancel before anything is compared: to dissolve a map costs what its
-/// outer borders cost.
+/// Edges that a polygon passes equally often in both directions cancel before anything is compared: to dissolve a map
+/// costs only as much as its outer borders.
 ///
 /// # Errors
 /// As [`arrange`].
@@ -153,11 +156,11 @@ pub fn overlay(session: &mut dyn Predicates, operands: [&Polygon; 2], method: Me
     overlaid(session, edges, &[], rules, method)
 }
 
-/// The result of an operation on an earlier result and a polygon: the same as by [`overlay`], but edges of the first operand that are
-/// off the box of the second are not compared.
+/// The result of an operation on an earlier result and a polygon: the same as by [`overlay`], but without comparing
+/// edges of the first operand that are off the box of the second.
 ///
-/// What is of the first beyond that box stays as it is, on the understanding that its edges meet in vertices only, as those
-/// of results do.
+/// The part of the first operand outside that box does not change. This requires that its edges meet in vertices only,
+/// as those of results do.
 ///
 /// # Errors
 /// As [`arrange`].
@@ -183,7 +186,7 @@ pub fn combine(
     Ok(result)
 }
 
-/// The overlay of edges, each of one of two operands, and of runs of the first.
+/// Overlays edges, each of one of two operands, and runs of the first.
 fn overlaid(
     session: &mut dyn Predicates,
     edges: Vec<(Edge, usize)>,
@@ -235,7 +238,7 @@ fn arranged(
     Ok(Arrangement { vertices: nodes, segments: supports.ends, along, first, pieces, runs, subdivision, broken })
 }
 
-/// A place in an array as it is stored: there are fewer than 2^32 of anything here.
+/// An index as it is stored: all counts here are below 2^32.
 fn number(place: usize) -> u32 {
     u32::try_from(place).expect("fewer than 2^32 of anything")
 }

@@ -1,10 +1,10 @@
-//! The order of edges around nodes, and the faces that components lie in.
+//! The order of edges around nodes, and the faces that contain components.
 //!
-//! Directions are those of the input segments: which of two edges comes first around a node is the side of an input vertex on
-//! the line of an input segment, also where the node is constructed.
+//! Directions are those of the input segments. The order of two edges around a node is the side of an input vertex on
+//! the line of an input segment, even if the node is constructed.
 //!
-//! A component's leftmost node, the lowest of these, has all of it on its right. The face just left of there is that below the
-//! lowest piece above it that a vertical line a little left of it meets.
+//! A component lies completely to the right of its leftmost node (the lowest of these). A vertical line a little left
+//! of the node meets pieces above it. The face just left of the node is the face below the lowest of these pieces.
 
 use predicament_grid::Raster;
 use predicament_mesh::{Nesting, Subdivision};
@@ -19,27 +19,27 @@ use super::view::View;
 use super::{NONE, number};
 use predicament_grid::sort::sort_by_sign;
 
-/// Pieces as they lie in the plane.
+/// The pieces in the plane.
 pub(super) struct Pieces<'a> {
     pub view: View<'a>,
     pub supports: &'a Supports,
     pub chains: &'a Chains,
-    /// Whether each segment goes to the right, or straight up.
+    /// For each segment, true if it goes to the right, or straight up.
     pub is_ahead: Vec<bool>,
-    /// How each run leaves its ends: a segment in the direction away from there, and whether that is to the right or straight up.
+    /// The directions in which each run leaves its ends: a segment, and true if it goes to the right or straight up.
     runs: Vec<[Direction; 2]>,
 }
 
-/// The ends of a segment in a direction, and whether that is to the right or straight up.
+/// The ends of a segment in a direction, and true if that is to the right or straight up.
 type Direction = ([Vertex; 2], bool);
 
 /// A piece, or an edge of a run, that a vertical line meets.
 #[derive(Clone, Copy)]
 struct Above {
     piece: u32,
-    /// Whether the piece goes from left to right there.
+    /// True if the piece goes from left to right there.
     is_ahead: bool,
-    /// The ends of its segment and of itself, from left to right.
+    /// The ends of its segment, and its own ends, from left to right.
     ends: [Vertex; 2],
     nodes: [Vertex; 2],
 }
@@ -60,7 +60,7 @@ impl<'a> Pieces<'a> {
         Pieces { view, supports, chains, is_ahead, runs }
     }
 
-    /// The ends of the segment of a half-edge, in its direction, and whether that is to the right or straight up.
+    /// The ends of the segment of a half-edge, in its direction, and true if that is to the right or straight up.
     #[inline]
     pub fn direction(&self, half: u32) -> Direction {
         let piece = half as usize / 2;
@@ -73,7 +73,7 @@ impl<'a> Pieces<'a> {
         if half.is_multiple_of(2) { ([a, b], is_ahead) } else { ([b, a], !is_ahead) }
     }
 
-    /// The counterclockwise order of two half-edges that leave one node, from straight down on.
+    /// The counterclockwise order of two half-edges that leave one node, starting from straight down.
     fn order_around(&self, a: u32, b: u32) -> Sign {
         let ([from, to], a_is_ahead) = self.direction(a);
         let ([_, other], b_is_ahead) = self.direction(b);
@@ -84,7 +84,7 @@ impl<'a> Pieces<'a> {
         }
     }
 
-    /// Nodes, pieces and their order around nodes.
+    /// Builds the subdivision: nodes, pieces and their order around nodes.
     pub fn subdivision(&self) -> Subdivision {
         let ends = self.chains.pieces.iter().map(|piece| piece.ends).collect();
         Subdivision::new(self.chains.nodes.len(), ends, |_, halves| {
@@ -96,9 +96,10 @@ impl<'a> Pieces<'a> {
         self.chains.nodes[node as usize]
     }
 
-    /// Where each component with edges is, from left to right by their leftmost nodes.
+    /// The location of each component with edges, from left to right by their leftmost nodes.
     pub fn nestings(&self, subdivision: &Subdivision, raster: Option<Raster>, reach: &Reach) -> Vec<Nesting> {
-        // A crossing is right of an end of both its segments: it is leftmost nowhere, but where edges are parts of segments.
+        // A crossing is right of an end of both its segments, so it is never leftmost, unless edges are parts of
+        // segments.
         let candidates = if self.supports.are_whole { self.chains.inputs } else { self.chains.nodes.len() };
         let mut leftmost = vec![NONE; subdivision.components()];
         for node in 0..number(candidates) {
@@ -111,7 +112,7 @@ impl<'a> Pieces<'a> {
         sort_by_sign(&mut leftmost, |a, b| self.view.order(self.vertex(a), self.vertex(b)));
         let outside = |node: u32| {
             let halves = subdivision.leaving(node).iter().copied();
-            // The last counterclockwise has all others on its right, and the outside on its left.
+            // The last half-edge counterclockwise has all others on its right, and the outside on its left.
             halves.reduce(|last, half| if self.order_around(last, half) == Sign::Negative { half } else { last })
         };
         if leftmost.len() < 2 {
@@ -133,7 +134,7 @@ impl<'a> Pieces<'a> {
         leftmost.iter().filter_map(nesting).collect()
     }
 
-    /// The part of a segment that a vertical line a little left of a vertex meets above the vertex.
+    /// The part of a segment that a vertical line, a little left of a vertex, meets above the vertex.
     fn meet(&self, segment: u32, from: Vertex) -> Option<Above> {
         let is_past = |v: Vertex| self.view.compare(Axis::X, v, from) == Sign::Negative;
         let [a, b] = self.supports.ends[segment as usize];
@@ -160,7 +161,7 @@ impl<'a> Pieces<'a> {
         Some(Above { piece, is_ahead, ends, nodes: nodes.map(|node| self.vertex(node)) })
     }
 
-    /// An edge of a run where a vertical line a little left of a vertex meets it above the vertex.
+    /// An edge of a run, if a vertical line a little left of a vertex meets it above the vertex.
     fn meet_run(&self, run: usize, edge: Edge, from: Vertex) -> Option<Above> {
         let is_past = |v: Vertex| self.view.compare(Axis::X, v, from) == Sign::Negative;
         let is_ahead = is_past(edge.from);
@@ -177,7 +178,7 @@ impl<'a> Pieces<'a> {
         Some(Above { piece, is_ahead, ends, nodes })
     }
 
-    /// Whether one of two pieces is below the other where a vertical line meets both.
+    /// True if piece `a` is below piece `b` where a vertical line meets both.
     fn is_below(&self, a: &Above, b: &Above) -> bool {
         let [left, other] = [a.nodes[0], b.nodes[0]];
         if left == other {
@@ -191,20 +192,20 @@ impl<'a> Pieces<'a> {
     }
 }
 
-/// Rays upward.
+/// Upward rays to find the piece above a node.
 struct Rays<'a> {
     pieces: &'a Pieces<'a>,
     reach: &'a Reach,
-    /// The edges of runs, each with the place of its run.
+    /// The edges of runs, each with the index of its run.
     runs: Vec<(usize, Edge)>,
-    /// The last node for which each segment and each edge of a run was looked at.
+    /// For each segment and each edge of a run, the last node for which it was tested.
     seen: Vec<u32>,
-    /// Ends of segments from left to right, once they are needed.
+    /// Ends of segments from left to right, computed on demand.
     sorted: Vec<Vertex>,
 }
 
 impl Rays<'_> {
-    /// The half-edge with the face on its left that is just left of a node.
+    /// The half-edge on the boundary of the face just left of a node, with that face on its left.
     fn above(&mut self, raster: &Raster, node: u32) -> Option<u32> {
         let pieces = self.pieces;
         let scene = pieces.view.session.scene();
@@ -242,15 +243,15 @@ impl Rays<'_> {
                     best = Some((above, raster.last_row(top[0].max(top[1]))));
                 }
             }
-            // What is found from now on is above all of it.
+            // Later candidates are completely above it.
             best.as_ref().is_some_and(|&(_, last)| last <= row)
         });
         let (above, _) = best?;
-        // To the left: what is below is on its left.
+        // It goes to the left, so the region below is on its left.
         Some(2 * above.piece + u32::from(above.is_ahead))
     }
 
-    /// Raw coordinates between which a constructed vertex is.
+    /// An interval of raw x-coordinates that contains a constructed vertex.
     fn columns(&mut self, v: Vertex) -> [f64; 2] {
         let scene = self.pieces.view.session.scene();
         let x = |v: Vertex| scene.coordinate(Axis::X, v);

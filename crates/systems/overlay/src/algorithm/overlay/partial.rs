@@ -1,4 +1,4 @@
-//! Segments of which edges pass parts only: what is constructed elsewhere on them is nothing.
+//! Segments that edges pass only in parts: vertices constructed elsewhere on them are dropped.
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
@@ -6,9 +6,9 @@ use super::meet::Pair;
 use super::supports::Supports;
 use super::view::View;
 
-/// Leaves of the vertices on segments those where edges pass, and adds ends of edges that are on another edge of the same line.
+/// Keeps the vertices on segments where edges pass, and adds ends of edges that are on another edge of the same line.
 ///
-/// A crossing of two segments counts if edges reach it on both; a segment's end if it is the end of an edge.
+/// A crossing of two segments counts if edges reach it on both; a segment's end counts if it is the end of an edge.
 pub(super) fn keep_what_edges_reach(
     session: &dyn Predicates,
     supports: &Supports,
@@ -22,7 +22,8 @@ pub(super) fn keep_what_edges_reach(
             |from: Vertex, to: Vertex| along.order(from, v) != Sign::Positive && along.order(v, to) != Sign::Positive;
         supports.spans(segment as usize).iter().any(|span| is_in(span.from, span.to))
     };
-    // Ends of edges on one line are compared with each other: a vertex constructed by a third segment is found by no pair.
+    // Ends of edges on one line are compared with each other: no pair of segments finds a vertex that a third segment
+    // constructed.
     for &[i, j] in overlaps {
         for (segment, other) in [(i, j), (j, i)] {
             let along = view.along(supports.ends[segment as usize]);
@@ -41,7 +42,7 @@ pub(super) fn keep_what_edges_reach(
                 is_end[v.index()] = true;
             }
         }
-        // An edge that ends where its segment does may say so by another vertex at that place.
+        // An edge that ends at its segment's end may name another vertex at that position.
         let along = view.along(supports.ends[segment]);
         for end in supports.ends[segment] {
             let is_there = |v: Vertex| v != end && along.order(v, end) == Sign::Zero;
@@ -57,7 +58,7 @@ pub(super) fn keep_what_edges_reach(
     for group in on.chunk_by(|a, b| a.1 == b.1) {
         let v = group[0].1;
         if v.is_constructed() {
-            // Where lines cross that edges do not reach, nothing is.
+            // Lines may cross where edges do not reach; that is not a crossing.
             let reached = group.iter().copied().filter(|&(segment, v)| reaches(segment, v));
             let before = kept.len();
             kept.extend(reached);
@@ -71,7 +72,7 @@ pub(super) fn keep_what_edges_reach(
     *on = kept;
 }
 
-/// Whether an edge on one of these segments ends at the vertex.
+/// True if an edge on one of these segments ends at the vertex.
 fn is_end_of_edge(supports: &Supports, group: &[(u32, Vertex)], v: Vertex) -> bool {
     group.iter().any(|&(segment, _)| supports.spans(segment as usize).iter().any(|span| span.from == v || span.to == v))
 }

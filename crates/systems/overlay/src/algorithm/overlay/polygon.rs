@@ -1,48 +1,48 @@
-//! Polygons whose edges know the input segments that they are on.
+//! Polygons whose edges store the input segments that they are on.
 
 use predicament_predicates::Vertex;
 
 /// An edge: a part of an input segment.
 ///
-/// Its ends are input vertices, or constructed ones where two input segments cross. Whatever is constructed on it
-/// later is where its *support* crosses that of another edge, so an overlay of results of overlays constructs vertices from
-/// input vertices, as the first one did.
+/// Its ends are input vertices, or constructed vertices where two input segments cross. Any vertex constructed on it
+/// later is the crossing of its *support* with that of another edge. So an overlay of results of overlays constructs
+/// vertices from input vertices, as the first overlay did.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub struct Edge {
-    /// Where it begins.
+    /// The first vertex.
     pub from: Vertex,
-    /// Where it ends.
+    /// The last vertex.
     pub to: Vertex,
-    /// The ends of an input segment that it is a part of, in either order.
+    /// The ends of an input segment that contains it, in either order.
     pub support: [Vertex; 2],
 }
 
 impl Edge {
-    /// A whole input segment.
+    /// The edge that is a whole input segment.
     #[must_use]
     pub const fn whole(from: Vertex, to: Vertex) -> Edge {
         Edge { from, to, support: [from, to] }
     }
 
-    /// The same from its end to its beginning.
+    /// The edge in the other direction.
     #[must_use]
     pub const fn reversed(self) -> Edge {
         Edge { from: self.to, to: self.from, support: self.support }
     }
 }
 
-/// The rule by which a winding number says whether a point is inside of a polygon.
+/// The rule by which a winding number decides if a point is inside a polygon.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Rule {
-    /// Inside where it is odd.
+    /// Inside if the winding number is odd.
     #[default]
     EvenOdd,
-    /// Inside where it is not zero.
+    /// Inside if the winding number is not zero.
     NonZero,
 }
 
 impl Rule {
-    /// Whether a winding number is one of the inside.
+    /// True if a point with this winding number is inside.
     #[must_use]
     pub const fn is_inside(self, winding: i32) -> bool {
         match self {
@@ -52,17 +52,17 @@ impl Rule {
     }
 }
 
-/// Loops that may cross themselves and each other, and the rule that says what is inside.
+/// Loops that may cross themselves and each other, and the rule for their inside.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Polygon {
-    /// Closed chains: each edge begins where the one before it ends.
+    /// Closed chains: each edge begins at the end of the edge before.
     pub loops: Vec<Vec<Edge>>,
-    /// The rule that says what is inside.
+    /// The rule for the inside.
     pub rule: Rule,
 }
 
 impl Polygon {
-    /// The polygon of loops of input vertices; edges without length are left out.
+    /// Builds a polygon from loops of input vertices; edges without length are left out.
     #[must_use]
     pub fn of_vertices(loops: &[Vec<Vertex>], rule: Rule) -> Polygon {
         let edges = |one: &Vec<Vertex>| {
@@ -75,8 +75,9 @@ impl Polygon {
 
 /// A region of the plane: an outer loop, and holes in it.
 ///
-/// Loops are simple: no vertex comes twice. The inside is on the left of each edge. Edges meet in
-/// vertices only; those that follow each other on one input segment are one, but where another loop touches. Each loop begins at its first vertex in the order of ids, and so do holes and regions follow each other.
+/// Loops are simple: no vertex occurs twice. The inside is on the left of each edge. Edges meet in vertices only.
+/// Consecutive edges on one input segment are merged, except where another loop touches. Each loop begins at its first
+/// vertex in the order of ids; holes and regions are sorted the same way.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub struct Region {
     /// The outer loop, counterclockwise.

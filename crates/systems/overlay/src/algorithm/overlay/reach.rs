@@ -1,13 +1,13 @@
-//! How far edges reach on their segments, for the broad phase: most of what crosses beyond is nothing.
+//! The reach of edges on their segments, for the broad phase: segments that cross outside their edges are not compared.
 //!
-//! Results of results have edges that are small parts of the input segments they are on. All pairs of these may cross and hardly
-//! any of the edges. So the broad phase is given the edges, each as a part of its segment, and their boxes.
+//! Results of results have edges that are small parts of their input segments. All pairs of these segments may cross,
+//! and hardly any of the edges. So the broad phase gets the edges, each as a part of its segment, and their boxes.
 //!
 //! # Why nothing is missed
-//! Where a constructed vertex is, is estimated with an error bound. The box of a part is made larger by the bound, and no larger
-//! than the segment's. Of the part itself each end is within the bound of where an edge ends, so that each point of the
-//! edges is within the bound of the part; a bound that is not far below what the grid allows for ([`MOST`]) is not used:
-//! then the part is the whole segment.
+//! The position of a constructed vertex is estimated with an error bound. The box of a part is enlarged by the bound,
+//! but not beyond the segment's box. Each end of the part is within the bound of the edge's end, so each point of the
+//! edges is within the bound of the part. If a bound is not far below the grid's tolerance ([`MOST`]), the estimate is
+//! not used: then the part is the whole segment.
 
 use predicament_predicates::{Construction, Plane, Predicates, Vertex};
 
@@ -15,24 +15,24 @@ use super::polygon::Edge;
 use super::supports::Supports;
 use crate::algorithm::snap::crossing_estimate;
 
-/// Low x and y, high x and y.
+/// A box: low x, low y, high x, high y.
 pub(super) type Extent = [f64; 4];
 
-/// The largest error of an end, as a part of the segment's extent: far below a thousandth of one of 4,096 cells.
+/// The maximum error of an end, as a fraction of the segment's extent: far below a thousandth of one of 4,096 cells.
 const MOST: f64 = 1.0 / 1_073_741_824.0;
 
-/// Parts of segments, several of one segment where its edges are apart.
+/// Parts of segments, several of one segment if its edges are apart.
 pub(super) struct Reach {
-    /// By their ends, within rounding.
+    /// The ends of the parts, within rounding.
     pub raw: Vec<[[f64; 2]; 2]>,
-    /// Boxes that hold them.
+    /// Boxes that contain the parts.
     pub boxes: Vec<Extent>,
-    /// The segment of each, ascending.
+    /// The segment of each part, ascending.
     pub segments: Vec<u32>,
 }
 
 impl Reach {
-    /// The parts that edges pass.
+    /// Finds the parts that edges pass.
     pub fn new(session: &dyn Predicates, supports: &Supports) -> Reach {
         let scene = session.scene();
         let count = supports.ends.len();
@@ -81,12 +81,12 @@ fn extent([a, b]: &[[f64; 2]; 2]) -> Extent {
     [a[0].min(b[0]), a[1].min(b[1]), a[0].max(b[0]), a[1].max(b[1])]
 }
 
-/// An edge by its ends, and its box; none where these are not known well enough.
+/// An edge as its ends and its box; `None` if these are not known well enough.
 fn part(session: &dyn Predicates, edge: [Vertex; 2], whole: [[f64; 2]; 2]) -> Option<([[f64; 2]; 2], Extent)> {
     let outer = extent(&whole);
     let size = (outer[2] - outer[0]).max(outer[3] - outer[1]);
     let [(a, wrong), (b, also)] = [place(session, edge[0])?, place(session, edge[1])?];
-    // Not a number, where lines are parallel or nearly so.
+    // Not a number, if lines are parallel or nearly so.
     let is_known = |error: &f64| *error <= MOST * size;
     if !wrong.iter().chain(&also).all(is_known) || !a.iter().chain(&b).all(|x| x.is_finite()) {
         return None;
@@ -101,7 +101,7 @@ fn part(session: &dyn Predicates, edge: [Vertex; 2], whole: [[f64; 2]; 2]) -> Op
     Some(([a, b], bounds))
 }
 
-/// A box that holds an edge.
+/// A box that contains an edge.
 pub(super) fn edge_extent(session: &dyn Predicates, edge: Edge) -> Extent {
     let scene = session.scene();
     let whole = edge.support.map(|v| scene.point2(Plane::Xy, v));
@@ -111,13 +111,13 @@ pub(super) fn edge_extent(session: &dyn Predicates, edge: Edge) -> Extent {
     part(session, [edge.from, edge.to], whole).map_or_else(|| extent(&whole), |(_, extent)| extent)
 }
 
-/// The ends of an edge within rounding, or else those of its segment.
+/// The ends of an edge within rounding, otherwise those of its segment.
 pub(super) fn edge_raw(session: &dyn Predicates, edge: Edge) -> [[f64; 2]; 2] {
     let whole = edge.support.map(|v| session.scene().point2(Plane::Xy, v));
     part(session, [edge.from, edge.to], whole).map_or(whole, |(raw, _)| raw)
 }
 
-/// From where to where the x of a vertex can be.
+/// An interval that contains the x of a vertex.
 pub(super) fn range(session: &dyn Predicates, v: Vertex) -> [f64; 2] {
     match place(session, v) {
         Some(([x, _], [error, _])) if x.is_finite() && error.is_finite() => {
@@ -127,7 +127,7 @@ pub(super) fn range(session: &dyn Predicates, v: Vertex) -> [f64; 2] {
     }
 }
 
-/// Where a vertex is, and by how much that may be wrong along each axis.
+/// The position of a vertex, and an error bound along each axis.
 pub(super) fn place(session: &dyn Predicates, v: Vertex) -> Option<([f64; 2], [f64; 2])> {
     let scene = session.scene();
     if !v.is_constructed() {

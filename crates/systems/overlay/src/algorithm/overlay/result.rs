@@ -10,8 +10,9 @@ use super::view::View;
 use super::{Arrangement, Contradiction, NONE, reach};
 use crate::answer::Operation;
 
-/// The winding numbers of both operands in each face, from the unbounded one on; of one whose rule is even and odd they are
-/// 0 and 1, as edges that it passes an even number of times are not there. Says whether they agree around every piece.
+/// The winding numbers of both operands in each face, starting at the unbounded face; and true if they agree around
+/// every piece. With an even-odd rule they are 0 and 1, because edges that the operand passes an even number of times
+/// are absent.
 pub(super) fn windings(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
     let mut windings = vec![[0; 2]; subdivision.faces().len()];
     let mut is_known = vec![false; windings.len()];
@@ -38,7 +39,7 @@ pub(super) fn windings(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule
     (windings, agrees && is_known.iter().all(|is| *is))
 }
 
-/// The winding numbers on the right of a half-edge, by those on its left.
+/// The winding numbers on the right of a half-edge, from those on its left.
 fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32; 2] {
     let label = pieces[half as usize / 2].label;
     let sign = if half.is_multiple_of(2) { 1 } else { -1 };
@@ -48,22 +49,22 @@ fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32
     })
 }
 
-/// The regions of a result, or of as much as could be made of it, and the rule that was broken.
+/// The regions of a result, as far as they could be made, and the broken rule.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Regions {
     /// The regions, in the order of their outer loops.
     pub regions: Vec<Region>,
-    /// The first rule that signs have broken; none where the result is whole.
+    /// The first rule that signs break; `None` if the result is complete.
     pub broken: Option<Contradiction>,
 }
 
-/// Faces, some of which are inside.
+/// The extraction of regions from faces, some of which are inside.
 pub(super) struct Extraction<'a> {
     pub view: View<'a>,
     pub arrangement: &'a Arrangement,
     pub windings: &'a [[i32; 2]],
     pub rules: [Rule; 2],
-    /// Regions that are in the result besides, and touch what is made here in vertices at most.
+    /// Other regions of the result, which touch the extracted ones in vertices at most.
     pub apart: &'a [Region],
 }
 
@@ -129,7 +130,7 @@ impl Extraction<'_> {
         result
     }
 
-    /// The faces that one can reach from each other without leaving the inside, by the lowest of them.
+    /// The components of the inside: for each face, the lowest face that can be reached without leaving the inside.
     fn components(&self, is_inside: &[bool]) -> Vec<u32> {
         let subdivision = &self.arrangement.subdivision;
         let mut region = vec![NONE; is_inside.len()];
@@ -156,15 +157,15 @@ impl Extraction<'_> {
         region
     }
 
-    /// The half-edges of a bound in their order, with the same part of the inside on their left.
+    /// The half-edges of a bound in order, with the same part of the inside on their left.
     fn walk(&self, start: usize, is_bound: &[bool], is_done: &mut [bool]) -> Vec<u32> {
         let subdivision = &self.arrangement.subdivision;
         let mut walk = Vec::new();
         let mut at = super::number(start);
         while !std::mem::replace(&mut is_done[at as usize], true) {
             walk.push(at);
-            // Clockwise through the inside, to the next bound. The one that came in ends it at the latest: the other side of
-            // it is outside, and so the half-edge before that is a bound.
+            // Clockwise through the inside, to the next bound. This ends at the latest at the incoming half-edge: its
+            // other side is outside, so the half-edge before is a bound.
             at = subdivision.next(at);
             while !is_bound[at as usize] {
                 at = subdivision.next(at ^ 1);
@@ -204,7 +205,7 @@ impl Extraction<'_> {
             }
             last = half;
         }
-        // The beginning may be in the middle of an edge.
+        // The first half-edge may be in the middle of an edge.
         if edges.len() > 1 && same(last, halves[0]) {
             edges[0].from = edges[edges.len() - 1].from;
             edges.pop();
@@ -214,9 +215,9 @@ impl Extraction<'_> {
         Bound { region, is_hole: self.turn(&edges) == Sign::Negative, edges }
     }
 
-    /// Which way a simple loop goes: the turn at its leftmost vertex.
+    /// The orientation of a simple loop: the turn at its leftmost vertex.
     fn turn(&self, edges: &[Edge]) -> Sign {
-        // Those that can be by about where they are.
+        // Vertices that can be leftmost, by their approximate positions.
         let ranges: Vec<[f64; 2]> = edges.iter().map(|edge| reach::range(self.view.session, edge.from)).collect();
         let least = ranges.iter().map(|range| range[1]).fold(f64::INFINITY, f64::min);
         let leftmost = (0..edges.len()).filter(|&at| ranges[at][0] <= least).reduce(|best, at| {
@@ -235,14 +236,14 @@ impl Extraction<'_> {
     }
 }
 
-/// Divides a closed walk where it comes to a node again.
+/// Divides a closed walk into simple loops, at nodes that it visits again.
 fn simple_loops(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> Vec<Vec<u32>> {
     let mut loops = Vec::new();
     let mut path: Vec<u32> = Vec::with_capacity(walk.len());
     for &half in walk {
         let node = subdivision.origin(half) as usize;
         if place[node] != NONE {
-            // What was walked since then is a loop.
+            // The walk since then is a loop.
             let rest = path.split_off(place[node] as usize);
             rest.iter().for_each(|&half| place[subdivision.origin(half) as usize] = NONE);
             loops.push(rest);
@@ -256,17 +257,17 @@ fn simple_loops(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> V
 }
 
 impl Arrangement {
-    /// The run that a half-edge is.
+    /// The run of a half-edge, if it is one.
     fn run(&self, half: u32) -> Option<&Run> {
         self.runs.get((half as usize / 2).checked_sub(self.pieces.len() - self.runs.len())?)
     }
 
-    /// The ends of a segment that a half-edge is on.
+    /// The ends of the segment of a half-edge.
     fn subdivision_segment(&self, half: u32) -> [predicament_predicates::Vertex; 2] {
         self.segments[self.pieces[half as usize / 2].segment as usize]
     }
 
-    /// Winding numbers and what to ask, for the regions of results.
+    /// Prepares the extraction of the regions of results.
     pub(super) fn extraction<'a>(
         &'a self,
         session: &'a dyn Predicates,

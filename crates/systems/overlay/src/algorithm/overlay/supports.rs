@@ -1,7 +1,7 @@
 //! Edges grouped by the input segments that they are on.
 //!
-//! Everything is asked about input segments, each once, however many edges are parts of it: what repeats is counted, not
-//! compared. So repeated edges need no treatment of their own, and a broken tie cannot tear them apart.
+//! Predicates are evaluated for input segments, each once, however many edges are parts of it: repetitions are counted,
+//! not compared. So repeated edges need no special treatment, and a broken tie cannot separate them.
 
 use predicament_predicates::{Predicates, Sign, Vertex};
 
@@ -9,14 +9,14 @@ use super::number;
 use super::polygon::Edge;
 use super::view::View;
 
-/// How many times each of two operands passes a piece of a segment from its first end to its second, less how many times
-/// back.
+/// For each of two operands, the number of times that it passes a piece of a segment from its first end to its second,
+/// less the times back.
 pub(super) type Label = [i32; 2];
 
 /// A part of a segment that edges pass.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) struct Span {
-    /// The end that is nearer to the segment's first.
+    /// The end that is nearer to the segment's first end.
     pub from: Vertex,
     pub to: Vertex,
     pub label: Label,
@@ -25,24 +25,24 @@ pub(super) struct Span {
 /// Input segments with the edges on them.
 #[derive(Default)]
 pub(super) struct Supports {
-    /// The ends of each, the lower id first; ascending.
+    /// The ends of each segment, the lower id first; ascending.
     pub ends: Vec<[Vertex; 2]>,
-    /// The place of each segment's first span, and the number of spans.
+    /// The index of each segment's first span; then the number of spans.
     first: Vec<u32>,
     spans: Vec<Span>,
-    /// Whether every segment has one span, which is all of it.
+    /// True if every segment has one span, which is the whole segment.
     pub are_whole: bool,
 }
 
 impl Supports {
-    /// The segments of these edges, each with the operand that it is of. Those of which `is_idle` says that passing them
-    /// changes nothing are left out, with all spans.
+    /// Groups edges, each with its operand, by segment. Segments are left out if `is_idle` is true for all their spans:
+    /// passing such spans changes nothing.
     pub fn new(session: &dyn Predicates, edges: &[(Edge, usize)], is_idle: impl Fn(Label) -> bool) -> Supports {
         let ends = |edge: &Edge| {
             let [a, b] = edge.support;
             if a < b { [a, b] } else { [b, a] }
         };
-        // Counted by their first ends, which are input vertices; then sorted by their second ones, among few.
+        // Counting sort by their first ends, which are input vertices; then sorted by their second ends, among few.
         let mut starts = vec![0_u32; session.scene().len() + 1];
         for (edge, _) in edges {
             starts[ends(edge)[0].index()] += 1;
@@ -91,7 +91,7 @@ impl Supports {
         &self.spans[self.first[segment] as usize..self.first[segment + 1] as usize]
     }
 
-    /// Makes one of equal spans.
+    /// Merges equal spans.
     fn join(&mut self, first: usize) {
         if self.spans.len() - first < 2 {
             return;
@@ -114,7 +114,7 @@ impl Supports {
     }
 }
 
-/// The span of an edge; none of one without length.
+/// The span of an edge; `None` for an edge without length.
 fn span(session: &dyn Predicates, support: [Vertex; 2], edge: Edge, operand: usize) -> Option<Span> {
     let Edge { from, to, .. } = edge;
     let is_ahead = if [from, to] == support {

@@ -1,12 +1,13 @@
-//! Bentley and Ottmann's sweep: the segments that a vertical line crosses, from below to above, while it goes from left to right.
+//! Bentley and Ottmann's sweep: the segments that a vertical line crosses, from below to above, while the line moves
+//! from left to right.
 //!
-//! Events are the ends of segments and the crossings found so far, in the order of the line, which leans a little: of two points
-//! one above the other the lower one comes first, and no segment is vertical. At an event all segments through it are taken
-//! out; those that go on are put back in their order right of it. New neighbours are compared, and where they cross ahead there
-//! is an event. Segments in a line are neighbours and stay so.
+//! Events are the ends of segments and the crossings found so far, in the order of the line. The line leans a little:
+//! of two points with equal x the lower one comes first, and no segment is vertical. At an event all segments through
+//! it are removed from the status; those that continue are reinserted in their order right of it. New neighbours are
+//! compared, and if they cross ahead, the crossing becomes an event. Overlapping segments are neighbours and stay so.
 //!
-//! It takes n·log n questions and log n for each crossing, whatever the segments' lengths, and entries for the segments through
-//! a point, not pairs. Each step asks about what the one before it has made, so nothing is asked in batches.
+//! It takes n·log n predicates and log n for each crossing, whatever the segments' lengths, and entries for the
+//! segments through a point, not pairs. Each step depends on the results of the step before, so there are no batches.
 
 use predicament_predicates::{Construction, Predicates, Refused, Sign, Vertex};
 
@@ -20,22 +21,22 @@ use predicament_grid::status::Status;
 /// A sweep in progress.
 struct Sweep<'a> {
     session: &'a mut dyn Predicates,
-    /// Each segment from left to right.
+    /// Each segment, from left to right.
     segments: Vec<[Vertex; 2]>,
     status: Status,
-    /// Whether each segment is in the status.
+    /// For each segment, true if it is in the status.
     is_in: Vec<bool>,
     crossings: Heap,
-    /// By constructions: whether the vertex is, or was, an event, and two segments that cross there.
+    /// For each construction that is or was an event, two segments that cross there.
     pairs: Vec<Option<[u32; 2]>>,
     found: Meetings,
     broken: Option<Contradiction>,
 }
 
-/// What all segments have in common, and the first rule that signs have broken.
+/// Finds all intersections of segments, and the first rule that signs break.
 ///
 /// # Errors
-/// [`Refused`] where the session does not construct a crossing, or there are too many.
+/// [`Refused`] if the session does not construct a crossing, or there are too many.
 pub(super) fn meetings(
     session: &mut dyn Predicates,
     ends: &[[Vertex; 2]],
@@ -44,7 +45,7 @@ pub(super) fn meetings(
     let mut vertices: Vec<Vertex> = ends.as_flattened().to_vec();
     vertices.sort_unstable();
     vertices.dedup();
-    // By raw coordinates first: signs find them in order, mostly.
+    // By raw coordinates first: signs change little in that order.
     let raw = |v: Vertex| view.session.scene().point(v);
     vertices.sort_by(|&a, &b| {
         let ([ax, ay, ..], [bx, by, ..]) = (raw(a), raw(b)) else { return a.cmp(&b) };
@@ -53,7 +54,7 @@ pub(super) fn meetings(
     sort_by_sign(&mut vertices, |a, b| view.order(a, b));
     let segments: Vec<[Vertex; 2]> =
         ends.iter().map(|&[a, b]| if view.order(a, b) == Sign::Positive { [b, a] } else { [a, b] }).collect();
-    // Those without length are points: their ends are events, and enough.
+    // Segments without length are points: their ends are events, which is enough.
     let has_length = |at: u32| {
         let [a, b] = segments[at as usize];
         view.order(a, b) != Sign::Zero
@@ -90,7 +91,7 @@ pub(super) fn meetings(
                 }
             }
         };
-        // Input vertices first, and then crossings at the same place.
+        // Input vertices first, then crossings at the same position.
         while let Some(&v) = vertices.get(at).filter(|&&v| order(v, first) == Sign::Zero) {
             group.push(v);
             at += 1;
@@ -115,13 +116,13 @@ impl Sweep<'_> {
         View::new(&*self.session)
     }
 
-    /// The side of a point seen from a segment, from left to right.
+    /// The side of a point as seen along a segment, from left to right.
     fn side(&self, segment: u32, v: Vertex) -> Sign {
         let [a, b] = self.segments[segment as usize];
         self.view().turn(a, b, v)
     }
 
-    /// What happens at the vertices of one place.
+    /// Processes the event at the vertices of one position.
     fn event(&mut self, group: &[Vertex], starting: &[(Vertex, u32)]) -> Result<(), Refused> {
         let Some(&at) = group.first() else { return Ok(()) };
         let (through, below, above) = self.through(group, at);
@@ -143,7 +144,7 @@ impl Sweep<'_> {
         self.put_back(on, below, above, at)
     }
 
-    /// Takes the segments through a place out of the status: those, and the ones below and above.
+    /// Removes the segments through a position from the status; returns them, and the ones below and above.
     fn through(&mut self, group: &[Vertex], at: Vertex) -> (Vec<u32>, Option<u32>, Option<u32>) {
         let below = self.status.last_below(|segment| self.side(segment, at) == Sign::Positive);
         let mut through = Vec::new();
@@ -153,7 +154,7 @@ impl Sweep<'_> {
             next = self.status.above(segment);
         }
         let regular = through.len();
-        // What ends here or crosses here by definition is through it whatever the signs say.
+        // A segment that ends or crosses here by definition passes through the position, whatever the signs say.
         for &v in group {
             if let Some(pair) = v.construction().and_then(|index| self.pairs[index]) {
                 through.extend(pair.into_iter().filter(|&segment| self.is_in[segment as usize]));
@@ -178,7 +179,7 @@ impl Sweep<'_> {
         (through, below.filter(is_there), next.filter(is_there))
     }
 
-    /// Writes down what meets at a place. `on` are the segments that go on beyond it.
+    /// Records the intersections at a position. `on` are the segments that continue beyond it.
     fn note(&mut self, group: &[Vertex], at: Vertex, through: &[u32], on: &[u32]) {
         let inputs = group.iter().take_while(|v| !v.is_constructed()).count();
         if inputs > 0 {
@@ -196,7 +197,7 @@ impl Sweep<'_> {
         }
     }
 
-    /// Puts segments into the status in their order right of a place, and compares new neighbours.
+    /// Inserts segments into the status in their order right of a position, and compares new neighbours.
     fn put_back(
         &mut self,
         mut on: Vec<u32>,
@@ -213,7 +214,7 @@ impl Sweep<'_> {
         on.sort_unstable();
         let ahead = |segment: u32| self.segments[segment as usize][1];
         sort_by_sign(&mut on, |a, b| -self.side(a, ahead(b)));
-        // Those of one line follow each other.
+        // Segments of one line are consecutive.
         let mut overlaps = Vec::new();
         for at in 1..on.len() {
             let before = on[..at].iter().rev().take_while(|&&other| self.side(other, ahead(on[at])) == Sign::Zero);

@@ -1,8 +1,8 @@
-//! The plane as overlays see it: turns, the order of a sweep, and the order along a segment.
+//! The predicates of overlays in the plane: turns, the order of a sweep, and the order along a segment.
 
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
-/// A session's scene.
+/// A view of a session's scene.
 #[derive(Clone, Copy)]
 pub(super) struct View<'a> {
     pub session: &'a dyn Predicates,
@@ -13,7 +13,7 @@ impl<'a> View<'a> {
         View { session }
     }
 
-    /// The turn a, b, c; zero where two of them are one vertex.
+    /// The turn a, b, c; zero if two of them are one vertex.
     #[inline]
     pub fn turn(&self, a: Vertex, b: Vertex, c: Vertex) -> Sign {
         if a == b || b == c || a == c { Sign::Zero } else { self.session.orient2d(Plane::Xy, a, b, c) }
@@ -25,7 +25,7 @@ impl<'a> View<'a> {
         if a == b { Sign::Zero } else { self.session.compare(axis, a, b) }
     }
 
-    /// The order of two vertices from left to right, and from below to above where neither is left.
+    /// The order of two vertices from left to right, and from bottom to top if their x is equal.
     #[inline]
     pub fn order(&self, a: Vertex, b: Vertex) -> Sign {
         match self.compare(Axis::X, a, b) {
@@ -34,14 +34,14 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Whether the way from one vertex to another is to the right, or straight up.
+    /// True if the direction from one vertex to another is to the right, or straight up.
     #[inline]
     pub fn is_ahead(&self, from: Vertex, to: Vertex) -> bool {
         self.order(from, to) == Sign::Negative
     }
 
-    /// The order along a segment, by the axis along which its raw ends are further apart: the points of a line differ there
-    /// if they differ.
+    /// The order along a segment, by the axis along which its raw ends are further apart: different points of the line
+    /// differ there.
     pub fn along(&self, [a, b]: [Vertex; 2]) -> Along<'a> {
         let scene = self.session.scene();
         let [p, q] = [a, b].map(|v| scene.point2(Plane::Xy, v));
@@ -52,7 +52,7 @@ impl<'a> View<'a> {
         Along { view: *self, axis: axes[at], forward: signs[at] }
     }
 
-    /// Whether two vertices are at one place.
+    /// True if two vertices are at one position.
     pub fn is_same_place(&self, a: Vertex, b: Vertex) -> bool {
         [Axis::X, Axis::Y].into_iter().all(|axis| self.compare(axis, a, b) == Sign::Zero)
     }
@@ -62,7 +62,7 @@ impl<'a> View<'a> {
 pub(super) struct Along<'a> {
     view: View<'a>,
     pub axis: Axis,
-    /// Zero for a segment without length, along which all is one.
+    /// The direction along the axis; zero for a segment without length, whose points are all equal.
     forward: Sign,
 }
 
@@ -73,12 +73,12 @@ impl Along<'_> {
         self.view.compare(self.axis, a, b) * self.forward
     }
 
-    /// Whether the segment has no length.
+    /// True if the segment has no length.
     pub fn is_point(&self) -> bool {
         self.forward == Sign::Zero
     }
 
-    /// Whether the segment goes up along its axis.
+    /// True if the segment ascends along its axis.
     pub fn is_rising(&self) -> bool {
         self.forward == Sign::Positive
     }

@@ -1,12 +1,12 @@
-//! Chains of hot pixels: their order along a segment, and edges that are divided until they meet no other pixel.
+//! Chains of hot pixels: their order along a segment, and the division of edges until they meet no other pixel.
 
 use super::pixel::{Pixel, meets};
 use super::plane::double;
 use super::tree::Tree;
 
-/// Orders the pixels that a segment meets from its first end to its second, each once, with both ends.
+/// Sorts the pixels that a segment meets from its first end to its second, each once, with both ends.
 ///
-/// A segment goes one way along each axis, and so do the pixels that it meets: the order is that of their centres.
+/// A segment has one direction along each axis, and so do the pixels that it meets: the order is that of their centres.
 pub fn sort(chain: &mut Vec<u32>, [first, last]: [u32; 2], pixels: &[Pixel]) {
     chain.extend([first, last]);
     let [a, b] = [first, last].map(|at| pixels[at as usize]);
@@ -18,13 +18,13 @@ pub fn sort(chain: &mut Vec<u32>, [first, last]: [u32; 2], pixels: &[Pixel]) {
     chain.dedup();
 }
 
-/// A chain whose edges meet no hot pixel but those of their ends.
+/// A chain whose edges meet no hot pixels except those of their ends.
 ///
-/// An edge that meets others is replaced by the chain of what it meets. All of these are in the box of its ends, and the parts
-/// have smaller boxes, so that it ends.
+/// An edge that meets others is replaced by the chain of the pixels that it meets. All of these are in the box of its
+/// ends, and the parts have smaller boxes, so the process ends.
 pub fn iterated(chain: &[u32], pixels: &[Pixel], tree: &Tree) -> Vec<u32> {
     let mut done: Vec<u32> = chain.first().copied().into_iter().collect();
-    // The next edges, the last one first.
+    // The next edges, as a stack.
     let mut waiting: Vec<[u32; 2]> = chain.windows(2).rev().map(|edge| [edge[0], edge[1]]).collect();
     while let Some([from, to]) = waiting.pop() {
         let edge = [from, to].map(|at| pixels[at as usize].map(double));

@@ -1,23 +1,25 @@
-//! Segments with their crossings, brought back to doubles: snap rounding.
+//! Snap rounding: segments with their crossings, rounded to doubles.
 //!
-//! Vertices of an arrangement that are rounded one by one make edges pass over vertices and cross each other where nothing crossed
-//! before. Snap rounding rounds the edges with them. The plane is a grid of pixels, squares with sides of a power of two.
-//! A pixel with an end or a crossing in it is *hot*. Each segment becomes the chain of the centres of all hot
-//! pixels that it meets (Hobby, *Practical segment intersection with finite precision output*, Comput. Geom. 13 (1999)).
+//! If the vertices of an arrangement are rounded one by one, edges may pass over vertices and cross each other where
+//! nothing crossed before. Snap rounding rounds the edges with them. The plane is a grid of pixels, squares with sides
+//! of a power of two. A pixel that contains an end or a crossing is *hot*. Each segment becomes the chain of the
+//! centres of all hot pixels that it meets (Hobby, *Practical segment intersection with finite precision output*,
+//! Comput. Geom. 13 (1999)).
 //!
 //! # What holds
 //! * Every point of a segment is within half a pixel of its chain along either axis, and the other way round.
-//! * Chains meet in common vertices and edges only: nothing new crosses. What was in one order may come to lie on one edge, but never
-//!   in the other order. So faces may collapse and vertices may merge; [`Snapped::merged`] counts the latter.
+//! * Chains meet in common vertices and edges only: nothing new crosses. Parts in one order may collapse onto one edge,
+//!   but never reverse their order. So faces may collapse and vertices may merge; [`Snapped::merged`] counts the merged
+//!   vertices.
 //! * A chain may pass through the half-open square of another hot pixel, however near to its centre. The method
-//!   [`Method::Iterated`] (Halperin and Packer, *Iterated snap rounding*, Comput. Geom. 23 (2002)) goes on with the edges of the
-//!   chains until none does: then a vertex is half a pixel or more from each edge that does not end there, but a chain may be farther from
-//!   its segment. [`Snapped::drift`] measures how far.
-//! * It ends: an edge that is divided is divided at pixels within its own box, and each part has a smaller one.
+//!   [`Method::Iterated`] (Halperin and Packer, *Iterated snap rounding*, Comput. Geom. 23 (2002)) repeats the rounding
+//!   with the edges of the chains until none does. Then a vertex is half a pixel or more from each edge that does not
+//!   end there, but a chain may be farther from its segment. [`Snapped::drift`] measures how far.
+//! * Rounding ends: an edge is divided at pixels within its own box, and each part has a smaller box.
 //!
 //! # Pixels
-//! A pixel is half-open: its left and its lower side belong to it. Coordinates are looked at in units of pixels; those from
-//! 2^50 on are refused. All decisions are exact: doubles with an error bound, else integers.
+//! A pixel is half-open: its left and its lower side belong to it. Coordinates are in units of pixels; those from 2^50
+//! on are refused. All decisions are exact: doubles with an error bound, otherwise integers.
 
 mod chain;
 mod pixel;
@@ -30,19 +32,21 @@ use tree::Tree;
 pub use pixel::{Pixel, SIDES};
 pub(crate) use plane::crossing_estimate;
 
-/// How segments are rounded.
+/// The method of rounding segments.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
 pub enum Method {
-    /// Ends and crossings go to the centres of their pixels, and nothing else does: what programs do that round each point.
+    /// Rounds ends and crossings to the centres of their pixels, and nothing else, as programs do that round each
+    /// point.
     Naive,
     /// Hobby's snap rounding.
     #[default]
     Snap,
-    /// Iterated snap rounding: the same again with the edges of chains, until none meets a hot pixel that it does not end in.
+    /// Iterated snap rounding: repeated with the edges of chains, until no edge meets a hot pixel in which it does not
+    /// end.
     Iterated,
 }
 
-/// What is rounded: segments between points, and the pairs of them that cross or touch.
+/// The input of rounding: segments between points, and the pairs of segments that cross or touch.
 #[derive(Clone, Copy, Debug)]
 pub struct Drawing<'d> {
     /// Coordinates of the points.
@@ -51,31 +55,31 @@ pub struct Drawing<'d> {
     pub segments: &'d [[u32; 2]],
     /// Pairs of segments that cross in one point. (Ends on other segments need not be listed: they are hot as ends.)
     pub crossings: &'d [[u32; 2]],
-    /// Segments with points that are on them, ends among them or not. Only [`Method::Naive`] needs to be told.
+    /// Segments with points that are on them, possibly including their ends. Only [`Method::Naive`] needs them.
     pub touching: &'d [[u32; 2]],
 }
 
-/// A drawing that was rounded: its hot pixels, and for each segment the chain of those that it passes.
+/// A rounded drawing: its hot pixels, and for each segment the chain of pixels that it passes.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Snapped {
     /// The hot pixels, ascending, each once.
     pub pixels: Vec<Pixel>,
-    /// The pixel of each point, by its place in `pixels`.
+    /// The pixel of each point, as an index in `pixels`.
     pub ends: Vec<u32>,
-    /// For each segment the pixels on its chain in their order from its first end, by their places in `pixels`.
+    /// For each segment the pixels on its chain, in order from its first end, as indices in `pixels`.
     pub chains: Vec<Vec<u32>>,
-    /// How many points and crossings have merged: by how many more they are than hot pixels.
+    /// The number of merged points and crossings: their number less that of hot pixels.
     pub merged: usize,
 }
 
-/// Why a drawing cannot be rounded.
+/// The reason why a drawing cannot be rounded.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum SnapError {
     /// A point is not finite, or too far from the origin for pixels of this size.
     Point(u32),
-    /// A segment ends in a point that is not there.
+    /// A segment's end is an index out of range.
     Segment(u32),
-    /// A pair names a segment that is not there, or two that are parallel.
+    /// A pair has a segment index out of range, or two parallel segments.
     Crossing(usize),
 }
 
@@ -93,11 +97,11 @@ impl std::error::Error for SnapError {}
 
 /// Rounds a drawing to the centres of pixels with sides of 2^`exponent`: multiples of that.
 ///
-/// The time is linear-logarithmic in segments, crossings, and the pairs of segments and hot pixels that meet.
+/// The time is n·log n in the number of segments, crossings, and pairs of a segment and a hot pixel that meet.
 ///
 /// # Errors
-/// [`SnapError`] where a point is not finite or too far away for pixels of this size, a segment or a pair names what is not there, or
-/// the segments of a pair do not meet in one point.
+/// [`SnapError`] if a point is not finite or too far away for pixels of this size, an index is out of range, or the
+/// segments of a pair do not meet in one point.
 ///
 /// # Panics
 /// If there are 2^32 points or segments.
@@ -162,14 +166,14 @@ pub fn snap(drawing: Drawing<'_>, exponent: i32, method: Method) -> Result<Snapp
 }
 
 impl Snapped {
-    /// The centre of a pixel with sides of 2^`exponent`, by its place in `pixels`. Exact where it is a double: below 2^53
-    /// sides that are no smaller than the least double.
+    /// The centre of the pixel with this index, for sides of 2^`exponent`. It is exact if it is a double: below 2^53
+    /// sides, with sides not smaller than the least double.
     #[must_use]
     pub fn centre(&self, pixel: u32, exponent: i32) -> [f64; 2] {
         self.pixels[pixel as usize].map(|i| plane::scale(plane::double(i), exponent))
     }
 
-    /// The edges of all chains, each once, the lower place first.
+    /// The edges of all chains, each once, the lower index first.
     #[must_use]
     pub fn edges(&self) -> Vec<[u32; 2]> {
         let of_chain =
@@ -202,7 +206,7 @@ impl Snapped {
 fn scaled(points: &[[f64; 2]], exponent: i32) -> Result<Vec<[f64; 2]>, SnapError> {
     let scaled = |(at, point): (usize, &[f64; 2])| {
         let scaled = point.map(|x| plane::scale(x, -exponent));
-        // What is scaled and rounded is not scaled back.
+        // If scaling rounds, scaling back gives another value.
         let is_exact = scaled.iter().zip(point).all(|(&u, &x)| u.abs() < SIDES && plane::scale(u, exponent) == x);
         is_exact.then_some(scaled).ok_or(SnapError::Point(u32::try_from(at).expect("fewer than 2^32 points")))
     };

@@ -1,16 +1,17 @@
-//! Pixels: which one a point or a crossing is in, and which a segment meets. Coordinates are in units of pixels.
+//! Pixels: the pixel of a point or a crossing, and the pixels that a segment meets. Coordinates are in units of pixels.
 
 use std::cmp::Ordering;
 
 use super::plane::{crossing_against, crossing_estimate, double, turn};
 
-/// A pixel by its centre, in units of pixels: the square from half a unit below to half a unit above along each axis, without its upper ends.
+/// A pixel as its centre, in units of pixels: the square from half a unit below to half a unit above along each axis,
+/// without its upper ends.
 pub type Pixel = [i64; 2];
 
-/// The bound of coordinates in pixels, 2^50: those from there on are refused.
+/// The bound of coordinates in pixels, 2^50: larger coordinates are refused.
 pub const SIDES: f64 = 1_125_899_906_842_624.0; // 2^50
 
-/// The integer i with i − 1/2 ≤ x < i + 1/2.
+/// The nearest integer: the i with i − 1/2 ≤ x < i + 1/2.
 #[allow(clippy::cast_possible_truncation)] // below 2^50, and an integer
 pub fn nearest(x: f64) -> i64 {
     let low = x.floor();
@@ -23,7 +24,7 @@ pub fn pixel_of_point(point: [f64; 2]) -> Pixel {
     point.map(nearest)
 }
 
-/// The pixel of the crossing of two segments; none where they are parallel, or do not cross.
+/// The pixel of the crossing of two segments; `None` if they are parallel, or do not cross.
 pub fn pixel_of_crossing(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Option<Pixel> {
     let [a, b] = first;
     let [c, d] = second;
@@ -42,12 +43,12 @@ pub fn pixel_of_crossing(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Option<
             *index = nearest(within[0]);
             continue;
         }
-        // The crossing is on both segments, so that it is within their ranges.
+        // The crossing is on both segments, so it is within their ranges.
         let reach = |s: [[f64; 2]; 2]| [s[0][axis].min(s[1][axis]), s[0][axis].max(s[1][axis])];
         let [r, s] = [reach(first), reach(second)];
         let [mut low, mut high] = [nearest(r[0].max(s[0])), nearest(r[1].min(s[1]))];
         let against = |i: i64| crossing_against(first, second, axis, double(i) - 0.5);
-        // From the estimate outwards in growing steps, then by halves: low ≤ index ≤ high.
+        // From the estimate outwards in growing steps, then by bisection: low ≤ index ≤ high.
         let guess =
             if estimate[axis].is_finite() && estimate[axis].abs() < SIDES { nearest(estimate[axis]) } else { low };
         let guess = guess.clamp(low, high.max(low));
@@ -82,11 +83,11 @@ pub fn pixel_of_crossing(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Option<
     Some(pixel)
 }
 
-/// Whether a segment meets a pixel.
+/// Returns true if a segment meets a pixel.
 ///
 /// A segment and a closed square are apart if and only if they are so along an axis or across the segment (separating
-/// axes of convex sets). The upper sides are left out by strict comparisons; of a line that only touches the square, only
-/// the lower left corner counts, or a side that ends there.
+/// axes of convex sets). Strict comparisons leave out the upper sides. If a line only touches the square, only the
+/// lower left corner counts, or a side that ends there.
 pub fn meets([a, b]: [[f64; 2]; 2], pixel: Pixel) -> bool {
     let [low, high] = [-0.5, 0.5].map(|half| pixel.map(|i| double(i) + half));
     let overlaps = |axis: usize| a[axis].max(b[axis]) >= low[axis] && a[axis].min(b[axis]) < high[axis];

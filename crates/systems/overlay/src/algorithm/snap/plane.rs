@@ -1,4 +1,4 @@
-//! Exact signs about points that are doubles, and what need not be exact.
+//! Exact signs about points that are doubles, and estimates that need not be exact.
 
 use std::cmp::Ordering;
 use std::ops::SubAssign;
@@ -7,15 +7,15 @@ use predicament_arithmetic::Scaled;
 
 type Point = [f64; 2];
 
-/// (3 + 16u)u, u = 2^-53: what a turn may be wrong by, beside the magnitudes of its products.
+/// The relative error bound of a turn, (3 + 16u)u with u = 2^-53, times the magnitudes of its products.
 const BOUND: f64 = (3.0 + 16.0 * (f64::EPSILON / 2.0)) * (f64::EPSILON / 2.0);
-/// Turns of less than this may owe something to underflow.
+/// The magnitude below which underflow may affect a turn.
 const TINY: f64 = 1e-270;
 
 /// The turn a, b, c: the sign of (a − c)₁(b − c)₂ − (a − c)₂(b − c)₁.
 ///
-/// In doubles where the error bound of Shewchuk's stage A allows, [`BOUND`] times the sum of the magnitudes of the two products.
-/// Coordinates below 2^50 do not overflow; determinants below [`TINY`] are left to integers.
+/// It is computed in doubles if the error bound of Shewchuk's stage A allows: [`BOUND`] times the sum of the magnitudes
+/// of the two products. Coordinates below 2^50 do not overflow; determinants below [`TINY`] are computed in integers.
 pub fn turn(a: Point, b: Point, c: Point) -> Ordering {
     let [left, right] = [(a[0] - c[0]) * (b[1] - c[1]), (a[1] - c[1]) * (b[0] - c[0])];
     let (determinant, magnitude) = (left - right, left.abs() + right.abs());
@@ -36,7 +36,7 @@ fn difference<T: Clone + for<'t> SubAssign<&'t T>>(a: &T, b: &T) -> T {
     difference
 }
 
-/// How the coordinate of the crossing of two lines along an axis compares to a value; none for parallel lines.
+/// Compares a coordinate of the crossing of two lines with a value; `None` for parallel lines.
 pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, value: f64) -> Option<Ordering> {
     let [a, b, c, d, v] = Scaled::new([a, b, c, d, [value; 2]]).expect("finite points").integers;
     let [n, against] = [&a, &b].map(|p| {
@@ -59,12 +59,13 @@ pub fn crossing_against([a, b]: [Point; 2], [c, d]: [Point; 2], axis: usize, val
     (!parallel).then_some(sign)
 }
 
-/// An estimate of the crossing of two segments, and by how much each coordinate may be wrong: infinity, if that is not known.
+/// An estimate of the crossing of two segments, and an error bound for each coordinate: infinity, if the bound is not
+/// known.
 ///
-/// The crossing is a + t(b − a), t = n/(n − m) with the turns n and m of a and b around the other line. Let these be wrong by at most
-/// e and f. If their signs are certain and opposite, |n − m| = |n| + |m|, and t is wrong by (|e||m| + |f||n|)/(|n − m||n' − m'|)
-/// ≤ (e + f)/|n' − m'|, primes for what is computed. The roundings of the difference, the quotient, the product and the sum
-/// add less than 5u|b − a| + 2u(|a| + |b|), u = 2^-53.
+/// The crossing is a + t(b − a), t = n/(n − m) with the turns n and m of a and b around the other line. Let e and f be
+/// bounds on their errors. If their signs are certain and opposite, |n − m| = |n| + |m|, and t is wrong by (|e||m| +
+/// |f||n|)/(|n − m||n' − m'|) ≤ (e + f)/|n' − m'|, primes for computed values. The roundings of the difference, the
+/// quotient, the product and the sum add less than 5u|b − a| + 2u(|a| + |b|), u = 2^-53.
 pub fn crossing_estimate([a, b]: [Point; 2], [c, d]: [Point; 2]) -> (Point, Point) {
     let turn = |p: Point| {
         let [left, right] = [(c[0] - p[0]) * (d[1] - p[1]), (c[1] - p[1]) * (d[0] - p[0])];
@@ -90,7 +91,7 @@ pub fn distance(p: Point, [a, b]: [Point; 2]) -> f64 {
     (ap[0] - along * ab[0]).hypot(ap[1] - along * ab[1])
 }
 
-/// x·2^`exponent`, rounded only where the result is subnormal or too large.
+/// The value x·2^`exponent`, rounded only if the result is subnormal or too large.
 pub fn scale(x: f64, exponent: i32) -> f64 {
     // In two steps: 2^exponent itself may be out of range.
     let half = exponent / 2;

@@ -3,18 +3,18 @@
 use super::pixel::Pixel;
 use super::plane::double;
 
-/// Pixels in a leaf, at most.
+/// The maximum number of pixels in a leaf.
 const LEAF: usize = 8;
 
-/// Places in a list of pixels, so ordered that each range is divided at its middle by the wider side of its box.
+/// Indices in a list of pixels, ordered so that each range is divided at its middle by the wider side of its box.
 pub struct Tree {
     order: Vec<u32>,
-    /// The box of each node, heap order.
+    /// The box of each node, in heap order.
     boxes: Vec<[Pixel; 2]>,
 }
 
 impl Tree {
-    /// The tree of these pixels.
+    /// Builds the tree of these pixels.
     pub fn new(pixels: &[Pixel]) -> Tree {
         let mut order: Vec<u32> =
             (0..pixels.len()).map(|at| u32::try_from(at).expect("fewer than 2^32 pixels")).collect();
@@ -23,14 +23,14 @@ impl Tree {
         Tree { order, boxes }
     }
 
-    /// Calls with the place of each pixel that a segment meets, and with some that it does not.
+    /// Calls `found` with the index of each pixel that a segment meets, and with some that it does not meet.
     pub fn near(&self, [a, b]: [[f64; 2]; 2], found: &mut dyn FnMut(u32)) {
         self.descend(0, &self.order, [a, b], found);
     }
 
     fn descend(&self, node: usize, range: &[u32], [a, b]: [[f64; 2]; 2], found: &mut dyn FnMut(u32)) {
         let Some([low, high]) = self.boxes.get(node).copied().filter(|_| !range.is_empty()) else { return };
-        // Half a unit around the centres; another half for rounding below 2^50 would not be needed, and costs nothing.
+        // Half a unit around the centres, and another half as a free margin; rounding below 2^50 does not need it.
         let [low, high] = [low.map(|i| double(i) - 1.0), high.map(|i| double(i) + 1.0)];
         if (0..2).any(|axis| a[axis].max(b[axis]) < low[axis] || a[axis].min(b[axis]) > high[axis])
             || beside([a, b], low, high)
@@ -47,11 +47,12 @@ impl Tree {
     }
 }
 
-/// Whether all corners of a box are on one side of a line for certain.
+/// True if all corners of a box are certainly on one side of a line.
 fn beside([a, b]: [[f64; 2]; 2], low: [f64; 2], high: [f64; 2]) -> bool {
     let side = |x: f64, y: f64| {
         let [left, right] = [(b[0] - a[0]) * (y - a[1]), (b[1] - a[1]) * (x - a[0])];
-        // Four roundings of relative 2^-53 each are less than 2^-50 of the magnitudes; underflow is below the least normal.
+        // Four roundings of relative 2^-53 each are less than 2^-50 of the magnitudes; underflow is below the least
+        // normal double.
         let error = (left.abs() + right.abs()) * (8.0 * f64::EPSILON) + f64::MIN_POSITIVE;
         let side = left - right;
         if side > error {

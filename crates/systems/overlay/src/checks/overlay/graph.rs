@@ -1,4 +1,4 @@
-//! Whether nodes, edges and faces are the arrangement of segments.
+//! Checks that nodes, edges and faces form the arrangement of segments.
 
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -8,22 +8,22 @@ use rug::Rational;
 use super::plane::{Common, Neighbours, Point, area, common, distance, is_on, side};
 use super::{Check, Expected, Flaw, Flaws, stride};
 
-/// An arrangement as it was made.
+/// An arrangement under test.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Graph {
-    /// Where each node is.
+    /// The position of each node.
     pub nodes: Vec<Point>,
-    /// The segments by their ends.
+    /// The segments as pairs of ends.
     pub segments: Vec<[Point; 2]>,
     /// The nodes on each segment, from its first end to its second.
     pub chains: Vec<Vec<u32>>,
     /// The edges. The half-edges of edge e are 2e, from the first of its nodes to the second, and 2e + 1 back.
     pub edges: Vec<[u32; 2]>,
-    /// The half-edge after each half-edge along the face on its left.
+    /// The next half-edge of each half-edge along the face on its left.
     pub next: Vec<u32>,
     /// The face on the left of each half-edge.
     pub face: Vec<u32>,
-    /// How many faces there are.
+    /// The number of faces.
     pub faces: usize,
 }
 
@@ -73,7 +73,7 @@ impl Graph {
             let mut is_right = ends == [Some(a), Some(b)];
             for pair in chain.windows(2) {
                 let [p, q] = [self.node(pair[0]), self.node(pair[1])];
-                // Along the segment, also where nodes are rounded and beside it.
+                // Along the segment, even if nodes are rounded and beside it.
                 let along = |i: usize| Rational::from(&q[i] - &p[i]) * Rational::from(&b[i] - &a[i]);
                 is_right &= (along(0) + along(1)).cmp0().is_gt() || p == q && !expected.has_areas;
                 if pair[0] != pair[1] {
@@ -119,7 +119,7 @@ impl Graph {
         }
     }
 
-    /// The number of components, by its own count.
+    /// The number of components, counted independently.
     fn components(&self) -> usize {
         let mut class: Vec<usize> = (0..self.nodes.len()).collect();
         let root = |class: &mut Vec<usize>, mut node: usize| {
@@ -147,7 +147,7 @@ impl Graph {
         }
     }
 
-    /// Whether walking along faces makes cycles through all half-edges, each of one face.
+    /// Checks that the half-edges along faces form cycles, each of one face; returns true if they do.
     fn boundaries(&self, flaws: &mut Flaws) -> bool {
         let halves = 2 * self.edges.len();
         if self.next.len() != halves || self.face.len() != halves {
@@ -173,7 +173,7 @@ impl Graph {
         true
     }
 
-    /// Holds each bounded face to one outer cycle, and components to the faces around them.
+    /// Checks that each bounded face has one outer cycle, and that components are in the right faces.
     fn nesting(&self, expected: Expected, flaws: &mut Flaws) {
         let mut seen = vec![false; self.next.len()];
         let mut outer = vec![0_usize; self.faces];
@@ -191,7 +191,7 @@ impl Graph {
             let points = cycle.iter().map(|&half| [half, half ^ 1].map(|half| self.node(self.origin(half))));
             match area(points).cmp0() {
                 Ordering::Greater => outer[self.face[start] as usize] += 1,
-                // The outside of a component; without areas there is no telling.
+                // The outside of a component; without areas this cannot be decided.
                 _ if expected.has_areas => {
                     inner.push(cycle.into_iter().min_by_key(|&half| self.node(self.origin(half))).unwrap_or(start))
                 }
@@ -213,8 +213,8 @@ impl Graph {
         }
     }
 
-    /// The half-edge with the points just left of a point on its left: below the lowest edge that a line a little
-    /// left of the point meets above it.
+    /// The half-edge whose face, on its left, contains the points just left of a point: it is the lowest edge that a
+    /// line a little left of the point meets above it.
     fn above(&self, from: &Point) -> Option<usize> {
         let mut best: Option<[usize; 2]> = None;
         for edge in 0..self.edges.len() {
@@ -223,7 +223,7 @@ impl Graph {
             if left == right {
                 continue;
             }
-            // From left to right the point is on the right of what is above it.
+            // From left to right, the point is on the right of an edge above it.
             let half = if left { 2 * edge } else { 2 * edge + 1 };
             let ends = [half, half ^ 1];
             let at = |half: usize| self.node(self.origin(half));
@@ -232,7 +232,7 @@ impl Graph {
             }
             let is_lower = |[c, d]: [usize; 2]| {
                 let [p, q, r, s] = [ends[0], ends[1], c, d].map(at);
-                // The left end that is further right tells, or the right ends where the left ones are one.
+                // The left end that is further right decides, or the right ends if the left ends are equal.
                 match if p == r {
                     side(r, s, q)
                 } else if p < r {

@@ -1,13 +1,13 @@
-//! Arrangements of segments and results of Boolean operations, decided in rationals.
+//! Checks of arrangements of segments and results of Boolean operations, decided in rationals.
 //!
-//! Nothing here knows how they were made: there are points, and numbers of points. Each [`Check`] is a law. Together they say
-//! that an arrangement is one of *all* its segments, that its faces are faces, and that results hold the points that they
-//! should.
+//! The checks do not know how these were made: they get points, and indices of points. Each [`Check`] is a law.
+//! Together the laws say that an arrangement is one of *all* its segments, that its faces are faces, and that results
+//! contain the right points.
 //!
 //! # What broken ties change
-//! In a scene that was perturbed by infinitesimals nothing touches. Seen in the scene as it is, edges then may touch and
-//! overlap, faces may have no area, and nodes may be at one place; but no two edges cross, areas are what they are, and
-//! points off all edges are inside or outside as they were. [`Expected::has_areas`] says which is asked.
+//! In a scene that is perturbed by infinitesimals nothing touches. Seen in the original scene, edges may then touch and
+//! overlap, faces may have no area, and nodes may be at one position. But no two edges cross, areas are unchanged, and
+//! points off all edges are inside or outside as before. [`Expected::has_areas`] selects the version of the laws.
 
 mod graph;
 mod operations;
@@ -21,45 +21,45 @@ pub use plane::Point;
 pub use regions::{Defects, Shape, winding_of};
 pub use windings::Windings;
 
-/// What arrangements and results are held to, and how much of them is looked at.
+/// The requirements for arrangements and results, and the sample sizes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Expected {
-    /// Nothing was perturbed: nodes are at different places, and faces have areas.
+    /// True if nothing was perturbed: nodes are at different positions, and faces have areas.
     pub has_areas: bool,
-    /// How many edges are held against those near them, at most; they are spread evenly.
+    /// The maximum number of edges that are compared with those near them; they are spread evenly.
     pub edges_crossed: usize,
-    /// How many components are looked for in their faces, and how many points are located.
+    /// The number of components whose faces are checked, and of points located.
     pub located: usize,
 }
 
 /// A law that arrangements and results of operations satisfy.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Check {
-    /// No two nodes are at one place.
+    /// No two nodes are at one position.
     Nodes,
-    /// The chain of a segment is of edges, from end to end, in order.
+    /// The chain of a segment consists of edges, from end to end, in order.
     Chain,
     /// The nodes of a segment's chain are on it.
     OnSegment,
     /// Each edge is on a segment's chain.
     Edges,
-    /// No two edges meet but in nodes that they share.
+    /// No two edges meet except in common nodes.
     Crossing,
-    /// Vertices, edges, faces and components add up.
+    /// Euler's formula holds for vertices, edges, faces and components.
     Euler,
     /// Each side of an edge is on one boundary, and each boundary is of one face.
     Boundary,
-    /// Each component is in the face that it is said to be in.
+    /// Each component is in its stated face.
     Nesting,
-    /// Winding numbers change across an edge by the number of times that it is passed.
+    /// Winding numbers change across an edge by the number of times that operands pass it.
     Winding,
     /// Outer loops are counterclockwise, holes clockwise, and all are closed.
     Orientation,
     /// The edges of a result do not cross.
     ResultCrossing,
-    /// Areas of results add up, and are those of the operands.
+    /// Areas of results add up, and equal those of the operands.
     Area,
-    /// Points are inside of results by their winding numbers in the operands.
+    /// A point is inside a result if and only if its winding numbers in the operands say so.
     Membership,
 }
 
@@ -84,8 +84,8 @@ impl Check {
         }
     }
 
-    /// Whether it is about lengths or areas, so that vertices that are rounded are enough to violate it. All others are about how
-    /// things turn and hang together.
+    /// True if the check is about lengths or areas, so that rounding of vertices alone can violate it. All other checks
+    /// are about orientation and topology.
     #[must_use]
     pub const fn is_metric(self) -> bool {
         matches!(self, Check::OnSegment | Check::Area)
@@ -112,18 +112,18 @@ impl Check {
     }
 }
 
-/// How often a law is violated, and where first.
+/// A violated law: the number of violations, and the first one.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Flaw {
     /// The law.
     pub check: Check,
-    /// How often.
+    /// The number of violations.
     pub count: usize,
-    /// The first time, in words.
+    /// The first violation, in words.
     pub what: String,
 }
 
-/// Flaws by their laws, in the order in which they were first found.
+/// Flaws by law, in the order of their first violations.
 #[derive(Default)]
 struct Flaws(Vec<Flaw>);
 
@@ -136,7 +136,7 @@ impl Flaws {
     }
 }
 
-/// Every n-th of so many, that they are no more than `most`.
+/// The stride that samples at most `most` of `count` items.
 fn stride(count: usize, most: usize) -> usize {
     count.div_ceil(most.max(1)).max(1)
 }

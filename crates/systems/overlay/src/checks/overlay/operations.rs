@@ -1,4 +1,4 @@
-//! Whether results of Boolean operations are those of their operands.
+//! Checks of the results of Boolean operations against their operands.
 
 use std::cmp::Ordering;
 
@@ -8,18 +8,18 @@ use super::plane::{Common, Neighbours, Point, area, common, is_on, side, winding
 use super::{Check, Expected, Flaw, Flaws, stride};
 use predicament_judge::sum::sum;
 
-/// The most edges of an operand whose area is computed strip by strip.
+/// The maximum number of edges of an operand whose area is computed strip by strip.
 const MOST_STRIPPED: usize = 160;
 
-/// Two operands: closed chains of points, and whether a winding number is one of the inside.
+/// Two operands: closed chains of points, and their rules for the inside.
 pub struct Operands {
     /// The loops of each operand.
     pub loops: [Vec<Vec<Point>>; 2],
-    /// For each operand, whether a winding number is one of the inside.
+    /// For each operand, a function that is true for winding numbers of inner points.
     pub rules: [fn(i32) -> bool; 2],
 }
 
-/// The results of all four operations on them, as loops: for each region the outer one and its holes.
+/// The results of all four operations, as loops: for each region the outer loop and its holes.
 #[derive(Clone, PartialEq, Debug, Default)]
 pub struct Results {
     /// The regions of union, intersection, difference and symmetric difference.
@@ -35,14 +35,14 @@ impl Operands {
         self.loops[operand].iter().flat_map(|one| edges(one))
     }
 
-    /// Twice the sum of the areas of an operand's loops: of those that are counterclockwise, less that of the others.
+    /// Twice the sum of the areas of an operand's loops: counterclockwise loops count positive, the others negative.
     #[must_use]
     pub fn signed_area(&self, operand: usize) -> Rational {
         sum(self.loops[operand].iter().map(|one| area(edges(one))).collect())
     }
 
-    /// Twice the area of an operand, computed strip by strip between the heights of all ends and crossings; none where it has
-    /// too many edges.
+    /// Twice the area of an operand, computed strip by strip between the heights of all ends and crossings; `None` if
+    /// it has too many edges.
     #[must_use]
     pub fn area(&self, operand: usize) -> Option<Rational> {
         let all: Vec<[&Point; 2]> = self.edges(operand).filter(|[a, b]| a[1] != b[1]).collect();
@@ -56,7 +56,7 @@ impl Operands {
         let mut heights: Vec<Rational> = all.iter().flatten().map(|p| p[1].clone()).collect();
         for (i, &e) in all.iter().enumerate() {
             for &f in all[..i].iter().filter(|&&f| common(e, f) == Common::Crossing) {
-                // e at part t of its way is on f's line.
+                // The point of e at parameter `part` is on f's line.
                 let [from, to] = [e[0], e[1]].map(|p| super::plane::turn(f[0], f[1], p));
                 let part = &from / Rational::from(&from - &to);
                 heights.push(part * Rational::from(&e[1][1] - &e[0][1]) + &e[0][1]);
@@ -74,7 +74,7 @@ impl Operands {
             let mut winding = 0;
             let height = Rational::from(&strip[1] - &strip[0]);
             for pair in at.windows(2) {
-                // An edge that goes up has on its right one more than on its left.
+                // An ascending edge has on its right one more than on its left.
                 winding -= pair[0].1;
                 if (self.rules[operand])(winding) {
                     terms.push(Rational::from(&pair[1].0 - &pair[0].0) * &height * 2);
@@ -86,8 +86,8 @@ impl Operands {
 }
 
 impl Results {
-    /// The laws that these results violate; `probes` are points to locate. `only` is [`Windings::only`](super::Windings::only) of
-    /// each operand.
+    /// The laws that these results violate; `probes` are points to locate. `only` is
+    /// [`Windings::only`](super::Windings::only) of each operand.
     #[must_use]
     pub fn flaws(
         &self,
@@ -123,7 +123,7 @@ impl Results {
             law(Rational::from(union + both) == Rational::from(&a + &b), "|A or B| + |A and B| is not |A| + |B|");
             law(Rational::from(first + both) == a, "|A not B| is not |A| - |A and B|");
         }
-        // Parts that do not overlap: their areas add up to that of their union, however many there are.
+        // If parts do not overlap, their areas add up to that of their union, however many there are.
         if let Some(winding) = only[0] {
             law(
                 Rational::from(first + both) * winding == operands.signed_area(0),
@@ -144,7 +144,7 @@ impl Results {
             let wanted = [a || b, a && b, a && !b, a != b];
             for (at, regions) in self.regions.iter().enumerate() {
                 let found = winding(regions.iter().flatten().flat_map(|one| edges(one)), p);
-                // Loops do not overlap: a point is wound around once or not at all.
+                // Loops do not overlap: the winding number of a point is one or zero.
                 if found != Some(i32::from(wanted[at])) {
                     let place = [&p[0], &p[1]].map(Rational::to_f64);
                     flaws.add(Check::Membership, || {
@@ -167,11 +167,11 @@ fn orientation(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaw
         for (place, one) in region.iter().enumerate() {
             let wanted = if place == 0 { Ordering::Greater } else { Ordering::Less };
             let found = area(edges(one)).cmp0();
-            // What has an area in the perturbed scene alone has none here.
+            // A loop that has area only in the perturbed scene has none here.
             if found != wanted && (expected.has_areas || found.is_ne()) {
                 flaws.add(Check::Orientation, || format!("loop {place} of region {at} of the {name} is {found:?}"));
             }
-            // A hole is in its outer loop: one of its corners, where that is not on it.
+            // A hole is inside its outer loop: the test uses one of its corners that is not on that loop.
             let inside = one.iter().take(8).find_map(|p| winding(edges(&region[0]), p));
             if place > 0 && expected.has_areas && inside == Some(0) {
                 flaws.add(Check::Orientation, || format!("hole {place} of region {at} of the {name} is outside of it"));
@@ -198,7 +198,7 @@ fn crossings(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaws:
     }
 }
 
-/// Whether two segments of one line have more than a point in common.
+/// True if two segments of one line have more than a point in common.
 fn overlap([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> bool {
     if side(a, b, c).is_ne() || side(a, b, d).is_ne() {
         return false;

@@ -10,7 +10,7 @@ use predicament_judge::sum::sum;
 /// A point of the plane, with rational coordinates.
 pub type Point = [Rational; 2];
 
-/// (b − a) × (p − a).
+/// The value (b − a) × (p − a).
 pub(super) fn turn(a: &Point, b: &Point, p: &Point) -> Rational {
     let minus = |p: &Point, i: usize| Rational::from(&p[i] - &a[i]);
     minus(b, 0) * minus(p, 1) - minus(b, 1) * minus(p, 0)
@@ -21,17 +21,17 @@ pub(super) fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
     turn(a, b, p).cmp0()
 }
 
-/// Whether p, which is on the line of a and b, is not beyond either.
+/// True if p, which is on the line of a and b, is not beyond either.
 pub(super) fn is_between(a: &Point, b: &Point, p: &Point) -> bool {
     (0..2).all(|i| (a[i] <= p[i] && p[i] <= b[i]) || (b[i] <= p[i] && p[i] <= a[i]))
 }
 
-/// Whether p is on the closed segment from a to b.
+/// True if p is on the closed segment from a to b.
 pub(super) fn is_on(a: &Point, b: &Point, p: &Point) -> bool {
     is_between(a, b, p) && side(a, b, p).is_eq()
 }
 
-/// How far p is from the closed segment from a to b, rounded at the end only.
+/// The distance of p from the closed segment from a to b, rounded only at the end.
 pub(super) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
     let minus = |p: &Point, q: &Point| [0, 1].map(|i: usize| Rational::from(&p[i] - &q[i]));
     let dot = |u: &Point, v: &Point| Rational::from(&u[0] * &v[0]) + Rational::from(&u[1] * &v[1]);
@@ -43,18 +43,18 @@ pub(super) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
     off[0].hypot(off[1])
 }
 
-/// What two segments have in common besides equal ends.
+/// The intersection of two segments, without equal ends.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Common {
     /// Nothing.
     Nothing,
     /// Inner points of both cross.
     Crossing,
-    /// A point that is no end of both, without a crossing: one touches or overlaps the other.
+    /// A point that is not an end of both, without a crossing: one touches or overlaps the other.
     Touch,
 }
 
-/// What two segments have in common.
+/// The intersection of two segments.
 pub(super) fn common([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Common {
     let [c_side, d_side] = [side(a, b, c), side(a, b, d)];
     if c_side == d_side && c_side.is_ne() {
@@ -69,19 +69,19 @@ pub(super) fn common([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Common {
     if is_touched { Common::Touch } else { Common::Nothing }
 }
 
-/// Segments, rounded, by which those that may have something in common are found.
+/// Rounded segments, to find pairs that may intersect.
 pub(super) struct Neighbours {
-    /// The segments by their ends, each coordinate off by less than a part in 2^52 of the largest one.
+    /// The segments as pairs of ends; the error of each coordinate is below 2^-52 of the largest one.
     segments: Vec<[[f64; 2]; 2]>,
     index: Boxes<2>,
-    /// How far boxes may be off.
+    /// A bound on the error of boxes.
     reach: f64,
-    /// A turn of rounded points beyond this has the sign of that of the points.
+    /// The magnitude beyond which a turn of rounded points has the true sign.
     certain: f64,
 }
 
 impl Neighbours {
-    /// None where there are no segments, or some are beyond all doubles.
+    /// Rounds the segments; `None` if there are none, or some exceed the range of doubles.
     pub(super) fn new<'a>(segments: impl Iterator<Item = [&'a Point; 2]>) -> Option<Neighbours> {
         let rounded = |ends: [&Point; 2]| ends.map(|p| [0, 1].map(|i: usize| p[i].to_f64()));
         let segments: Vec<[[f64; 2]; 2]> = segments.map(rounded).collect();
@@ -90,21 +90,22 @@ impl Neighbours {
             return None;
         }
         let index = Boxes::new(segments.iter().map(|&ends| extent(ends)).collect());
-        // With M the largest and u = 2^-52 a difference is below 2M, and off by 2uM for its ends and uM for itself; a
-        // product is off by at most 2 · 2M · 3uM + 9u²M² + 4uM², and the turn by twice that and 8uM² for itself: below 41uM².
-        // Where M² u is as small as this nothing is certain, as products may underflow.
+        // With M the largest and u = 2^-52 a difference is below 2M, and its error is 2uM from its ends and uM from its
+        // own rounding; the error of a product is at most 2 · 2M · 3uM + 9u²M² + 4uM², and that of the turn twice that
+        // and 8uM² from its own rounding: below 41uM². If M² u is too small nothing is certain, because products may
+        // underflow.
         let square = largest * largest;
         let certain = if square > 1e-200 { square * 2.0_f64.powi(-46) } else { f64::INFINITY };
         Some(Neighbours { segments, index, reach: largest * 2.0_f64.powi(-50), certain })
     }
 
-    /// The segments that may have a point in common with this one: all that have, and itself.
+    /// The segments that may have a point in common with this one: a superset of those that do, including itself.
     pub(super) fn of(&self, at: usize, near: &mut Vec<u32>) {
         self.index.near(&self.index.all()[at], self.reach, near);
         near.retain(|&other| !self.are_apart(at, other as usize));
     }
 
-    /// Whether one of the two is certainly on one side of the other's line.
+    /// True if one of the two is certainly on one side of the other's line.
     fn are_apart(&self, at: usize, other: usize) -> bool {
         let beside = |[a, b]: [[f64; 2]; 2], ends: [[f64; 2]; 2]| {
             let turns = ends.map(|p| (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]));
@@ -115,7 +116,7 @@ impl Neighbours {
     }
 }
 
-/// The winding number of closed chains of edges around a point; none for a point of an edge.
+/// The winding number of closed chains of edges around a point; `None` for a point on an edge.
 pub(super) fn winding<'a>(edges: impl Iterator<Item = [&'a Point; 2]>, p: &Point) -> Option<i32> {
     let mut winding = 0;
     for [a, b] in edges {
@@ -139,7 +140,7 @@ pub(super) fn winding<'a>(edges: impl Iterator<Item = [&'a Point; 2]>, p: &Point
 /// Twice the area of closed chains of edges.
 pub(super) fn area<'a>(edges: impl Iterator<Item = [&'a Point; 2]>) -> Rational {
     let mut terms: Vec<Rational> = Vec::new();
-    // From one of the points: what is far from the origin would be the difference of large numbers.
+    // Relative to one of the points: far from the origin the area would be the difference of large numbers.
     let mut origin: Option<&Point> = None;
     for [a, b] in edges {
         let origin = *origin.get_or_insert(a);

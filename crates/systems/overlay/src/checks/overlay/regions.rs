@@ -1,4 +1,4 @@
-//! Regions as they are: what is wrong with their loops, decided in rationals.
+//! Defects of the loops of regions, decided in rationals.
 
 use std::cmp::Ordering;
 
@@ -7,10 +7,10 @@ use rug::Rational;
 use super::plane::{Common, Neighbours, Point, area, common, winding};
 use predicament_judge::sum::sum;
 
-/// Regions by their loops: the outer one, then the holes.
+/// Regions as loops: the outer one, then the holes.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Shape {
-    /// For each region its loops, the outer one first, by their corners.
+    /// For each region its loops as corners, the outer one first.
     pub regions: Vec<Vec<Vec<Point>>>,
 }
 
@@ -19,9 +19,9 @@ pub struct Shape {
 pub struct Defects {
     /// Pairs of edges whose inner points cross.
     pub crossings: usize,
-    /// Pairs of edges of which one touches or overlaps the other, besides in a point that is an end of both.
+    /// Pairs of edges of which one touches or overlaps the other, except in a point that is an end of both.
     pub touches: usize,
-    /// Loops that go the wrong way round: outer ones clockwise, or holes counterclockwise.
+    /// Loops with the wrong orientation: clockwise outer loops, or counterclockwise holes.
     pub inverted: usize,
     /// Loops without area.
     pub flat: usize,
@@ -37,7 +37,7 @@ impl Shape {
         self.loops().flat_map(|(_, one)| one.iter().zip(one.iter().cycle().skip(1)).map(|(a, b)| [a, b]))
     }
 
-    /// Twice the area: that of outer loops less that of holes, where nothing is inverted.
+    /// Twice the area: that of outer loops less that of holes, if no loop is inverted.
     #[must_use]
     pub fn area(&self) -> Rational {
         sum(self
@@ -46,13 +46,13 @@ impl Shape {
             .collect())
     }
 
-    /// How often the loops wind around a point; none for a point of an edge.
+    /// The winding number of the loops around a point; `None` for a point on an edge.
     #[must_use]
     pub fn winding(&self, p: &Point) -> Option<i32> {
         winding(self.edges(), p)
     }
 
-    /// The number of wrong loops and pairs of edges; every pair of edges near each other is looked at.
+    /// The numbers of wrong loops and pairs of edges; every pair of edges near each other is tested.
     #[must_use]
     pub fn defects(&self) -> Defects {
         let mut defects = Defects::default();
@@ -81,7 +81,7 @@ impl Shape {
     }
 }
 
-/// The number of times that closed chains of points wind around a point; none for a point of an edge.
+/// The winding number of closed chains of points around a point; `None` for a point on an edge.
 #[must_use]
 pub fn winding_of(loops: &[Vec<Point>], p: &Point) -> Option<i32> {
     winding(loops.iter().flat_map(|one| one.iter().zip(one.iter().cycle().skip(1)).map(|(a, b)| [a, b])), p)

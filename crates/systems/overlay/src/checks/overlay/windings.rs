@@ -1,23 +1,24 @@
-//! Whether the winding numbers of faces are those of the loops that were overlaid.
+//! Checks that the winding numbers of faces are those of the overlaid loops.
 
 use std::collections::BTreeMap;
 
 use super::{Check, Flaw, Flaws, Graph};
 
-/// The winding numbers that an overlay says its faces have, and what they follow from.
+/// The winding numbers of faces that an overlay claims, and the passes that imply them.
 #[derive(Clone, PartialEq, Eq, Debug, Default)]
 pub struct Windings {
-    /// By the graph's segments, for each operand: how often its loops pass from the first end to the second, less how often back.
+    /// The passes of each of the graph's segments, for each operand: the number of times that its loops pass from the
+    /// first end to the second, less the times back.
     pub passes: Vec<[i64; 2]>,
-    /// By faces, for each operand: its winding number.
+    /// The winding number of each face, for each operand.
     pub faces: Vec<[i32; 2]>,
-    /// Whether only odd and even are told apart.
+    /// True if only the parity is known.
     pub modulo_two: bool,
 }
 
 impl Windings {
-    /// The edges that they contradict: they have to be zero outside, and to change across an edge by the number of times that it is
-    /// passed. That determines them, so there is nothing more to ask.
+    /// The edges that the winding numbers contradict. Winding numbers must be zero outside, and change across an edge
+    /// by the number of times that loops pass it. That determines them completely.
     #[must_use]
     pub fn flaws(&self, graph: &Graph) -> Vec<Flaw> {
         let mut flaws = Flaws::default();
@@ -55,8 +56,8 @@ impl Windings {
         flaws.0
     }
 
-    /// The winding number of an operand wherever it is not zero, so that its area is that of its loops divided by this; none
-    /// where there are several, or none is known.
+    /// The single nonzero winding number of an operand, so that its area is that of its loops divided by this number;
+    /// `None` if there are several, or none is known.
     #[must_use]
     pub fn only(&self, operand: usize) -> Option<i32> {
         let mut others = self.faces.iter().map(|face| face[operand]).filter(|&winding| winding != 0);

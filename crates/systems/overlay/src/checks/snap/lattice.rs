@@ -7,8 +7,8 @@ fn turn(a: Pixel, b: Pixel, c: Pixel) -> i128 {
     ab[0] * ac[1] - ab[1] * ac[0]
 }
 
-/// Whether two edges have a point in common that is not an end of both; the same edge twice, and edges that
-/// share an end and nothing else, do not cross.
+/// True if two edges have a point in common that is not an end of both. The same edge twice, and edges that share only
+/// an end, do not cross.
 pub fn cross([a, b]: [Pixel; 2], [c, d]: [Pixel; 2]) -> bool {
     if a == b || c == d || [a, b] == [c, d] || [a, b] == [d, c] {
         return false;
@@ -24,8 +24,8 @@ pub fn cross([a, b]: [Pixel; 2], [c, d]: [Pixel; 2]) -> bool {
     opposite(turn(a, b, c), turn(a, b, d)) && opposite(turn(c, d, a), turn(c, d, b))
 }
 
-/// Whether a point is at least so far from an edge; the square of the distance is a fraction. Coordinates are below 2^31, and
-/// the fraction's terms below 2^60: then only what is farther than that saturates.
+/// True if the squared distance of a point from an edge is at least a given fraction. Coordinates are below 2^31, and
+/// the fraction's terms below 2^60: then only larger distances saturate.
 pub fn distance2_at_least([a, b]: [Pixel; 2], p: Pixel, [numerator, denominator]: [i128; 2]) -> bool {
     let difference = |p: Pixel, q: Pixel| [0, 1].map(|axis| i128::from(p[axis]) - i128::from(q[axis]));
     let dot = |p: [i128; 2], q: [i128; 2]| p[0] * q[0] + p[1] * q[1];
@@ -65,12 +65,12 @@ mod tests {
         Rational::from(ax * bx) + Rational::from(ay * by)
     }
 
-    /// Whether a number is from 0 to 1.
+    /// True if a number is from 0 to 1.
     fn is_share(x: &Rational) -> bool {
         *x >= 0 && *x <= 1
     }
 
-    /// The place s along the edge with p = a + s (b − a), if p is on it.
+    /// The parameter s along the edge with p = a + s (b − a), if p is on it.
     fn place_on([a, b]: [Pixel; 2], p: Pixel) -> Option<Rational> {
         let [a, b, p] = [a, b, p].map(rational);
         let (along, to) = (less(&b, &a), less(&p, &a));
@@ -79,14 +79,15 @@ mod tests {
         (on == p && is_share(&place)).then_some(place)
     }
 
-    /// Whether edges that are not empty have a point in common that is not an end of both, by the equations of their points.
+    /// True if edges that are not empty have a point in common that is not an end of both, by the equations of their
+    /// points.
     fn have_common_point(e: [Pixel; 2], f: [Pixel; 2]) -> bool {
         let ([a, b], [c, d]) = (e.map(rational), f.map(rational));
         let (u, v, w) = (less(&b, &a), less(&d, &c), less(&c, &a));
         let determinant = Rational::from(&u[1] * &v[0]) - Rational::from(&u[0] * &v[1]);
         let is_inner = |s: &Rational| *s > 0 && *s < 1;
         if determinant.is_zero() {
-            // On a line or parallel: an end inside of the other edge.
+            // On a line or parallel: an end inside the other edge.
             let inside = |edge: [Pixel; 2], p: Pixel| place_on(edge, p).is_some_and(|s| is_inner(&s));
             return e.iter().any(|&p| inside(f, p)) || f.iter().any(|&p| inside(e, p));
         }
@@ -169,7 +170,7 @@ mod tests {
         let far = 1 << 28;
         assert!(distance2_at_least([[-far, -far], [far, far]], [far, -far], [2 * i128::from(far).pow(2), 1]));
         assert!(!distance2_at_least([[-far, -far], [far, far]], [far, -far], [2 * i128::from(far).pow(2) + 1, 1]));
-        // The largest extent: what is far is far, although its square is beyond 128 bits.
+        // The largest extent: the comparison is right, although the square is beyond 128 bits.
         let far = (1 << 31) - 1;
         assert!(distance2_at_least([[-far, -far], [far, far]], [far, -far], [1 << 59, 1]));
         assert!(!distance2_at_least([[-far, -far], [far, far]], [0, 1], [1, 1]));

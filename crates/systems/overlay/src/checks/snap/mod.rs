@@ -1,9 +1,10 @@
-//! Drawings rounded to pixels, held against their definition in rationals: nothing of the algorithm is used.
+//! Checks of drawings rounded to pixels, by their definition in rationals; nothing of the algorithm is used.
 //!
-//! Which pixels a segment meets is found by the range of its parameter t within each: the intersection of intervals, some of them
-//! open at an end. The algorithm looks at corners and sides of lines instead.
+//! The check finds the pixels that a segment meets by the range of its parameter t within each: the intersection of
+//! intervals, some of them open at an end. The algorithm uses corners and sides of lines instead.
 //!
-//! A segment is held against all hot pixels in its box. Edges of chains are held against all whose ranges along x overlap.
+//! A segment is compared with all hot pixels in its box. Edges of chains are compared with all edges whose ranges along
+//! x overlap.
 
 use rug::Rational;
 
@@ -11,10 +12,10 @@ mod lattice;
 
 use lattice::{cross, distance2_at_least};
 
-/// A pixel by its centre, in units of pixels.
+/// A pixel as its centre, in units of pixels.
 pub type Pixel = [i64; 2];
 
-/// A drawing and what has become of it.
+/// A drawing and its rounded form.
 #[derive(Clone, Copy, Debug)]
 pub struct Rounded<'r> {
     /// Coordinates of the points.
@@ -23,26 +24,26 @@ pub struct Rounded<'r> {
     pub segments: &'r [[u32; 2]],
     /// Pairs of segments that cross in one point.
     pub crossings: &'r [[u32; 2]],
-    /// The logarithm of a pixel's side.
+    /// The binary logarithm of a pixel's side.
     pub exponent: i32,
     /// For each segment the pixels of its chain.
     pub chains: &'r [Vec<Pixel>],
-    /// Every so many segments are held against all hot pixels.
+    /// The stride of segments that are compared with all hot pixels.
     pub step: usize,
 }
 
-/// What a method of rounding promises, besides that chains lead from end to end.
+/// The guarantees of a rounding method, besides chains that lead from end to end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Promise {
     /// Each chain has the pixels of its ends and crossings, and may cross others.
     Rounded,
     /// Each chain has the hot pixels that its segment meets, and no others; chains do not cross.
     Snapped,
-    /// No edge of a chain meets a hot pixel that it does not end in; chains do not cross.
+    /// No edge of a chain meets a hot pixel in which it does not end; chains do not cross.
     Iterated,
 }
 
-/// A property that rounded drawings have and this one lacks, with the segments that show it by their places.
+/// A violated property of rounded drawings, with the indices of the segments that show it.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Flaw {
     /// A chain does not begin and end in the pixels of its segment's ends.
@@ -53,16 +54,16 @@ pub enum Flaw {
     Missing(usize),
     /// A chain has a pixel that its segment does not meet.
     Strange(usize),
-    /// The chain of a segment that goes one way along an axis goes the other way.
+    /// A chain goes backwards along an axis, though its segment goes one way.
     Backwards(usize),
     /// Edges of the chains of two segments cross, or a vertex of one is inside an edge of the other.
     Crossing(usize, usize),
-    /// An edge of a chain meets a hot pixel that it does not end in.
+    /// An edge of a chain meets a hot pixel in which it does not end.
     Near(usize),
 }
 
 impl Flaw {
-    /// The property that does not hold, in words.
+    /// The violated property, in words.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {
@@ -79,10 +80,10 @@ impl Flaw {
 
 type Point = [Rational; 2];
 
-/// All flaws of a rounded drawing, by what its method promises.
+/// All flaws of a rounded drawing, by the guarantees of its method.
 ///
 /// # Panics
-/// If a pair of segments is parallel, or something is named that is not there.
+/// If a pair of segments is parallel, or an index is out of range.
 #[must_use]
 pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
     let scale = |x: f64| Rational::from_f64(x).expect("finite") >> rounded.exponent;
@@ -127,7 +128,7 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
                 let is_near = |edge: &[Pixel]| {
                     let ends = [edge[0], edge[1]];
                     let line = ends.map(|pixel| pixel.map(Rational::from));
-                    // Of what it meets none but its ends, and then all other centres are half a pixel away.
+                    // The edge meets only the pixels of its ends, and all other centres are half a pixel away.
                     let mut others = boxed(&hot, ends).filter(|pixel| !ends.contains(pixel));
                     others.any(|pixel| meets([&line[0], &line[1]], pixel) || !distance2_at_least(ends, pixel, [1, 4]))
                 };
@@ -143,13 +144,14 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
     flaws
 }
 
-/// How many pairs of edges of chains cross, or of which one passes over an end of the other. Edges of several chains count once.
+/// The number of pairs of edges of chains that cross, or of which one passes over an end of the other. An edge of
+/// several chains counts once.
 #[must_use]
 pub fn new_crossings(chains: &[Vec<Pixel>]) -> usize {
     crossed(chains).count()
 }
 
-/// The pairs of edges that cross, by the first chains that they are of.
+/// The pairs of edges that cross, as the first chains that contain them.
 fn crossed(chains: &[Vec<Pixel>]) -> impl Iterator<Item = [usize; 2]> {
     let of_chain = |(at, chain): (usize, &Vec<Pixel>)| {
         let edge = move |edge: &[Pixel]| ([edge[0].min(edge[1]), edge[0].max(edge[1])], at);
@@ -161,13 +163,13 @@ fn crossed(chains: &[Vec<Pixel>]) -> impl Iterator<Item = [usize; 2]> {
     let count = edges.len();
     (0..count).flat_map(move |first| {
         let (e, of) = edges[first];
-        // Those that begin before it ends; the list is in the order of left ends.
+        // Edges that begin before it ends; the list is in the order of left ends.
         let later = edges[first + 1..].iter().take_while(|(f, _)| f[0][0] <= e[1][0]);
         later.filter(|(f, _)| cross(e, *f)).map(|&(_, other)| [of, other]).collect::<Vec<_>>()
     })
 }
 
-/// The hot pixels in the box of two.
+/// The hot pixels in the box of two pixels.
 fn boxed(hot: &[Pixel], [a, b]: [Pixel; 2]) -> impl Iterator<Item = Pixel> {
     let [low, high] = [[a[0].min(b[0]), a[1].min(b[1])], [a[0].max(b[0]), a[1].max(b[1])]];
     let from = hot.partition_point(|pixel| pixel[0] < low[0]);
@@ -175,7 +177,7 @@ fn boxed(hot: &[Pixel], [a, b]: [Pixel; 2]) -> impl Iterator<Item = Pixel> {
     columns.copied().filter(move |pixel| (low[1]..=high[1]).contains(&pixel[1]))
 }
 
-/// The pixel of a point: below its upper ends.
+/// The pixel of a point; its upper ends do not belong to it.
 fn pixel(point: &Point) -> Pixel {
     [0, 1].map(|axis| {
         let (_, low) = (point[axis].clone() + Rational::from((1, 2))).fract_floor(rug::Integer::new());
@@ -183,7 +185,7 @@ fn pixel(point: &Point) -> Pixel {
     })
 }
 
-/// The point where two segments' lines meet.
+/// The intersection of two segments' lines.
 fn meeting([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Point {
     let [ab, cd, ac] = [[a, b], [c, d], [a, c]].map(|[p, q]| [0, 1].map(|axis| Rational::from(&q[axis] - &p[axis])));
     let turn = |p: &Point, q: &Point| Rational::from(&p[0] * &q[1]) - Rational::from(&p[1] * &q[0]);
@@ -191,9 +193,9 @@ fn meeting([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Point {
     [0, 1].map(|axis| a[axis].clone() + Rational::from(&t * &ab[axis]))
 }
 
-/// Whether a + t(b − a) is in the pixel for some t from 0 to 1.
+/// True if a + t(b − a) is in the pixel for some t from 0 to 1.
 fn meets([a, b]: [&Point; 2], pixel: Pixel) -> bool {
-    // From the first t to the last, and whether each is left out.
+    // The first t and the last, each with true if it is excluded.
     let mut from = (Rational::new(), false);
     let mut to = (Rational::from(1), false);
     for axis in 0..2 {
@@ -207,7 +209,7 @@ fn meets([a, b]: [&Point; 2], pixel: Pixel) -> bool {
             continue;
         }
         let [low, high] = [low, high].map(|end| (end - &a[axis]) / &along);
-        // Going down, the upper end is passed first, and is left out.
+        // Downwards, the upper end comes first, and is excluded.
         let rises = along.cmp0().is_gt();
         let (first, last) = if rises { ((low, false), (high, true)) } else { ((high, true), (low, false)) };
         if first.0 > from.0 || (first.0 == from.0 && first.1) {

@@ -1,4 +1,4 @@
-//! The parts of the check against plainer ones.
+//! Tests of the parts of the check against simpler code.
 
 use super::*;
 
@@ -6,7 +6,7 @@ fn point(quarters: [i32; 2]) -> Point {
     quarters.map(|x| Rational::from((x, 4)))
 }
 
-/// Whether a point is in the half-open square around a centre.
+/// True if a point is in the half-open square around a centre.
 fn is_in(p: &Point, pixel: Pixel) -> bool {
     (0..2).all(|axis| {
         let off = p[axis].clone() - pixel[axis];
@@ -14,8 +14,9 @@ fn is_in(p: &Point, pixel: Pixel) -> bool {
     })
 }
 
-/// The same as `meets`: whether a point of the segment is in the pixel. Between the places where it passes a border's line
-/// it is all inside or all outside, so that these places, the ends and one place between any two are enough.
+/// Decides like `meets` if a point of the segment is in the pixel. Between the points where the segment passes a
+/// border's line it is completely inside or outside. So these points, the ends and one point between any two are
+/// enough.
 fn has_point_in([a, b]: [&Point; 2], pixel: Pixel) -> bool {
     let mut places = vec![Rational::new(), Rational::from(1)];
     for axis in 0..2 {
@@ -37,7 +38,8 @@ fn has_point_in([a, b]: [&Point; 2], pixel: Pixel) -> bool {
 
 #[test]
 fn segments_meet_the_pixels_that_they_have_a_point_in() {
-    // Quarters from -5/4 to 5/4, so that ends are inside, outside, on borders and corners of pixels around the origin.
+    // Quarters from -5/4 to 5/4, so that ends are inside, outside, on borders and on corners of pixels around the
+    // origin.
     let mut seen = [0; 2];
     let ends: Vec<[i32; 2]> = (-5..=5).flat_map(|x| (-5..=5).map(move |y| [x, y])).collect();
     for (at, &a) in ends.iter().enumerate() {
@@ -69,7 +71,7 @@ fn lines_meet_where_both_of_them_are() {
     assert_eq!(meet([0, 0], [4, 4], [0, 4], [4, 0]), point([2, 2]));
     assert_eq!(meet([1, 0], [1, 9], [0, 3], [7, 3]), point([1, 3]));
     assert_eq!(meet([0, 3], [7, 3], [1, 0], [1, 9]), point([1, 3]));
-    // y = x/2 + 1 and y = 3 - x/4, beyond the ends of the first one.
+    // The lines y = x/2 + 1 and y = 3 - x/4, beyond the ends of the first segment.
     assert_eq!(meet([0, 4], [4, 6], [0, 12], [16, 8]), [Rational::from((8, 3)), Rational::from((7, 3))]);
 }
 
@@ -93,10 +95,10 @@ fn edges_of_several_chains_cross_once() {
     assert_eq!(new_crossings(&[across.clone(), over.clone()]), 2);
     assert_eq!(new_crossings(&[across.clone(), over.clone(), over.clone(), across.clone()]), 2);
     assert_eq!(crossed(&[over.clone(), across.clone()]).collect::<Vec<_>>(), [[1, 0], [0, 1]]);
-    // Backwards they are the same edges.
+    // In reverse they are the same edges.
     let back: Vec<Pixel> = over.iter().rev().copied().collect();
     assert_eq!(new_crossings(&[across.clone(), over, back]), 2);
-    // An edge that ends where another begins does not cross it; one that passes over its end does.
+    // An edge that ends where another begins does not cross it; an edge that passes over its end does.
     assert_eq!(new_crossings(&[vec![[0, 0], [4, 0]], vec![[4, 0], [4, 4]]]), 0);
     assert_eq!(new_crossings(&[vec![[0, 0], [4, 0]], vec![[4, -4], [4, 4]]]), 1);
     assert_eq!(new_crossings(&[vec![[0, 0], [3, 0]], vec![[4, -4], [4, 4]]]), 0);

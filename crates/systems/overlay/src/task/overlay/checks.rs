@@ -1,18 +1,18 @@
-//! What is reported about arrangements and overlays.
+//! The checks in reports about arrangements and overlays.
 
 use crate::algorithm::overlay::Contradiction;
 use crate::checks::overlay::Check as Law;
 
 use predicament_tasks::Check;
 
-/// What the algorithm looks after itself.
+/// The invariants that the algorithm checks during its run.
 pub const RULES: &[&str] = Contradiction::RULES;
 
 const fn law(law: Law) -> Check {
     Check::topology(law.name(), law.law())
 }
 
-/// The same law, violated by no more than rounding.
+/// The check for a law that only rounding violates.
 const fn rounded(law: Law) -> Check {
     Check::rounded(law.name(), law.law())
 }

@@ -1,4 +1,4 @@
-//! `segments`, or two operands `first` and `second`: what is overlaid, and how.
+//! The keys of the task: `segments`, or two operands `first` and `second`; and the method.
 
 use crate::algorithm::overlay::{Edge, Method, Polygon, Rule};
 use predicament_corpus::{
@@ -9,26 +9,26 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 
 use predicament_tasks::map_source::MapSource;
 
-/// What is overlaid.
+/// The input of an overlay.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Layers {
-    /// Segments by their ends: their arrangement.
+    /// Segments as pairs of ends, to be arranged.
     Segments(Vec<[Vertex; 2]>),
-    /// Two operands, each loops of vertices, and what they bound.
+    /// Two operands, each as loops of vertices, and the rule for their inside.
     Polygons([Vec<Vec<Vertex>>; 2], Rule),
 }
 
-/// What is overlaid, and how.
+/// The input of an overlay, and the method.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Layered {
-    /// What.
+    /// The input.
     pub layers: Layers,
-    /// How segments that meet are found.
+    /// The method to find segments that meet.
     pub method: Method,
 }
 
 impl Layered {
-    /// The two operands; none where segments are arranged.
+    /// The two operands; `None` if segments are arranged.
     #[must_use]
     pub fn operands(&self) -> Option<[Polygon; 2]> {
         match &self.layers {
@@ -45,7 +45,7 @@ impl Layered {
         }
     }
 
-    /// How many segments or corners there are.
+    /// The number of segments or corners.
     #[must_use]
     pub fn size(&self) -> usize {
         match &self.layers {
@@ -78,7 +78,7 @@ impl Content for Layered {
         }
     }
 
-    /// None where there is nothing to overlay, as of two maps without rings.
+    /// Returns `None` if there is nothing to overlay, as with two maps without rings.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let mut words = vec![("method", format!("\"{}\"", method_name(self.method)))];
         let lists = match &self.layers {
@@ -155,7 +155,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     };
     let asked = OfPoints { points, layers, rule, method, file: fields.file().to_owned() };
     if asked.points.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // No cache is read: all coordinates are in the suite.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
@@ -252,7 +252,8 @@ impl OfPoints {
     }
 }
 
-/// Two maps, each an operand: what an odd number of its regions' rings is around. Points with equal coordinates are one.
+/// Two maps, each an operand: a point is inside if an odd number of its regions' rings surrounds it. Points with equal
+/// coordinates are merged.
 struct InMaps {
     maps: [Option<MapSource>; 2],
     rule: Rule,
@@ -271,7 +272,7 @@ impl Elsewhere for InMaps {
             notes.add(&imported.notes);
             let mut weld = |v: &Vertex| {
                 let point = imported.points[v.index()];
-                // Zero has two signs and one place.
+                // Zero has two signs and one position.
                 *welded.entry(point.map(|x| (x + 0.0).to_bits())).or_insert_with(|| {
                     points.push(point);
                     Vertex::input(points.len() - 1)

@@ -20,7 +20,7 @@ macro_rules! family {
     };
 }
 
-/// The families.
+/// The families of overlays.
 pub(super) static FAMILIES: [Family; 8] = [
     family!("overlay-segments", "short segments: each crosses about one other", lines, shapes::uniform),
     family!("overlay-grid", "upright and level lines of a grid that end on each other", lines, shapes::grid),

@@ -1,4 +1,4 @@
-//! Arrangements and results against the laws that they satisfy, decided in rationals.
+//! Judging of arrangements and results by their laws, decided in rationals.
 
 use crate::algorithm::overlay::Contradiction;
 use std::collections::BTreeMap;
@@ -12,14 +12,14 @@ use super::{Layered, Overlaid, Overlay2d};
 use predicament_tasks::rounding::{Excuse, Rounding};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
-/// Edges held against their neighbours, at the two levels.
+/// The number of edges compared with their neighbours, at the two levels.
 const EDGES_CROSSED: [usize; 2] = [1_000, 20_000];
-/// Points and components located, at the two levels.
+/// The number of points and components located, at the two levels.
 const LOCATED: [usize; 2] = [24, 200];
-/// Points that are located in results.
+/// The number of points that are located in results.
 const PROBES: usize = 200;
 
-/// What is sampled.
+/// The parts of the check that are sampled, as text.
 pub(super) fn sampled(content: &Layered) -> Option<String> {
     (content.size() > EDGES_CROSSED[0]).then(|| {
         "all nodes, chains and boundaries; edges against their neighbours, components and points: an even sample"
@@ -27,7 +27,7 @@ pub(super) fn sampled(content: &Layered) -> Option<String> {
     })
 }
 
-/// Judges an arrangement and, of polygons, the results.
+/// Judges an arrangement and, for polygons, the results.
 pub(super) fn judge(
     case: &Case<'_, Overlay2d>,
     asked: &Asked<'_>,
@@ -58,7 +58,7 @@ pub(super) fn judge(
     let mut excuse = None;
     if answer.rounded.is_some() && found.iter().any(|flaw| is_metric(&flaw)) {
         let (rounding, exactly) = at.exactly(case.scene(), answer);
-        // Of the laws that are not metric nothing is asked.
+        // Only the metric laws count here, so samples are minimal.
         let few = Expected { edges_crossed: 1, located: 1, ..expected };
         let violated = flaws(case, asked, answer, &exactly, few)?;
         let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
@@ -75,7 +75,7 @@ pub(super) fn judge(
     Ok(())
 }
 
-/// What violates a law with vertices at these places.
+/// The violated laws, with vertices at these positions.
 fn flaws(
     case: &Case<'_, Overlay2d>,
     asked: &Asked<'_>,
@@ -123,7 +123,7 @@ fn input(scene: &Scene, v: Vertex) -> Point {
     scene.point2(predicament_predicates::Plane::Xy, v).map(rational)
 }
 
-/// Where the vertices of an answer are: as they are, or as the session has rounded them.
+/// The positions of the vertices of an answer: exact, or as the session has rounded them.
 struct Places {
     of: BTreeMap<Vertex, Point>,
 }
@@ -150,7 +150,7 @@ impl Places {
         Ok(Places { of })
     }
 
-    /// The same with all that was rounded where it is exactly.
+    /// The positions with all rounded vertices replaced by their exact positions.
     fn exactly(&self, scene: &Scene, answer: &Overlaid) -> (Rounding<2>, Places) {
         let vertices = &answer.overlay.arrangement.vertices;
         let rounded = answer.rounded.iter().flatten().zip(vertices).filter(|(_, v)| v.is_constructed());
@@ -167,12 +167,12 @@ impl Places {
     }
 }
 
-/// The arrangement as numbers, with the segments that it has to be of.
+/// The arrangement as numbers, with the segments that it must represent.
 fn graph(scene: &Scene, wanted: &BTreeMap<[Vertex; 2], [i64; 2]>, answer: &Overlaid, at: &Places) -> Graph {
     let arrangement = &answer.overlay.arrangement;
     let subdivision = &arrangement.subdivision;
     let halves = 0..u32::try_from(2 * arrangement.pieces.len()).unwrap_or(u32::MAX);
-    // Each segment that it should be of, and the chain of it that there is, if there is.
+    // Each required segment, and its chain, if any.
     let place: BTreeMap<[Vertex; 2], usize> = arrangement.segments.iter().copied().zip(0..).collect();
     let chain = |segment: &[Vertex; 2]| place.get(segment).map_or_else(Vec::new, |&at| arrangement.chain(at).to_vec());
     Graph {
@@ -186,9 +186,9 @@ fn graph(scene: &Scene, wanted: &BTreeMap<[Vertex; 2], [i64; 2]>, answer: &Overl
     }
 }
 
-/// The segments that have to be in the arrangement, each once: all, or those that an operand passes in one direction more
-/// often than in the other (with an even-odd rule, an odd number of times). With each, for both operands, how often it is passed
-/// from its lower end to the other, less how often back.
+/// The segments that the arrangement must contain, each once: all, or those that an operand passes in one direction
+/// more often than in the other (with an even-odd rule, an odd number of times). With each, for both operands, the
+/// number of times that it is passed from its lower end to the other, less the times back.
 fn wanted(content: &Layered) -> BTreeMap<[Vertex; 2], [i64; 2]> {
     let mut passed: BTreeMap<[Vertex; 2], [i64; 2]> = BTreeMap::new();
     match &content.layers {
@@ -212,7 +212,7 @@ fn wanted(content: &Layered) -> BTreeMap<[Vertex; 2], [i64; 2]> {
     passed
 }
 
-/// Points in the scene's box, in no special place.
+/// Points in the scene's box, in general position.
 fn probes(scene: &Scene) -> Vec<Point> {
     let coordinates = scene.coordinates();
     let range = |axis: usize| {
@@ -220,7 +220,7 @@ fn probes(scene: &Scene) -> Vec<Point> {
         along.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], &x| [low.min(x), high.max(x)])
     };
     let ranges = [0, 1].map(range);
-    // Multiples of irrational numbers, roughly: spread evenly, and on no line that matters.
+    // Multiples of approximate irrational numbers: spread evenly, and not on any relevant line.
     let part = |at: usize, step: u64| {
         let at = u64::try_from(at).unwrap_or(0) + 1;
         rug::Rational::from((at.wrapping_mul(step) >> 11, 1_u64 << 53))

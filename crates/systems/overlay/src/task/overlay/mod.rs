@@ -1,7 +1,7 @@
-//! `overlay2d`: the arrangement of segments, and the Boolean operations on two polygons.
+//! The task `overlay2d`: the arrangement of segments, and the Boolean operations on two polygons.
 //!
-//! All intersections are found and constructed; what is inside of which operand goes from face to face. Wrong signs miss
-//! crossings and put vertices in the wrong order; then faces do not close, and areas do not add up.
+//! All intersections are found and constructed; the inside of each operand propagates from face to face. Wrong signs
+//! miss crossings and put vertices in the wrong order; then faces do not close, and areas do not add up.
 
 mod checks;
 mod content;
@@ -27,20 +27,20 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `overlay2d`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Overlay2d;
 
-/// An arrangement and, of polygons, the results.
+/// An arrangement and, for polygons, the results.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Overlaid {
-    /// The arrangement with winding numbers; of segments, the arrangement alone.
+    /// The arrangement with winding numbers; for segments, the arrangement alone.
     pub overlay: Overlay,
-    /// The results by [`Operation::ALL`]; empty for segments.
+    /// The results in the order of [`Operation::ALL`]; empty for segments.
     pub regions: [Regions; 4],
-    /// The scene with what was constructed.
+    /// The scene with the constructed vertices.
     pub scene: Option<Scene>,
-    /// What the session has rounded each node's vertex to; none where it rounds nothing.
+    /// The session's rounded position of each node's vertex; `None` if it rounds nothing.
     pub rounded: Option<Vec<[f64; 2]>>,
 }
 
@@ -48,7 +48,7 @@ impl Overlaid {
     /// Overlays a scene.
     ///
     /// # Errors
-    /// [`Refused`] where the session does not construct a crossing.
+    /// [`Refused`] if the session does not construct a crossing.
     fn of(session: &mut dyn Predicates, content: &Layered) -> Result<Overlaid, Refused> {
         let (overlay, regions) = match content.operands() {
             None => {
@@ -69,7 +69,7 @@ impl Overlaid {
         Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded })
     }
 
-    /// The name of a vertex that does not depend on what else was constructed.
+    /// A name of a vertex that does not depend on other constructions.
     fn name(&self, v: Vertex) -> [u64; 4] {
         use predicament_predicates::Construction::Ssi;
         let id = |v: Vertex| v.index() as u64;
@@ -80,7 +80,7 @@ impl Overlaid {
     }
 }
 
-/// Of definitions, not of the order in which vertices were constructed: both methods have the same.
+/// Digests definitions, not the order of construction: both methods give the same digest.
 impl Answer for Overlaid {
     fn digest(&self) -> u64 {
         let arrangement = &self.overlay.arrangement;
@@ -170,7 +170,7 @@ impl Task for Overlay2d {
         true
     }
 
-    /// The truth is in the laws, and in the operands.
+    /// The task has no separate truth: the laws and the operands suffice.
     fn truth(&self, _: &Scene, _: &Layered, watch: &Watch) -> Result<(), Stop> {
         watch.done(0)
     }
@@ -229,7 +229,7 @@ impl Task for Overlay2d {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// Each result as a picture and GeoJSON, the arrangement as JSON, and all vertices exactly.
+    /// Writes each result as a picture and GeoJSON, the arrangement as JSON, and all vertices exactly.
     fn write(
         &self,
         scene: &Scene,

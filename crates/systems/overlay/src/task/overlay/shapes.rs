@@ -1,4 +1,4 @@
-//! Segments and pairs of polygons: points, and places among them.
+//! Generated segments and pairs of polygons: points, and indices of them.
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two, step};
@@ -36,7 +36,7 @@ fn small(n: usize) -> i64 {
     i64::try_from(n).expect("scenes are smaller than memory")
 }
 
-/// Short ones, uniform in the unit square: each crosses about one other.
+/// Short segments, uniform in the unit square: each crosses about one other.
 pub(super) fn uniform(n: usize, rng: &mut Random) -> Lines {
     let length = 1.5 / integer(small(n.isqrt().max(1)));
     let mut lines = Lines::default();
@@ -48,7 +48,8 @@ pub(super) fn uniform(n: usize, rng: &mut Random) -> Lines {
     lines
 }
 
-/// Upright and level lines of a square grid, their ends on the outermost ones: in every point two cross or touch.
+/// Vertical and horizontal lines of a square grid, with their ends on the outermost lines: in every point two cross or
+/// touch.
 pub(super) fn grid(n: usize, _: &mut Random) -> Lines {
     let side = small((n / 2).max(2));
     let mut lines = Lines::default();
@@ -60,12 +61,12 @@ pub(super) fn grid(n: usize, _: &mut Random) -> Lines {
     lines
 }
 
-/// Through one point, exactly.
+/// Segments through one point, exactly.
 pub(super) fn pencil(n: usize, rng: &mut Random) -> Lines {
     let most = 1 << 20;
     let mut lines = Lines::default();
     for at in 0..n {
-        // Spread around, each direction another one.
+        // Spread around, each with a different direction.
         let along = small(at) * 2 - small(n);
         let [x, y] = if at % 2 == 0 { [integer(along), integer(most)] } else { [integer(most), integer(along)] };
         let reach = integer(rng.integer(1, 4));
@@ -88,12 +89,14 @@ pub(super) fn bundles(n: usize, rng: &mut Random) -> Lines {
     lines
 }
 
-/// A polygon around a point, its corners at distances from `low` to 1 of it; the first half right, the other left.
+/// A star-shaped polygon around a point, with corners at distances from `low` to 1; the first half of the corners is on
+/// the right, the other half on the left.
 fn star(n: usize, [x, y]: [f64; 2], low: f64, rng: &mut Random) -> Vec<[f64; 2]> {
     let corners = n.max(4);
     let [first, second] = [corners / 2, corners - corners / 2];
     let mut points = Vec::with_capacity(corners);
-    // On each half circle by the tangent of half the angle; only the four operations, which are the same everywhere.
+    // Points on each half circle by the tangent of half the angle: only the four basic operations, which give the same
+    // results on every platform.
     for (count, side) in [(first, 1.0), (second, -1.0)] {
         for at in 0..count {
             let t = (integer(small(at)) + rng.between(0.25, 0.75)) / integer(small(count)) * 2.0 - 1.0;
@@ -114,7 +117,7 @@ pub(super) fn stars(n: usize, rng: &mut Random) -> Pair {
     pair
 }
 
-/// A star and the same one moved to the right by one ulp of its largest coordinate.
+/// A star, and the same star moved to the right by one ulp of its largest coordinate.
 pub(super) fn shifted(n: usize, rng: &mut Random) -> Pair {
     let mut pair = Pair::default();
     let corners = star(n, [3.0, 3.0], 0.5, rng);
@@ -124,7 +127,7 @@ pub(super) fn shifted(n: usize, rng: &mut Random) -> Pair {
     pair
 }
 
-/// A comb with upright teeth and one with level ones: every tooth crosses every other, and edges lie on each other.
+/// A comb with vertical teeth and one with horizontal teeth: every tooth crosses every other, and edges overlap.
 pub(super) fn combs(n: usize, _: &mut Random) -> Pair {
     let teeth = small((n / 4).max(1));
     let width = 2 * teeth;
@@ -137,13 +140,13 @@ pub(super) fn combs(n: usize, _: &mut Random) -> Pair {
     }
     let mut pair = Pair::default();
     pair.push(0, corners.iter().map(|p| p.map(integer)).collect());
-    // Mirrored on the diagonal, and turned back to counterclockwise.
+    // Mirrored on the diagonal, and reversed to counterclockwise.
     pair.push(1, corners.iter().rev().map(|&[x, y]| [integer(y), integer(x)]).collect());
     pair
 }
 
-/// Squares of integer sides in rows, some on top of each other, with and against the clock: edges are shared in whole and in
-/// parts.
+/// Squares of integer sides in rows, some on top of each other, clockwise and counterclockwise: edges are shared
+/// completely and in part.
 pub(super) fn squares(n: usize, rng: &mut Random) -> Pair {
     let mut pair = Pair::default();
     let side = small(n.isqrt().max(2));

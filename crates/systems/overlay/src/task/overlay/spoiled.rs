@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use crate::algorithm::overlay::Contradiction;
 use predicament_mesh::Nesting;
@@ -7,7 +7,7 @@ use super::{Overlaid, Overlay2d};
 use predicament_tasks::rounding::{far, one_place, spoiled};
 use predicament_tasks::{Class, Spoiled};
 
-/// The nodes as doubles: see [`spoiled`].
+/// The nodes as moved doubles: see [`spoiled`].
 fn rounded(answer: &Overlaid, moved: fn(f64) -> f64) -> Option<Vec<[f64; 2]>> {
     let scene = answer.scene.as_ref()?;
     let places = spoiled::<2>(scene, scene.constructions(), moved)?;

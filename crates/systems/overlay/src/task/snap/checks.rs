@@ -1,10 +1,10 @@
-//! What is reported about rounded drawings.
+//! The checks in reports about rounded drawings.
 
 use super::Contradiction;
 use crate::task::overlay::RULES as ARRANGEMENT;
 use predicament_tasks::Check;
 
-/// What is looked after here.
+/// The invariants that the algorithm checks during its run.
 const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[

@@ -1,4 +1,4 @@
-//! `points`, `segments`, `pixel` and `method`, and families of segments.
+//! The keys `points`, `segments`, `pixel` and `method`, and families of segments.
 
 use crate::algorithm::snap::Method;
 use predicament_corpus::{
@@ -11,14 +11,14 @@ use predicament_predicates::{Scene, Vertex};
 use predicament_crossings::task::content::{lattice, near, uniform};
 use predicament_tasks::segment_source::SegmentSource;
 
-/// Segments, and the pixels that they are rounded to.
+/// Segments, and the pixels to which they are rounded.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Drawn {
-    /// The segments by their ends, the lower one first; ascending, each once, none without length.
+    /// The segments as pairs of ends, the lower one first; ascending, each once, all with a length.
     pub segments: Vec<[Vertex; 2]>,
-    /// A pixel's side is 2 to this power.
+    /// The binary logarithm of a pixel's side.
     pub pixel: i32,
-    /// How they are rounded.
+    /// The method of rounding.
     pub method: Method,
 }
 
@@ -44,7 +44,7 @@ impl Content for Drawn {
         canon.vertices(self.segments.as_flattened());
     }
 
-    /// None where all segments were of one point each: a suite has no such segments.
+    /// Returns `None` if every segment is a single point: a suite cannot contain such segments.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let lists = vec![List::required("segments", Items::tuples(&self.segments))];
         let words = vec![("pixel", (-self.pixel).to_string()), ("method", format!("\"{}\"", method_name(self.method)))];
@@ -91,7 +91,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
         line: fields.line(),
     };
     if asked.source.is_written() {
-        // Nothing is read from a cache: everything is written out.
+        // No cache is read: all coordinates are in the suite.
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
@@ -122,7 +122,7 @@ impl Elsewhere for Asked {
     }
 }
 
-/// A point that pixels of this size are too small or too large for.
+/// A point for which pixels of this size are too small or too large.
 fn too_far(scene: &Scene, pixel: i32) -> Option<Vertex> {
     use crate::algorithm::snap::{Drawing, SnapError, snap};
     let points: Vec<[f64; 2]> = super::points(scene);
@@ -168,7 +168,7 @@ fn recipe(fields: &Fields<'_, '_>, points: fn(usize, &mut Random) -> Vec<[f64; 2
     Ok(Recipe::new(|n| 4 * n, make))
 }
 
-/// From two points at the left to points in a column at the right, in order and in the opposite order.
+/// Segments from two points at the left to points in a column at the right, in order and in the opposite order.
 fn fans(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     (0..n).flat_map(|at| [[0.0, if at % 2 == 0 { 0.25 } else { 0.75 }], [1.0, rng.unit()]]).collect()
 }

@@ -1,9 +1,9 @@
-//! The rules that rounding relies on.
+//! The invariants that rounding relies on.
 
 use predicament_predicates::contradiction;
 
 contradiction! {
-    /// A rule that signs break on the way to chains.
+    /// An invariant that signs break before chains are made.
     pub enum Contradiction {
         Segments: "an arrangement has the segments that were given", "an arrangement does not have the segments that were given";
         NoPoint: "segments that cross have a point in common", "segments that cross have no point in common";

@@ -1,4 +1,4 @@
-//! Chains against their definition, with crossings found in rationals.
+//! Judging of chains by their definition, with crossings found in rationals.
 
 use crate::algorithm::snap::{Drawing, Method};
 use crate::checks::snap::{Flaw, Promise, Rounded, flaws, new_crossings};

@@ -1,7 +1,7 @@
-//! `snap2d`: segments brought back to doubles, by snap rounding and by rounding each crossing.
+//! The task `snap2d`: segments rounded to doubles, by snap rounding and by rounding each crossing.
 //!
-//! The predicates under test find the arrangement; how it is rounded is exact. So a wrong sign shows as a crossing that
-//! is not hot, and what rounding itself does shows under exact signs, method by method, in `snap.csv`.
+//! The predicates under test find the arrangement; its rounding is exact. So a wrong sign shows as a crossing that is
+//! not hot. The effect of rounding itself shows under exact signs, method by method, in `snap.csv`.
 
 mod checks;
 mod content;
@@ -34,16 +34,16 @@ use predicament_tasks::{
     Stop, Task, Turns, Watch, digest, output,
 };
 
-/// The task.
+/// The task `snap2d`.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Snap2d;
 
 /// The chains of all segments.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]
 pub struct Chains {
-    /// Pixels and chains.
+    /// The rounded drawing: pixels and chains.
     pub snapped: Snapped,
-    /// The first rule that signs have broken.
+    /// The first rule that signs break.
     pub broken: Option<Contradiction>,
 }
 
@@ -71,8 +71,8 @@ fn points(scene: &Scene) -> Vec<[f64; 2]> {
     scene.vertices().map(|v| [scene.point(v)[0], scene.point(v)[1]]).collect()
 }
 
-/// The incidences of an arrangement: pairs of segments that cross, and segments with the points on them. `in_line` says whether two
-/// segments are in one line.
+/// The incidences of an arrangement: pairs of segments that cross, and segments with the points on them. `in_line` is
+/// true for two segments on one line.
 fn incidences(
     scene: &Scene,
     arrangement: &Arrangement,
@@ -89,7 +89,8 @@ fn incidences(
                         ends.sort_unstable();
                         place(ends)
                     });
-                    // One of the two that define it: not itself, and not one in line with it, such as itself once more.
+                    // One of the two segments that define it: not the segment itself, and not one in line with it, such
+                    // as a copy.
                     let others = by.into_iter().flatten().filter(|&other| other != number(segment));
                     let ends = |of: usize| arrangement.segments[of];
                     let other = others.into_iter().find(|&other| !in_line(ends(segment), ends(other as usize)));
@@ -104,7 +105,7 @@ fn incidences(
     (crossings, touching)
 }
 
-/// Arranges and rounds.
+/// Computes the arrangement and rounds it.
 fn solve(session: &mut dyn Predicates, content: &Drawn) -> Result<Chains, Halt> {
     let edges: Vec<Edge> = content.segments.iter().map(|&[a, b]| Edge::whole(a, b)).collect();
     let arrangement = arrange(session, &edges, overlay::Method::Grid)?;
@@ -273,7 +274,7 @@ impl Task for Snap2d {
             .iter()
             .zip(&content.segments)
             .map(|(chain, [a, b])| {
-                // A line of GeoJSON has two positions at least.
+                // A line of GeoJSON has at least two positions.
                 let line: Vec<[f64; 2]> = if chain.len() == 1 { chain.repeat(2) } else { chain.clone() };
                 serde_json::json!({
                     "type": "Feature",

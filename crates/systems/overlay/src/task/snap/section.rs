@@ -1,4 +1,4 @@
-//! `snap.csv` and what a report makes of it: what rounding did to drawings, by method.
+//! The table `snap.csv` and its section in a report: the effect of rounding on drawings, by method.
 
 use predicament_records::{Error, Row, RowError, RunDir};
 use predicament_report::layout::{run_head, run_label};
@@ -36,7 +36,7 @@ predicament_records::table! {
     }
 }
 
-/// The section of a report: none where nothing was rounded.
+/// The section of a report; `None` if nothing was rounded.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let mut table = Table::new("Drawings after rounding")
         .words(run_head(runs))

@@ -1,4 +1,4 @@
-//! Right answers with faults planted in them: what proves the checks that no backend's fault needs.
+//! Right answers with planted faults: they test the checks that no backend's fault reaches.
 
 use super::{Chains, Contradiction, Snap2d};
 use predicament_tasks::{Class, Spoiled};

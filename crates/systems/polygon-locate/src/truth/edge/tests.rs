@@ -1,11 +1,11 @@
-//! Places of all points of a small grid as seen from all its edges, by definition.
+//! Positions of all points of a small grid as seen from all its edges, by definition.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off, Scene};
 
 use super::*;
 
-/// By products and differences: the edge's point above x, if there is one, is compared with the point.
+/// The position by products and differences: the edge's point above x, if there is one, is compared with the point.
 fn defined([u, v]: [[i32; 2]; 2], p: [i32; 2]) -> Place {
     let [left, right] = if u[0] <= v[0] { [u, v] } else { [v, u] };
     match (p == u, p == v) {
@@ -15,7 +15,7 @@ fn defined([u, v]: [[i32; 2]; 2], p: [i32; 2]) -> Place {
         (false, false) => {}
     }
     let width = right[0] - left[0];
-    // How far the edge is above the point, times the width.
+    // The height of the edge above the point, times the width.
     let above = (left[1] - p[1]) * width + (right[1] - left[1]) * (p[0] - left[0]);
     let is_on_line = if width == 0 { p[0] == u[0] } else { above == 0 };
     let within = |axis: usize| (u[axis].min(v[axis])..=u[axis].max(v[axis])).contains(&p[axis]);

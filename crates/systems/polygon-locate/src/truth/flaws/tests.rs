@@ -1,4 +1,4 @@
-//! How edges of a small grid meet, by definition.
+//! Tests of the ways in which edges of a small grid meet, by definition.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off};
@@ -10,7 +10,7 @@ fn area([a, b, c]: [[i32; 2]; 3]) -> i32 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether the edges have all of some small segment in common: a sixtieth of one of them.
+/// True if the edges have a whole small segment in common: a sixtieth of one of them.
 fn overlap([a, b]: [[i32; 2]; 2], [c, d]: [[i32; 2]; 2]) -> bool {
     let scaled = |p: [i32; 2]| p.map(|x| 60 * x);
     let at = |i: i32| [0, 1].map(|axis| a[axis] * (60 - i) + b[axis] * i);
@@ -40,7 +40,7 @@ fn edges_of_a_grid_meet_as_defined() {
         crossings += usize::from(crosses);
         overlaps += usize::from(overlaps_it);
     }
-    // Every edge overlaps itself. On each of eight lines the long one and either half do, in both orders.
+    // Every edge overlaps itself. On each of eight lines the long edge overlaps either half, in both orders.
     assert_eq!(overlaps, 36 + 8 * 4);
     assert!(crossings > 50, "{crossings}");
 }

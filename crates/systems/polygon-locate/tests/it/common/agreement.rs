@@ -1,8 +1,7 @@
-//! Every way to locate points, held against every other one.
+//! Comparison of all methods of point location.
 //!
-//! The truth is winding numbers in rationals. The paper's own test is asked in
-//! its plain form and in its indexed one, and the generic code twice, by its
-//! shortcut and with every edge asked about.
+//! The truth is winding numbers in rationals. The paper's own test runs in its plain form and in its indexed form. The
+//! generic code runs twice, by its shortcut and with a query about every edge.
 
 use predicament_exact::Exact;
 use predicament_mesh::PolygonMap;
@@ -15,8 +14,8 @@ use rug::Rational;
 use super::maps::problem;
 use crate::common::winding::{Truth, brute_force, with};
 
-/// A map with places that are probed twice: by a vertex that is numbered
-/// before all of the map's, and by one that is numbered after them.
+/// A map with positions that are probed twice: by a vertex numbered before all of the map's vertices, and by a vertex
+/// numbered after them.
 pub struct Probed {
     pub map: PolygonMap,
     pub scene: Scene,
@@ -32,7 +31,7 @@ pub fn sign_of_d(l: Point, r: Point, p: Point) -> Sign {
     Sign::from(d.cmp0())
 }
 
-/// The same for p + (ε, ε²) where D is zero: to the right and less up.
+/// The sign of D for p + (ε, ε²) where D is zero: moved to the right and less up.
 pub fn sign_of_moved_d(l: Point, r: Point, p: Point) -> Sign {
     match sign_of_d(l, r, p) {
         Sign::Zero if l[1] < r[1] => Sign::Negative,
@@ -49,12 +48,12 @@ impl Probed {
         Probed { index: LocateIndex::new(&map, &scene), map, scene, places: places.len() }
     }
 
-    /// The two vertices at a place: the one before the map, and the one after it.
+    /// The two vertices at a position: the one before the map, and the one after it.
     pub fn probes(&self, place: usize) -> [Vertex; 2] {
         [place, self.scene.len() - self.places + place].map(Vertex::input)
     }
 
-    /// Asserts that all agree about all places.
+    /// Asserts that all methods agree about all positions.
     pub fn check(&self) {
         let sos = Sos::default();
         let sessions = (Exact.prepare(&self.scene, Off).unwrap(), sos.prepare(&self.scene, Off).unwrap());
@@ -63,8 +62,8 @@ impl Probed {
         }
     }
 
-    /// Where a session that should be exact, one that should break ties and a
-    /// determinant that should be right are not.
+    /// Descriptions of the positions at which a session that should be exact, one that should break ties, or a
+    /// determinant that should be right, is wrong.
     pub fn disagreements(
         &self,
         exact: &impl Predicates,
@@ -115,14 +114,15 @@ impl Probed {
         found
     }
 
-    /// Inside and on the boundary, by the shortcut if that is what asking everything gives.
+    /// The regions that contain `q`, and those whose boundary does, if the shortcut and the query about every edge
+    /// agree.
     fn generic(&self, session: &impl Predicates, q: Vertex) -> Option<[Vec<u32>; 2]> {
         let mut scratch = Scratch::new();
         let shortcut = lists(self.index.locate(session, q, &mut scratch));
         (shortcut == lists(self.index.question(session, q, &mut scratch))).then_some(shortcut)
     }
 
-    /// The same of both indexed forms of the special test.
+    /// The regions by both indexed forms of the paper's test, if they agree.
     fn specially(&self, q: Vertex, sign_of_d: &impl Fn(Point, Point, Point) -> Sign) -> Option<[Vec<u32>; 2]> {
         let mut scratch = Scratch::new();
         let point = self.scene.point2(Plane::Xy, q);
@@ -140,7 +140,7 @@ fn of_answer(answers: &[Result<bool, OnEdge>], wanted: Result<bool, OnEdge>) -> 
     (0..).zip(answers).filter(|(_, answer)| **answer == wanted).map(|(region, _)| region).collect()
 }
 
-/// All places with coordinates from `low` to `high` in steps of `step`.
+/// All points with coordinates from `low` to `high` in steps of `step`.
 pub fn grid(low: f64, high: f64, step: f64) -> Vec<[f64; 2]> {
     let along: Vec<f64> = std::iter::successors(Some(low), |x| Some(x + step)).take_while(|x| *x <= high).collect();
     along.iter().flat_map(|&y| along.iter().map(move |&x| [x, y])).collect()

@@ -1,4 +1,4 @@
-//! Maps by indices.
+//! Maps given by indices.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
@@ -7,7 +7,7 @@ fn ids(indices: impl IntoIterator<Item = usize>) -> Vec<Vertex> {
     indices.into_iter().map(Vertex::input).collect()
 }
 
-/// Rings over the first vertices; every vertex of the scene is a query.
+/// A map of rings over the first vertices; every vertex of the scene is a query.
 pub fn problem(points: &[[f64; 2]], regions: &[Vec<Vec<usize>>]) -> (PolygonMap, Scene) {
     let mut map = PolygonMap::new();
     for (at, rings) in regions.iter().enumerate() {

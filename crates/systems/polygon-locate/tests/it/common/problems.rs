@@ -1,4 +1,4 @@
-//! Maps to try faults on.
+//! Maps for planted faults.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
@@ -11,9 +11,8 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// Probes are new vertices: at every corner, halfway along every edge, and
-    /// at the doubles next to all of those, above, below, left and right; then
-    /// the map's own vertices.
+    /// Adds probes as new vertices: at every corner, halfway along every edge, and at the doubles next to all of those,
+    /// above, below, left and right. The map's own vertices follow.
     pub fn new(corners: &[[f64; 2]], regions: &[Vec<Vec<usize>>]) -> Problem {
         let mut map = PolygonMap::new();
         for (at, rings) in regions.iter().enumerate() {
@@ -37,8 +36,8 @@ impl Problem {
 }
 
 impl Problem {
-    /// The same map with other numbers. A perturbation goes by the number, and
-    /// as long as all probes come last, they all move less than the map does.
+    /// The same map with other numbers. A perturbation depends on the number; if all probes came last, they would all
+    /// move less than the map does.
     pub fn scattered(&self) -> Problem {
         let count = self.scene.len();
         let stride = (count / 3..).find(|&stride| gcd(stride, count) == 1).expect("there are primes");
@@ -62,7 +61,7 @@ fn gcd(a: usize, b: usize) -> usize {
     if b == 0 { a } else { gcd(b, a % b) }
 }
 
-/// n × n unit squares with integer corners: every second edge is vertical.
+/// A map of n × n unit squares with integer corners: every second edge is vertical.
 pub fn squares(n: usize) -> Problem {
     let (corners, regions) = square_cells(n);
     Problem::new(&corners, &regions)
@@ -79,8 +78,8 @@ pub fn square_cells(n: usize) -> (Vec<[f64; 2]>, Vec<Vec<Vec<usize>>>) {
     (corners, (0..n * n).map(cell).collect())
 }
 
-/// Courses of bricks of length 2, each shifted by 1 against the one below;
-/// a brick has the joints of its neighbours as vertices on its long sides.
+/// Courses of bricks of length 2, each shifted by 1 against the one below. A brick has the joints of its neighbours as
+/// vertices on its long sides.
 pub fn bricks(courses: usize) -> Problem {
     let width = 2 * courses + 2;
     let at = |x: usize, y: usize| x + y * width;
@@ -101,7 +100,7 @@ pub fn bricks(courses: usize) -> Problem {
     Problem::new(&corners, &regions)
 }
 
-/// An L with a hole, an island in the hole, and a sea around all.
+/// An L with a hole, an island in the hole, and a sea around everything.
 pub fn island() -> Problem {
     let l = [[0., 0.], [8., 0.], [8., 3.], [6., 6.], [6., 8.], [0., 8.]];
     let hole = [[2., 2.], [4., 2.], [5., 4.], [2., 5.]];

@@ -1,4 +1,4 @@
-//! Rings and points in which degeneracies abound.
+//! Generators of highly degenerate rings and points.
 
 use proptest::prelude::*;
 

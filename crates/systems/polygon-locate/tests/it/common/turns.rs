@@ -1,9 +1,9 @@
-//! Sessions that are exact but for their turns.
+//! Sessions that are exact except for their turns.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off, Plane, Predicates, Scene, Sign, Vertex, forward_to};
 
-/// Answers exactly, but turns as it is told.
+/// A session that is exact, except that a function decides its turns.
 pub struct Turns<'s, F> {
     exact: <Exact as Backend>::Session<'s, Off>,
     reach: f64,
@@ -19,7 +19,7 @@ pub fn one_flip(scene: &Scene, flipped: [Vertex; 3]) -> Turns<'_, impl Fn(Sign, 
     Turns { exact: Exact.prepare(scene, Off).unwrap(), reach: 0.0, turn }
 }
 
-/// Sees points on an edge that are no more than `reach` above or below it.
+/// A session that sees points on an edge if they are at most `reach` above or below it.
 pub fn banded(scene: &Scene, reach: f64) -> Turns<'_, impl Fn(Sign, &Scene, Plane, [Vertex; 3]) -> Sign> {
     let turn = move |_, scene: &Scene, plane, args: [Vertex; 3]| {
         let [a, b, c] = args.map(|v| scene.point2(plane, v));

@@ -1,11 +1,11 @@
-//! A second way to locate points: winding numbers over rationals, every edge
-//! for every query, a ray to the *right*. It shares nothing with the crate.
+//! An independent method of point location: winding numbers over rationals, every edge for every query, a ray to the
+//! *right*. It shares nothing with the crate.
 
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Scene, Vertex};
 use rug::Rational;
 
-/// What brute force says about one region.
+/// The brute-force answer for one region.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Truth {
     /// An odd winding number.
@@ -16,16 +16,16 @@ pub enum Truth {
     Boundary,
 }
 
-/// A place in the plane.
+/// A point in the plane.
 pub type Point = [Rational; 2];
 
-/// Where a vertex is.
+/// The coordinates of a vertex.
 pub fn point(scene: &Scene, v: Vertex) -> Point {
     let p = scene.point(v);
     [0, 1].map(|axis| Rational::from_f64(p[axis]).expect("finite"))
 }
 
-/// (v − u) × (p − u)
+/// The value (v − u) × (p − u).
 fn turn(u: &Point, v: &Point, p: &Point) -> Rational {
     let [ux, uy] = u;
     let run = Rational::from(&v[0] - ux) * Rational::from(&p[1] - uy);
@@ -36,12 +36,12 @@ fn is_between(a: &Rational, b: &Rational, x: &Rational) -> bool {
     (a <= x && x <= b) || (b <= x && x <= a)
 }
 
-/// Where `q` is, for every region.
+/// The location of `q`, for every region.
 pub fn brute_force(map: &PolygonMap, scene: &Scene, q: Vertex) -> Vec<Truth> {
     winding_numbers(map, &|v| point(scene, v), &point(scene, q))
 }
 
-/// Where `q` is, for every region, with vertices wherever they are said to be.
+/// The location of `q`, for every region, with vertex positions given by a function.
 pub fn winding_numbers(map: &PolygonMap, at: &dyn Fn(Vertex) -> Point, q: &Point) -> Vec<Truth> {
     let region = |region: &predicament_mesh::Region| {
         let mut winding = 0_i32;

@@ -1,4 +1,4 @@
-//! Single answers against known surroundings: each fault by the smallest answer that has it.
+//! Tests of single answers against known surroundings: each fault by the smallest answer that has it.
 
 use predicament_exact::Exact;
 use predicament_polygon_locate::algorithm::Locations;
@@ -9,7 +9,7 @@ use predicament_predicates::{Backend, Off, Vertex, ZeroMeaning};
 use super::Case;
 use crate::common::problems::{Problem, square_cells};
 
-/// Nine cells of which the middle one comes twice, as the regions 8 and 9; the last one comes not at all.
+/// Nine cells: the middle one occurs twice, as the regions 8 and 9; the last one is missing.
 fn cells() -> Case {
     let (corners, mut regions) = square_cells(3);
     let middle = regions.remove(4);
@@ -21,8 +21,8 @@ fn cells() -> Case {
 
 const MEANINGS: [ZeroMeaning; 3] = [ZeroMeaning::Band, ZeroMeaning::Exact, ZeroMeaning::Never];
 
-/// What is wrong with one answer, by what a zero means. The probe is the first or the last one there: the last one is
-/// the map's own vertex.
+/// The fault of one answer, by the meaning of zero. The probe is the first or the last one at the point: the last one
+/// is the map's own vertex.
 fn faults(case: &Case, point: [f64; 2], own: bool, answer: (&[u32], &[u32])) -> [Option<Fault>; 3] {
     let is_there = |probe: &&Vertex| case.problem.scene.point(**probe) == point;
     let probes = &case.problem.probes;
@@ -101,7 +101,8 @@ fn answers_on_a_border_are_judged_by_its_two_sides() {
             (&[0, 1], &[], DOUBLE),
         ],
     );
-    // A vertex of the map is on its own edges, however it is moved. One beside it in number only is not.
+    // A vertex of the map is on its own edges, however it moves. A probe with another number at the same position is
+    // not.
     assert_faults(&case, [1.0, 0.0], true, &[(&[], &[0, 1], NONE), (&[], &[], MISSED), (&[], &[0, 2], FALSE)]);
     assert_faults(&case, [1.0, 0.0], false, &[(&[], &[0, 1], UNBROKEN), (&[], &[], MISSED)]);
 }
@@ -140,7 +141,7 @@ fn answers_are_counted_by_the_ground_and_by_what_they_name() {
     let case = cells();
     let exact = Exact.prepare(&case.problem.scene, Off).unwrap();
     let at = |point: [f64; 2]| *case.problem.probes.iter().find(|v| case.problem.scene.point(**v) == point).unwrap();
-    // Ten times on land, once in the sea.
+    // Ten probes on land, one in the sea.
     let probes: Vec<Vertex> = (0..10).map(|_| at([0.25, 0.125])).chain([at([2.25, 2.125])]).collect();
     let around = surroundings(&case.edges, &exact, &probes);
     let answers = [(&[0][..], &[0][..]), (&[], &[]), (&[], &[]), (&[0], &[]), (&[0], &[]), (&[0], &[]), (&[0, 1], &[])];
@@ -164,7 +165,7 @@ fn gaps_doubles_and_misplaced_answers_are_faults_of_the_topology() {
     assert!(!promises.into_iter().any(Fault::is_topological));
 }
 
-/// A corner on the middle of another region's side, with no edge on an edge.
+/// Tests a corner on the middle of another region's side, without an edge on an edge.
 #[test]
 fn a_corner_on_a_side_is_a_defect_there_alone() {
     let corners = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 4.0], [3.0, 6.0], [1.0, 6.0]];
@@ -179,7 +180,7 @@ fn a_corner_on_a_side_is_a_defect_there_alone() {
 
 #[test]
 fn all_vertices_in_one_place_are_duplicates_of_the_first() {
-    // Three triangles with a corner each at the origin, of which one has −0.
+    // Three triangles with a corner each at the origin, one with −0.
     let corners = [
         [0.0, 0.0],
         [4.0, 1.0],

@@ -1,48 +1,48 @@
-//! Lines and planes, each by points of it.
+//! Lines and planes, each given by points of it.
 
 use predicament_predicates::{Dimension, Question};
 
 use predicament_corpus::Random;
 use predicament_formats::bits::{integer, power_of_two};
 
-/// Coordinates in the order in which a family thinks of them: those that are
-/// asked about come first. In the plane the third one is 0.
+/// A point with coordinates in the family's own order: coordinates that the question uses come first. In the plane the
+/// third one is 0.
 pub(super) type Point = [f64; 3];
 /// Two points of a line or three of a plane.
 pub(super) type Flat = Vec<Point>;
 
-/// Where lines and planes come from.
+/// The source of lines and planes.
 pub(super) enum Source {
     /// Points uniform in the unit square or cube.
     Anywhere,
-    /// Through the rational point `numerator / denominator`, times [`UNIT`].
+    /// Lines and planes through the rational point `numerator / denominator`, times [`UNIT`].
     Pencil { numerator: [i64; 3], denominator: i64 },
 }
 
 /// The exponent of the unit of a pencil's coordinates, which are integers below 2^48.
 const UNIT: i64 = -48;
-/// Numerators are as large, times the denominator.
+/// The magnitude of numerators, times the denominator.
 const PLACE: i64 = 1 << 46;
-/// Components of directions are as large, times the denominator.
+/// The magnitude of direction components, times the denominator.
 const DIRECTION: i64 = 1 << 15;
-/// Points of a line lie at most so many directions away.
+/// The maximum distance of a line's points, in directions.
 const STEPS: i64 = 1 << 27;
-/// Components of a plane's second direction.
+/// The magnitude of the components of a plane's second direction.
 const SECOND: i64 = 1 << 45;
 
 impl Source {
-    /// A pencil whose point is fit for a tie of this question.
+    /// A pencil whose point can be a tie of this question.
     pub(super) fn pencil(question: Question, rng: &mut Random) -> Source {
         let denominator = 2 * rng.integer(0, 6) + 1;
         let mut numerator = [0; 3].map(|_| rng.integer(-PLACE, PLACE) * denominator + rng.integer(0, denominator - 1));
         if let Question::Compare(_) = question {
-            // What is compared has to be a double, so that input vertices can share it.
+            // The compared coordinate must be a double, so that input vertices can share it.
             numerator[0] -= numerator[0].rem_euclid(denominator);
         }
         Source::Pencil { numerator, denominator }
     }
 
-    /// A line.
+    /// A line from this source.
     pub(super) fn line(&self, dimension: Dimension, rng: &mut Random) -> Flat {
         match self {
             Source::Anywhere => (0..2).map(|_| anywhere(dimension, rng)).collect(),
@@ -50,7 +50,7 @@ impl Source {
         }
     }
 
-    /// A line of the plane, a plane of space.
+    /// A hyperplane from this source: a line in the plane, a plane in space.
     pub(super) fn hyperplane(&self, dimension: Dimension, rng: &mut Random) -> Flat {
         match (self, dimension) {
             (_, Dimension::Two) => self.line(dimension, rng),
@@ -62,8 +62,8 @@ impl Source {
         }
     }
 
-    /// A hyperplane whose points, and all points on it, are a tie in any query:
-    /// with one first coordinate for a comparison, over one line for a turn.
+    /// A hyperplane whose points, and all points on it, are a tie in any query: with equal first coordinates for a
+    /// comparison, over one line for a turn.
     pub(super) fn base(&self, question: Question, dimension: Dimension, rng: &mut Random) -> Flat {
         let mut base = match (self, question, dimension) {
             (Source::Pencil { .. }, Question::Compare(_), Dimension::Two) => {
@@ -88,11 +88,11 @@ impl Source {
         base
     }
 
-    /// Points of a pencil's line with a direction that `restrict` has the last
-    /// word on, or of the plane with a second one.
+    /// Points of a pencil's line with a direction that `restrict` finally adjusts, or of a plane with a second
+    /// direction.
     ///
-    /// With w ≡ −N modulo d, the point a = (N + w)/d is integer, and N/d is the
-    /// point a − w/d of every line through a along w.
+    /// With w ≡ −N modulo d, the point a = (N + w)/d is integer, and N/d is the point a − w/d of every line through a
+    /// along w.
     fn spanned(
         &self,
         restrict: impl Fn([i64; 3]) -> [i64; 3],
@@ -129,9 +129,8 @@ fn anywhere(dimension: Dimension, rng: &mut Random) -> Point {
     [x, y, if dimension == Dimension::Three { rng.unit() } else { 0.0 }]
 }
 
-/// Whether these meet in one point, by far: the weight of the point, relative to
-/// the differences that it is a product of, is at least 2^-20. Rounding makes
-/// less than 2^-40 of that, so it is not zero either.
+/// True if these meet in one point with a wide margin: the weight of the point, relative to the differences that it is
+/// a product of, is at least 2^-20. Rounding makes less than 2^-40 of that, so the weight is not zero either.
 pub(super) fn meet(dimension: Dimension, flats: &[&[Point]]) -> bool {
     let differences = |flat: &[Point]| -> Vec<Point> { flat[1..].iter().map(|&p| minus(p, flat[0])).collect() };
     let spans: Vec<Vec<Point>> = flats.iter().map(|flat| differences(flat)).collect();

@@ -1,20 +1,16 @@
 //! Vertices where lines and planes meet, and questions about them.
 //!
-//! Scenes are made patch by patch: a few vertices are constructed, and queries
-//! choose among them and some input vertices. Every set of argument places has
-//! its turn of being the constructed ones, from each place alone to all.
+//! Scenes are made patch by patch: a few vertices are constructed, and queries choose among them and some input
+//! vertices. Every set of argument positions is constructed in turn, from a single position to all.
 //!
-//! Ties come from a *base*: a line or plane whose points have nothing to be
-//! told apart by what is asked, as the points of a line don't turn. What is
-//! constructed lies on it, for one of two reasons, patch by patch in turn:
-//! * the base is one of the lines and planes that meet, and the others are
-//!   arbitrary: the meeting points are different ones in general;
-//! * all lines and planes go through one rational point of the base: one point
-//!   by many constructions.
+//! Ties come from a *base*: a line or plane whose points the question cannot distinguish, as the points of a line have
+//! no turn. The constructed vertices lie on it, for one of two reasons, alternating by patch:
+//! * the base is one of the lines and planes that meet, and the others are arbitrary: the meeting points differ in
+//!   general;
+//! * all lines and planes go through one rational point of the base: one point by many constructions.
 //!
-//! In both cases coordinates have long significands, and meeting points are
-//! hardly ever doubles. One ulp beside a tie, each construction has a base of
-//! its own, in which one point is moved.
+//! In both cases coordinates have long significands, and meeting points are hardly ever doubles. For queries one ulp
+//! beside a tie, each construction has its own base, in which one point is moved.
 
 mod flats;
 
@@ -27,14 +23,15 @@ use predicament_formats::CorpusError;
 use predicament_formats::Fields;
 use predicament_formats::bits::{scale, step};
 
-/// Constructions in a patch: as many as a query can have arguments.
+/// The number of constructions in a patch: the maximum number of arguments of a query.
 const CONSTRUCTIONS: usize = 4;
-/// Queries about a patch.
+/// The number of queries about a patch.
 const QUERIES: usize = 8;
-/// Coordinates of a patch, at most: nine points for each construction, and as many input points as constructions.
+/// The maximum number of coordinates of a patch: nine points for each construction, and as many input points as
+/// constructions.
 const MOST_IN_PATCH: u64 = 3 * 10 * CONSTRUCTIONS as u64;
 
-/// Constructions that have nothing to do with anything.
+/// Constructions from independent random points.
 pub(super) fn uniform(
     task: &'static str,
     fields: &Fields<'_, '_>,
@@ -52,7 +49,8 @@ pub(super) fn degenerate(
     Arrangement { kinds, trouble: Trouble::Degenerate, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
-/// Reads `halvings`: how often all coordinates are halved. Coordinates lose no bit by it, but their products underflow.
+/// Reads `halvings`: the number of times that all coordinates are halved. Coordinates keep all bits, but their products
+/// underflow.
 fn halvings(fields: &Fields<'_, '_>) -> Result<i64, CorpusError> {
     fields.integer_or("halvings", 0, 0..=900).map(u64::cast_signed)
 }
@@ -63,19 +61,19 @@ pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>, kinds: &'static 
     Arrangement { kinds, trouble: Trouble::Near { ulps }, halvings: halvings(fields)? }.recipe(task, fields)
 }
 
-/// What is constructed and how it is asked about.
+/// The kinds of constructions in a scene, and their degeneracy.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 struct Arrangement {
     kinds: &'static [Kind],
     trouble: Trouble,
-    /// All coordinates are halved so often.
+    /// The number of times that all coordinates are halved.
     halvings: i64,
 }
 
 /// A kind of construction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Kind {
-    /// Two lines of the plane.
+    /// Two lines in the plane.
     Ssi,
     /// A line and a plane.
     Lpi,
@@ -85,16 +83,16 @@ pub(super) enum Kind {
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Trouble {
-    /// Nothing has to do with anything.
+    /// Independent random points.
     Uniform,
     /// Ties.
     Degenerate,
-    /// At most so many ulps beside them.
+    /// At most `ulps` ulps beside ties.
     Near { ulps: i64 },
 }
 
 impl Arrangement {
-    /// Makes it what a table asks for.
+    /// The recipe for a table of the family.
     fn recipe(self, task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
         let asked = Asked::read(task, fields, Some(self.dimension()))?;
         Ok(Recipe::new(
@@ -103,12 +101,12 @@ impl Arrangement {
         ))
     }
 
-    /// That of the points.
+    /// The dimension of the points.
     fn dimension(self) -> Dimension {
         if self.kinds == [Kind::Ssi] { Dimension::Two } else { Dimension::Three }
     }
 
-    /// `n` queries with all that they are about, in place for the question.
+    /// A scene of `n` queries with their points, placed for the question.
     fn queries(self, question: Question, n: usize, rng: Random) -> Cloud {
         let arity = question.kind().arity();
         let mut scene = Draft { arrangement: self, question, rng, coordinates: Vec::new(), constructions: Vec::new() };
@@ -126,7 +124,7 @@ impl Arrangement {
     }
 }
 
-/// A scene that grows.
+/// A scene under construction.
 struct Draft {
     arrangement: Arrangement,
     question: Question,
@@ -135,20 +133,20 @@ struct Draft {
     constructions: Vec<Construction>,
 }
 
-/// The vertices that a patch can be asked about.
+/// The vertices available to the queries of a patch.
 struct Pool {
     input: Vec<Vertex>,
     constructed: Vec<Vertex>,
 }
 
-/// A line or plane of a patch: its points, and their vertices where it has some already.
+/// A line or plane of a patch: its points, and their vertices if they exist already.
 struct Spanned {
     points: Flat,
     vertices: Option<Vec<Vertex>>,
 }
 
 impl Draft {
-    /// Constructs what the next queries are about.
+    /// Constructs the vertices for the next queries.
     fn patch(&mut self, through_one_point: bool) -> Pool {
         let tied = self.arrangement.trouble != Trouble::Uniform;
         let source = match tied && through_one_point {
@@ -173,7 +171,7 @@ impl Draft {
         Pool { input, constructed }
     }
 
-    /// A vertex where lines and planes of the source meet, the base among them if there is one.
+    /// A vertex where lines and planes of the source meet, including the base if there is one.
     fn construct(&mut self, kind: Kind, source: &Source, base: Option<(&[Point], &[Vertex])>) -> Vertex {
         let dimension = self.arrangement.dimension();
         let flats = loop {
@@ -216,7 +214,7 @@ impl Draft {
         Vertex::constructed(self.constructions.len() - 1)
     }
 
-    /// The base, or a line of it.
+    /// The base, or a line in it.
     fn of_base(&mut self, points: &[Point], vertices: &[Vertex], line: bool) -> Spanned {
         let left_out = if line { self.rng.integer(0, 2) } else { -1 };
         let kept = |&(at, _): &(usize, _)| i64::try_from(at) != Ok(left_out);
@@ -225,7 +223,7 @@ impl Draft {
         Spanned { points, vertices: Some(vertices) }
     }
 
-    /// Moves a point of the flat where ties are to be missed; it has vertices of its own then.
+    /// Moves a point of the flat if ties are to be missed; the flat then gets its own vertices.
     fn disturb(&mut self, flat: &mut Spanned) {
         if let Trouble::Near { ulps } = self.arrangement.trouble {
             let last = i64::try_from(flat.points.len()).expect("three at most") - 1;
@@ -236,7 +234,7 @@ impl Draft {
         }
     }
 
-    /// A new vertex, moved where ties are to be missed.
+    /// A new vertex, moved if ties are to be missed.
     fn moved_vertex(&mut self, point: Point) -> Vertex {
         match self.arrangement.trouble {
             Trouble::Near { ulps } => {
@@ -247,7 +245,7 @@ impl Draft {
         }
     }
 
-    /// A new vertex, its first coordinate on the first axis that the question is about.
+    /// A new vertex, with its first coordinate on the first axis of the question.
     fn vertex(&mut self, point: Point) -> Vertex {
         let first = match self.question {
             Question::Compare(axis) => axis.index(),
@@ -260,7 +258,7 @@ impl Draft {
         vertex
     }
 
-    /// Different vertices, constructed in these places (bit by bit) and input vertices in the others.
+    /// Different vertices: constructed ones at these argument positions (a bit set), input vertices at the others.
     fn choose(&mut self, pool: &Pool, arity: usize, places: usize) -> Vec<Vertex> {
         let (mut input, mut constructed) = (pool.input.clone(), pool.constructed.clone());
         let mut draw = |from: &mut Vec<Vertex>| {
