@@ -13,7 +13,7 @@ use predicament_studies::{Entry, Ready, Study};
 use predicament_tasks::{self as tasks, Contestant, Task, TaskList};
 
 use crate::tool::{Guests, ReportSection, Tool};
-use crate::{cmd, exit, interrupt, out};
+use crate::{cmd, exit, interrupt, layout, names, out};
 
 /// The id of the option `--quiet`.
 const QUIET: &str = "quiet";
@@ -34,42 +34,36 @@ struct Arguments {
     command: Command,
 }
 
-/// Where studies stand in the help, and what stands behind them.
-const OF_STUDIES: usize = 500;
-const BEHIND_STUDIES: usize = 900;
-
 #[derive(Subcommand)]
 enum Command {
     Ask(cmd::ask::Args),
-    New(cmd::new::Args),
-    Plan(cmd::plan::Args),
+    Solve(cmd::solve::Args),
+    Draw(cmd::draw::Args),
     Run(cmd::run::Args),
-    Merge(cmd::merge::Args),
+    Gate(cmd::gate::Args),
     Bench(cmd::bench::Args),
     Report(cmd::report::Args),
-    Gate(cmd::gate::Args),
-    Expect(cmd::expect::Args),
-    Diff(cmd::diff::Args),
-    Export(cmd::export::Args),
-    Schema(cmd::schema::Args),
-    Replay(cmd::replay::Args),
-    Shrink(cmd::shrink::Args),
     Hunt(cmd::hunt::Args),
-    Solve(cmd::solve::Args),
-    Show(cmd::show::Args),
-    Resolve(cmd::resolve::Args),
-    Map(cmd::map::Args),
-    Selftest(cmd::selftest::Args),
-    Bounds(cmd::bounds::Args),
+    Shrink(cmd::shrink::Args),
+    Replay(cmd::replay::Args),
     Corpus(cmd::corpus::Args),
-    #[command(display_order = BEHIND_STUDIES + 0)]
+    Data(cmd::data::Args),
+    Shard(cmd::shard::Args),
     Engines(cmd::engines::Args),
-    #[command(display_order = BEHIND_STUDIES + 1)]
-    Doctor(cmd::doctor::Args),
-    #[command(display_order = BEHIND_STUDIES + 2)]
-    Completions(cmd::shell::Completions),
-    #[command(display_order = BEHIND_STUDIES + 3)]
-    Man(cmd::shell::Man),
+    Setup(cmd::setup::Args),
+}
+
+/// The command of studies, each a command below it.
+fn study(studies: &[Entry]) -> clap::Command {
+    clap::Command::new(names::STUDY)
+        .about("Measure backends: which one for what, where they break, what they cost")
+        .after_help(format!(
+            "Examples:\n  {0} study compare --out out/compare\n  {0} study stress --help",
+            out::program()
+        ))
+        .subcommand_required(true)
+        .arg_required_else_help(true)
+        .subcommands(studies.iter().map(Entry::command))
 }
 
 /// The tool with the systems and studies that it comes with, ready to learn of more.
@@ -149,20 +143,19 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     pub fn main(self) -> ExitCode {
         interrupt::outlive_limits();
         let tool = Tool::new(self.backends, &self.tasks, self.guests);
-        // Backends and tasks of other crates belong into the help.
-        let help = format!("Backends:\n{}", tool.backend_help());
-        let studies = (OF_STUDIES..).zip(tool.studies()).map(|(place, study)| study.command().display_order(place));
-        let command = Arguments::command()
-            .mut_subcommand("run", |run| run.after_help(format!("{help}\n\n{}", cmd::run::EXAMPLES)))
-            .subcommands(studies);
+        let command = whole(&tool);
         let words: Vec<OsString> = std::env::args_os().map(point).collect();
         if let Some(at) = words.iter().skip(1).position(is_empty) {
             return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
         }
-        let matches = command.clone().get_matches_from(words);
+        let (words, renamed) = names::current(words, tool.studies());
+        let matches = layout::laid_out(command.clone()).get_matches_from(words);
         let asked = Asked::from_matches(&matches, tool.studies()).unwrap_or_else(|error| error.exit());
         if matches.get_flag(QUIET) {
             out::be_quiet();
+        }
+        for line in renamed {
+            note!("{line}");
         }
         // A panic of the tool must not leave with the code that says `unexpected pass`.
         let done = predicament_oracle::caught(|| match asked {
@@ -173,6 +166,18 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     }
 }
 
+/// The command line, with backends and studies of other crates in its help.
+fn whole(tool: &Tool) -> clap::Command {
+    let backends = format!("Backends:\n{}\n\n{}", tool.backend_help(), cmd::run::EXAMPLES);
+    let command =
+        Arguments::command().mut_subcommand("run", |run| run.after_help(backends)).subcommand(study(tool.studies()));
+    let page = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{}\nOptions:\n{{options}}{{after-help}}",
+        names::groups(&command)
+    );
+    command.help_template(page)
+}
+
 /// What the command line asks for.
 enum Asked {
     Command(Box<Command>),
@@ -181,9 +186,9 @@ enum Asked {
 
 impl Asked {
     fn from_matches(matches: &ArgMatches, studies: &[Entry]) -> Result<Asked, clap::Error> {
-        let study = matches.subcommand().and_then(|(name, own)| {
-            let study = studies.iter().find(|study| study.name == name)?;
-            Some(study.parse(own))
+        let study = matches.subcommand().filter(|(name, _)| *name == names::STUDY).and_then(|(_, one)| {
+            let (name, own) = one.subcommand()?;
+            Some(studies.iter().find(|study| study.name == name)?.parse(own))
         });
         match study {
             Some(study) => Ok(Asked::Study(study?)),
@@ -197,31 +202,20 @@ impl Command {
     fn run(self, tool: &Tool, command: clap::Command) -> exit::Outcome {
         match self {
             Command::Ask(args) => cmd::ask::run(&args, tool),
-            Command::New(args) => cmd::new::run(&args, tool),
-            Command::Plan(args) => cmd::plan::run(&args, tool),
+            Command::Solve(args) => cmd::solve::run(&args, tool),
+            Command::Draw(args) => cmd::draw::run(args, tool),
             Command::Run(args) => cmd::run::run(args, tool),
-            Command::Merge(args) => cmd::merge::run(&args, tool),
+            Command::Gate(args) => cmd::gate::run(&args, tool),
             Command::Bench(args) => cmd::bench::run(args, tool),
             Command::Report(args) => cmd::report::run(&args, tool),
-            Command::Diff(args) => cmd::diff::run(&args),
-            Command::Export(args) => cmd::export::run(&args, tool),
-            Command::Schema(args) => cmd::schema::run(&args, tool),
-            Command::Expect(args) => cmd::expect::run(&args, tool),
-            Command::Gate(args) => cmd::gate::run(&args, tool),
-            Command::Replay(args) => cmd::replay::run(&args, tool),
-            Command::Shrink(args) => cmd::shrink::run(&args, tool),
             Command::Hunt(args) => cmd::hunt::run(&args, tool),
-            Command::Solve(args) => cmd::solve::run(&args, tool),
-            Command::Show(args) => cmd::show::run(&args, tool),
-            Command::Resolve(args) => cmd::resolve::run(&args),
-            Command::Map(args) => cmd::map::run(args, tool),
-            Command::Selftest(args) => cmd::selftest::run(args, tool),
-            Command::Bounds(args) => cmd::bounds::run(&args),
+            Command::Shrink(args) => cmd::shrink::run(&args, tool),
+            Command::Replay(args) => cmd::replay::run(&args, tool),
             Command::Corpus(args) => cmd::corpus::run(args, tool),
+            Command::Data(args) => cmd::data::run(&args, tool),
+            Command::Shard(args) => cmd::shard::run(&args, tool),
             Command::Engines(args) => cmd::engines::run(&args),
-            Command::Doctor(args) => cmd::doctor::run(&args, tool),
-            Command::Completions(args) => cmd::shell::completions(&args, command),
-            Command::Man(args) => cmd::shell::man(&args, command),
+            Command::Setup(args) => cmd::setup::run(args, tool, command),
         }
     }
 }

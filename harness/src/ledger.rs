@@ -11,6 +11,7 @@ use predicament_records::{
 };
 use predicament_tasks::{AnyCase, Class, Contestant, Outcome};
 
+use crate::colour::{Paint, paint};
 use crate::exit::{self, Failure};
 use crate::pixels::of_square;
 use crate::rows;
@@ -133,25 +134,26 @@ impl Ledger {
         let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
         // What was declined, or ran out of time, was not answered.
         let queries: u64 = self.done.iter().filter(|row| row.has_answers()).map(|row| row.queries).sum();
-        say!(
-            "{}: {queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, \
-             {passes} unexpected pass; {}",
-            self.folder.display(),
+        let code = exit::of_rows(ended, &self.done);
+        let told = format!(
+            "{queries} answers judged; rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass; {}",
             count(Status::Ok),
             count(Status::Expected),
             ended.describe(),
         );
+        say!("{}: {}", self.folder.display(), paint(Paint::of(code), &told));
         for row in self.done.iter().filter(|row| !row.status.passes()) {
-            say!("  {}", describe(row));
+            say!("  {}", paint(Paint::Bad, &describe(row)));
         }
         for (task, scenes) in &self.wholes {
             let (file, count) = (AnswerRow::FILE, scenes.len());
             note!("{file} has no lines of {count} scenes of {task}, whose answers are wholes: `solve` writes those");
         }
         if !self.left_out.is_empty() {
-            say!("not run: {}; `-b {}` runs them", self.left_out.join(", "), self.left_out.join(","));
+            let names = self.left_out.join(", ");
+            say!("{}", paint(Paint::Faint, &format!("not run: {names}; `-b {}` runs them", self.left_out.join(","))));
         }
-        Ok(exit::of_rows(ended, &self.done))
+        Ok(code)
     }
 }
 

@@ -9,6 +9,7 @@ use std::path::Path;
 
 use predicament_records::Hold;
 
+use crate::colour::obeyed;
 use crate::failure::Failure;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
@@ -23,7 +24,7 @@ pub fn print(text: Arguments<'_>) {
     if failed.is_none() {
         let mut stdout = std::io::stdout().lock();
         let text = text.to_string();
-        *failed = stdout.write_all(harmless(&text).as_bytes()).and_then(|()| stdout.flush()).err();
+        *failed = stdout.write_all(obeyed(harmless(&text).into_owned()).as_bytes()).and_then(|()| stdout.flush()).err();
     }
 }
 

@@ -78,6 +78,20 @@ impl From<CorpusError> for Failure {
 }
 
 impl Selector {
+    /// This selector, with a scene that is named without `-f` taken for a filter where no suite has its name.
+    pub fn with_names(mut self, tool: &Tool) -> Result<Selector, Failure> {
+        let library = tool.library()?;
+        let is_suite = |name: &String| name.ends_with(".toml") || library.names().any(|suite| suite == name);
+        let (suites, mut scenes): (Vec<String>, Vec<String>) = self.suites.drain(..).partition(is_suite);
+        self.suites = suites;
+        if let (None, Some(scene), 1) = (&self.filter, scenes.first(), scenes.len()) {
+            self.filter = Some(format!("/{}$", regex::escape(scene)));
+            scenes.clear();
+        }
+        self.suites.append(&mut scenes);
+        Ok(self)
+    }
+
     /// Everything that needs no download, at level quick.
     pub fn everything() -> Selector {
         Selector { suites: Vec::new(), filter: None, level: Level::Quick, cache: None }

@@ -40,8 +40,7 @@ pub fn tell_not_selected(suites: &[NotSelected], done: &str) {
         (0, unfetched) => {
             note!("not {done}: {unfetched}: `{} corpus fetch` gets their data, then name them", program())
         }
-        (unnamed, _) => {
-            note!("{unnamed} suites were {NOT_NAMED} and are not {done}; `{} corpus list` has them", program())
-        }
+        // Whoever names suites means these.
+        (_, _) => {}
     }
 }

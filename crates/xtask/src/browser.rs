@@ -54,8 +54,8 @@ pub fn check(is_needed: bool, accept: bool) -> Result<(), String> {
     step("run the embedded corpora", &words(&[&tool, "run", "--out", &run]), &[])?;
     multiplied(Path::new(&run), Path::new(&few), FEW)?;
     multiplied(Path::new(&run), Path::new(&many), MANY)?;
-    // Plots that react to the pointer come from a study.
-    let stress = ["stress", "-q", "-t", "orient2d", "--knob", "scale", "--scenes", "1", "--out"];
+    // Plots that answer to the pointer come from a study.
+    let stress = ["study", "stress", "-q", "-t", "orient2d", "--knob", "scale", "--scenes", "1", "--out"];
     step("turn a knob", &words(&[&[&tool[..]], &stress[..], &[&format!("{run}/stress")]].concat()), &[])?;
     let script = path("check.mjs");
     // A page of hand-written run folders looks the same everywhere.

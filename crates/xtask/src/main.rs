@@ -52,7 +52,7 @@ Commands:
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
-  pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, the schema in docs/DATA.md
+  pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, docs/COMMANDS.md, the schema in docs/DATA.md
   sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (20 minutes)
   mutants [--every N] [--from K] [--all-tests] [PACKAGE...]

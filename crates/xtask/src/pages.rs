@@ -9,17 +9,18 @@ use crate::command::{cargo, root, target_directory};
 /// The start of the part of BOUNDS that a search has found: it is not derived, and stays.
 const FOUND: &str = "\n## Worst cases\n";
 
-/// Writes `docs/CHECKS.md`, `docs/BOUNDS.md` and the schema in `docs/DATA.md`.
+/// Writes `docs/CHECKS.md`, `docs/BOUNDS.md`, `docs/COMMANDS.md` and the schema in `docs/DATA.md`.
 ///
 /// # Errors
 /// If the tool can't be built, a command fails or a page can't be written.
 pub fn write() -> Result<(), String> {
     cargo("build the tool", &["build", "--profile", "ci", "--package", "predicament"])?;
-    page("docs/CHECKS.md", &printed(&["selftest", "--checks", "--format", "md"])?)?;
+    page("docs/CHECKS.md", &printed(&["setup", "selftest", "--checks", "--format", "md"])?)?;
     let bounds = read("docs/BOUNDS.md")?;
     let (_, found) = bounds.split_once(FOUND).ok_or("docs/BOUNDS.md has no worst cases")?;
-    page("docs/BOUNDS.md", &(printed(&["bounds", "--format", "md"])? + FOUND + found))?;
-    printed(&["schema", "--splice", "docs/DATA.md"])?;
+    page("docs/BOUNDS.md", &(printed(&["study", "bounds", "--format", "md"])? + FOUND + found))?;
+    page("docs/COMMANDS.md", &printed(&["setup", "man", "--format", "md"])?)?;
+    printed(&["data", "schema", "--splice", "docs/DATA.md"])?;
     println!("docs/DATA.md");
     Ok(())
 }

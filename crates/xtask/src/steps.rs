@@ -28,17 +28,17 @@ pub fn demo() -> Result<(), String> {
     let demo = fresh(DEMO)?;
     let path = |name: &str| demo.join(name).display().to_string();
     let (run, bench, report) = (path("run"), path("bench"), path("report"));
-    cargo("build the tool", &["build", "--release"])?;
+    cargo("build the tool", &["build", "--profile", "demo"])?;
     let tool = |what: &str, args: &[&str]| {
-        let all = ["run", "--quiet", "--release", "--bin", "predicament", "--"];
+        let all = ["run", "--quiet", "--profile", "demo", "--bin", "predicament", "--"];
         cargo(what, &all.iter().chain(args).copied().collect::<Vec<_>>())
     };
     tool("run the embedded corpora", &["run", "--out", &run])?;
-    tool("time the backends", &["bench", "--judged", &run, "--out", &bench])?;
+    tool("time the backends", &["bench", "--judged", &run, "--seconds", "30", "--out", &bench])?;
     let compare = format!("{run}/compare");
     tool(
         "compare them on random scenes",
-        &["compare", "--scenes", "3", "--samples", "3", "--trials", "0", "--out", &compare],
+        &["study", "compare", "--scenes", "1", "--samples", "1", "--trials", "0", "--out", &compare],
     )?;
     tool("write the report", &["report", &run, &bench, "--out", &report])?;
     println!("\nOpen {report}/report.html");
@@ -167,7 +167,7 @@ fn tool(args: &[&str]) -> Result<Vec<String>, String> {
 
 /// The planted faults.
 fn selftest() -> Result<Beside, String> {
-    Beside::start("see that planted faults are caught", &tool(&["selftest"])?, &[])
+    Beside::start("see that planted faults are caught", &tool(&["setup", "selftest"])?, &[])
 }
 
 /// The corpora, and the embedded run against its expectations.

@@ -5,7 +5,7 @@ use predicament::predicates::{Axis, Predicates, Scene, Sign, Vertex};
 use predicament::studies::{Error, File, Host, Study};
 use predicament::tasks::Contestant;
 
-/// The arguments of `predicament column`.
+/// The arguments of `predicament study column`.
 #[derive(Args, Debug)]
 pub struct Column {
     /// Backends, several with commas
@@ -22,7 +22,7 @@ type Row = (String, usize);
 impl Study for Column {
     const NAME: &'static str = "column";
     const ASKS: &'static str = "Ask how many vertices of a column are leftmost";
-    const HELP: &'static str = "Examples:\n  leftmost column -n 1000 -b sos";
+    const HELP: &'static str = "Examples:\n  leftmost study column -n 1000 -b sos";
     type Measured = Vec<Row>;
 
     fn backends(&self) -> Vec<String> {

@@ -36,5 +36,5 @@ fn the_suite_holds() {
 
 #[test]
 fn the_study_counts_a_column() {
-    tool(&["column", "-n", "12"]);
+    tool(&["study", "column", "-n", "12"]);
 }

@@ -22,6 +22,7 @@ use predicament_predicates::Backend;
 use predicament_slice::task::Slice;
 use predicament_studies as studies;
 use predicament_studies::audit::Audit;
+use predicament_studies::bounds::Bounds;
 use predicament_studies::cascades::Cascades;
 use predicament_studies::compare::Compare;
 use predicament_studies::cut::Cut;
@@ -83,6 +84,7 @@ impl TaskList for Systems {
 
 /// The studies, in the order of the help.
 pub const STUDIES: &[studies::Entry] = &[
+    studies::Entry::of::<Bounds>(),
     studies::Entry::of::<Compare>(),
     studies::Entry::of::<Stress>(),
     studies::Entry::of::<Resolution>(),

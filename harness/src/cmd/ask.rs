@@ -3,6 +3,7 @@
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
@@ -11,6 +12,7 @@ use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
 use serde_json::{Map, Value, json};
 
+use crate::colour::{Paint, paint};
 use crate::exit::{self, Failure};
 use crate::interrupt;
 use crate::out::program;
@@ -19,12 +21,12 @@ use crate::told::point_lines;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are
+A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are \
 taken in order, as many for each query as the predicate takes.
 
-Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a
-fraction, then for each backend its answer, with the class where that is not
-`agree`, and the stage that decided it; in CSV three columns each, such as `naive answer`, `naive class`, `naive stage`.
+Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a \
+fraction, then for each backend its answer, with the class where that is not \
+`agree`, and the stage that decided it; in CSV three columns each, such as `naive answer`, `naive class`, `naive stage`. \
 A backend that declines says why on stderr.
 
 Examples:
@@ -38,7 +40,7 @@ Examples:
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// compare, orient2d, orient3d, incircle or insphere
-    #[arg(value_name = "PREDICATE")]
+    #[arg(value_name = "PREDICATE", value_parser = predicate())]
     pub task: PredicateKind,
 
     /// Points such as 0.5,1e3 or 0x1.8p+1,0,0
@@ -72,6 +74,11 @@ pub struct Args {
     /// How to print: aligned text, CSV, or JSON with one object a line
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
+}
+
+/// The predicates by name.
+fn predicate() -> impl TypedValueParser<Value = PredicateKind> {
+    PossibleValuesParser::new(PredicateKind::ALL.map(PredicateKind::name)).try_map(|name| name.parse::<PredicateKind>())
 }
 
 /// The name of the suite that is not written down.
@@ -187,25 +194,26 @@ fn rows(loaded: &LoadedScene, answered: &[(String, Outcome)]) -> Result<Vec<Row>
     Ok((0..queries.len()).map(row).collect())
 }
 
-/// Answers in aligned columns, then the points that they are about.
+/// Each query with the exact sign and value, then a line for each backend; the points of a few queries at the end.
 fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
-    let mut lines: Vec<Vec<String>> = vec![["query", "exact", "value"].map(str::to_owned).to_vec()];
-    lines[0].extend(answered.iter().map(|(name, _)| name.clone()));
-    for row in rows {
-        let mut cells = vec![row.query.clone(), row.sign.clone(), format!("{:e}", row.value)];
-        cells.extend(row.answers.iter().map(|[_, answer, class, stage]| {
-            let class = if class == "agree" { String::new() } else { format!(" {class}") };
-            let stage = if stage.is_empty() { String::new() } else { format!(" ({stage})") };
-            format!("{answer}{class}{stage}")
-        }));
-        lines.push(cells);
-    }
-    let columns = lines[0].len();
-    let width = |column: usize| lines.iter().map(|cells| cells[column].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..columns).map(width).collect();
-    for cells in &lines {
-        let padded: Vec<String> = cells.iter().zip(&widths).map(|(cell, &width)| format!("{cell:<width$}")).collect();
-        say!("{}", padded.join("  ").trim_end());
+    let names = || answered.iter().map(|(name, _)| name.chars().count());
+    let width = names().max().unwrap_or(0).max("exact value".len());
+    for (at, row) in rows.iter().enumerate() {
+        if at > 0 {
+            say!();
+        }
+        say!("{}", row.query);
+        say!("  {:<width$}  {:<2} {:e}", "exact value", row.sign, row.value);
+        for [backend, answer, class, stage] in &row.answers {
+            let stage = if stage.is_empty() { String::new() } else { format!("by {stage}") };
+            let line = format!("{answer:<2} {class:<11} {stage}");
+            let painted = match class.parse::<Class>() {
+                Ok(Class::Agree) => paint(Paint::Good, line.trim_end()),
+                Ok(class) if class.is_legal() => paint(Paint::Plain, line.trim_end()),
+                _ => paint(Paint::Bad, line.trim_end()),
+            };
+            say!("  {backend:<width$}  {painted}");
+        }
     }
     if rows.len() <= 3 {
         say!();

@@ -22,7 +22,8 @@ use crate::judged::Judged;
 use crate::planning::{budget, env_of, free_folder, plan};
 use crate::programs::recorded;
 use crate::select::{Planned, Selection, Selector};
-use crate::timing::{Runner, Samples, empty, phases, start};
+use crate::shared::seconds;
+use crate::timing::{Limit, Runner, Samples, empty, phases, sample, start};
 use crate::tool::Tool;
 use crate::{expectations, interrupt, progress, rows};
 
@@ -30,6 +31,7 @@ const EXAMPLES: &str = "\
 Examples:
   predicament bench                                     all embedded corpora
   predicament bench --judged predicament-run-1          the scenes and backends of a run, and what it has judged
+  predicament bench --judged predicament-run-1 --seconds 30    a sample of its families
   predicament bench families -f orient2d --samples 21 --precision 0.01
   predicament bench families -b exact,shewchuk,engine:robust,engine:simplicity    beside other crates, as engines
   predicament bench contact-sizes --level full --samples 3 --threads 8 -b exact,sos,tolerance,tolerance:f32,naive
@@ -63,6 +65,10 @@ pub struct Args {
     /// Time contacts, points in meshes and intersections of meshes on so many threads too; everything is timed on one
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
+
+    /// Time a sample of the families for about this many seconds, and say how many; the judged run knows what scenes cost
+    #[arg(long, value_name = "SECONDS", value_parser = seconds, requires = "judged")]
+    pub seconds: Option<Duration>,
 
     /// Milliseconds that a sample takes at least, by repeating passes
     #[arg(long, value_name = "MS", default_value_t = 2)]
@@ -101,6 +107,14 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         _ => args.backends.clone(),
     };
     let backends = tool.pick(&names)?;
+    if let (Some(time), Some(run)) = (args.seconds, &args.judged) {
+        let names: Vec<String> = backends.iter().map(|backend| backend.name()).collect();
+        let limit = Limit { time, run, backends: &names, sample_ms: args.sample_ms };
+        let (chosen, line) = sample(scenes, &limit)?;
+        scenes = chosen;
+        note!("{line}");
+        remarks.push(line);
+    }
     let folder = args.out.clone().unwrap_or_else(|| free_folder("predicament-bench"));
     let plan = Plan {
         timed: true,

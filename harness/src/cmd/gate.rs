@@ -9,6 +9,7 @@ use predicament_tasks::{Class, is_declared};
 use serde_json::json;
 
 use crate::baseline::{Beside, Change};
+use crate::colour::{Paint, paint};
 use crate::comment::{Comment, LIMIT};
 use crate::details::Bodies;
 use crate::exit::{self, Failure};
@@ -65,9 +66,9 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
 
-    /// Print one JSON object: the counts, and everything that is not as it should be
-    #[arg(long, conflicts_with = "suggest")]
-    pub json: bool,
+    /// Lines for people, or one JSON object: the counts, and everything that is not as it should be
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    pub format: Format,
 
     /// Write the expectations that would make every unexpected finding expected, as TOML with reasons to
     /// be filled in; to stdout if no file is named
@@ -91,11 +92,20 @@ fn severity(text: &str) -> Result<Severity, String> {
     }
 }
 
+/// The format of what is printed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Format {
+    /// Lines for people.
+    Text,
+    /// One JSON object.
+    Json,
+}
+
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let to_stdout = args.summary.as_deref() == Some(Path::new("-"));
-    if to_stdout && args.json {
-        return Err(Failure::usage("--json and --summary - both write to stdout; name a file for --summary"));
+    if to_stdout && args.format == Format::Json {
+        return Err(Failure::usage("--format json and --summary - both write to stdout; name a file for --summary"));
     }
     let outputs = [("--summary", &args.summary), ("--junit", &args.junit), ("--suggest", &args.suggest)];
     let outputs: Vec<(&str, &Path)> =
@@ -137,7 +147,18 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let failed: Vec<String> = run.summary.iter().filter(|row| !row.status.passes()).map(describe).collect();
     let missing: Vec<String> =
         not_run.iter().map(|pair| format!("{}/{} on {}", pair.suite, pair.scene, pair.backend)).collect();
-    if args.json {
+    let code = if unexpected > 0 || !undeclared.is_empty() || !beside.worse.is_empty() {
+        exit::UNEXPECTED
+    } else if passes > 0 || !unused.never.is_empty() {
+        exit::UNEXPECTED_PASS
+    } else if !run.is_complete() || !not_run.is_empty() {
+        exit::INCOMPLETE
+    } else if !beside.timings.is_empty() {
+        exit::SLOWER
+    } else {
+        exit::OK
+    };
+    if args.format == Format::Json {
         let told = json!({
             "run": args.run,
             "outcome": run.outcome,
@@ -160,11 +181,15 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         });
         say!("{told}");
     } else if !to_stdout {
-        failed.iter().chain(&lines(&beside.worse)).chain(&beside.timings).for_each(|line| say!("{line}"));
+        failed
+            .iter()
+            .chain(&lines(&beside.worse))
+            .chain(&beside.timings)
+            .for_each(|line| say!("{}", paint(Paint::Bad, line)));
         passed.iter().for_each(|line| say!("let pass: {line}"));
         beside.better.iter().for_each(|change| say!("{change}"));
         undeclared.iter().for_each(|line| say!("not declared: {line}"));
-        missing.iter().for_each(|line| say!("not run: {line}"));
+        missing.iter().for_each(|line| say!("{}", paint(Paint::Faint, &format!("not run: {line}"))));
         unused.never.iter().for_each(|line| say!("never true: {line}"));
         unmet.iter().for_each(|line| say!("not met: {line}"));
         if !unmet.is_empty() || !unused.never.is_empty() {
@@ -177,10 +202,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         if !unused.here.is_empty() {
             say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
         }
-        say!(
-            "{}: {} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \
+        let told = format!(
+            "{} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \
              run, {} worse than the baseline, {} better{}{}; {}",
-            args.run.display(),
             run.summary.len(),
             count(Status::Ok),
             count(Status::Expected),
@@ -192,18 +216,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             if beside.timings.is_empty() { String::new() } else { format!(", {} slower", beside.timings.len()) },
             run.outcome.describe(),
         );
+        say!("{}: {}", args.run.display(), paint(Paint::of(code), &told));
     }
-    let code = if unexpected > 0 || !undeclared.is_empty() || !beside.worse.is_empty() {
-        exit::UNEXPECTED
-    } else if passes > 0 || !unused.never.is_empty() {
-        exit::UNEXPECTED_PASS
-    } else if !run.is_complete() || !not_run.is_empty() {
-        exit::INCOMPLETE
-    } else if !beside.timings.is_empty() {
-        exit::SLOWER
-    } else {
-        exit::OK
-    };
     if let Some(file) = &args.summary {
         let (run, baseline, expected, unused) = (&run, baseline.as_ref(), &expected, &unused);
         let prune = prune(args);
@@ -235,7 +249,7 @@ fn lines(changes: &[Change]) -> Vec<String> {
 
 /// The command that takes out of the file what the run does not meet.
 fn prune(args: &Args) -> String {
-    let mut command = format!("{} expect prune {}", program(), word(&args.run.display().to_string()));
+    let mut command = format!("{} corpus expect prune {}", program(), word(&args.run.display().to_string()));
     if let Some(file) = &args.expected {
         command += &format!(" --expected {}", word(&file.display().to_string()));
     }

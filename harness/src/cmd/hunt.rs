@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use predicament_formats::use_one_of;
 use predicament_predicates::Class;
 use predicament_search::Wanted;
 use predicament_search::hunt::{Hunt, Options, Quarry, Seed, State, has_shapes, seeds};
@@ -19,9 +20,9 @@ use crate::tool::{Tool, each};
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-A hunt is told the task, the backends and the class, and not where to look. It begins with small scenes of the suites and shapes of small
-whole numbers, derives others from them, and climbs by how near they are to a disagreement. What it finds is shrunk. The folder has
-finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, by which --resume goes on.
+A hunt is told the task, the backends and the class, and not where to look. It begins with small scenes of the suites and shapes of small \
+whole numbers, derives others from them, and climbs by how near they are to a disagreement. What it finds is shrunk. The folder has \
+finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, by which --resume goes on. \
 The same seed and evaluations give the same finds, on any number of threads. docs/SEARCH.md says how it goes about it.
 
 Examples:
@@ -268,7 +269,7 @@ fn task_of<'t>(tool: &'t Tool, name: &str) -> Result<&'t dyn AnyTask, Failure> {
     let found = tool.tasks().iter().copied().find(|task| task.name() == name);
     found.map(|task| task as &dyn AnyTask).ok_or_else(|| {
         let names: Vec<&str> = tool.tasks().iter().map(|task| task.name()).collect();
-        Failure::usage(format!("there is no task `{name}`; choose from {}", names.join(", ")))
+        Failure::usage(format!("no task is called `{name}`; {}", use_one_of(name, &names)))
     })
 }
 

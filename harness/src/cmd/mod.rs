@@ -1,28 +1,18 @@
-//! One file per command: its arguments, its help, its work. [`study`] runs several.
+//! One file for each command, with its arguments, its help and its work. A group of commands is a folder.
 
 pub mod ask;
 pub mod bench;
-pub mod bounds;
 pub mod corpus;
-pub mod diff;
-pub mod doctor;
+pub mod data;
+pub mod draw;
 pub mod engines;
-pub mod expect;
-pub mod export;
 pub mod gate;
 pub mod hunt;
-pub mod map;
-pub mod merge;
-pub mod new;
-pub mod plan;
 pub mod replay;
 pub mod report;
-pub mod resolve;
 pub mod run;
-pub mod schema;
-pub mod selftest;
-pub mod shell;
-pub mod show;
+pub mod setup;
+pub mod shard;
 pub mod shrink;
 pub mod solve;
 pub mod study;

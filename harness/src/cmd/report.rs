@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use predicament_records::{RunDir, replace};
-use predicament_report::{Section, against, splice, write_pages};
+use predicament_report::{Section, against, ranking, splice, write_pages};
 use predicament_studies::{compare, stress};
 
 use crate::details::details;
@@ -16,13 +16,13 @@ const EXAMPLES: &str = "\
 Examples:
   predicament report out/run --out out/report
   predicament report out/run out/bench --out out/report    errors and timings on one page
-  predicament compare --out out/run/compare                then every report of out/run has the table of backends
-  predicament stress --out out/run/stress                  and where they break
-  predicament report out/run --against out/main --out out/report   what changed since an earlier run
+  predicament study compare --out out/run/compare                then every report of out/run has the table of backends
+  predicament study stress --out out/run/stress                  and where they break
+  predicament report out/run --baseline out/main --out out/report   what changed since an earlier run
   predicament report out/run --splice README.md             the same tables in a page of your own
   predicament report out/run out/compare --out out/report  with the comparison of backends that `compare` has written elsewhere";
 
-/// Write Markdown, one self-contained HTML page, plots as SVG and PDF, and their figures as CSV from run folders
+/// Write a report of runs: one HTML page, Markdown, plots, figures as CSV
 ///
 /// A scene on a backend that several folders have counts once: in the first folder. Where they disagree, it is an error.
 #[derive(clap::Args)]
@@ -36,9 +36,9 @@ pub struct Args {
     #[arg(long, value_name = "DIR", default_value = "predicament-report")]
     pub out: PathBuf,
 
-    /// Show what changed since this earlier run, or these: scenes, classes and times
+    /// An earlier run, or several: the page shows what changed since, in scenes, classes and times
     #[arg(long, value_name = "RUN")]
-    pub against: Vec<PathBuf>,
+    pub baseline: Vec<PathBuf>,
 
     /// Put sections into a Markdown page of your own, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION tables` for its tables alone, `which PART` for a part of docs/WHICH.md, made of the studies in RUN/compare, RUN/curves, RUN/stress, RUN/cut, RUN/parity and RUN/parity-space
     #[arg(long, value_name = "FILE")]
@@ -61,7 +61,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             "there is no run among the folders; name one that `run` or `bench` has written, too",
         ));
     }
-    let runs: Vec<&Path> = folders.iter().chain(&args.against).map(|folder| &**folder).collect();
+    let runs: Vec<&Path> = folders.iter().chain(&args.baseline).map(|folder| &**folder).collect();
     apart(&[("--out", &args.out)], &[], &runs)?;
     for folder in &folders {
         for place in [folder.clone(), folder.join(COMPARISON), folder.join(STRESS)] {
@@ -85,8 +85,8 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     if missing > 0 {
         note!("{missing} findings are on the page without their points: they can't be asked again alone");
     }
-    if !args.against.is_empty() {
-        let earlier = RunDir::open_all(&args.against).map_err(Failure::usage)?;
+    if !args.baseline.is_empty() {
+        let earlier = RunDir::open_all(&args.baseline).map_err(Failure::usage)?;
         compared.push(against(&runs, &earlier).map_err(Failure::usage)?);
     }
     let with_studies = folders.iter().find(|folder| folder.join(COMPARISON).exists()).unwrap_or(&folders[0]);
@@ -108,6 +108,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         replace(page, text.as_bytes()).map_err(Failure::usage)?;
         note!("{} has the sections that its marks name", page.display());
     }
+    say!("{}", ranking(&runs));
     say!("{}", args.out.join("report.html").display());
     Ok(exit::OK)
 }

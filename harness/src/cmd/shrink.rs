@@ -16,8 +16,8 @@ use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-What the finding does not need is left out: queries, primitives, points (the order of the others stays), constructions, corners of
-loops; then coordinates become simpler. The folder has shrunk.toml, a suite with the scene, and the same as a test in Rust, C++ and
+What the finding does not need is left out: queries, primitives, points (the order of the others stays), constructions, corners of \
+loops; then coordinates become simpler. The folder has shrunk.toml, a suite with the scene, and the same as a test in Rust, C++ and \
 Python. The scene is also printed.
 
 Examples:

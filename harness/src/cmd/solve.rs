@@ -10,10 +10,10 @@ use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-What is solved is a scene of a suite, chosen with -f, or a task on files of yours: `solve TASK FILE…` writes a scene of
+What is solved is a scene of a suite, chosen with -f, or a task on files of yours: `solve TASK FILE…` writes a scene of \
 that task with the files' names in it. Other keys of the scene come from --set, as docs/FORMAT.md describes them.
 
-The files are in formats that other programs read. They hold doubles; where an answer has vertices, `vertices.json`
+The files are in formats that other programs read. They hold doubles; where an answer has vertices, `vertices.json` \
 has each of them exactly, with what it was constructed from.
 
 Examples:

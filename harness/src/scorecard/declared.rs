@@ -157,7 +157,7 @@ impl Declarations {
         let all: Vec<usize> = (0..self.0.len()).filter(|&at| self.0[at].is_called(text)).collect();
         if all.is_empty() {
             return Err(format!(
-                "no check is called `{text}`; write a name, CLASS/NAME, or TASK:CLASS/NAME from `{} selftest --checks`",
+                "no check is called `{text}`; write a name, CLASS/NAME, or TASK:CLASS/NAME from `{} setup selftest --checks`",
                 crate::out::program()
             ));
         }

@@ -179,7 +179,10 @@ pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String>
 /// The first name that there is not.
 pub fn only(mut entries: Vec<Entry>, names: &[String]) -> Result<Vec<Entry>, String> {
     if let Some(unknown) = names.iter().find(|name| entries.iter().all(|entry| entry.name != **name)) {
-        return Err(format!("no fault is called `{unknown}`; `{} selftest --list` names them", crate::out::program()));
+        return Err(format!(
+            "no fault is called `{unknown}`; `{} setup selftest --list` names them",
+            crate::out::program()
+        ));
     }
     let parts: Vec<Area> = entries
         .iter()

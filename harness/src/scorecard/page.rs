@@ -9,6 +9,7 @@ use serde_json::{Value, json};
 use super::declared::{Declarations, Of, not_needed};
 use super::entries::Entry;
 use super::verdict::{Verdict, idle, needed_by, verdict};
+use crate::colour::{Paint, paint};
 use crate::shrinking::Measure;
 
 /// What was recorded, and what of it counts.
@@ -110,7 +111,8 @@ impl Card<'_> {
         for line in shown {
             let Line { name, area, verdict, scenes, queries, .. } = line;
             let (scenes, queries) = (number(*scenes), number(*queries));
-            let _ = write!(text, "{name:<width$}  {area:<10}  {verdict:<10} {scenes:>6} {queries:>9}");
+            let shown = paint(if line.is_good { Paint::Good } else { Paint::Bad }, &format!("{verdict:<10}"));
+            let _ = write!(text, "{name:<width$}  {area:<10}  {shown} {scenes:>6} {queries:>9}");
             if with_sizes {
                 let [points, pieces] = match line.shrunk {
                     Some(Measure { points, pieces, .. }) => [points, pieces].map(|count| count.to_string()),
@@ -228,12 +230,12 @@ pub fn checks_page(checks: &Declarations, entries: &[Entry]) -> String {
     let guards = checks.0.iter().filter(|declared| declared.class().is_none()).count();
     let mut text = format!(
         "\
-<!-- made by `predicament selftest --checks --format md`; a test holds this page to it -->
+<!-- made by `predicament setup selftest --checks --format md`; a test holds this page to it -->
 # Checks
 
 Everything that can be found about an answer, or about the tool itself: {} checks. A finding of a run that is none of these
 is a mistake in the judge, and turns `gate` and `selftest` red. Each is needed by a planted fault, of which there are
-{faults}: with the check switched off (`predicament selftest --without NAME`) the fault is missed, and the scorecard is red. Those that
+{faults}: with the check switched off (`predicament setup selftest --without NAME`) the fault is missed, and the scorecard is red. Those that
 no fault needs say why. [METHODOLOGY](METHODOLOGY.md) says what is judged by what; [CONTRIBUTING](../CONTRIBUTING.md) how a
 fault is planted.
 

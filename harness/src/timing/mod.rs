@@ -3,7 +3,9 @@
 pub mod phases;
 
 mod runner;
+mod sample;
 mod samples;
 
 pub use runner::{Runner, empty, start};
+pub use sample::{Limit, sample};
 pub use samples::Samples;

@@ -1,4 +1,4 @@
-//! `predicament bounds`, and the page that is made of it.
+//! `predicament study bounds`, and the page that is made of it.
 
 use crate::common::{column, expect};
 
@@ -7,14 +7,14 @@ fn the_committed_page_is_what_the_command_prints() {
     let page = include_str!("../../../docs/BOUNDS.md");
     // what a search has found comes last, and is not derived
     let (page, found) = page.split_once("\n## Worst cases\n").expect("the search comes last");
-    assert!(found.contains("`predicament worst`"));
-    assert_eq!(expect(0, &["bounds"]).stdout, page, "run `cargo xtask pages`");
-    assert_eq!(expect(0, &["bounds", "--format", "md"]).stdout, page);
+    assert!(found.contains("`predicament study worst`"));
+    assert_eq!(expect(0, &["study", "bounds"]).stdout, page, "run `cargo xtask pages`");
+    assert_eq!(expect(0, &["study", "bounds", "--format", "md"]).stdout, page);
 }
 
 #[test]
 fn the_table_has_a_row_for_every_bound_and_every_constraint_at_every_epsilon() {
-    let told = expect(0, &["bounds", "--format", "csv"]);
+    let told = expect(0, &["study", "bounds", "--format", "csv"]);
     let tables = column(&told.stdout, "table");
     let rows = |name: &str| tables.iter().filter(|table| *table == name).count();
     // 42 quantities and m² ≤ 12L⁴, 6 statements about tolerances, 16 of tables, 6 of ours
@@ -28,6 +28,6 @@ fn the_table_has_a_row_for_every_bound_and_every_constraint_at_every_epsilon() {
 
 #[test]
 fn an_unknown_format_is_refused() {
-    let told = expect(2, &["bounds", "--format", "xml"]);
+    let told = expect(2, &["study", "bounds", "--format", "xml"]);
     assert!(told.stderr.contains("csv") && told.stderr.contains("md"), "{}", told.stderr);
 }

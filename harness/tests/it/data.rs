@@ -22,7 +22,7 @@ fn every_table_of_a_run_is_exported() {
     let suite = write(&folder, "mine.toml", SUITE);
     let (out, data) = (at(&folder, "run"), at(&folder, "data"));
     run(&["run", &suite, "-b", "exact,naive", "--answers", "-q", "--out", &out]);
-    let told = expect(0, &["export", &out, "--out", &data]);
+    let told = expect(0, &["data", "export", &out, "--out", &data]);
     assert_eq!(told.stderr, "", "all tables have a schema, and the run is complete");
     assert!(told.stdout.contains("data/answers.parquet: 4 rows, "), "{}", told.stdout);
     let mut names: Vec<String> = tables(&out).into_iter().map(|(name, _)| name.replace(".csv", ".parquet")).collect();
@@ -35,7 +35,7 @@ fn every_table_of_a_run_is_exported() {
 
     // As CSV, the cells of a table are those of the run, with four columns in front.
     let csv = at(&folder, "csv");
-    expect(0, &["export", &out, "--out", &csv, "--format", "csv"]);
+    expect(0, &["data", "export", &out, "--out", &csv, "--format", "csv"]);
     for (name, text) in tables(&out) {
         let rest = |line: &str| line.splitn(5, ',').nth(4).unwrap_or_default().to_owned();
         let cut: String = read(&csv, &name).lines().map(|line| rest(line) + "\n").collect();
@@ -53,11 +53,11 @@ fn what_can_not_be_exported_is_named() {
     let suite = write(&folder, "mine.toml", SUITE);
     let (out, data) = (at(&folder, "run"), at(&folder, "data"));
     run(&["run", &suite, "-b", "exact,naive", "-q", "--out", &out]);
-    let told = expect(2, &["export", &at(&folder, "nowhere"), "--out", &data]);
+    let told = expect(2, &["data", "export", &at(&folder, "nowhere"), "--out", &data]);
     assert!(told.stderr.contains("nowhere"), "{}", told.stderr);
     let summary = read(&out, "summary.csv");
     std::fs::write(Path::new(&out).join("summary.csv"), &summary[..summary.len() - 1]).unwrap();
-    let told = expect(2, &["export", &out, "--out", &data]);
+    let told = expect(2, &["data", "export", &out, "--out", &data]);
     assert!(
         told.stderr.contains("summary.csv: ") && told.stderr.contains(" bytes are left of the "),
         "{}",
@@ -67,7 +67,7 @@ fn what_can_not_be_exported_is_named() {
     std::fs::write(Path::new(&out).join("summary.csv"), &summary).unwrap();
     let state = Path::new(&out).join("state.json");
     std::fs::write(&state, unsealed(&out, "state.json").replace("\"complete\"", "\"interrupted\"")).unwrap();
-    let told = expect(0, &["export", folder.path().to_str().unwrap(), "--out", &data]);
+    let told = expect(0, &["data", "export", folder.path().to_str().unwrap(), "--out", &data]);
     assert!(
         told.stderr.contains("1 run not complete, as the column `outcome` of `runs` says: run is interrupted"),
         "{}",
@@ -77,14 +77,14 @@ fn what_can_not_be_exported_is_named() {
 
 #[test]
 fn the_page_has_the_schema_and_every_column_a_meaning() {
-    let printed = expect(0, &["schema"]).stdout;
+    let printed = expect(0, &["data", "schema"]).stdout;
     let marked = PAGE
         .split_once("<!-- predicament: schema -->\n")
         .and_then(|(_, rest)| rest.split_once("\n<!-- /predicament -->"));
     let (schema, _) = marked.expect("the page has marks");
     assert!(schema == printed.trim_end(), "run `cargo xtask pages`");
 
-    let json: Value = serde_json::from_str(&expect(0, &["schema", "--format", "json"]).stdout).unwrap();
+    let json: Value = serde_json::from_str(&expect(0, &["data", "schema", "--format", "json"]).stdout).unwrap();
     let tables = json["tables"].as_array().unwrap();
     assert!(tables.len() >= 19, "{}", tables.len());
     for table in tables {
@@ -97,10 +97,10 @@ fn the_page_has_the_schema_and_every_column_a_meaning() {
 
     let folder = tempdir().unwrap();
     let page = write(&folder, "page.md", "a\n<!-- predicament: schema -->\nold\n<!-- /predicament -->\nb\n");
-    expect(0, &["schema", "--splice", &page]);
+    expect(0, &["data", "schema", "--splice", &page]);
     let text = std::fs::read_to_string(&page).unwrap();
     assert_eq!(text, format!("a\n<!-- predicament: schema -->\n{}\n<!-- /predicament -->\nb\n", printed.trim_end()));
-    let told = expect(2, &["schema", "--splice", &write(&folder, "none.md", "no marks")]);
+    let told = expect(2, &["data", "schema", "--splice", &write(&folder, "none.md", "no marks")]);
     assert!(told.stderr.contains("there is no `<!-- predicament: schema -->`"), "{}", told.stderr);
 }
 
@@ -206,7 +206,7 @@ fn many_nights_are_one_table() {
     let folder = tempdir().unwrap();
     let (nights, csv) = (at(&folder, "nightly"), at(&folder, "csv"));
     year(Path::new(&nights), 12);
-    expect(0, &["export", &nights, "--out", &csv, "--format", "csv"]);
+    expect(0, &["data", "export", &nights, "--out", &csv, "--format", "csv"]);
     let text = read(&csv, "throughput.csv");
     let mut runs = column(&text, "run");
     assert_eq!(runs.len(), 12 * 36);
@@ -254,7 +254,7 @@ fn wrong_answers(folder: &tempfile::TempDir) -> String {
         "--out",
         &out,
     ]);
-    expect(0, &["export", &out, "--out", &at(folder, "data")]);
+    expect(0, &["data", "export", &out, "--out", &at(folder, "data")]);
     let mut wrong: BTreeMap<(String, String), [u64; 3]> = BTreeMap::new();
     for row in &RunDir::open(&out).unwrap().summary {
         let of = wrong.entry((row.task.clone(), row.backend.clone())).or_default();
@@ -294,7 +294,7 @@ fn page_of_data_counts_wrong_answers_as_the_run_does() {
     assert_eq!(duckdb(block("sql", "summary.parquet"), folder.path()), expected);
     assert_eq!(python(block("python", "read_parquet"), folder.path()).trim_end(), expected.trim_end());
     // Every table is read, with the types of the schema.
-    let json: Value = serde_json::from_str(&expect(0, &["schema", "--format", "json"]).stdout).unwrap();
+    let json: Value = serde_json::from_str(&expect(0, &["data", "schema", "--format", "json"]).stdout).unwrap();
     let types = [
         ("text", "VARCHAR"),
         ("int64", "BIGINT"),
@@ -338,7 +338,7 @@ fn page_of_data_finds_the_night_that_was_slower() {
     let folder = tempdir().unwrap();
     let nights = at(&folder, "nightly");
     year(Path::new(&nights), 365);
-    expect(0, &["export", &nights, "--out", &at(&folder, "data")]);
+    expect(0, &["data", "export", &nights, "--out", &at(&folder, "data")]);
     let told = duckdb(block("sql", "-- slower"), folder.path());
     println!("{told}");
     let (night, task, backend) = SLOWER;
@@ -358,6 +358,6 @@ fn page_of_data_finds_the_night_that_was_slower() {
             std::fs::rename(entry.path(), plain.join(entry.file_name())).unwrap();
         }
     }
-    expect(0, &["export", plain.to_str().unwrap(), "--out", &at(&folder, "data")]);
+    expect(0, &["data", "export", plain.to_str().unwrap(), "--out", &at(&folder, "data")]);
     assert_eq!(duckdb(block("sql", "-- slower"), folder.path()).lines().count(), 1);
 }

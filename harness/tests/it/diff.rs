@@ -26,13 +26,15 @@ fn what_changed_was_added_and_removed_is_told() {
     };
     let one = suite("mine.toml", &[("a", "2"), ("b", "3"), ("c", "4")]);
     let before = go(&one, "before", "exact,sos");
-    let told = expect(0, &["diff", &before, &go(&one, "again", "exact,sos")]);
+    let told = expect(0, &["data", "diff", &before, &go(&one, "again", "exact,sos")]);
     assert!(told.stdout.contains("| 6 | 0 | 0 | 0 |"), "{}", told.stdout);
 
     // One scene is gone, one is new, and one has another content; a backend is new.
     let other = suite("mine.toml", &[("a", "2"), ("b", "5"), ("d", "6")]);
     let now = go(&other, "now", "exact,sos");
-    let json: Value = serde_json::from_str(&expect(0, &["diff", &before, &now, "--json"]).stdout).unwrap();
+    let json: Value =
+        serde_json::from_str(&expect(0, &["data", "diff", &now, "--baseline", &before, "--format", "json"]).stdout)
+            .unwrap();
     let scenes = |of: &str| -> Vec<String> {
         json[of].as_array().unwrap().iter().map(|pair| pair["scene"].as_str().unwrap().to_owned()).collect()
     };
@@ -47,10 +49,10 @@ fn what_changed_was_added_and_removed_is_told() {
 
     // A wrong sign that nobody expects is a change for the worse.
     let naive = go(&other, "naive", "exact,naive");
-    let told = run(&["diff", &now, &naive, "--json"]);
+    let told = run(&["data", "diff", &now, &naive, "--format", "json"]);
     let json: Value = serde_json::from_str(&told.stdout).unwrap();
     let wrong = json["added"].as_array().unwrap().iter().any(|pair| pair["status"][1] == "unexpected");
     assert_eq!(told.code, if wrong { 100 } else { 0 }, "{}", told.stdout);
     assert!(wrong, "products of naive overflow: {}", told.stdout);
-    expect(2, &["diff", &before, &at(&folder, "nowhere")]);
+    expect(2, &["data", "diff", &before, &at(&folder, "nowhere")]);
 }

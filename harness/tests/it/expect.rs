@@ -35,7 +35,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     assert!(text.starts_with("# What is known.\n\n[[expect]]\n") && text.contains(why), "{text}");
     assert!(expect(0, &[&update[..], &[why]].concat()).stdout.contains("nothing to change"));
     let prune = |run: &str, more: &[&str]| {
-        expect(0, &[&["expect", "prune", run, "--expected", &known][..], more].concat()).stdout
+        expect(0, &[&["corpus", "expect", "prune", run, "--expected", &known][..], more].concat()).stdout
     };
     assert!(prune(&run, &[]).contains("nothing to change"));
 
@@ -50,7 +50,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
         write(&folder, "mine.toml", &format!("{SUITE}\n[[scene]]{}", more.split_once("\n[[scene]]").unwrap().0));
     let run = go(&folder, &suite, &known, "run-2");
     expect(100, &["gate", &run, "--expected", &known]);
-    expect(0, &["expect", "update", &run, "--expected", &known, "--reason", why]);
+    expect(0, &["corpus", "expect", "update", &run, "--expected", &known, "--reason", why]);
     let both = text.replace("    \"mine/wrong-once\",\n", "    \"mine/wrong-once\",\n    \"mine/wrong-again\",\n");
     assert_eq!(std::fs::read_to_string(&known).unwrap(), both);
     expect(0, &["gate", &run, "--expected", &known]);
@@ -81,7 +81,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     assert_eq!(std::fs::read_to_string(&known).unwrap(), crlf(&left));
     std::fs::write(&known, "# What is known.\r\n").unwrap();
     let first = at(&folder, "run");
-    expect(0, &["expect", "update", &first, "--expected", &known, "--reason", why]);
+    expect(0, &["corpus", "expect", "update", &first, "--expected", &known, "--reason", why]);
     assert_eq!(std::fs::read_to_string(&known).unwrap(), crlf(&text));
     // The glob is narrowed by hand, as it was told.
     std::fs::write(&known, left.replace("mine/wrong*", "mine/wrong-once")).unwrap();
@@ -111,12 +111,12 @@ fn what_a_run_has_not_tried_stays() {
         run(&[&["run", "-b", "naive", "-q", "--expected", &known, "--out", &out][..], args].concat());
         out
     };
-    let prune = |run: &str| expect(0, &["expect", "prune", run, "--expected", &known]).stdout;
+    let prune = |run: &str| expect(0, &["corpus", "expect", "prune", run, "--expected", &known]).stdout;
     let text = || std::fs::read_to_string(&known).unwrap();
     let (both, one, part) = (go("both", &[&a, &b]), go("one", &[&a]), go("part", &[&a, "-f", "plain"]));
 
     // Of another suite.
-    expect(0, &["expect", "update", &both, "--expected", &known, "--reason", "r"]);
+    expect(0, &["corpus", "expect", "update", &both, "--expected", &known, "--reason", "r"]);
     let before = text();
     assert!(before.contains("b/wrong-once"), "{before}");
     expect(0, &["gate", &one, "--expected", &known]);
@@ -163,7 +163,7 @@ fn an_update_counts_what_it_has_changed() {
         let suite = write(&folder, "mine.toml", &SUITE.replace("wrong-once", name));
         let known = write(&folder, "known.toml", "");
         let run = go(&folder, &suite, &known, &format!("run-{at}"));
-        let update = || expect(0, &["expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
+        let update = || expect(0, &["corpus", "expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
         let told = update();
         assert!(told.ends_with(": 1 rows are expected from now on\n"), "{told}");
         expect(0, &["gate", &run, "--expected", &known]);
@@ -173,7 +173,7 @@ fn an_update_counts_what_it_has_changed() {
     let suite = write(&folder, "mine.toml", SUITE);
     let known = write(&folder, "known.toml", &entries(&[("wrong-once", "naive", "nan")]));
     let run = go(&folder, &suite, &known, "run");
-    let told = expect(0, &["expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
+    let told = expect(0, &["corpus", "expect", "update", &run, "--expected", &known, "--reason", "r"]).stdout;
     assert!(told.ends_with(": 0 rows are expected from now on, 1 still unexpected pass\n"), "{told}");
     expect(101, &["gate", &run, "--expected", &known]);
 }
@@ -187,18 +187,19 @@ fn a_run_or_file_that_says_nothing_is_refused() {
     let state = std::path::Path::new(&run).join("state.json");
     let text = unsealed(&run, "state.json");
     std::fs::write(&state, text.replace("\"complete\"", "\"interrupted\"")).unwrap();
-    let told = expect(103, &["expect", "prune", &run, "--expected", &known]).stderr;
+    let told = expect(103, &["corpus", "expect", "prune", &run, "--expected", &known]).stderr;
     assert!(told.contains("incomplete: interrupted; complete it first"), "{told}");
     std::fs::write(&state, text).unwrap();
-    expect(2, &["expect", "prune", &run, "--expected", &at(&folder, "nowhere.toml")]);
+    expect(2, &["corpus", "expect", "prune", &run, "--expected", &at(&folder, "nowhere.toml")]);
     let inline = "expect = [{ backend = \"sos\", class = \"nan\", scene = \"*\", reason = \"r\" }]\n";
-    let told = expect(104, &["expect", "prune", &run, "--expected", &write(&folder, "inline.toml", inline)]).stderr;
+    let told =
+        expect(104, &["corpus", "expect", "prune", &run, "--expected", &write(&folder, "inline.toml", inline)]).stderr;
     assert!(told.contains("inline.toml:1: it is no table of its own; write it as [[expect]]"), "{told}");
     // The shipped file is edited where it is, and nowhere else.
-    let told = expect(2, &["expect", "prune", &run]).stderr;
+    let told = expect(2, &["corpus", "expect", "prune", &run]).stderr;
     assert!(told.contains("name the file with --expected"), "{told}");
     // A file that is not there yet is begun.
     let new = at(&folder, "new.toml");
-    expect(0, &["expect", "update", &run, "--expected", &new, "--reason", "r"]);
+    expect(0, &["corpus", "expect", "update", &run, "--expected", &new, "--reason", "r"]);
     expect(0, &["gate", &run, "--expected", &new]);
 }

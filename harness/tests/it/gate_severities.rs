@@ -83,11 +83,12 @@ fn what_is_mended_is_better_and_no_failure() {
     let gate = ["gate", &milder, "--expected", &none, "--baseline", &good, "--fail-on", "broken,not_done"];
     assert!(expect(0, &gate).stdout.contains("let pass: worse than the baseline: "));
 
-    let told = expect(0, &["diff", &bad, &good]).stdout;
+    let told = expect(0, &["data", "diff", &bad, &good]).stdout;
     assert!(told.contains("### ✅ Better") && told.contains(mended) && !told.contains('❌'), "{told}");
-    let told = expect(100, &["diff", &good, &bad]).stdout;
+    let told = expect(100, &["data", "diff", &good, &bad]).stdout;
     assert!(told.contains("### ❌ Worse\n\n* `worse than the baseline: mine/wrong-once"), "{told}");
-    let json: Value = serde_json::from_str(&expect(100, &["diff", &good, &bad, "--json"]).stdout).unwrap();
+    let json: Value =
+        serde_json::from_str(&expect(100, &["data", "diff", &good, &bad, "--format", "json"]).stdout).unwrap();
     let changed = &json["changed"][0];
     assert_eq!((changed["worse"].as_str(), changed["better"].as_str()), (Some("broken"), None), "{json}");
 }
@@ -105,10 +106,10 @@ fn an_unexpected_pass_says_what_to_prune_and_how() {
     let told = expect(101, &["gate", &out, "--expected", &known, "--junit", &junit]).stdout;
     let unmet = format!("{known}:9: `mine/pl*` on naive: no nan of mine/plain any more");
     assert!(told.contains(&format!("not met: {unmet}")), "{told}");
-    let prune = format!("predicament expect prune '{out}' --expected {known}");
+    let prune = format!("predicament corpus expect prune '{out}' --expected {known}");
     assert!(told.contains(&format!("take out what is not met with: {prune}\n")), "{told}");
     assert!(std::fs::read_to_string(&junit).unwrap().contains(&unmet));
-    expect(0, &["expect", "prune", &out, "--expected", &known]);
+    expect(0, &["corpus", "expect", "prune", &out, "--expected", &known]);
     expect(0, &["gate", &out, "--expected", &known]);
 }
 

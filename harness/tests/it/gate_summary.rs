@@ -63,7 +63,7 @@ fn a_comment_is_never_too_long() {
     run(&["run", &suite, "-b", backends, "-q", "--expected", &none, "--out", &out]);
     let before = at(&folder, "before");
     run(&["run", &suite, "-f", "0000$", "-b", "exact", "-q", "--expected", &none, "--out", &before]);
-    expect(100, &["gate", &out, "--expected", &none, "--baseline", &before, "--summary", &comment, "--json"]);
+    expect(100, &["gate", &out, "--expected", &none, "--baseline", &before, "--summary", &comment, "--format", "json"]);
     let text = std::fs::read_to_string(&comment).unwrap();
     assert!(text.len() <= 65_536 && text.contains("more\n"), "{}", text.len());
     assert_eq!(text.matches("predicament shrink ").count(), 10);
@@ -77,7 +77,7 @@ fn outputs_do_not_mix() {
     expect(0, &["run", "lecture", "-b", "exact", "-q", "--out", &out]);
     let told = expect(0, &["gate", &out, "--summary", "-"]);
     assert!(told.stdout.starts_with('#') && !told.stdout.contains("rows: "), "{}", told.stdout);
-    let told = expect(2, &["gate", &out, "--summary", "-", "--json"]);
+    let told = expect(2, &["gate", &out, "--summary", "-", "--format", "json"]);
     assert!(told.stderr.contains("name a file for --summary"), "{}", told.stderr);
     for (option, place) in [("--summary", format!("{out}/plan.json")), ("--junit", format!("{out}/../run/summary.csv"))]
     {

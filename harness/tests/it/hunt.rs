@@ -67,7 +67,10 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
     for (args, told) in [
-        (vec!["hunt", "orient4d", "-b", "exact"], "there is no task `orient4d`; choose from compare"),
+        (
+            vec!["hunt", "orient4d", "-b", "exact"],
+            "no task is called `orient4d`; did you mean `orient2d`? use one of compare",
+        ),
         (vec!["hunt", "orient2d", "-b", "exakt"], "exakt"),
         (vec!["hunt", "orient2d"], "--backend"),
         (
@@ -124,7 +127,7 @@ fn maps_and_meshes_are_hunted() {
     let folder = tempdir().unwrap();
     for task in ["polygon-locate", "mesh-locate", "mesh-intersect"] {
         let [suite, out] = ["toml", "out"].map(|end| at(&folder, &format!("{task}.{end}")));
-        expect(0, &["new", &suite, "--task", task]);
+        expect(0, &["corpus", "new", &suite, "--task", task]);
         let hunt =
             ["hunt", task, "-b", "naive", "--from", &suite, "--finds", "1", "--evaluations", "600", "--out", &out];
         let told = expect(0, &hunt);

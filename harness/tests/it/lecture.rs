@@ -59,7 +59,7 @@ fn the_pictures_of_the_lecture_are_the_tool_s() {
     };
     same(&at(&folder, "turn/triangles.svg"), "figures/lecture-orientation-inversion.svg");
     let map = at(&folder, "map.png");
-    expect(0, &["map", "kettner-pixels-a", "--out", &map]);
+    expect(0, &["draw", "map", "kettner-pixels-a", "--out", &map]);
     same(&map, "figures/lecture-side-of-an-edge.png");
 }
 

@@ -235,7 +235,7 @@ fn a_resumed_part_is_merged_like_any_other() {
 fn a_single_part_is_merged_into_the_same() {
     let folder = tempdir().unwrap();
     let [plan, part, out] = ["plan.json", "part", "merged"].map(|name| at(&folder, name));
-    expect(0, &["plan", "lecture", "-b", "exact", "--shards", "1", "--out", &plan]);
+    expect(0, &["shard", "plan", "lecture", "-b", "exact", "--shards", "1", "--out", &plan]);
     expect(0, &["run", "--plan", &plan, "--shard", "1/1", "-q", "--out", &part]);
     assert!(merge(std::slice::from_ref(&part), &out, 0).contains("1 part, "));
     assert_eq!(files(Path::new(&part)), files(Path::new(&out)));

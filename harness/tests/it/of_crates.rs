@@ -293,7 +293,7 @@ fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
 fn the_committed_table_of_laws_is_the_one_that_comes_out() {
     let names: Vec<String> = ALL.iter().map(|name| format!("engine:{name}")).collect();
     let backends = names.join(",");
-    let args = ["laws", "-b", &backends, "--tuples", "200000", "--seed", "1", "--format", "csv"];
+    let args = ["study", "laws", "-b", &backends, "--tuples", "200000", "--seed", "1", "--format", "csv"];
     let told = with_engines(100, &args);
     let all = |name: &str| column(&told, name);
     let number = |name: &str| -> Vec<u64> { all(name).iter().map(|n| n.parse().expect("a count")).collect() };

@@ -23,7 +23,11 @@ fn typed_points_are_answered_by_every_backend() {
     assert!(lines[1].starts_with(row), "{}", lines[1]);
     assert!(lines[1].contains(",0,overreach,float,+,agree,"), "{}", lines[1]);
     let text = expect(100, &[&args[..], &["text"]].concat()).stdout;
-    assert!(text.starts_with("query") && text.contains("0 overreach (float)"), "{text}");
+    assert!(
+        text.starts_with("orient2d(xy; 0 1 2)\n") && text.contains("naive        0  overreach   by float\n"),
+        "{text}"
+    );
+    assert!(text.lines().all(|line| line.chars().count() <= 100), "{text}");
     assert!(text.contains("vertex        0  (0.5, 0.5000000000000001)"), "{text}");
     let json = expect(100, &[&args[..], &["json"]].concat()).stdout;
     let row: serde_json::Value = serde_json::from_str(json.trim()).unwrap();
@@ -123,14 +127,19 @@ fn what_is_wrong_with_points_of_a_file_names_the_file() {
 #[test]
 fn a_new_suite_runs_as_it_is() {
     let folder = tempdir().unwrap();
-    let unknown = expect(2, &["new", &at(&folder, "x.toml"), "--task", "orient4d"]).stderr;
+    let unknown = expect(2, &["corpus", "new", &at(&folder, "x.toml"), "--task", "orient4d"]).stderr;
     assert_eq!(unknown.lines().count(), 1, "{unknown}");
-    let tasks = unknown.trim().split_once("called `orient4d`; use one of ").expect("their names").1.split(", ");
+    let tasks = unknown
+        .trim()
+        .split_once("called `orient4d`; did you mean `orient2d`? use one of ")
+        .expect("their names")
+        .1
+        .split(", ");
     let tasks: Vec<&str> = tasks.collect();
     assert!(tasks.len() >= 11 && tasks.contains(&"insphere") && tasks.contains(&"contacts3d"), "{unknown}");
     for task in tasks {
         let file = at(&folder, &format!("{task}.toml"));
-        let told = expect(0, &["new", &file, "--task", task]);
+        let told = expect(0, &["corpus", "new", &file, "--task", task]);
         assert!(told.stdout.contains(&format!("run {file} -b exact,sos,naive --answers")), "{}", told.stdout);
         let text = std::fs::read_to_string(&file).unwrap();
         assert!(!text.contains("{t") && !text.contains("{data}") && !text.contains("@"), "{text}");
@@ -143,7 +152,7 @@ fn a_new_suite_runs_as_it_is() {
         let made: Vec<&str> = made.iter().map_while(|line| line.strip_prefix("# ")).collect();
         let generated = write(&folder, &format!("{task}-made.toml"), &format!("title = \"t\"\n{}\n", made.join("\n")));
         assert!(made.len() >= 5 && run(&["corpus", "verify", &generated]).code == 0, "{task}: {made:?}");
-        assert!(expect(2, &["new", &file]).stderr.contains("the file is there"));
+        assert!(expect(2, &["corpus", "new", &file]).stderr.contains("the file is there"));
     }
     write(&folder, "land.geojson", r#"{"type": "Polygon", "coordinates": [[[0, 0], [1, 0], [0, 1], [0, 0]]]}"#);
     write(&folder, "cubes.csv", "0,0,0,1\n");
@@ -164,14 +173,14 @@ fn a_new_suite_runs_as_it_is() {
         ("overlay2d", "land.geojson"),
     ] {
         let file = at(&folder, &format!("{task}-of-file.toml"));
-        expect(0, &["new", &file, "--task", task, "--points", data]);
+        expect(0, &["corpus", "new", &file, "--task", task, "--points", data]);
         expect(0, &["corpus", "verify", &file]);
     }
     write(&folder, "points.csv", "0,0\n1,0\n0,1\n");
     let file = at(&folder, "mine.toml");
-    expect(0, &["new", &file, "--points", "points.csv"]);
+    expect(0, &["corpus", "new", &file, "--points", "points.csv"]);
     expect(0, &["run", &file, "-b", "exact", "--out", &at(&folder, "run")]);
-    assert!(expect(2, &["new", &at(&folder, "mine.txt")]).stderr.contains("a suite's name ends with .toml"));
+    assert!(expect(2, &["corpus", "new", &at(&folder, "mine.txt")]).stderr.contains("a suite's name ends with .toml"));
 }
 
 #[test]
@@ -248,7 +257,7 @@ fn a_suite_by_path_can_be_drawn_and_a_changed_one_is_named() {
                   p = [0.5, 0.5]\nq = [12, 12]\nr = [24, 24]\nside = 8\n";
     let suite = write(&folder, "mine.toml", pixels);
     let png = at(&folder, "map.png");
-    expect(0, &["map", "neighbours", "--suite", &suite, "-b", "naive,exact", "--out", &png]);
+    expect(0, &["draw", "map", "neighbours", "--suite", &suite, "-b", "naive,exact", "--out", &png]);
     assert!(std::fs::read(&png).unwrap().starts_with(b"\x89PNG"));
 
     let suite = write(&folder, "mine.toml", SUITE);

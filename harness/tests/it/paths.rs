@@ -111,8 +111,8 @@ fn files_that_are_none_are_named_with_a_cure() {
         (&["run", "lecture", "--out", &file], &file, "name another place"),
         (&["hunt", "orient2d", "-b", "naive", "--out", &file], &file, "name another place"),
         (&["report", &file, "--out", &out], &file, "name another place"),
-        (&["export", &missing, "--out", &out], &missing, "name what is there"),
-        (&["selftest", "--out", &file, "--only", "fault:sos-swapped-term"], &file, "name another place"),
+        (&["data", "export", &missing, "--out", &out], &missing, "name what is there"),
+        (&["setup", "selftest", "--out", &file, "--only", "fault:sos-swapped-term"], &file, "name another place"),
         (&["gate", &missing], &missing, "name another folder"),
     ];
     for (words, path, cure) in cases {

@@ -29,7 +29,7 @@ fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
     let folder = tempdir().unwrap();
     let picture = |backend: &str| {
         let out = at(&folder, &format!("{}.png", backend.replace(':', "-")));
-        let told = expect(0, &["map", "kettner-pixels-a", "-b", backend, "--out", &out]);
+        let told = expect(0, &["draw", "map", "kettner-pixels-a", "-b", backend, "--out", &out]);
         let (width, pixels) = decode(&out);
         assert_eq!((width, pixels.len()), (256, 256 * 256));
         (told.stdout.lines().next().unwrap().to_owned(), pixels)
@@ -54,10 +54,10 @@ fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
     assert_eq!(colours(&epsilon), BTreeSet::from([YELLOW, DARK_YELLOW]));
     assert!(caption.contains(" 65280 differ from the exact sign, 65280 wrong"), "{caption}");
 
-    let help = expect(0, &["map", "--help"]).stdout;
+    let help = expect(0, &["draw", "map", "--help"]).stdout;
     assert!(help.contains("red/yellow/blue for -/0/+"), "{help}");
     let readme = std::fs::read_to_string("../README.md").unwrap().replace('\n', " ");
-    assert!(readme.contains("Blue is left, red is right, yellow is on the line; dark is wrong"), "{readme}");
+    assert!(readme.contains("blue is left, red is right, yellow is on the line, and dark is wrong"), "{readme}");
 }
 
 #[test]
@@ -65,7 +65,8 @@ fn what_cannot_be_drawn_is_said_before_anything_is_written() {
     let folder = tempdir().unwrap();
     let refused = |words: &[&str], name: &str, said: &str| {
         let out = at(&folder, name);
-        let told = run(&[&["map", "kettner-a1-global", "-b", "exact", "--side", "5", "--out", &out], words].concat());
+        let told =
+            run(&[&["draw", "map", "kettner-a1-global", "-b", "exact", "--side", "5", "--out", &out], words].concat());
         assert!(told.code == 2 && told.stderr.contains(said), "{words:?}: {} {}", told.code, told.stderr);
         assert!(!folder.path().join(name).exists(), "{name}");
     };

@@ -24,8 +24,11 @@ fn suite(folder: &TempDir, x: u32) -> String {
 /// Makes a plan, for a file without expectations beside it; what was printed.
 fn plan(folder: &TempDir, words: &[&str], parts: u32, out: &str) -> String {
     let (parts, none) = (parts.to_string(), none(folder));
-    expect(0, &[&["plan"][..], words, &BACKENDS, &["--expected", &none, "--shards", &parts, "--out", out]].concat())
-        .stdout
+    expect(
+        0,
+        &[&["shard", "plan"][..], words, &BACKENDS, &["--expected", &none, "--shards", &parts, "--out", out]].concat(),
+    )
+    .stdout
 }
 
 /// No expectations: the shipped ones take longer to read than most of these runs.
@@ -91,7 +94,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
         .collect();
     let merged = at(&folder, "merged");
     let parts: Vec<&str> = parts.iter().map(String::as_str).collect();
-    assert_eq!(run(&[&["merge", "--out", &merged][..], &parts].concat()).code, 100, "naive is wrong here");
+    assert_eq!(run(&[&["shard", "merge", "--out", &merged][..], &parts].concat()).code, 100, "naive is wrong here");
     assert_same(&whole, &merged);
     let hash = |file: &str| -> String {
         let json: serde_json::Value = serde_json::from_str(file).unwrap();
@@ -103,7 +106,8 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     assert_eq!(counted(&merged), counted(&whole));
     plan(&folder, &[&suites[..], &["--costs", &merged]].concat(), 2, &at(&folder, "next.json"));
     // The same parts, one of them by another plan.
-    let told = expect(2, &[&["merge", "--out", &at(&folder, "mixed"), &planned][..], &parts[1..]].concat()).stderr;
+    let told =
+        expect(2, &[&["shard", "merge", "--out", &at(&folder, "mixed"), &planned][..], &parts[1..]].concat()).stderr;
     assert!(told.contains("made by the plan"), "{told}");
     // A part that claims a scene of another one, and all parts but one.
     let places = |part: &str| -> serde_json::Value {
@@ -117,7 +121,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     claims.as_object_mut().unwrap().remove("seal");
     std::fs::write(&file, claims.to_string()).unwrap();
     let out = at(&folder, "doubled");
-    let told = expect(2, &[&["merge", "--out", &out][..], &parts].concat()).stderr;
+    let told = expect(2, &[&["shard", "merge", "--out", &out][..], &parts].concat()).stderr;
     assert!(told.contains("plan.json: its bytes are not those that the run has written"), "{told}");
     // Even where its digest is made to fit.
     let state = unsealed(parts[1], "state.json");
@@ -128,11 +132,11 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
         state.to_string()
     };
     std::fs::write(Path::new(parts[1]).join("state.json"), forged).unwrap();
-    let told = expect(2, &[&["merge", "--out", &out][..], &parts].concat()).stderr;
+    let told = expect(2, &[&["shard", "merge", "--out", &out][..], &parts].concat()).stderr;
     assert!(told.contains("of the whole is in another part, too"), "{told}");
     std::fs::write(&file, text).unwrap();
     std::fs::write(Path::new(parts[1]).join("state.json"), state).unwrap();
-    let told = expect(103, &[&["merge", "--out", &out][..], &parts[..6]].concat()).stderr;
+    let told = expect(103, &[&["shard", "merge", "--out", &out][..], &parts[..6]].concat()).stderr;
     assert!(told.contains("these are missing: 7/7") && !Path::new(&out).exists(), "{told}");
     // All of a plan on one machine.
     let at_once = go(&folder, "at-once", &["--plan", &weighed]);
@@ -165,7 +169,7 @@ fn a_plan_that_does_not_fit_is_refused() {
     let other = write(&folder, "other.toml", "# none");
     let told = expect(2, &["run", "--plan", &file, "--expected", &other, "--shard", "1/3", "--out", &out]).stderr;
     assert!(told.contains("it was made for other expectations"), "{told}");
-    expect(2, &["plan", &mine, "--out", &file]);
+    expect(2, &["shard", "plan", &mine, "--out", &file]);
 
     // One scene is another by now: its part says so, and the others that the file is not the one that was planned.
     suite(&folder, 7);
@@ -209,12 +213,12 @@ fn a_part_of_a_plan_is_resumed_as_it_was_planned() {
 #[test]
 fn costs_that_are_not_there_are_an_error() {
     let folder = tempdir().unwrap();
-    let told = expect(2, &["plan", "ties", "--costs", &at(&folder, "nowhere")]).stderr;
+    let told = expect(2, &["shard", "plan", "ties", "--costs", &at(&folder, "nowhere")]).stderr;
     assert!(told.contains("it has no costs.csv"), "{told}");
     let out = go(&folder, "run", &["lecture", "-f", "ear", "-b", "exact"]);
     let costs = read(&out, "costs.csv");
     assert_eq!(column(&costs, "backend"), ["truth", "exact"].repeat(column(&costs, "scene").len() / 2));
     std::fs::write(Path::new(&out).join("costs.csv"), costs.replace(",exact,", ",exact,many")).unwrap();
-    let told = expect(2, &["plan", "lecture", "--costs", &out]).stderr;
+    let told = expect(2, &["shard", "plan", "lecture", "--costs", &out]).stderr;
     assert!(told.contains("costs.csv:3: it is no row of costs"), "{told}");
 }

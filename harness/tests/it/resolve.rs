@@ -52,14 +52,14 @@ fn cubes_that_overlap_become_one_mesh() {
     let folder = tempdir().unwrap();
     let mesh = write(&folder, "two.off", &two_cubes());
     let out = at(&folder, "one.off");
-    let told = expect(0, &["resolve", &mesh, "--out", &out]);
+    let told = expect(0, &["corpus", "resolve", &mesh, "--out", &out]);
     assert!(told.stdout.contains("triangles cut") && told.stdout.contains("does not cross itself"), "{}", told.stdout);
     // All of it is in doubles: six times 16 less 2.625, and nothing rounds.
     let text = std::fs::read_to_string(&out).unwrap();
     assert_eq!(volume(&two_cubes()), 6.0 * 16.0);
     assert_eq!(volume(&text), 6.0 * 13.375);
     // Again there is nothing to do, and what was refused is taken.
-    let again = expect(0, &["resolve", &out, "--out", &at(&folder, "again.stl")]);
+    let again = expect(0, &["corpus", "resolve", &out, "--out", &at(&folder, "again.stl")]);
     assert!(again.stdout.contains("\n0 pairs crossed; 0 triangles cut"), "{}", again.stdout);
     let pair = ["solve", "mesh-intersect", "-b", "sos:per-mesh"];
     let refused = expect(2, &[&pair[..], &[&mesh, &out, "--out", &at(&folder, "cut")]].concat());
@@ -86,7 +86,7 @@ fn what_bounds_nothing_is_named() {
         ("two.off", &whole, "out.txt", 2, "name a .off, .obj, .ply or .stl file"),
     ] {
         let mesh = write(&folder, name, text);
-        let told = expect(code, &["resolve", &mesh, "--out", out]);
+        let told = expect(code, &["corpus", "resolve", &mesh, "--out", out]);
         assert!(told.stderr.contains(wanted), "{name}: {}", told.stderr);
     }
     assert!(!std::path::Path::new(&out).exists());

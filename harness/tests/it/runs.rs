@@ -284,7 +284,7 @@ fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
     run(&["run", "-f", "kettner-pixels-a", "-b", "exact,naive", "--out", &before]);
     run(&["run", "-f", "kettner-pixels-a|tilings/bricks", "-b", "exact", "--out", &now]);
     std::fs::write(&page, "Mine\n<!-- predicament: glance tables -->\n<!-- /predicament -->\n").unwrap();
-    expect(0, &["report", &now, "--against", &before, "--splice", &page, "--out", &report]);
+    expect(0, &["report", &now, "--baseline", &before, "--splice", &page, "--out", &report]);
     let markdown = read(&report, "report.md");
     // One pair is there as before, one is new, and one is gone.
     assert!(markdown.contains("## Beside the earlier run") && markdown.contains("| 1 | 0 | 1 | 1 |"), "{markdown}");
@@ -403,10 +403,10 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     };
     let compared = at(&folder, "run/compare");
     let without = page();
-    let command = format!("predicament compare --out {compared}");
+    let command = format!("predicament study compare --out {compared}");
     assert!(without.contains("Which backend for what") && without.contains(&command), "{without}");
     let few = ["-b", "exact,naive", "-t", "orient2d", "--scenes", "1", "--samples", "0"];
-    expect(0, &[&["compare"][..], &few, &["--out", &compared]].concat());
+    expect(0, &[&["study", "compare"][..], &few, &["--out", &compared]].concat());
     let with = page();
     assert!(with.contains("Backends on scenes of each kind") && !with.contains(&command), "{with}");
     // The decision tree is on the first screen, whether there is a comparison or not.
@@ -423,7 +423,7 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     std::fs::rename(format!("{compared}/compare.csv"), format!("{out}/compare.csv")).unwrap();
     assert!(page().contains("Backends on scenes of each kind"));
     let named = at(&folder, "named");
-    expect(0, &[&["compare"][..], &few, &["--out", &named]].concat());
+    expect(0, &[&["study", "compare"][..], &few, &["--out", &named]].concat());
     expect(0, &["report", &out, &named, "--out", &pages]);
     assert_eq!(read(&pages, "report.md").matches("Backends on scenes of each kind").count(), 1);
 }

@@ -9,10 +9,10 @@ use crate::common::{at, expect, tool};
 
 #[test]
 fn the_page_of_checks_is_what_the_tool_prints() {
-    let page = expect(0, &["selftest", "--checks", "--format", "md"]).stdout;
+    let page = expect(0, &["setup", "selftest", "--checks", "--format", "md"]).stdout;
     let kept = include_str!("../../../docs/CHECKS.md");
     assert!(page == kept, "run `cargo xtask pages`:\n{page}");
-    let table = expect(0, &["selftest", "--checks", "--format", "csv"]).stdout;
+    let table = expect(0, &["setup", "selftest", "--checks", "--format", "csv"]).stdout;
     let rows = page.lines().filter(|line| line.starts_with("| ")).count() - 2;
     assert_eq!(table.lines().count() - 1, rows, "a row for each check");
     assert!(table.starts_with("check,class,tasks,holds,faults\n"), "{table}");
@@ -21,7 +21,7 @@ fn the_page_of_checks_is_what_the_tool_prints() {
 /// Faults in readers need no scene, so that this takes no time.
 #[test]
 fn a_check_that_is_off_turns_the_card_red() {
-    let only = ["selftest", "--only", "readers:swaps-axes,readers:obj-from-zero", "--json"];
+    let only = ["setup", "selftest", "--only", "readers:swaps-axes,readers:obj-from-zero", "--format", "json"];
     let told = expect(0, &only).stdout;
     let lines: Vec<Value> = told.lines().map(|line| serde_json::from_str(line).unwrap()).collect();
     let by_name =
@@ -43,7 +43,7 @@ fn a_check_that_is_off_turns_the_card_red() {
 fn the_card_is_a_table_too() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "card");
-    let args = ["selftest", "-f", "^filters/", "--only", "fault:exact-relative-filter", "--shrink"];
+    let args = ["setup", "selftest", "-f", "^filters/", "--only", "fault:exact-relative-filter", "--shrink"];
     let told = expect(0, &[&args[..], &["--out", &out]].concat()).stdout;
     assert!(told.contains("points pieces"), "{told}");
     let table = std::fs::read_to_string(format!("{out}/selftest.csv")).unwrap();
@@ -57,15 +57,15 @@ fn the_card_is_a_table_too() {
 #[test]
 fn options_that_would_do_nothing_are_refused() {
     for ask in ["--list", "--checks"] {
-        for more in ["--json", "--out=zz", "--shrink", "--everything", "--without=sign", "--filter=a"] {
-            let told = expect(2, &["selftest", ask, more]).stderr;
+        for more in ["--out=zz", "--shrink", "--everything", "--without=sign", "--filter=a"] {
+            let told = expect(2, &["setup", "selftest", ask, more]).stderr;
             let option = more.split('=').next().unwrap();
             let is_told = told.contains("cannot be used with") && told.contains(ask) && told.contains(option);
             assert!(is_told, "{told}");
         }
     }
-    expect(2, &["selftest", "--checks", "--only", "readers:swaps-axes"]);
-    let told = expect(0, &["selftest", "--list", "--only", "readers:swaps-axes"]).stdout;
+    expect(2, &["setup", "selftest", "--checks", "--only", "readers:swaps-axes"]);
+    let told = expect(0, &["setup", "selftest", "--list", "--only", "readers:swaps-axes"]).stdout;
     assert!(told.starts_with("readers:swaps-axes "), "{told}");
 }
 
@@ -75,7 +75,8 @@ fn options_that_would_do_nothing_are_refused() {
 fn an_interrupted_selftest_says_that_nothing_is_kept() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "card");
-    let args = ["selftest", "--only", "fault:exact-flushed", "--everything", "--json", "--out", &out];
+    let args =
+        ["setup", "selftest", "--only", "fault:exact-flushed", "--everything", "--format", "json", "--out", &out];
     let mut child = tool(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     // Until it listens, the signal would end it.
     let id = child.id().to_string();

@@ -9,7 +9,7 @@ use crate::common::{at, column, expect, read, run, write};
 
 /// Of each task a few scenes of the embedded suites: some of them are a single place.
 fn scenes() -> BTreeMap<String, Vec<[String; 2]>> {
-    let listed = expect(0, &["corpus", "list", "--scenes", "--json"]).stdout;
+    let listed = expect(0, &["corpus", "list", "--scenes", "--format", "json"]).stdout;
     let mut scenes: BTreeMap<String, Vec<[String; 2]>> = BTreeMap::new();
     for suite in listed.lines().map(|line| serde_json::from_str::<Value>(line).unwrap()) {
         for scene in suite["scenes"].as_array().unwrap() {
@@ -80,7 +80,7 @@ fn places_are_where_the_scene_says() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", TRIANGLE);
     let out = at(&folder, "hull.json");
-    expect(0, &["show", &suite, "-f", "hull", "-b", "exact", "--out", &out]);
+    expect(0, &["draw", "scene", &suite, "-f", "hull", "-b", "exact", "--out", &out]);
     let drawing: Value = serde_json::from_str(&std::fs::read_to_string(&out).unwrap()).unwrap();
     let hull = &drawing["layers"][0];
     assert_eq!((hull["name"].as_str(), hull["lengths"].as_array().map(Vec::len)), (Some("hull"), Some(1)));
@@ -93,12 +93,12 @@ fn places_are_where_the_scene_says() {
 
     // From vertex 3, what is nearer than 2 is drawn: vertex 3 itself is in the middle.
     let svg = at(&folder, "near.svg");
-    expect(0, &["show", &suite, "-f", "hull", "--around", "3", "--radius", "2", "--out", &svg]);
+    expect(0, &["draw", "scene", &suite, "-f", "hull", "--around", "3", "--radius", "2", "--out", &svg]);
     let svg = std::fs::read_to_string(svg).unwrap();
     assert!(svg.contains("<circle cx=\"380.0\""), "{svg}");
     // A page with a view needs nothing else.
     let page = at(&folder, "hull.html");
-    expect(0, &["show", &suite, "-f", "hull", "-b", "exact", "--out", &page]);
+    expect(0, &["draw", "scene", &suite, "-f", "hull", "-b", "exact", "--out", &page]);
     let page = std::fs::read_to_string(page).unwrap();
     assert!(page.contains("predicamentView(JSON.parse") && !page.contains("src=\"http"));
 }
@@ -108,7 +108,7 @@ fn what_cannot_be_shown_says_why() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "mine.toml", TRIANGLE);
     let out = at(&folder, "x.svg");
-    let told = |words: &[&str]| expect(2, &[&["show", &suite, "-f", "hull"], words].concat()).stderr;
+    let told = |words: &[&str]| expect(2, &[&["draw", "scene", &suite, "-f", "hull"], words].concat()).stderr;
     assert!(told(&["--out", "x.gif"]).contains(".svg, .html or .json"));
     assert!(told(&["--out", &out, "--layer", "hulls"]).contains("the drawing has hull, points"));
     assert!(told(&["--out", &out, "--around", "4"]).contains("no such vertex"));
@@ -129,11 +129,13 @@ fn a_finding_is_shown_with_its_vertices_and_walks() {
     let naive = at(&folder, "naive");
     let id = column(&read(&naive, "findings.csv"), "finding_id").first().cloned().expect("naive is wrong here");
     let out = at(&folder, "finding.json");
-    expect(0, &["show", "--finding", &id, "--run", &naive, "--out", &out]);
+    expect(0, &["draw", "scene", "--finding", &id, "--run", &naive, "--out", &out]);
     assert!(layers(&std::fs::read_to_string(&out).unwrap()).contains(&("query".to_owned(), 3)));
     let out = at(&folder, "walk.svg");
-    let told =
-        expect(0, &["map", "--finding", &id, "--run", &naive, "-b", "naive,exact", "--side", "32", "--out", &out]);
+    let told = expect(
+        0,
+        &["draw", "map", "--finding", &id, "--run", &naive, "-b", "naive,exact", "--side", "32", "--out", &out],
+    );
     let lines: Vec<&str> = told.stdout.lines().collect();
     assert!(
         lines[1].starts_with("exact") && lines[1].ends_with("0 wrong") && !lines[0].ends_with(" 0 wrong"),
@@ -158,7 +160,7 @@ fn a_walk_is_the_picture_of_the_paper() {
     let suite = write(&folder, "mine.toml", points);
     let [whole, walk] = ["whole.png", "walk.png"].map(|name| at(&folder, name));
     let backends = ["-b", "naive,naive:first,exact,shewchuk"];
-    expect(0, &[&["map", "kettner-pixels-a", "--out", &whole], &backends[..]].concat());
+    expect(0, &[&["draw", "map", "kettner-pixels-a", "--out", &whole], &backends[..]].concat());
     let query = ["--query", "orient2d(xy; 0 1 2)", "--move", "0", "--side", "256"];
     for step in [step, "1ulp"] {
         let words = ["map", "middle", "--suite", &suite, "--step", step, "--out", &walk];

@@ -102,12 +102,12 @@ fn no_command_starts_what_a_folder_names() {
                 &["report", &run, &honest, "--baseline", &honest, "--out", &report],
                 &["gate", &run, "--junit", &junit],
                 &["gate", &run, "--baseline", &honest],
-                &["diff", &run, &honest],
-                &["merge", &run, "--out", &merged],
-                &["export", &run, "--out", &exported],
-                &["show", "--finding", &ids[0], "--run", &run, "--out", &picture],
-                &["expect", "update", &run, "--expected", &known, "--reason", "r", "--dry-run"],
-                &["expect", "prune", &run, "--expected", &known, "--dry-run"],
+                &["data", "diff", &run, &honest],
+                &["shard", "merge", &run, "--out", &merged],
+                &["data", "export", &run, "--out", &exported],
+                &["draw", "scene", "--finding", &ids[0], "--run", &run, "--out", &picture],
+                &["corpus", "expect", "update", &run, "--expected", &known, "--reason", "r", "--dry-run"],
+                &["corpus", "expect", "prune", &run, "--expected", &known, "--dry-run"],
                 &["bench", "--judged", &run, "--samples", "1", "--out", &bench],
             ];
             for args in silent {

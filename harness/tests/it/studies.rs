@@ -5,7 +5,7 @@ use tempfile::tempdir;
 
 #[test]
 fn what_is_proved_keeps_the_laws_and_what_rounds_breaks_them() {
-    let told = expect(0, &["laws", "-b", "exact,sos", "--tuples", "20000", "--format", "csv"]);
+    let told = expect(0, &["study", "laws", "-b", "exact,sos", "--tuples", "20000", "--format", "csv"]);
     let numbers = |name: &str| column(&told.stdout, name).iter().map(|n| n.parse::<u64>().unwrap()).collect::<Vec<_>>();
     let [tuples, violations, panics] = ["tuples", "violations", "panics"].map(numbers);
     assert!(tuples.iter().sum::<u64>() >= 2 * 20_000, "{}", told.stdout);
@@ -14,7 +14,7 @@ fn what_is_proved_keeps_the_laws_and_what_rounds_breaks_them() {
         assert!(column(&told.stdout, "law").iter().any(|name| name == law), "{law}");
     }
     let tuples = predicament_effort::some_or_all("2000", "20000");
-    let told = expect(100, &["laws", "-b", "naive,fault:sos-place-as-identity", "--tuples", tuples]);
+    let told = expect(100, &["study", "laws", "-b", "naive,fault:sos-place-as-identity", "--tuples", tuples]);
     for needle in ["| antisymmetry", "naive", "orient2d(xy; ", "equals-exact"] {
         assert!(told.stdout.contains(needle), "{needle}: {}", told.stdout);
     }
@@ -22,16 +22,18 @@ fn what_is_proved_keeps_the_laws_and_what_rounds_breaks_them() {
 
 #[test]
 fn mistakes_are_answered_with_what_there_is() {
-    assert!(expect(2, &["laws", "-b", "exat"]).stderr.contains("no backend is called `exat`"));
-    expect(2, &["laws", "--format", "xml"]);
+    assert!(expect(2, &["study", "laws", "-b", "exat"]).stderr.contains("no backend is called `exat`"));
+    expect(2, &["study", "laws", "--format", "xml"]);
 }
 
 #[test]
 fn the_smallest_scenes_read_back_and_still_cross_an_odd_number_of_times() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
-    let told =
-        expect(0, &["parity", "--pairs", "300", "--seed", "3", "--shrink", "3", "--threads", "2", "--out", &out]);
+    let told = expect(
+        0,
+        &["study", "parity", "--pairs", "300", "--seed", "3", "--shrink", "3", "--threads", "2", "--out", &out],
+    );
     assert_eq!(told.stdout, format!("{}\n{out}\n", read(&out, "parity.md")));
     assert_eq!(column(&read(&out, "parity.csv"), "pairs"), ["900"; 6]);
     let (suite, again) = (format!("{out}/smallest.toml"), at(&folder, "again"));
@@ -75,11 +77,11 @@ fn the_smallest_scenes_of_the_embedded_suite_are_odd_with_tolerances_alone() {
 
 #[test]
 fn no_pairs_and_no_folder_are_refused() {
-    assert!(expect(2, &["parity", "--pairs", "0", "--out", "x"]).stderr.contains("--pairs"));
-    assert!(expect(2, &["parity"]).stderr.contains("--out"));
+    assert!(expect(2, &["study", "parity", "--pairs", "0", "--out", "x"]).stderr.contains("--pairs"));
+    assert!(expect(2, &["study", "parity"]).stderr.contains("--out"));
     let folder = tempdir().unwrap();
     let file = write(&folder, "file", "");
-    assert!(expect(2, &["parity", "--pairs", "1", "--out", &file]).stderr.contains(&file));
+    assert!(expect(2, &["study", "parity", "--pairs", "1", "--out", &file]).stderr.contains(&file));
 }
 
 #[test]
@@ -87,13 +89,13 @@ fn an_audit_passes_though_what_is_printed_does_not() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
     let decisions = if predicament_effort::whole() { "500" } else { "50" };
-    let told = expect(0, &["audit", "--decisions", decisions, "--out", &out]);
+    let told = expect(0, &["study", "audit", "--decisions", decisions, "--out", &out]);
     assert_eq!(told.stdout, format!("{}\n{out}\n", read(&out, "audit.md")));
     let csv = read(&out, "audit.csv");
     let broken: u64 =
         ["overreach", "missed"].iter().flat_map(|name| column(&csv, name)).map(|n| n.parse::<u64>().unwrap()).sum();
     assert!(broken > 0, "{csv}");
-    assert!(expect(2, &["audit", "--decisions", "0"]).stderr.contains("--decisions"));
+    assert!(expect(2, &["study", "audit", "--decisions", "0"]).stderr.contains("--decisions"));
 }
 
 #[test]
@@ -101,24 +103,24 @@ fn every_planted_tolerance_and_driver_is_found() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
     let decisions = if predicament_effort::whole() { "3000" } else { "1000" };
-    expect(0, &["audit", "--planted", "--decisions", decisions, "--out", &out]);
+    expect(0, &["study", "audit", "--planted", "--decisions", decisions, "--out", &out]);
     let found = column(&read(&out, "reads.csv"), "misread");
     assert!(found.len() == 2 * (17 + 9) && found.iter().all(|n| n != "0"), "{found:?}");
     let numbers = column(&read(&out, "constants.csv"), "is_published");
     assert!(numbers.len() == 64 && numbers.iter().all(|said| said == "false"), "{numbers:?}");
     // too few pairs to find anything: then it has to fail
-    expect(100, &["audit", "--planted", "--decisions", "1"]);
+    expect(100, &["study", "audit", "--planted", "--decisions", "1"]);
 }
 
 #[test]
 fn resolution_leaves_tables_and_plots() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
-    let told = expect(0, &["resolution", "-b", "tolerance", "--trials", "1", "--out", &out]);
+    let told = expect(0, &["study", "resolution", "-b", "tolerance", "--trials", "1", "--out", &out]);
     assert_eq!(told.stdout, format!("{}\n{out}\n", read(&out, "resolution.md")));
     assert!(["resolution.svg", "location.svg"].iter().all(|name| read(&out, name).starts_with("<svg")));
     assert!(column(&read(&out, "location.csv"), "backend").iter().all(|name| name == "tolerance"));
-    assert!(expect(2, &["resolution", "--trials", "0", "--out", &out]).stderr.contains("--trials"));
+    assert!(expect(2, &["study", "resolution", "--trials", "0", "--out", &out]).stderr.contains("--trials"));
 }
 
 /// What `stress --suites` writes is what `run` takes.
@@ -128,7 +130,7 @@ fn a_break_point_is_kept_as_a_suite() {
     let (out, suites, again) = (at(&folder, "out"), at(&folder, "kept/scale"), at(&folder, "again"));
     let few =
         ["-b", "exact,naive", "-t", "insphere", "-k", "scale", "--scenes", "1", "--samples", "0", "--tuples", "0"];
-    expect(0, &[&["stress"][..], &few, &["--suites", &suites, "--out", &out]].concat());
+    expect(0, &[&["study", "stress"][..], &few, &["--suites", &suites, "--out", &out]].concat());
     let breaks = read(&out, "breaks.csv");
     let down = breaks.lines().find(|line| line.contains(",down,naive,")).unwrap();
     let at = down.split(',').nth(5).unwrap();

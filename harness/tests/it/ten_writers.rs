@@ -60,9 +60,9 @@ fn outputs_are_those_of_one_writer() {
         (100, "junit.xml", words(&["gate", &run, "--junit"])),
         (100, "comment.md", words(&["gate", &run, "--summary"])),
         (0, "report", words(&["report", &run, "--out"])),
-        (0, "tables", words(&["export", &run, "--out"])),
-        (0, "map.png", words(&["map", "kettner-pixels-a", "-b", "exact", "--out"])),
-        (0, "finding.html", words(&["show", "--finding", &id, "--run", &run, "--out"])),
+        (0, "tables", words(&["data", "export", &run, "--out"])),
+        (0, "map.png", words(&["draw", "map", "kettner-pixels-a", "-b", "exact", "--out"])),
+        (0, "finding.html", words(&["draw", "scene", "--finding", &id, "--run", &run, "--out"])),
     ] {
         let into = |name: &str| {
             let place = folder.path().join(name);
@@ -103,7 +103,7 @@ fn no_edit_in_place_is_lost() {
         let run = at(&folder, &format!("run-{writer}"));
         let suite = suite.as_str();
         expect(100, &["run", suite, "-b", "epsilon:1e300", "--out", &run]);
-        calls.push(words(&["expect", "update", &run, "--expected", &known, "--reason", "ten writers"]));
+        calls.push(words(&["corpus", "expect", "update", &run, "--expected", &known, "--reason", "ten writers"]));
         scenes.push(format!("\"{name}/"));
     }
     at_once(0, &calls);

@@ -13,9 +13,10 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
     // The smallest of the three maps has rows in their tables; the other two are as much work as all other scenes.
     let scenes = if predicament_effort::whole() { SOME.to_owned() } else { format!("{SOME}crossing") };
     // And the study with a folder that works in parallel.
-    for args in
-        [&["run", "-f", &scenes, "-b", "exact,sos,naive,tolerance"][..], &["parity", "--pairs", "60", "--shrink", "1"]]
-    {
+    for args in [
+        &["run", "-f", &scenes, "-b", "exact,sos,naive,tolerance"][..],
+        &["study", "parity", "--pairs", "60", "--shrink", "1"],
+    ] {
         let [one, many] = ["1", "5"].map(|threads| {
             let out = at(&folder, &format!("{}{threads}", args[0]));
             let told = run(&[args, &["--threads", threads, "--out", &out]].concat());
@@ -34,7 +35,7 @@ fn the_bytes_do_not_depend_on_the_number_of_threads() {
         assert_same_tables(&one, &many, "five threads instead of one");
     }
     // The first violation of each law is the first whatever the threads; a backend without any says little about that.
-    let laws = ["laws", "-b", "naive", "--tuples", "5000", "--format", "csv", "--threads"];
+    let laws = ["study", "laws", "-b", "naive", "--tuples", "5000", "--format", "csv", "--threads"];
     let [one, many] = ["1", "5"].map(|threads| run(&[&laws[..], &[threads]].concat()).stdout);
     assert!(one.lines().count() > 1 && one == many, "{one}\n{many}");
 }

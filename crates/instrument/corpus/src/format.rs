@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::sync::Arc;
 
-use predicament_formats::{CorpusError, Field, Fields, TableKind};
+use predicament_formats::{CorpusError, Field, Fields, TableKind, use_one_of};
 
 use crate::{Context, Level, Parts, Random, Source};
 
@@ -15,7 +15,7 @@ pub trait SceneFormat: Send + Sync {
     /// A one-line description of the questions, with the source.
     fn about(&self) -> &'static str;
 
-    /// A commented scene to start from, for `predicament new`; empty if there is none.
+    /// A commented scene to start from, for `predicament corpus new`; empty if there is none.
     ///
     /// Lines that start with `@written ` are for scenes with data in the suite. Lines that start with `@file ` are for
     /// scenes with data in a file, `{data}`. `{task}` is the task's name.
@@ -204,7 +204,7 @@ impl Vocabulary {
         let name = field.str()?;
         self.tasks.iter().copied().find(|task| task.name() == name).ok_or_else(|| {
             let known: Vec<&str> = self.names().collect();
-            field.error(format!("no task is called `{name}`"), format!("use one of {}", known.join(", ")))
+            field.error(format!("no task is called `{name}`"), use_one_of(name, &known))
         })
     }
 
@@ -244,9 +244,7 @@ impl Vocabulary {
                     known.push(family);
                 }
             }
-            return Err(
-                field.error(format!("no family is called `{name}`"), format!("use one of {}", known.join(", ")))
-            );
+            return Err(field.error(format!("no family is called `{name}`"), use_one_of(name, &known)));
         }
         let message = format!("family {name} generates nothing for {}", task.name());
         Err(field.error(message, format!("use it for {}", others.join(", "))))

@@ -6,7 +6,7 @@ use std::sync::{Arc, OnceLock};
 
 use include_dir::{Dir, include_dir};
 
-use predicament_formats::{Cache, CorpusError, Manifest, read_suite};
+use predicament_formats::{Cache, CorpusError, Manifest, read_suite, use_one_of};
 
 use crate::{Level, LoadedScene, SeenIds, Suite, Vocabulary};
 
@@ -150,11 +150,7 @@ impl Library {
             return Suite::from_file(&self.vocabulary, path, &self.manifest);
         }
         let known: Vec<_> = self.names().collect();
-        Err(CorpusError::usage(
-            name,
-            "no suite has this name",
-            format!("use one of {}, or a TOML file", known.join(", ")),
-        ))
+        Err(CorpusError::usage(name, "no suite has this name", format!("{}, or a TOML file", use_one_of(name, &known))))
     }
 
     /// A file beside the suites, such as `expected.toml`: its name in errors and its text; `None` if the file does not

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitStatus;
 use std::time::Duration;
 
-use predicament_formats::CorpusError;
+use predicament_formats::{CorpusError, use_one_of};
 use predicament_predicates::Broken;
 
 use crate::command::printable;
@@ -72,12 +72,12 @@ impl std::fmt::Display for EngineError {
                 write!(f, "{}: the engine is called `{called}`; call it as its folder", file.display())
             }
             EngineError::Unknown { name, folder, known } => {
-                write!(f, "no engine is called `{name}` in {}: ", folder.display())?;
+                write!(f, "no engine is called `{name}` in {}; ", folder.display())?;
+                let known: Vec<&str> = known.iter().map(String::as_str).collect();
                 match known.as_slice() {
-                    [] => f.write_str("there is none")?,
-                    known => write!(f, "there are {}", known.join(", "))?,
+                    [] => write!(f, "the folder has no engines; name an {FILE}, or set ${FOLDER}"),
+                    known => write!(f, "{}, name its {FILE}, or set ${FOLDER}", use_one_of(name, known)),
                 }
-                write!(f, "; name one, its {FILE}, or set ${FOLDER}")
             }
             EngineError::Failed { name, file, why } => write!(f, "{PREFIX}{name} ({}): {why}", file.display()),
         }

@@ -27,6 +27,7 @@ pub mod hexfloat;
 mod import;
 mod lines;
 mod manifest;
+mod nearest;
 mod rows;
 mod tables;
 
@@ -43,6 +44,7 @@ pub use file::{read_as_it_is, read_bytes, read_suite, text_of};
 pub use import::{ImportNotes, ImportedMap, Keeps, Places, geometry, mesh, points, read_polygons, topojson};
 pub use lines::Lines;
 pub use manifest::{Entry, Manager, Manifest};
+pub use nearest::{nearest, use_one_of};
 pub use rows::{POINT, RowKind, Rows, read_points, read_rows};
 pub use tables::{POINTS, TableKind};
 

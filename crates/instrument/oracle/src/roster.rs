@@ -8,6 +8,7 @@ use std::sync::Arc;
 use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk};
 use predicament_engines::{Engine, EngineError};
 use predicament_exact::{Exact, Partial};
+use predicament_formats::{nearest, use_one_of};
 use predicament_sos::{PerMesh, Scheme, Sos, infinitesimal};
 use predicament_tolerance::Tolerance;
 
@@ -42,7 +43,7 @@ naive, naive:first      plain floating point, pivot at the last or the first arg
 naive:nalgebra          the determinant of the homogeneous matrix, by the crate nalgebra
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
-fault:NAME              a planted fault; `predicament selftest --list` names them
+fault:NAME              a planted fault; `predicament setup selftest --list` names them
 engine:NAME             a program with somebody else's predicates: engines/NAME/engine.toml, or a path to such a file";
 
 /// The reason why a name selects no backend.
@@ -86,8 +87,8 @@ impl std::fmt::Display for BackendError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             BackendError::Unknown { name } => {
-                let names = DEFAULT.join(", ");
-                write!(f, "no backend is called `{name}`; there are {names}, engine:NAME and fault:NAME")
+                let known: Vec<&str> = DEFAULT.iter().chain(MORE).copied().collect();
+                write!(f, "no backend is called `{name}`; {}, engine:NAME and fault:NAME", use_one_of(name, &known))
             }
             BackendError::Stages { name } => {
                 write!(f, "`{name}`: write a number of stages from 1 to {}", Partial::STAGES)
@@ -97,7 +98,9 @@ impl std::fmt::Display for BackendError {
             }
             BackendError::Epsilon { name, why } => write!(f, "`{name}`: {why}"),
             BackendError::UnknownFault { fault } => {
-                write!(f, "no fault is called `{fault}`; `predicament selftest --list` names them")
+                let known = faults::Fault::planted().map(faults::Fault::name);
+                let meant = nearest(fault, known).map_or_else(String::new, |near| format!("did you mean `{near}`? "));
+                write!(f, "no fault is called `{fault}`; {meant}`predicament setup selftest --list` names them")
             }
             BackendError::Engine(error) => error.fmt(f),
         }

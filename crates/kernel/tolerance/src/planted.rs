@@ -85,9 +85,9 @@ impl Misscaled {
     ///
     /// Everything up to T₋ must be found within T, and nothing beyond T₊. This holds for T/2 if T/2 ≥ T₋: κ 10.5
     /// against 10, φ 235 against 150, ν 3422.25 against the same, ζ 658.5 against 658, ξ and ρ 28 against 28. The fault
-    /// loses T − T₋, the slack for rounding, which `predicament bounds` decides about. If T/2 is T₋ itself, about one
-    /// in a hundred pairs at T₋ shows the fault in single precision, by rounding. λ/2 is below λ₋. But if m² ≤ λ₋ = 910
-    /// ε L⁴, then â or ā is 455 ε L⁴ at most, below φ = 470 ε L⁴, so the pair is not registered anyway.
+    /// loses T − T₋, the slack for rounding, which `predicament study bounds` decides about. If T/2 is T₋ itself, about
+    /// one in a hundred pairs at T₋ shows the fault in single precision, by rounding. λ/2 is below λ₋. But if m² ≤ λ₋ =
+    /// 910 ε L⁴, then â or ā is 455 ε L⁴ at most, below φ = 470 ε L⁴, so the pair is not registered anyway.
     #[must_use]
     pub fn keeps_its_promise(self) -> bool {
         self.halved && matches!(self.symbol, "κ" | "λ" | "φ" | "ν" | "ζ" | "ξ" | "ρ")

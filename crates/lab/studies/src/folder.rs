@@ -53,7 +53,7 @@ impl std::fmt::Display for FolderError {
         match self {
             FolderError::Unread { path, why } => write!(f, "{}: {why}", path.display()),
             FolderError::Row { path, line, why, command } => {
-                write!(f, "{}:{line}: {why}; write it anew with `predicament {command}`", path.display())
+                write!(f, "{}:{line}: {why}; write it anew with `predicament study {command}`", path.display())
             }
             FolderError::NoRows { path } => write!(f, "{}: there are no rows", path.display()),
             FolderError::Lacks { file, what } => write!(f, "{file} has no {what}"),

@@ -6,6 +6,7 @@
 //! does. Read next the trait [`Study`] for the common structure, then [`laws`] for the shortest example, and
 //! `harness/src/cmd/study.rs` for the tool's use of a study.
 //!
+//! * [`bounds`]: which error bounds and constraints of the tolerance paper hold?
 //! * [`compare`]: when should one use which backend?
 //! * [`stress`]: where do backends break as one knob is turned?
 //! * [`laws`]: do answers about the same vertices fit each other?
@@ -86,6 +87,7 @@
 //! ```
 
 pub mod audit;
+pub mod bounds;
 pub mod cascades;
 pub mod compare;
 pub mod cut;

@@ -1,4 +1,4 @@
-//! Tests that README, the sample report and its figures agree.
+//! Tests that the sample report and its figures agree.
 
 use std::path::Path;
 
@@ -43,18 +43,14 @@ fn number(row: &[(&str, &str)], column: &str) -> f64 {
 }
 
 #[test]
-fn the_table_of_readme_is_that_of_the_sample_report() {
-    let (readme, report) = (read("README.md"), read("reports/sample/report.md"));
-    let (ours, theirs) = (table(&readme), table(&report));
-    assert!(theirs.len() > 8 && theirs[0].len() > 10, "{theirs:?}");
+fn the_sample_report_has_its_first_table() {
+    let report = read("reports/sample/report.md");
+    let table = table(&report);
+    assert!(table.len() > 8 && table[0].len() > 10, "{table:?}");
     for column in
         ["undecided", "wrong", "not done", "broken", "single query / naive", "batch / naive", "whole scene / naive"]
     {
-        assert!(theirs[0].contains(&column), "{column}: {theirs:?}");
-    }
-    assert_eq!(ours.len(), theirs.len(), "copy the first table of reports/sample/report.md into README.md");
-    for (ours, theirs) in ours.iter().zip(&theirs) {
-        assert_eq!(ours, theirs, "copy the first table of reports/sample/report.md into README.md");
+        assert!(table[0].contains(&column), "{column}: {table:?}");
     }
 }
 

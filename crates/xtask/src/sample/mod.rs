@@ -67,22 +67,23 @@ pub fn make() -> Result<(), String> {
     tool("run the fetched suites", &all)?;
     tool("time the backends", &["bench", "--judged", &run, "--out", &bench])?;
     let study = |name: &str| format!("{run}/{name}");
-    tool("compare the backends", &["compare", "--quiet", "--out", &study("compare")])?;
-    let one_parameter = ["compare", "--quiet", "-b", CURVES, "--scenes", "5", "--trials", "0", "--queries", "0"];
+    tool("compare the backends", &["study", "compare", "--quiet", "--out", &study("compare")])?;
+    let one_parameter =
+        ["study", "compare", "--quiet", "-b", CURVES, "--scenes", "5", "--trials", "0", "--queries", "0"];
     tool("turn one parameter", &[&one_parameter[..], &["--out", &study("curves")]].concat())?;
-    tool("cut tetrahedra", &["cut", "--quiet", "--out", &study("cut")])?;
-    let pairs = ["parity", "--quiet", "--pairs", "2000", "--shrink", "0"];
+    tool("cut tetrahedra", &["study", "cut", "--quiet", "--out", &study("cut")])?;
+    let pairs = ["study", "parity", "--quiet", "--pairs", "2000", "--shrink", "0"];
     tool("merge closed curves", &[&pairs[..], &["--out", &study("parity")]].concat())?;
     let surfaces = ["--dimension", "3", "--out", &study("parity-space")];
     tool("merge closed surfaces", &[&pairs[..], &surfaces].concat())?;
-    tool("turn the knobs", &["stress", "--quiet", "--out", &study("stress")])?;
+    tool("turn the knobs", &["study", "stress", "--quiet", "--out", &study("stress")])?;
     let [readme, which] = ["README.md", "docs/WHICH.md"].map(|page| root().join(page).display().to_string());
     let spliced = ["--splice", &readme, "--splice", &which];
     tool("write the report", &[&["report", &run, &fetched, &bench, "--out", &report], &spliced[..]].concat())?;
     let picture = root().join(SAMPLE).join("kettner.png").display().to_string();
     tool(
         "draw a pixel map",
-        &["map", "kettner-pixels-a", "-b", "naive,naive:first,exact,tolerance", "--out", &picture],
+        &["draw", "map", "kettner-pixels-a", "-b", "naive,naive:first,exact,tolerance", "--out", &picture],
     )?;
     keep(Path::new(&report))?;
     keep_studied(Path::new(&run))?;

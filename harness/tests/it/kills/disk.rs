@@ -52,11 +52,11 @@ fn exports_and_merges_name_the_file_that_may_not_grow() {
     let bench = Bench::new(&[Shape::Plain]);
     let [out, data, whole] = ["part", "data", "whole"].map(|name| bench.place(name).display().to_string());
     expect(0, &["run", "ties", "-b", "exact", "-q", "--shard", "1/1", "--out", &out]);
-    for words in [&["export", &out, "--out", &data][..], &["merge", &out, "--out", &whole]] {
+    for words in [&["data", "export", &out, "--out", &data][..], &["shard", "merge", &out, "--out", &whole]] {
         let owned = text_of(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>());
         let called: Vec<&str> = owned.iter().map(String::as_str).collect();
         let refused = told(shell("ulimit -f 2; exec \"$@\"", &called).output().unwrap());
-        let is_clear = refused.stderr.contains("raise the limit of a file's size") && refused.stderr.contains(words[3]);
+        let is_clear = refused.stderr.contains("raise the limit of a file's size") && refused.stderr.contains(words[4]);
         assert!(refused.code == 2 && is_clear, "{words:?}: code {}: {}", refused.code, refused.stderr);
         expect(0, words);
     }

@@ -252,12 +252,12 @@ fn what_was_said_to_be_written_is_on_the_disk() {
     }
     let (merged, new) = (at("merged"), at("new"));
     for (words, is_last) in [
-        (vec!["merge", "--out", "OUT/merged", "PARTS"], false),
-        (vec!["plan", "ties", "-b", "exact", "--shards", "2", "--out", "OUT/plan.json"], false),
+        (vec!["shard", "merge", "--out", "OUT/merged", "PARTS"], false),
+        (vec!["shard", "plan", "ties", "-b", "exact", "--shards", "2", "--out", "OUT/plan.json"], false),
         (vec!["gate", "MERGED", "--junit", "OUT/junit.xml", "--suggest", "OUT/more.toml"], false),
         (vec!["report", "MERGED", "--out", "OUT/pages"], false),
-        (vec!["export", "MERGED", "--out", "OUT/deep/tables"], false),
-        (vec!["expect", "update", "MERGED", "--expected", "OUT/expected.toml", "--reason", "seen"], true),
+        (vec!["data", "export", "MERGED", "--out", "OUT/deep/tables"], false),
+        (vec!["corpus", "expect", "update", "MERGED", "--expected", "OUT/expected.toml", "--reason", "seen"], true),
     ] {
         std::fs::create_dir(&new).unwrap();
         if is_last {
@@ -279,7 +279,7 @@ fn what_was_said_to_be_written_is_on_the_disk() {
             assert!(kept.get(&Path::new(&new).join(name)) == Some(bytes), "{words:?}: {name} is not on the disk");
         }
         assert!(!kept.is_empty(), "{words:?}");
-        if words[0] == "merge" {
+        if words[1] == "merge" {
             std::fs::rename(folder.join("new/merged"), &merged).unwrap();
         }
         std::fs::remove_dir_all(&new).unwrap();

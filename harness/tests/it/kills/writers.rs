@@ -39,7 +39,7 @@ fn two_processes_on_one_folder_are_refused_with_a_cure() {
     std::fs::create_dir(&beside).unwrap();
     let other = std::fs::File::create(format!("{beside}/run.lock")).unwrap();
     other.try_lock().unwrap();
-    let merge = ["merge", &parts[0], &parts[1], "--out", &merged];
+    let merge = ["shard", "merge", &parts[0], &parts[1], "--out", &merged];
     let refused = expect(2, &merge);
     assert!(refused.stderr.contains("both.merging: another process is writing"), "{}", refused.stderr);
     assert!(Path::new(&beside).exists(), "its folder is not taken from another process");

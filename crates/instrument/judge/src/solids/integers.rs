@@ -1,7 +1,7 @@
 //! Rational points in multi-material meshes: signs of determinants of integers.
 //!
-//! The middle of a piece of a triangle has denominators of hundreds of digits, and rationals spend their time on common factors.
-//! Here a point is three integers over a common weight, and only signs are looked at: nothing is divided.
+//! The middle of a piece of a triangle has denominators of hundreds of digits, and rationals spend their time on common
+//! factors. Here a point is three integers over a common weight. Only signs are computed, and nothing is divided.
 
 use rug::{Integer, Rational};
 
@@ -29,8 +29,9 @@ impl<'m> InIntegers<'m> {
         InIntegers { materials, scale, corners }
     }
 
-    /// Where a point is, by a ray in this direction; none where the ray touches the border of a triangle, runs in its plane, or
-    /// a triangle has no area.
+    /// The place of a point, by a ray in this direction.
+    ///
+    /// `None` if the ray touches the border of a triangle or runs in its plane, or if a triangle has no area.
     ///
     /// # Panics
     /// If the direction is zero.
@@ -39,10 +40,11 @@ impl<'m> InIntegers<'m> {
         self.but_for(&[], q, direction)
     }
 
-    /// The place next to a point of these triangles, a small step ahead in this direction, and whether the step leaves the first triangle
-    /// by its front.
+    /// The place next to a point of these triangles, a small step ahead in this direction, and whether the step leaves
+    /// the first triangle by its front.
     ///
-    /// `None` where the ray runs in the plane of one of these triangles, touches the border of another one, or runs in that one's plane.
+    /// `None` if the ray runs in the plane of one of these triangles, touches the border of another triangle, or runs in
+    /// the plane of another triangle.
     ///
     /// # Panics
     /// If the direction is zero, or a triangle does not exist.

@@ -18,6 +18,29 @@ pub fn section(runs: &[RunDir], times: &Times) -> Section {
     Section { id: "glance", title: "Which backend to use", lead: LEAD.to_owned(), blocks }
 }
 
+/// The ranking in aligned columns, for a terminal: errors with their denominators, and the time of a single query.
+pub fn ranking(runs: &[RunDir]) -> String {
+    let times = Times::of(runs);
+    let mut marks = overall(runs, &times).marks;
+    marks.sort_by(|a, b| rank(a).partial_cmp(&rank(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let of = |share: Share| format!("{} of {}", thousands(share.count), thousands(share.of));
+    let time = |mark: &Mark| mark.pace(Way::Single).map_or_else(String::new, |pace| factor(pace.ratio));
+    let head = ["backend", "wrong answers", "broken scenes", "scenes not done"].map(str::to_owned);
+    let mut rows = vec![(head, format!("single query / {REFERENCE}"))];
+    rows.extend(marks.iter().map(|mark| {
+        let [_, not_done] = mark.not_done();
+        ([mark.backend.to_owned(), of(mark.wrong()), of(mark.broken()), of(not_done)], time(mark))
+    }));
+    let widths = [0, 1, 2, 3].map(|column: usize| rows.iter().map(|(row, _)| row[column].len()).max().unwrap_or(0));
+    let line = |(row, time): &([String; 4], String)| {
+        let [name, wrong, broken, not_done] = row;
+        let [a, b, c, d] = widths;
+        let text = format!("{name:<a$}  {wrong:>b$}  {broken:>c$}  {not_done:>d$}  {time:>20}");
+        text.trim_end().to_owned() + "\n"
+    };
+    rows.iter().map(line).collect()
+}
+
 /// The table's figures as plots; `None` if nothing was timed.
 pub fn drawn(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let mut blocks = Vec::new();

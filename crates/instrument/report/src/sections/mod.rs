@@ -18,6 +18,7 @@ mod throughput;
 mod ties;
 
 pub use against::against;
+pub use glance::ranking;
 pub use headlines::headlines;
 
 use crate::groups::Times;

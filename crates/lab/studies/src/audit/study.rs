@@ -54,30 +54,30 @@ impl Study for Audit {
     const NAME: &'static str = "audit";
     const ASKS: &'static str = "Hold the tolerance paper's algorithms to their guarantee by exact distances";
     const HELP: &'static str = "\
-Pairs of simplices are made at the thresholds of the tolerances, with L between 2^-100 and 2^100
-(2^-12 and 2^16 for f32). A pair of which no sub-pair is registered is a decision, and is judged
-by exact distances: registered up to T-, not registered beyond T+, guarded quantities above their
-bounds, weights in [0, 1]. As a second variant, Algorithms 3 and 8 are those that the paper
+Pairs of simplices are made at the thresholds of the tolerances, with L between 2^-100 and 2^100 \
+(2^-12 and 2^16 for f32). A pair of which no sub-pair is registered is a decision, and is judged \
+by exact distances: registered up to T-, not registered beyond T+, guarded quantities above their \
+bounds, weights in [0, 1]. As a second variant, Algorithms 3 and 8 are those that the paper \
 prints, and the others rest on them.
 
-Each tolerance that an algorithm reads has pairs of its own besides, a tenth as many, that are
-asked about whatever their sub-pairs are: a test by itself. And the driver of the hierarchy is
+Each tolerance that an algorithm reads has pairs of its own besides, a tenth as many, that are \
+asked about whatever their sub-pairs are: a test by itself. And the driver of the hierarchy is \
 held to the guarantee on scenes of one pair, a fiftieth as many.
 
-All of it is held to the tolerances that the paper publishes, and so are the tolerances themselves.
-With --planted it is tolerances that are twice or half of what they should be and drivers with a
+All of it is held to the tolerances that the paper publishes, and so are the tolerances themselves. \
+With --planted it is tolerances that are twice or half of what they should be and drivers with a \
 known fault that are audited; each has to be found.
 
-Written to the folder: audit.csv, reads.csv, hierarchy.csv, constants.csv, audit.md (the tables that
+Written to the folder: audit.csv, reads.csv, hierarchy.csv, constants.csv, audit.md (the tables that \
 are printed).
 
-Exit code 100 if an algorithm that is not as printed breaks the guarantee, and with --planted if a
+Exit code 100 if an algorithm that is not as printed breaks the guarantee, and with --planted if a \
 fault does not.
 
 Examples:
-  predicament audit
-  predicament audit --decisions 10000 --seed 2 --out target/audit
-  predicament audit --decisions 10000 --planted";
+  predicament study audit
+  predicament study audit --decisions 10000 --seed 2 --out target/audit
+  predicament study audit --decisions 10000 --planted";
 
     type Measured = Measured;
 

@@ -10,7 +10,7 @@ use super::{Audit, Row, Violation};
 pub(super) fn page(audit: &Audit, measured: &Measured) -> String {
     let planted = if audit.planted { " --planted" } else { "" };
     let mut page =
-        format!("`predicament audit --decisions {} --seed {}{planted}`\n\n", audit.decisions, audit.common.seed);
+        format!("`predicament study audit --decisions {} --seed {}{planted}`\n\n", audit.decisions, audit.common.seed);
     if !audit.planted {
         page += &whole_pairs(&measured.rows);
         page += "\n";

@@ -104,6 +104,26 @@ pub(super) fn table(measures: &[Measure], promises: &[Promise]) -> Table {
     table
 }
 
+/// The table in five columns: promise, wrong answers, broken laws and time of each backend.
+pub(super) fn short(measures: &[Measure], promises: &[Promise]) -> Table {
+    let mut table = Table::new("").words(["backend", "promise of a sign"]).numbers([
+        "wrong answers",
+        "scenes with a broken law",
+        &format!("time / {REFERENCE}"),
+    ]);
+    for of in ranked(measures) {
+        let promise = promises.iter().find(|promise| promise.backend == of.backend);
+        table.push(vec![
+            Cell::code(of.backend),
+            Cell::from(promise.map_or("", |promise| &promise.promise)),
+            Cell::from(counted(of.answers)),
+            Cell::from(counted(of.laws)),
+            of.time.map_or_else(|| Cell::from("–"), |time| Cell::from(times(time.value)).detail(pairs(&time))),
+        ]);
+    }
+    table
+}
+
 /// A table as Markdown, without a heading.
 pub(super) fn markdown(table: Table) -> String {
     let section = Section { id: "compare", title: "", lead: String::new(), blocks: vec![Block::Table(table)] };

@@ -20,7 +20,7 @@ const TITLE: &str = "Which backend for what";
 #[must_use]
 pub fn missing(folder: &Path) -> Section {
     let lead = "No comparison of backends is in the folders of these runs. This command makes one, and then every report has its table:";
-    let command = format!("predicament compare --out {}", folder.display());
+    let command = format!("predicament study compare --out {}", folder.display());
     Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![Block::Command(command)] }
 }
 

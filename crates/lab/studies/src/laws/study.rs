@@ -55,21 +55,21 @@ impl Study for Laws {
     const ASKS: &'static str =
         "Hold backends to the laws of predicates: antisymmetry, transitivity, Grassmann-Plücker relations";
     const HELP: &'static str = "\
-The scenes have about a dozen vertices: whole small grids with one point twice, of which every
-tuple is tried, and random ones (small grids, integers, lines, circles and spheres, far from the
-origin, mixed exponents), of which --tuples are drawn. The laws are in docs/LAWS.md; none of
+The scenes have about a dozen vertices: whole small grids with one point twice, of which every \
+tuple is tried, and random ones (small grids, integers, lines, circles and spheres, far from the \
+origin, mixed exponents), of which --tuples are drawn. The laws are in docs/LAWS.md; none of \
 them needs a judge but `equals-exact`.
 
-A cell of the table counts violations; with a slash, of how many tuples, where a backend answers about
+A cell of the table counts violations; with a slash, of how many tuples, where a backend answers about \
 fewer than others. A dash: declined, or not promised. `2p` are two panics.
 
 Exit code 100 if a backend breaks a law, or panics.
 
 Examples:
-  predicament laws
-  predicament laws -b sos,sos:edelsbrunner-mucke --tuples 10000000
-  predicament laws -b naive,shewchuk,fault:sos-colliding-lift --seed 2
-  predicament laws --format csv > laws.csv";
+  predicament study laws
+  predicament study laws -b sos,sos:edelsbrunner-mucke --tuples 10000000
+  predicament study laws -b naive,shewchuk,fault:sos-colliding-lift --seed 2
+  predicament study laws --format csv > laws.csv";
 
     type Measured = Vec<Surveyed>;
 

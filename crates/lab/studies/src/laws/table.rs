@@ -8,8 +8,12 @@ use predicament_report::text::{in_order, markdown};
 /// The table, and the first violation of each law that a backend breaks.
 pub(super) fn page(laws: &Laws, surveyed: &[Surveyed]) -> String {
     let names: Vec<&str> = surveyed.iter().map(|one| one.backend.as_str()).collect();
-    let mut page =
-        format!("`predicament laws -b {} --tuples {} --seed {}`\n", names.join(","), laws.tuples, laws.common.seed);
+    let mut page = format!(
+        "`predicament study laws -b {} --tuples {} --seed {}`\n",
+        names.join(","),
+        laws.tuples,
+        laws.common.seed
+    );
     let all = in_order(surveyed.iter().flat_map(|one| &one.rows).map(|row| (row.law, row.subject.as_str())));
     let heads = ["law", "predicates", "tuples"].into_iter().chain(names).map(ToOwned::to_owned).collect();
     let mut rows: Vec<Vec<String>> = Vec::new();

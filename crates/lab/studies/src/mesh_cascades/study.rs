@@ -39,7 +39,7 @@ pub struct MeshCascades {
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
-    /// What happens to a result that crosses itself once its vertices are doubles
+    /// The treatment of a result that crosses itself once its vertices are doubles
     #[arg(long, value_enum, default_value_t = Rounding::Counted, value_name = "HOW")]
     pub rounding: Rounding,
 
@@ -76,34 +76,34 @@ impl Study for MeshCascades {
     const ASKS: &'static str =
         "Combine meshes again and again, and measure what is left: volume, crossings, points, time";
     const HELP: &'static str = "\
-The result of each Boolean operation is an operand of the next. Cascades: `cubes` unites the cubes
-of a lattice one by one and takes them away again, so that nothing is left after an odd number of
-steps (1999: a lattice of 10 by 10 by 10); `shuffled` does so in random orders; `shave` cuts a
+The result of each Boolean operation is an operand of the next. Cascades: `cubes` unites the cubes \
+of a lattice one by one and takes them away again, so that nothing is left after an odd number of \
+steps (1999: a lattice of 10 by 10 by 10); `shuffled` does so in random orders; `shave` cuts a \
 sphere by half-spaces; `copies` unites a sphere with copies of itself.
 
-A step is an overlay by the signs of the backend, the limit of its result where the backend moves a
-mesh by an infinitesimal (vertices at one place, triangles without area and sheets without volume
+A step is an overlay by the signs of the backend, the limit of its result where the backend moves a \
+mesh by an infinitesimal (vertices at one place, triangles without area and sheets without volume \
 go; by `exact`), and the nearest doubles. Backends that break no ties take zero for positive.
 
-Everything is measured in rationals: volume, area and triangles against those that are counted
-(cubes, shuffled), open sides, triangles without area or through each other, points on the wrong
-side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that
-were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the
-nearest doubles, `left` what was left of that after other doubles were tried. With --rounding
-resolved, results that cross themselves then are cut where they do and rounded again, 16 times at
-most, and not for long where crossings become more: `cut` are the triangles that were cut for that,
+Everything is measured in rationals: volume, area and triangles against those that are counted \
+(cubes, shuffled), open sides, triangles without area or through each other, points on the wrong \
+side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that \
+were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the \
+nearest doubles, `left` what was left of that after other doubles were tried. With --rounding \
+resolved, results that cross themselves then are cut where they do and rounded again, 16 times at \
+most, and not for long where crossings become more: `cut` are the triangles that were cut for that, \
 and `left` are the pairs that cross in the end.
 
-Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots as SVG and PDF. All but
+Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots as SVG and PDF. All but \
 times are the same whenever it is run.
 
-Exit code 100 if sos:per-mesh has anything wrong before rounding has left a flaw. A mesh with such a
+Exit code 100 if sos:per-mesh has anything wrong before rounding has left a flaw. A mesh with such a \
 flaw crosses itself: what comes then is shown, and not promised.
 
 Examples:
-  predicament mesh-cascades -c cubes --steps 1999 -b sos:per-mesh
-  predicament mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades
-  predicament mesh-cascades -c copies --steps 24 --rounding resolved";
+  predicament study mesh-cascades -c cubes --steps 1999 -b sos:per-mesh
+  predicament study mesh-cascades -c shave,copies --steps 100 --out target/mesh-cascades
+  predicament study mesh-cascades -c copies --steps 24 --rounding resolved";
 
     type Measured = Measured;
 

@@ -15,22 +15,22 @@ impl Study for Parity {
     const NAME: &'static str = "parity";
     const ASKS: &'static str = "Count odd crossings of random polygons after merging, and shrink those found";
     const HELP: &'static str = "\
-Two closed curves cross an even number of times. Pairs of random simple polygons, with a few corners
-far away and a few within some multiples of sigma of each other, are registered by exact, perturbed
-and tolerant predicates, merged where they are in contact, and their crossings counted, for each rule
+Two closed curves cross an even number of times. Pairs of random simple polygons, with a few corners \
+far away and a few within some multiples of sigma of each other, are registered by exact, perturbed \
+and tolerant predicates, merged where they are in contact, and their crossings counted, for each rule \
 about where merged points sit. There are three recipes, and pairs for the tolerances of either precision.
 
-Written to the folder: parity.csv and parity.md (the counts), smallest.toml (the smallest pairs found
+Written to the folder: parity.csv and parity.md (the counts), smallest.toml (the smallest pairs found \
 with an odd number of crossings, as a suite that `predicament run` reads; empty of scenes without --shrink).
 
-With `--dimension 3` the pairs are closed surfaces, which cross in closed curves: counted are curves with
-loose ends and triangles whose boundary pierces the other surface an odd number of times, for four recipes,
+With `--dimension 3` the pairs are closed surfaces, which cross in closed curves: counted are curves with \
+loose ends and triangles whose boundary pierces the other surface an odd number of times, for four recipes, \
 with parity-space.csv in the place of parity.csv.
 
 Examples:
-  predicament parity --out target/parity
-  predicament parity --pairs 2000 --shrink 50 --out target/parity
-  predicament parity --dimension 3 --pairs 2000 --out target/parity-space
+  predicament study parity --out target/parity
+  predicament study parity --pairs 2000 --shrink 50 --out target/parity
+  predicament study parity --dimension 3 --pairs 2000 --out target/parity-space
   predicament run target/parity/smallest.toml -b exact,sos,tolerance,tolerance:f32";
 
     const NEEDS_FOLDER: bool = true;

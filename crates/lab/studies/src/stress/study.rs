@@ -93,34 +93,34 @@ impl Study for Stress {
     const ASKS: &'static str =
         "Turn one knob at a time until backends break: noise, translation, scale, aspect, precision, rotation";
     const HELP: &'static str = "\
-A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says, as far
-as the scene stays one of the task (a mesh that is rounded crosses itself): what does not fit is listed with the reason.
-What is true is found anew for each scene. Some knobs round the scene (translation by 2^k leaves 53 - k bits of the extent, so that
-general points become degenerate), others do not: `shift` cuts scenes to 24 bits first, and moves them exactly. A backend holds where it answers every scene of a position as it promises; its
+A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says, as far \
+as the scene stays one of the task (a mesh that is rounded crosses itself): what does not fit is listed with the reason. \
+What is true is found anew for each scene. Some knobs round the scene (translation by 2^k leaves 53 - k bits of the extent, so that \
+general points become degenerate), others do not: `shift` cuts scenes to 24 bits first, and moves them exactly. A backend holds where it answers every scene of a position as it promises; its \
 break point is between the last position where it does and the first where it does not.
 
-Metamorphic laws need no truth: signs are the same where points are scaled by a power of two, moved by integers or named
-otherwise, opposite where they are reflected, times the determinant's sign under an integer matrix; and incircle is
+Metamorphic laws need no truth: signs are the same where points are scaled by a power of two, moved by integers or named \
+otherwise, opposite where they are reflected, times the determinant's sign under an integer matrix; and incircle is \
 orient3d of lifted points.
 
-Times are of the first scene of each position, on one thread, the backends in turns; the median of --samples, with the least
+Times are of the first scene of each position, on one thread, the backends in turns; the median of --samples, with the least \
 and the largest for an interval.
 
-Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position),
-breaks.csv (where each backend breaks, with the scenes at that position, and whether the knob rounds the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each
-knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points
+Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position), \
+breaks.csv (where each backend breaks, with the scenes at that position, and whether the knob rounds the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each \
+knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points \
 written out: `predicament run` keeps a break point as a regression.
 
-Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, inconsistent) or
-violates a law, 0 otherwise. Checks of whole scenes that fail are no broken promise: where zeros are a band, signs need not fit
+Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, inconsistent) or \
+violates a law, 0 otherwise. Checks of whole scenes that fail are no broken promise: where zeros are a band, signs need not fit \
 each other. They are in the tables.
 
 Examples:
-  predicament stress --out target/stress
-  predicament stress -k noise,translation -t orient2d,orient3d --scenes 50 --out target/noise
-  predicament stress -k size --samples 9 --out target/growth            times that are worth quoting
-  predicament stress --samples 0 --out target/breaks                    no times: the same bytes on every machine
-  predicament stress -k scale -t incircle --suites target/scale --out target/stress
+  predicament study stress --out target/stress
+  predicament study stress -k noise,translation -t orient2d,orient3d --scenes 50 --out target/noise
+  predicament study stress -k size --samples 9 --out target/growth            times that are worth quoting
+  predicament study stress --samples 0 --out target/breaks                    no times: the same bytes on every machine
+  predicament study stress -k scale -t incircle --suites target/scale --out target/stress
   predicament run target/scale/scale_-250.toml -b naive,exact           the scenes of one position";
 
     type Measured = Stressed;

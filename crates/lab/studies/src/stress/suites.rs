@@ -34,7 +34,7 @@ pub(super) fn all(folder: &Path, positions: &[Position], seed: u64, scenes: u32)
 fn head(position: &Position) -> String {
     let (knob, at) = (position.knob, position.at);
     format!(
-        "title = \"Stress: {} at {at}\"\ndescription = \"Scenes of `predicament stress`. {} Position: {}.\"\n",
+        "title = \"Stress: {} at {at}\"\ndescription = \"Scenes of `predicament study stress`. {} Position: {}.\"\n",
         knob.name(),
         knob.about(),
         knob.unit()

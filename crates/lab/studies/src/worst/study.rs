@@ -43,11 +43,11 @@ impl Study for Worst {
 By climbing: from a random beginning one thing is changed at a time, and what is no better is
 kept. Two kinds of bounds are climbed towards:
 
-Errors of what Algorithms 1 to 12 compute, in double and in single precision, against rationals
-(roots are enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation
+Errors of what Algorithms 1 to 12 compute, in double and in single precision, against rationals \
+(roots are enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation \
 with epsilon; rounding to nearest loses half of that at most, so that half is what can be reached.
 
-Guards: quantities that the paper bounds from below where no sub-pair is within its T-, over
+Guards: quantities that the paper bounds from below where no sub-pair is within its T-, over \
 their bounds, with exact distances.
 
 Written to the folder: errors.csv, guards.csv, worst.md (the tables that are printed).
@@ -55,8 +55,8 @@ Written to the folder: errors.csv, guards.csv, worst.md (the tables that are pri
 Exit code 100 if an error is beyond its bound or a guarded quantity below its own.
 
 Examples:
-  predicament worst
-  predicament worst --steps 200 --climbs 2 --out target/worst";
+  predicament study worst
+  predicament study worst --steps 200 --climbs 2 --out target/worst";
 
     type Measured = Found;
 
@@ -83,7 +83,7 @@ Examples:
 
     fn page(&self, found: &Found) -> String {
         let Worst { steps, climbs, common: Common { seed, .. } } = self;
-        let mut page = format!("`predicament worst --steps {steps} --climbs {climbs} --seed {seed}`\n\n");
+        let mut page = format!("`predicament study worst --steps {steps} --climbs {climbs} --seed {seed}`\n\n");
         page += "| Algorithm | section | bound | derived | f64 | of it | f32 | of it |\n";
         page += "|---|---|---|---:|---:|---:|---:|---:|\n";
         for double in found.errors.iter().filter(|row| row.precision == Precision::Double) {

@@ -26,7 +26,8 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 10] = [
+const SMALL: [(&str, &[&str]); 11] = [
+    ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
         &["compare.csv", "promises.csv", "compare.md", "error-time-answers.svg", "error-time-answers.pdf"],
@@ -148,7 +149,19 @@ impl Host for Impatient<'_> {
 
 #[test]
 fn every_study_says_what_it_begins_and_stops_where_it_is_told() {
-    let units = ["answers", "answers", "features", "pairs", "cuts", "decisions", "bounds", "tuples", "steps", "steps"];
+    let units = [
+        "derivations",
+        "answers",
+        "answers",
+        "features",
+        "pairs",
+        "cuts",
+        "decisions",
+        "bounds",
+        "tuples",
+        "steps",
+        "steps",
+    ];
     for ((line, _), unit) in SMALL.into_iter().zip(units) {
         let (cancel, quiet) = (AtomicBool::new(true), |_: u64| {});
         let host = Impatient { watch: Watch::new(&cancel, None, &quiet), told: RefCell::default() };

@@ -248,6 +248,6 @@ fn a_folder_is_a_section_of_a_report() {
     );
     std::fs::write(folder.join("breaks.csv"), "task,knob\nx,y\n").unwrap();
     let why = predicament_studies::stress::section(&folder).unwrap_err().to_string();
-    assert!(why.contains("breaks.csv:2") && why.contains("predicament stress"), "{why}");
+    assert!(why.contains("breaks.csv:2") && why.contains("predicament study stress"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
 }

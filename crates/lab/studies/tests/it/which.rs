@@ -45,6 +45,18 @@ fn the_page_says_what_the_files_of_the_sample_say() {
     assert_eq!(page, made);
 }
 
+#[test]
+fn readme_says_what_the_files_of_the_sample_say() {
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap().replace("\r\n", "\n");
+    assert_eq!(readme.matches("<!-- predicament: which ").count(), 2, "the tree and the table");
+    assert_eq!(
+        made(&readme, &root().join("reports/sample")).as_ref(),
+        Ok(&readme),
+        "`cargo xtask sample` makes it anew"
+    );
+    assert!(readme.lines().count() <= 100, "README has {} lines", readme.lines().count());
+}
+
 /// Text outside of the marks has no figures that could be wrong.
 #[test]
 fn no_figure_is_written_by_hand() {

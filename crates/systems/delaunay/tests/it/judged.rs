@@ -96,7 +96,7 @@ fn copies_and_chains_are_held_to_the_points() {
     assert!(beside.contains(&"chain"), "{beside:?}");
 }
 
-/// Of several places, the first is described, and all are counted.
+/// The first of several places is described, and all are counted.
 #[test]
 fn flaws_are_counted_and_the_first_is_told() {
     let points: Vec<[f64; 2]> = [0.0, 5.0, 1.0, 4.0, 2.0, 6.0].map(|x| [x, 0.0]).into();

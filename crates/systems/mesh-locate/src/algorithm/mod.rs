@@ -44,7 +44,8 @@
 //! # use predicament_exact::Exact;
 //! # use predicament_mesh::MaterialMesh;
 //! # use predicament_predicates::{Backend, Off, Scene, Vertex};
-//! let scene = Scene::from_points3(&[[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.], [1., 1., 1.], [2., 1., 0.]])?;
+//! let tetrahedron = [[0., 0., 0.], [4., 0., 0.], [0., 4., 0.], [0., 0., 4.]];
+//! let scene = Scene::from_points3(&[&tetrahedron[..], &[[1., 1., 1.], [2., 1., 0.]]].concat())?;
 //! let corners = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]].map(|triangle| triangle.map(Vertex::input));
 //! let index = MeshIndex::new(MaterialMesh::of_closed(4, corners.to_vec())?, &scene);
 //! let session = Exact.prepare(&scene, Off)?;

@@ -25,12 +25,13 @@ type Make = fn(&Files) -> Result<String, FolderError>;
 const PREFIX: &str = "which ";
 
 /// The parts, in the order of the page.
-const PARTS: [(&str, Make); 17] = [
+const PARTS: [(&str, Make); 18] = [
     ("tree", |_| Ok(format!("```text\n{}```", super::tree::text()))),
     ("scenes", words::scenes),
     ("words", words::backends),
     ("promises", promises::promises),
     ("ranking", promises::ranking),
+    ("short", promises::five),
     ("general", kinds::general),
     ("near", kinds::near),
     ("degenerate", kinds::degenerate),

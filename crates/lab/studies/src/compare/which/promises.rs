@@ -43,6 +43,11 @@ pub(super) fn ranking(files: &Files) -> Result<String, FolderError> {
     Ok(format!("{}\n\n{}", ranking::markdown(table), ranking::MEANING))
 }
 
+/// The backends in five columns.
+pub(super) fn five(files: &Files) -> Result<String, FolderError> {
+    Ok(ranking::markdown(ranking::short(&files.measures()?, &files.promises()?)))
+}
+
 /// The rule for comparing times, and the inputs that it leaves out.
 pub(super) fn rule(files: &Files) -> Result<String, FolderError> {
     Ok(ranking::rule(&files.measures()?))

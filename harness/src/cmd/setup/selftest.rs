@@ -27,19 +27,19 @@ use crate::select::Selector;
 use crate::tool::{Tool, each};
 
 const EXAMPLES: &str = "\
-A fault runs until all checks that have to find it have found it; what else would find it later is not tried. Honest
-backends run on each scene that a check finds a fault on, sos:per-mesh on each with two meshes; `run` and `gate` hold
+A fault runs until all checks that have to find it have found it; what else would find it later is not tried. Honest \
+backends run on each scene that a check finds a fault on, sos:per-mesh on each with two meshes; `run` and `gate` hold \
 the others to all scenes. `scenes` and `queries` are what it took until the last of these checks had found the fault.
 
 Examples:
-  predicament selftest
-  predicament selftest --list                      the faults, and the checks that have to find them
-  predicament selftest --checks                    the checks, and the faults that need them: docs/CHECKS.md
-  predicament selftest --only answer:interval-next-cell,fault:contacts-one-sided
-  predicament selftest --only fault:exact-flushed --everything   all checks that find it, on all scenes
-  predicament selftest -f kettner                  which faults does one part of the corpora catch?
-  predicament selftest --without 'perturbed sign'  red: faults are missed without the check
-  predicament selftest --shrink --out out/selftest how small a scene shows each fault, and tables
+  predicament setup selftest
+  predicament setup selftest --list                      the faults, and the checks that have to find them
+  predicament setup selftest --checks                    the checks, and the faults that need them: docs/CHECKS.md
+  predicament setup selftest --only answer:interval-next-cell,fault:contacts-one-sided
+  predicament setup selftest --only fault:exact-flushed --everything   all checks that find it, on all scenes
+  predicament setup selftest -f kettner                  which faults does one part of the corpora catch?
+  predicament setup selftest --without 'perturbed sign'  red: faults are missed without the check
+  predicament setup selftest --shrink --out out/selftest how small a scene shows each fault, and tables
   predicament run -b fault:sos-swapped-term        a planted fault in a run of its own; `gate` turns red";
 
 /// Scenes that are looked at for each shrunk one.
@@ -75,20 +75,17 @@ pub struct Args {
     pub shrink: bool,
 
     /// Name the faults and the checks that have to find them, and stop
-    #[arg(long, conflicts_with_all = ["checks", "filter", "without", "everything", "shrink", "json", "out"])]
+    #[arg(long, conflicts_with_all = ["checks", "filter", "without", "everything", "shrink", "out"])]
     pub list: bool,
 
     /// Name the checks and the faults that need them, and stop
-    #[arg(long, conflicts_with_all = ["filter", "only", "without", "everything", "shrink", "json", "out"])]
+    #[arg(long, conflicts_with_all = ["filter", "only", "without", "everything", "shrink", "out"])]
     pub checks: bool,
 
-    /// How `--checks` prints
-    #[arg(long, value_enum, default_value_t = Format::Text, requires = "checks")]
+    /// How to print: text; for the card JSON with one object a line (name, area, verdict, checks, scenes, queries, points, pieces); for
+    /// --checks Markdown or CSV
+    #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
-
-    /// Print one JSON object a line: name, area, verdict, checks, scenes, queries, points, pieces
-    #[arg(long)]
-    pub json: bool,
 
     /// A folder for the card and the checks as tables, selftest.csv and checks.csv
     #[arg(long, value_name = "DIR")]
@@ -104,6 +101,8 @@ pub enum Format {
     Md,
     /// A table.
     Csv,
+    /// One JSON object a line.
+    Json,
 }
 
 /// Runs the command.
@@ -115,8 +114,12 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
             Format::Text => say_text!("{}", checks_text(&checks, &entries)),
             Format::Md => say_text!("{}", checks_page(&checks, &entries)),
             Format::Csv => say_text!("{}", checks_csv(&checks, &entries).map_err(Failure::usage)?),
+            Format::Json => return Err(Failure::usage("--checks prints text, md or csv, not json")),
         }
         return Ok(exit::OK);
+    }
+    if matches!(args.format, Format::Md | Format::Csv) {
+        return Err(Failure::usage("the card is printed as text or json; md and csv are for --checks"));
     }
     let off: Result<Vec<Vec<usize>>, String> = each(&args.without).map(|name| checks.called(name)).collect();
     let off: BTreeSet<usize> = off.map_err(Failure::usage)?.into_iter().flatten().collect();
@@ -143,7 +146,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         write(folder, CARD, &card.csv().map_err(Failure::usage)?)?;
         write(folder, CHECKS, &checks_csv(&checks, &entries).map_err(Failure::usage)?)?;
     }
-    say_text!("{}", if args.json { card.json() } else { card.text() });
+    say_text!("{}", if args.format == Format::Json { card.json() } else { card.text() });
     Ok(if card.is_good() { exit::OK } else { exit::UNEXPECTED })
 }
 

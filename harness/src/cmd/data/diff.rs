@@ -14,29 +14,53 @@ use crate::baseline::Change;
 use crate::exit::{self, Failure};
 
 const EXAMPLES: &str = "\
-A scene on a backend has changed if a count of any class or its status has. What is worse and what is better comes
-first, the worst severity on top: broken, not done, rounded. Times, where both folders have some, are
-shown with their intervals and decide nothing: `gate --baseline` does that. Code 100 where something that was added, or
+A scene on a backend has changed if a count of any class or its status has. What is worse and what is better comes \
+first, the worst severity on top: broken, not done, rounded. Times, where both folders have some, are \
+shown with their intervals and decide nothing: `gate --baseline` does that. Code 100 where something that was added, or \
 has become worse, is not as expected, 0 otherwise: what is mended is no failure.
 
 Examples:
-  predicament diff out/main out/branch > comment.md
-  predicament diff out/main out/branch --json | jq .changed
+  predicament data diff out/main out/branch > comment.md
+  predicament data diff out/main out/branch --json | jq .changed
   predicament report out/branch --against out/main --out out/report    the same as a page, with plots";
 
 /// Show what changed from one run to another
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The earlier run
-    pub before: PathBuf,
+    /// The run; or the earlier run and the later one
+    #[arg(required = true, num_args = 1..=2, value_name = "RUN")]
+    pub runs: Vec<PathBuf>,
 
-    /// The later one
-    pub now: PathBuf,
+    /// The earlier run, where one run is named
+    #[arg(long, value_name = "RUN")]
+    pub baseline: Option<PathBuf>,
 
-    /// Print one JSON object: the pairs of scene and backend that were added, removed and changed, with their counts
-    #[arg(long)]
-    pub json: bool,
+    /// Markdown for a comment, or one JSON object: the pairs of scene and backend that were added, removed and changed
+    #[arg(long, value_enum, default_value_t = Format::Md)]
+    pub format: Format,
+}
+
+/// The format of what is printed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Format {
+    /// Markdown.
+    Md,
+    /// One JSON object.
+    Json,
+}
+
+impl Args {
+    /// The folders of the earlier and of the later run.
+    fn folders(&self) -> Result<[&PathBuf; 2], Failure> {
+        match (&self.baseline, self.runs.as_slice()) {
+            (Some(before), [now]) | (None, [before, now]) => Ok([before, now]),
+            (Some(_), _) => Err(Failure::usage(
+                "two runs and --baseline are three runs; name one, and the earlier one by --baseline",
+            )),
+            (None, _) => Err(Failure::usage("the earlier run is missing; name it by --baseline")),
+        }
+    }
 }
 
 type Key<'r> = [&'r str; 5];
@@ -49,7 +73,8 @@ const LINES: usize = 50;
 
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
-    let [before, now] = [&args.before, &args.now].map(RunDir::open);
+    let folders = args.folders()?;
+    let [before, now] = folders.map(RunDir::open);
     let (before, now) = (before.map_err(Failure::usage)?, now.map_err(Failure::usage)?);
     let [old, new] = [&before, &now].map(pairs);
     let keys: BTreeSet<&Key<'_>> = old.keys().chain(new.keys()).collect();
@@ -79,14 +104,14 @@ pub fn run(args: &Args) -> exit::Outcome {
         told.sort_by_key(|(rank, _)| Reverse(*rank));
         told.into_iter().map(|(_, told)| told).collect::<Vec<Value>>()
     };
-    if args.json {
+    if args.format == Format::Json {
         let [added, removed, changed] = [added, removed, changed].map(ordered);
         say!("{}", json!({ "unchanged": unchanged, "added": added, "removed": removed, "changed": changed }));
     } else {
         let section = against(std::slice::from_ref(&now), std::slice::from_ref(&before)).map_err(Failure::usage)?;
         let blocks = section.blocks.into_iter().filter(|block| !matches!(block, Block::Plot { .. }));
         let section = Section { lead: String::new(), blocks: blocks.collect(), ..section };
-        say!("## {} → {}", args.before.display(), args.now.display());
+        say!("## {} → {}", folders[0].display(), folders[1].display());
         for (title, is_worse) in [("❌ Worse", true), ("✅ Better", false)] {
             let of: Vec<&Change> = changes.iter().filter(|change| change.is_worse == is_worse).collect();
             if !of.is_empty() {

@@ -14,16 +14,16 @@ use crate::tool::Tool;
 use crate::{expectations, out};
 
 const EXAMPLES: &str = "\
-`run --plan FILE --shard k/N` does a part, on any machine with the same build of the tool, and `merge` puts
-the parts together. Scenes go by their ids; with --costs they go, the longest first, to the part that has
-least to do: where a scene was not measured it is estimated by its family or task. A plan that was changed is
+`run --plan FILE --shard k/N` does a part, on any machine with the same build of the tool, and `merge` puts \
+the parts together. Scenes go by their ids; with --costs they go, the longest first, to the part that has \
+least to do: where a scene was not measured it is estimated by its family or task. A plan that was changed is \
 refused, and so is a scene that has changed since.
 
 Examples:
-  predicament plan --shards 7 --out plan.json
-  predicament plan --shards 7 --costs out/yesterday --out plan.json    balanced by what scenes took
+  predicament shard plan --shards 7 --out plan.json
+  predicament shard plan --shards 7 --costs out/yesterday --out plan.json    balanced by what scenes took
   predicament run --plan plan.json --shard 1/7 --out out/1
-  predicament plan families --level full --shards 64 --costs out/run   only tells what it would cost";
+  predicament shard plan families --level full --shards 64 --costs out/run   only tells what it would cost";
 
 /// Write down what a run in parts will do
 #[derive(clap::Args)]

@@ -17,17 +17,17 @@ use predicament_records::replace;
 use crate::exit::{self, Failure};
 
 const EXAMPLES: &str = "\
-The mesh has to be closed: each edge is used by its triangles as often one way as the other. What is left is the surface
-of what the mesh goes around more often than not at all: parts that overlap become one, parts inside of others and
-parts that are inside out go, and what crosses, folds onto or touches itself meets in common corners and edges.
+The mesh has to be closed: each edge is used by its triangles as often one way as the other. What is left is the surface \
+of what the mesh goes around more often than not at all: parts that overlap become one, parts inside of others and \
+parts that are inside out go, and what crosses, folds onto or touches itself meets in common corners and edges. \
 Decisions are exact; constructed vertices are rounded to doubles, what crosses then is resolved again, and so on.
 
-Written is OFF, OBJ, PLY (binary) or STL (ASCII), by the file's name. Results of up to 2,000 triangles are checked in
+Written is OFF, OBJ, PLY (binary) or STL (ASCII), by the file's name. Results of up to 2,000 triangles are checked in \
 rationals (--check does so for larger ones); what rounding has left is said, and is exit code 100.
 
 Examples:
-  predicament resolve part.stl --out part-resolved.off
-  predicament resolve scan.ply.gz --round --out scan.ply && predicament solve mesh-intersect scan.ply tool.off \\
+  predicament corpus resolve part.stl --out part-resolved.off
+  predicament corpus resolve scan.ply.gz --round --out scan.ply && predicament solve mesh-intersect scan.ply tool.off \\
       -b sos:per-mesh --out out/cut";
 
 /// Results of more triangles are checked only if that is asked for.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use predicament_formats::use_one_of;
 use predicament_records::replace;
 
 use crate::exit::{self, Failure};
@@ -10,13 +11,13 @@ use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament new mine.toml                                 three points and an orient2d, with all that can be changed
-  predicament new mine.toml --points survey.csv             points of a file beside it
-  predicament new mine.toml --task insphere --points cloud.ply
-  predicament new land.toml --task polygon-locate --points land.geojson";
+  predicament corpus new mine.toml                                 three points and an orient2d, with all that can be changed
+  predicament corpus new mine.toml --points survey.csv             points of a file beside it
+  predicament corpus new mine.toml --task insphere --points cloud.ply
+  predicament corpus new land.toml --task polygon-locate --points land.geojson";
 
 /// The suite that is written.
-const TEMPLATE: &str = include_str!("../../templates/suite.toml");
+const TEMPLATE: &str = include_str!("../../../templates/suite.toml");
 
 /// Write a commented suite to start from
 #[derive(clap::Args)]
@@ -49,8 +50,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let Some(template) = task.filter(|template| !template.is_empty()) else {
         let known = tasks.iter().filter(|task| !task.template().is_empty()).map(|task| task.name());
         let known: Vec<&str> = known.collect();
-        let message =
-            format!("no task that a suite can start from is called `{}`; use one of {}", args.task, known.join(", "));
+        let message = format!(
+            "no task that a suite can start from is called `{}`; {}",
+            args.task,
+            use_one_of(&args.task, &known)
+        );
         return Err(Failure::usage(message));
     };
     let title = file.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());

@@ -9,14 +9,14 @@ use crate::planning::tables_with;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-Every part has to be there once, complete, of the same selection and by the same build of the tool; a part
-that is missing or does not fit is named, and nothing is written. The tables are byte for byte those of the
+Every part has to be there once, complete, of the same selection and by the same build of the tool; a part \
+that is missing or does not fit is named, and nothing is written. The tables are byte for byte those of the \
 whole run. Code 100 or 101 where something is not as expected, as `run` has it.
 
 Examples:
   predicament run --shard 1/2 --out out/1
   predicament run --shard 2/2 --out out/2            on another machine
-  predicament merge out/1 out/2 --out out/whole
+  predicament shard merge out/1 out/2 --out out/whole
   predicament gate out/whole";
 
 /// Put the parts of a run together

@@ -13,8 +13,8 @@ use super::table::{DECIMALS, State, first, state};
 
 const INTRODUCTION: &str = "\
 # Error bounds and tolerances, derived
-Printed by `predicament bounds`; a test compares this page with the command's
-output, up to the worst cases, which `predicament worst` searches for. `--format csv` has the same rows, with the expression of every quantity.
+Printed by `predicament study bounds`; a test compares this page with the command's
+output, up to the worst cases, which `predicament study worst` searches for. `--format csv` has the same rows, with the expression of every quantity.
 
 The `tolerance` backend is *Robust Intersections under Floating Point* (Wang, Jiang,
 Schroeder and Teran). Its promise rests on bounds of rounding errors and on

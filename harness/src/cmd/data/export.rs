@@ -14,19 +14,19 @@ use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-Each table of the folders becomes one file: summary, findings, throughput and the others, with the rows of all
-folders and columns in front: run, date, commit, machine. `runs` has a row for each folder, and says how it ended;
-`scenes` has what was planned. `predicament schema` tells the columns; docs/DATA.md reads the files by DuckDB,
+Each table of the folders becomes one file: summary, findings, throughput and the others, with the rows of all \
+folders and columns in front: run, date, commit, machine. `runs` has a row for each folder, and says how it ended; \
+`scenes` has what was planned. `predicament data schema` tells the columns; docs/DATA.md reads the files by DuckDB, \
 pandas and R, and asks a year of nightly runs when something got slower.
 
-Files come into their places when all are whole, and replace those of an earlier export. The same folders give the
+Files come into their places when all are whole, and replace those of an earlier export. The same folders give the \
 same bytes. A table that was cut off or edited after its run was complete is an error, and so is a run that lost its plan.json. Code 103 if interrupted.
 
 Examples:
-  predicament export out/run --out out/data
-  predicament export out/run out/bench --out out/data
-  predicament export nightly --out out/data                 all run folders below a folder, such as a year of nights
-  predicament export out/run --out out/csv --format csv     the same columns, not compressed and without types";
+  predicament data export out/run --out out/data
+  predicament data export out/run out/bench --out out/data
+  predicament data export nightly --out out/data                 all run folders below a folder, such as a year of nights
+  predicament data export out/run --out out/csv --format csv     the same columns, not compressed and without types";
 
 /// Write run folders as typed tables for DuckDB, pandas, R: Parquet, a file for each table
 #[derive(clap::Args)]

@@ -13,9 +13,9 @@ use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament schema                              every table with its columns, types, units and meanings
-  predicament schema --format json | jq '.tables[] | select(.table == \"throughput\")'
-  predicament schema --splice docs/DATA.md        the same between the marks of a page of your own:
+  predicament data schema                              every table with its columns, types, units and meanings
+  predicament data schema --format json | jq '.tables[] | select(.table == \"throughput\")'
+  predicament data schema --splice docs/DATA.md        the same between the marks of a page of your own: \
                                                   <!-- predicament: schema --> and <!-- /predicament -->";
 
 /// Print the columns of all tables: names, types, units, meanings

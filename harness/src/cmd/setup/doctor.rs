@@ -1,10 +1,8 @@
 //! `doctor`: this machine, this build, missing data, and the precision plan of a scene.
 
-use std::path::PathBuf;
-
 use predicament_exact::Precision;
 
-use crate::exit::{self, Failure};
+use crate::exit;
 use crate::out::program;
 use crate::planning::env;
 use crate::precision;
@@ -13,36 +11,22 @@ use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament doctor
-  predicament doctor --cache /data/predicament
-  predicament doctor --scene 'near-.*orient3d'      which arithmetic the exact backend chose, and why";
+  predicament setup doctor
+  predicament setup doctor --cache /data/predicament
+  predicament setup doctor -f 'near-.*orient3d'      which arithmetic the exact backend chose, and why";
 
 /// Tell what this build is, what the machine has, and which data are missing
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
-    #[arg(long, value_name = "DIR")]
-    pub cache: Option<PathBuf>,
-
-    /// Instead, show the precision plan of the scenes whose `suite/scene` matches this
-    /// regular expression: what their coordinates span, and the arithmetic that each predicate needs
-    #[arg(long, value_name = "RE")]
-    pub scene: Option<String>,
-
-    /// Suites to look for scenes in, by name, or TOML files of your own
-    #[arg(long, value_name = "SUITE", requires = "scene", value_delimiter = ',')]
-    pub suite: Vec<String>,
-
-    /// The level at which scenes are loaded
-    #[arg(long, default_value = "quick", value_name = "quick|full", requires = "scene")]
-    pub level: predicament_corpus::Level,
+    #[command(flatten)]
+    pub selector: Selector,
 }
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
-    if let Some(scene) = &args.scene {
-        return scenes(args, tool, scene);
+    if args.selector.filter.is_some() || !args.selector.suites.is_empty() {
+        return scenes(args, tool);
     }
     let env = env();
     let line = |key: &str, value: &str| say!("{key:<20} {value}");
@@ -58,8 +42,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     }
     let sound = arithmetic(&line);
     let library = tool.library()?;
-    let selector = Selector { cache: args.cache.clone(), ..Selector::everything() };
-    let cache = selector.cache()?;
+    let cache = args.selector.cache()?;
     line("cache", &cache.folder().display().to_string());
     for entry in library.manifest().entries() {
         let missing = || format!("missing; `{} corpus fetch`", program());
@@ -73,20 +56,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
 }
 
 /// The precision plans of all scenes that match.
-fn scenes(args: &Args, tool: &Tool, filter: &str) -> exit::Outcome {
-    let selection = Selector {
-        suites: args.suite.clone(),
-        filter: Some(filter.to_owned()),
-        level: args.level,
-        cache: args.cache.clone(),
-    }
-    .select(tool)?;
+fn scenes(args: &Args, tool: &Tool) -> exit::Outcome {
+    let selection = args.selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
-        return Err(Failure::nothing(format!(
-            "no scene matches `{filter}`; `{} corpus list --scenes` names them",
-            program()
-        )));
+        return Err(selection.nothing());
     }
     for def in defs {
         let loaded = selection.load(def)?;

@@ -17,29 +17,29 @@ use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or
-with --finding what one finding is about. Without -b it is the scene, with -b the answer of that
+What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or \
+with --finding what one finding is about. Without -b it is the scene, with -b the answer of that \
 backend, too.
 
-The name of the file says what is written: .svg is a picture, .html a page with a view that turns
-and zooms and needs nothing else, .json the same as data (docs/REPORT.md). A picture in space is
-without perspective. Coordinates are taken from exact ones: with --around they are offsets from
+The name of the file says what is written: .svg is a picture, .html a page with a view that turns \
+and zooms and needs nothing else, .json the same as data (docs/REPORT.md). A picture in space is \
+without perspective. Coordinates are taken from exact ones: with --around they are offsets from \
 that vertex, and --radius magnifies what nearly coincides there.
 
 Examples:
-  predicament show tilings -f '/tiling$' --out tiling.svg
-  predicament show slices -f '/sphere-through-vertices$' -b exact --out parts.html
-  predicament show mesh-intersect a.off b.off -b sos:per-mesh --layer difference --out difference.svg --look 30,25
-  predicament show lecture -f orientation-inversion --around 2 --radius 1e-15 --out near.svg
-  predicament show --finding 3fa9 --run out/run --out finding.html";
+  predicament draw scene tilings -f '/tiling$' --out tiling.svg
+  predicament draw scene slices -f '/sphere-through-vertices$' -b exact --out parts.html
+  predicament draw scene mesh-intersect a.off b.off -b sos:per-mesh --layer difference --out difference.svg --look 30,25
+  predicament draw scene lecture -f orientation-inversion --around 2 --radius 1e-15 --out near.svg
+  predicament draw scene --finding 3fa9 --run out/run --out finding.html";
 
 /// Draw a scene, the answer of a backend to it, or what a finding is about
 #[derive(clap::Args)]
 #[command(
     after_help = EXAMPLES,
-    override_usage = "predicament show [OPTIONS] --out <FILE> SUITE -f RE\n       \
-                      predicament show [OPTIONS] --out <FILE> TASK FILE...\n       \
-                      predicament show [OPTIONS] --out <FILE> --finding ID --run DIR"
+    override_usage = "predicament draw scene [OPTIONS] --out <FILE> SUITE -f RE\n       \
+                      predicament draw scene [OPTIONS] --out <FILE> TASK FILE...\n       \
+                      predicament draw scene [OPTIONS] --out <FILE> --finding ID --run DIR"
 )]
 pub struct Args {
     #[command(flatten)]

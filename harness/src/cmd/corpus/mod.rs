@@ -1,4 +1,8 @@
-//! `corpus`: look at suites, check them, tidy them, try generators, fetch data.
+//! `corpus`: make, list, check, tidy and generate suites, keep their expectations, fetch data.
+
+mod expect;
+mod new;
+mod resolve;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -25,7 +29,7 @@ Examples:
   predicament corpus gen classics -f 'kettner-a1$' --toml > mine.toml   write it out, as a suite to change
   predicament corpus fetch                            real data, into the cache";
 
-/// Suites: list, format, verify, generate, fetch
+/// Suites: list, make, verify, format, generate; expectations; fetch data
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -40,9 +44,9 @@ enum Command {
         /// Name every scene as well
         #[arg(long)]
         scenes: bool,
-        /// Print one JSON object for each suite, with its scenes
-        #[arg(long)]
-        json: bool,
+        /// A line for each suite, or one JSON object for each, with its scenes
+        #[arg(long, value_enum, default_value_t = Format::Text)]
+        format: Format,
     },
     /// Rewrite decimals with digits that no double holds: as hex floats of the nearest doubles, with the decimals as comments
     Fmt {
@@ -53,6 +57,7 @@ enum Command {
         #[arg(long)]
         check: bool,
     },
+    New(new::Args),
     /// Load every scene: syntax, coordinates, ids, data
     Verify(Selector),
     /// Generate or import scenes and show how degenerate they are
@@ -71,16 +76,30 @@ enum Command {
         #[arg(long, value_name = "DIR")]
         cache: Option<PathBuf>,
     },
+    Expect(expect::Args),
+    Resolve(resolve::Args),
+}
+
+/// The format of a list.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+enum Format {
+    /// Lines for people.
+    Text,
+    /// One JSON object a line.
+    Json,
 }
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     match args.command {
-        Command::List { scenes, json } => list(tool, scenes, json),
+        Command::List { scenes, format } => list(tool, scenes, format == Format::Json),
         Command::Fmt { files, check } => format(tool, &files, check),
         Command::Verify(selector) => verify(tool, &selector),
         Command::Gen { selector, toml } => generate(tool, &selector, toml),
         Command::Fetch { keys, cache } => fetch_all(tool, &keys, cache),
+        Command::New(args) => new::run(&args, tool),
+        Command::Expect(args) => expect::run(&args, tool),
+        Command::Resolve(args) => resolve::run(&args),
     }
 }
 

@@ -12,25 +12,24 @@ use predicament_tasks::signs::truth;
 use crate::exit::{self, Failure};
 use crate::found::{find, load};
 use crate::interrupt;
-use crate::out::program;
 use crate::pixels::{Raster, Step, Tile, Walk, axes, columns, exact, square, tile};
 use crate::select::Selector;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-A scene of a square number of queries is drawn as it is; with --query, or for a finding, one vertex of one query walks over a square of
+A scene of a square number of queries is drawn as it is; with --query, or for a finding, one vertex of one query walks over a square of \
 neighbouring doubles (--step) along two axes (--plane), and the rest of the scene stays what it is.
 
-A .png file has the backends side by side. An .svg file has their names and counts too, the exact signs first, and under each map where it
+A .png file has the backends side by side. An .svg file has their names and counts too, the exact signs first, and under each map where it \
 differs from them: pale where the backend's promise allows it, dark where it is wrong.
 
 Examples:
-  predicament map kettner-pixels-a --out map.png
-  predicament map kettner-pixels-a -b naive,naive:first,exact,tolerance --zoom 2 --out map.png
-  predicament map neighbours --suite mine.toml --out map.png
-  predicament map kettner-a1-global --query 'orient2d(xy; 0 1 2)' --out around.svg
-  predicament map near-orient3d --query 'orient3d(0 1 2 3)' --plane yz --step 4ulp --out slice.svg
-  predicament map --finding 3fa9 --run out/run --side 128 --out finding.svg";
+  predicament draw map -f 'kettner-pixels-a$' --out map.png
+  predicament draw map -f 'kettner-pixels-a$' -b naive,naive:first,exact,tolerance --zoom 2 --out map.png
+  predicament draw map mine.toml -f neighbours --out map.png
+  predicament draw map -f kettner-a1-global --query 'orient2d(xy; 0 1 2)' --out around.svg
+  predicament draw map -f '/near-orient3d$' --query 'orient3d(0 1 2 3)' --plane yz --step 4ulp --out slice.svg
+  predicament draw map --finding 3fa9 --run out/run --side 128 --out finding.svg";
 
 /// Draw a square grid of queries, one pixel a query: red/yellow/blue for -/0/+, dark where it is wrong
 ///
@@ -40,13 +39,8 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The scene's name; without --query its number of queries has to be a square
-    #[arg(required_unless_present = "finding")]
-    pub scene: Option<String>,
-
-    /// The suite, by name or as a TOML file of your own; all that need no download if left out
-    #[arg(long, value_name = "SUITE")]
-    pub suite: Option<String>,
+    #[command(flatten)]
+    pub selector: Selector,
 
     /// Backends from left to right
     #[arg(
@@ -62,7 +56,7 @@ pub struct Args {
     pub query: Option<Query>,
 
     /// The id of a finding about one query of a predicate, or a prefix of it
-    #[arg(long, value_name = "ID", requires = "run", conflicts_with_all = ["scene", "suite", "query"])]
+    #[arg(long, value_name = "ID", requires = "run", conflicts_with_all = ["suites", "filter", "query"])]
     pub finding: Option<String>,
 
     /// The run that found it
@@ -153,16 +147,15 @@ fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failur
         })?;
         return Ok((loaded, Some(query)));
     }
-    let name = args.scene.as_deref().unwrap_or_default();
-    let suites = args.suite.iter().cloned().collect();
-    let selection = Selector { suites, ..Selector::everything() }.select(tool)?;
-    let Some(def) = selection.defs().into_iter().find(|def| def.name == name) else {
-        return Err(Failure::nothing(format!(
-            "no scene is called `{name}`; `{} corpus list --scenes` names them",
-            program()
-        )));
-    };
-    Ok((selection.load(def)?, args.query.clone()))
+    let selection = args.selector.clone().with_names(tool)?.select(tool)?;
+    match selection.defs().as_slice() {
+        [def] => Ok((selection.load(def)?, args.query.clone())),
+        [] => Err(selection.nothing()),
+        [first, second, ..] => {
+            let message = format!("{}/{} and {}/{} are selected", first.suite, first.name, second.suite, second.name);
+            Err(Failure::usage(format!("{message}; choose one scene with -f")))
+        }
+    }
 }
 
 fn walk<'a>(args: &Args, loaded: &'a LoadedScene, query: &'a Query) -> Result<Walk<'a>, Failure> {

@@ -16,15 +16,15 @@ use crate::out::hold;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-`update` makes what nobody expected expected, with a reason that is yours: read the findings first. `prune`
-takes out what no scene of the run shows any more, and what no scene or backend has the name of; what the run
-has not put to the test stays: other backends, globs of which a part was run, suites and engines that are elsewhere. Both leave comments and order as they are. An entry without a level is about
+`update` makes what nobody expected expected, with a reason that is yours: read the findings first. `prune` \
+takes out what no scene of the run shows any more, and what no scene or backend has the name of; what the run \
+has not put to the test stays: other backends, globs of which a part was run, suites and engines that are elsewhere. Both leave comments and order as they are. An entry without a level is about \
 both, and one run decides: give `prune` a run at the level that you gate.
 
 Examples:
-  predicament expect update out/run --expected mine.toml --reason 'differences are rounded' --dry-run
-  predicament expect update out/run --expected mine.toml --reason 'differences are rounded'
-  predicament expect prune out/run --expected mine.toml --dry-run";
+  predicament corpus expect update out/run --expected mine.toml --reason 'differences are rounded' --dry-run
+  predicament corpus expect update out/run --expected mine.toml --reason 'differences are rounded'
+  predicament corpus expect prune out/run --expected mine.toml --dry-run";
 
 /// Bring expectations to what a run has found
 #[derive(clap::Args)]

@@ -7,16 +7,19 @@ use clap_complete::Shell;
 use predicament_records::replace;
 
 use crate::exit::{self, Failure};
+use crate::layout::of_pages;
+use crate::names::page;
 
 const EXAMPLES: &str = "\
 Examples:
-  predicament completions bash > ~/.local/share/bash-completion/completions/predicament
-  predicament completions zsh > ~/.zfunc/_predicament
-  predicament completions fish > ~/.config/fish/completions/predicament.fish";
+  predicament setup completions bash > ~/.local/share/bash-completion/completions/predicament
+  predicament setup completions zsh > ~/.zfunc/_predicament
+  predicament setup completions fish > ~/.config/fish/completions/predicament.fish";
 
 const MAN_EXAMPLES: &str = "\
 Examples:
-  predicament man --out ~/.local/share/man/man1 && man predicament-run";
+  predicament setup man --out ~/.local/share/man/man1 && man predicament-run
+  predicament setup man --format md    the page docs/COMMANDS.md";
 
 /// Print completions for a shell
 #[derive(clap::Args)]
@@ -30,9 +33,20 @@ pub struct Completions {
 #[derive(clap::Args)]
 #[command(after_help = MAN_EXAMPLES)]
 pub struct Man {
-    /// The folder for the pages; made if need be
-    #[arg(long, value_name = "DIR")]
-    pub out: PathBuf,
+    /// The folder for manual pages, which is made if it does not exist
+    #[arg(long, value_name = "DIR", required_unless_present = "format")]
+    pub out: Option<PathBuf>,
+
+    /// Print one page with the help of every command
+    #[arg(long, value_enum, conflicts_with = "out")]
+    pub format: Option<Format>,
+}
+
+/// The format of the page that is printed.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
+pub enum Format {
+    /// Markdown.
+    Md,
 }
 
 /// Prints completions.
@@ -43,10 +57,15 @@ pub fn completions(args: &Completions, mut command: Command) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// Writes manual pages.
+/// Writes manual pages, or prints the page of all commands.
 pub fn man(args: &Man, mut command: Command) -> exit::Outcome {
+    let Some(folder) = &args.out else {
+        let mut command = of_pages(command);
+        command.build();
+        say_text!("{}", page(&command));
+        return Ok(exit::OK);
+    };
     command.build();
-    let folder = &args.out;
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     let mut left = vec![(crate::out::program(), command)];
