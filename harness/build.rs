@@ -69,10 +69,22 @@ fn commit() {
 
 /// The files and folders that the tool is built from, from the top of the repository.
 fn sources() -> Vec<String> {
-    let mut sources: Vec<String> =
-        ["Cargo.toml", "Cargo.lock", "corpora", "harness/Cargo.toml", "harness/build.rs", "harness/src"]
-            .map(str::to_owned)
-            .into();
+    let mut sources: Vec<String> = [
+        "Cargo.toml",
+        "Cargo.lock",
+        "corpora",
+        "harness/Cargo.toml",
+        "harness/build.rs",
+        "harness/src",
+        "harness/templates",
+        // What is behind the links in the templates. The folders have also what running the helpers leaves there.
+        "engines/include/predicament_engine.hpp",
+        "engines/node/predicament_engine.mjs",
+        "engines/python/predicament_engine.py",
+        "engines/rust/src",
+    ]
+    .map(str::to_owned)
+    .into();
     // Crates stand in groups, each a folder.
     for one in folders("crates").into_iter().flat_map(|group| folders(&group).into_iter().chain([group])) {
         let parts = ["Cargo.toml", "build.rs", "src", "templates"].map(|part| format!("{one}/{part}"));

@@ -47,8 +47,8 @@ pub fn demo() -> Result<(), String> {
 
 /// Runs everything that must pass before a change lands.
 ///
-/// One profile for all of it, and one build ([`compiler`]): the binary that the tests have used is the one that runs the
-/// corpora. Steps that leave cores idle run beside others.
+/// There is one profile and one build ([`compiler`]): the binary that the tests have used also runs the corpora. Steps
+/// that leave cores idle run beside others.
 pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     let compiler = compiler::environment()?;
@@ -83,17 +83,22 @@ fn engine_examples(compiler: &[(&str, String)]) -> Result<(), String> {
     cargo("format of engines in Rust", &["fmt", "--manifest-path", "engines/rust/Cargo.toml", "--check"])?;
     let tests = cargo_command(&[&["test"], &helper[..]].concat());
     step("clippy, docs and tests of the helper in Rust", &tests, compiler)?;
-    let languages = [("C++", "c++", "in_cpp"), ("Python", "python3", "in_python"), ("Rust", "cargo", "in_rust")];
+    let languages = [
+        ("C++", "c++", "in_cpp"),
+        ("Python", "python3", "in_python"),
+        ("Rust", "cargo", "in_rust"),
+        ("JavaScript", "node", "in_node"),
+    ];
     let (there, missing): (Vec<_>, Vec<_>) =
         languages.into_iter().partition(|(_, program, _)| answers(program, &["--version"]));
     for (language, program, _) in missing {
         println!("\n== engine in {language}: NOT RUN: there is no `{program}` here");
     }
     let tests: Vec<&str> = there.into_iter().map(|(_, _, tests)| tests).collect();
-    ignored_tests("engines in C++, Python and Rust", &tests, compiler)
+    ignored_tests("engines in C++, Python, Rust and JavaScript", &tests, compiler)
 }
 
-/// The tests whose names have one of these words in them and that do not run by default.
+/// Runs the ignored tests whose names contain one of these words.
 fn ignored_tests(what: &str, tests: &[&str], env: &[(&str, String)]) -> Result<(), String> {
     // The same packages as before: one alone has other features, and GMP would be built again.
     let packages = ["--workspace", "--exclude", BENCHES, "--test", "it"];
@@ -143,7 +148,9 @@ pub fn engines(names: &[String]) -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("; ")) }
 }
 
-/// The tests, by nextest where it is installed: it starts the tests of all crates at once. Its doc tests then run beside the next steps.
+/// Runs the tests, by nextest if it is installed, as it starts the tests of all crates at once.
+///
+/// Doc tests are then a step of their own, which runs beside the next steps.
 fn run_tests(what: &str, env: &[(&str, String)]) -> Result<Option<Beside>, String> {
     if has_nextest() {
         let run = ["nextest", "run", "--cargo-profile", "ci", "--workspace", "--exclude", BENCHES, "--no-fail-fast"];

@@ -25,12 +25,13 @@
 //! }
 //! ```
 //!
-//! Signs are those of `docs/ENGINES.md`. If a predicate panics, the answer is `error`, with the query and the text of
-//! the panic: the tool counts the scene as a panic and restarts the engine. The output of a library that prints goes to
-//! stderr (on Unix).
+//! Signs are those of `docs/ENGINES.md`. A predicate that panics is answered by `error`, with the query and the text of the
+//! panic: the tool counts the scene as a panic and starts the engine again. `stdout.rs` says where the output of a library
+//! goes.
 
 mod message;
 mod server;
+mod stdout;
 
 use std::cmp::Ordering;
 use std::ops::Neg;

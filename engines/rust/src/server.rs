@@ -6,8 +6,9 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use crate::message::{Message, Reply};
-use crate::{Answer, Engine, Points, Precision, Predicate, Vertex, Zero};
+use super::message::{Message, Reply};
+use super::stdout::own_stdout;
+use super::{Answer, Engine, Points, Precision, Predicate, Vertex, Zero};
 
 /// The byte of a query not yet answered; it is not a byte of the protocol.
 const NOT_ASKED: u8 = 128;
@@ -30,22 +31,6 @@ pub fn main<E: Engine>(args: Vec<String>) -> Result<(), String> {
         }
     }));
     serve::<E>(std::io::stdin().lock(), &mut output).map_err(|why| format!("engine: {why}"))
-}
-
-/// The program's own handle for stdout. Output of a library goes to stderr.
-#[cfg(unix)]
-fn own_stdout() -> Result<impl Write, String> {
-    let claimed = rustix::io::dup(std::io::stdout()).and_then(|own| {
-        rustix::stdio::dup2_stdout(std::io::stderr())?;
-        Ok(std::fs::File::from(own))
-    });
-    claimed.map_err(|error| format!("engine: stdout can't be duplicated: {error}"))
-}
-
-/// Stdout itself: this system has no safe call to claim it, and a library that prints breaks the protocol.
-#[cfg(not(unix))]
-fn own_stdout() -> Result<impl Write, String> {
-    Ok(std::io::stdout())
 }
 
 /// Answers messages until the input ends.

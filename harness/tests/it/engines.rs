@@ -13,10 +13,14 @@ fn agrees_with_naive(engine: &str) {
     agrees(engine, "naive", filter);
 }
 
-/// An engine has the same rows as a backend in these scenes, but for its name.
+/// An engine of the repository has the same rows as a backend in these scenes, but for its name.
 fn agrees(engine: &str, backend: &str, filter: &str) {
+    agrees_in(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../engines")), engine, backend, filter);
+}
+
+/// An engine of this folder has the same rows as a backend in these scenes, but for its name.
+pub fn agrees_in(engines: &Path, engine: &str, backend: &str, filter: &str) {
     let folder = tempdir().unwrap();
-    let engines = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines");
     let call = |args: &[&str]| {
         let output = tool(args).env("PREDICAMENT_ENGINES", engines).output().unwrap();
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();

@@ -23,6 +23,7 @@ mod lines_and_cubes;
 mod merge;
 mod mesh_intersections;
 mod mesh_points;
+mod new_engine;
 mod of_crates;
 mod output;
 mod own_data;

@@ -140,16 +140,24 @@ fn parse(file: &str, text: &str) -> Result<Config, CorpusError> {
     Ok(config)
 }
 
-/// Reads a name that is safe in tables, on command lines and in file names.
+/// The rule for names of engines, as a cure.
+pub const NAME_RULE: &str = "use up to 64 letters, digits, `-`, `_` and `.`, a letter or digit first";
+
+/// Returns true if a text can be the name of an engine: names are safe in tables, on command lines and in file names.
+#[must_use]
+pub fn is_name(text: &str) -> bool {
+    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
+    let fits = text.len() <= LONGEST_NAME && text.starts_with(|c: char| c.is_ascii_alphanumeric());
+    fits && text.chars().all(plain)
+}
+
+/// The name of the engine.
 fn name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     let name = field.str()?;
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-    let fits = name.len() <= LONGEST_NAME && name.starts_with(|c: char| c.is_ascii_alphanumeric());
-    if fits && name.chars().all(plain) {
+    if is_name(name) {
         return Ok(name.to_owned());
     }
-    let cure = format!("use up to {LONGEST_NAME} letters, digits, `-`, `_` and `.`, a letter or digit first");
-    Err(field.error(format!("`{}` is no name of an engine", shown(name)), cure))
+    Err(field.error(format!("`{}` is no name of an engine", shown(name)), NAME_RULE))
 }
 
 /// Reads a line of text; empty if the key is missing.

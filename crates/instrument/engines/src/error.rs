@@ -265,7 +265,11 @@ impl std::fmt::Display for ProtocolError {
             }
             ProtocolError::NotALength(bytes) => {
                 let text = String::from_utf8_lossy(bytes);
-                write!(f, "no message: it begins with the bytes `{}`", text.escape_default())
+                write!(
+                    f,
+                    "no message: it begins with the bytes `{}`; an engine prints to stderr, not to stdout",
+                    text.escape_default()
+                )
             }
             ProtocolError::TooLong { size, most } => {
                 write!(f, "an answer of {size} bytes, where at most {most} were asked for")

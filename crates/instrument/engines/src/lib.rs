@@ -27,7 +27,7 @@ mod started;
 
 pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
-pub use config::{Config, FILE, FOLDER, all, find, folder};
+pub use config::{Config, FILE, FOLDER, NAME_RULE, all, find, folder, is_name};
 pub use error::{EngineError, EngineFailure, ProtocolError};
 pub use group::end_all;
 pub use message::{Bound, MOST_BYTES, MOST_ENTRIES, MOST_TEXT, Message};

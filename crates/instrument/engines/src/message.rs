@@ -272,7 +272,10 @@ mod tests {
         }
         // Read as a length, digits are below 2^30.
         let read = Message::read(&mut b"0.25\n".as_slice(), Bound::answer(7)).map_err(|error| error.to_string());
-        assert_eq!(read, Err("no message: it begins with the bytes `0.25`".to_owned()));
+        assert_eq!(
+            read,
+            Err("no message: it begins with the bytes `0.25`; an engine prints to stderr, not to stdout".to_owned())
+        );
     }
 
     #[test]
@@ -286,7 +289,10 @@ mod tests {
     #[test]
     fn garbage_is_an_error_in_words() {
         for (bytes, said) in [
-            (b"hello\n".as_slice(), "no message: it begins with the bytes `hell`"),
+            (
+                b"hello\n".as_slice(),
+                "no message: it begins with the bytes `hell`; an engine prints to stderr, not to stdout",
+            ),
             (&[2, 0, 0, 0, 9, b't'], "a message whose last entry is cut off"),
             (&[7, 0, 0, 0, 1, b'x', 1, 0, 0, 0, 7], "a message that does not begin with its `type`"),
             (&[0, 0, 0, 0], "a message that does not begin with its `type`"),

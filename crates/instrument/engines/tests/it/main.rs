@@ -144,7 +144,12 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
         ("many entries", Class::Panic, "protocol", "an answer of 1073676302 bytes, where at most 65540 were asked for"),
         ("long value", Class::Panic, "protocol", "an answer of 1073676312 bytes, where at most 65540 were asked for"),
         ("silent on batch", Class::Timeout, "silence", "no answer to `batch` within 1s"),
-        ("garbage on batch", Class::Panic, "protocol", "no message: it begins with the bytes `orie`"),
+        (
+            "garbage on batch",
+            Class::Panic,
+            "protocol",
+            "no message: it begins with the bytes `orie`; an engine prints to stderr, not to stdout",
+        ),
         ("error on batch", Class::Panic, "engine error", "out of triangles"),
         ("short", Class::Panic, "protocol", "3 signs came back for 4 queries; stderr: one sign is missing"),
         ("slow clock", Class::Panic, "protocol", "`ns` is 18446744073709551615, and the answer took "),

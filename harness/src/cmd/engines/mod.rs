@@ -1,14 +1,18 @@
-//! `engines`: programs of other languages: list, install, build, greet, clean.
+//! `engines`: programs of other languages: make, list, install, build, greet, clean.
 
-use predicament_engines::{Config, Engine, EngineError, PREFIX, Step, all, chore, find};
+mod new;
+
+use predicament_engines::{Config, Engine, EngineError, FOLDER, PREFIX, Step, all, chore, find, folder};
 use predicament_predicates::{Backend, PredicateKind, ZeroMeaning};
 
 use crate::exit::{self, Failure};
+use crate::out::program;
 
 const EXAMPLES: &str = "\
 Engines are folders with an engine.toml in $PREDICAMENT_ENGINES, or in ./engines; docs/ENGINES.md describes them.
 
 Examples:
+  predicament engines new mine --language cpp  write an engine to start from
   predicament engines                          what there is, and what is ready
   predicament engines install cgal-epick       its library, by the package manager's client
   predicament engines build                    all of them; says which were not built, and why
@@ -25,6 +29,7 @@ pub struct Args {
 
 #[derive(clap::Subcommand)]
 enum Command {
+    New(new::Args),
     /// Name the engines, and say which of them start
     List,
     /// Install the libraries that engines need
@@ -52,6 +57,7 @@ enum Command {
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
     match args.command.as_ref().unwrap_or(&Command::List) {
+        Command::New(args) => new::run(args),
         Command::List => list(),
         Command::Install { names } => each(names, |config| step(config, Step::Install)),
         Command::Build { names } => each(names, |config| step(config, Step::Build)),
@@ -64,7 +70,7 @@ pub fn run(args: &Args) -> exit::Outcome {
 fn list() -> exit::Outcome {
     let engines = all();
     if engines.is_empty() {
-        return Err(Failure::nothing("no engine is here; an engine is a folder with an engine.toml below ./engines"));
+        return Err(nothing());
     }
     for config in engines {
         match config {
@@ -75,7 +81,9 @@ fn list() -> exit::Outcome {
                     Err(error) => error.to_string(),
                 };
                 say!("{:<20} {}", config.name, config.about);
-                say!("{:<20} {}", "", config.licence);
+                if !config.licence.is_empty() {
+                    say!("{:<20} {}", "", config.licence);
+                }
                 say!("{:<20} {state}", "");
             }
         }
@@ -87,7 +95,7 @@ fn list() -> exit::Outcome {
 fn each(names: &[String], work: impl Fn(&Config) -> Result<String, EngineError>) -> exit::Outcome {
     let engines = if names.is_empty() { all() } else { names.iter().map(|name| find(name)).collect() };
     if engines.is_empty() {
-        return Err(Failure::nothing("no engine is here; an engine is a folder with an engine.toml below ./engines"));
+        return Err(nothing());
     }
     let (total, mut failed) = (engines.len(), 0);
     for config in engines {
@@ -107,6 +115,15 @@ fn each(names: &[String], work: impl Fn(&Config) -> Result<String, EngineError>)
     }
     say!("{} of {total} engines", total - failed);
     if failed == 0 { Ok(exit::OK) } else { Ok(exit::USAGE) }
+}
+
+/// The folder of engines has no engine.
+fn nothing() -> Failure {
+    Failure::nothing(format!(
+        "{} has no engines; `{} engines new NAME --language LANGUAGE` writes one there, and ${FOLDER} names another folder",
+        folder().display(),
+        program()
+    ))
 }
 
 fn step(config: &Config, step: Step) -> Result<String, EngineError> {

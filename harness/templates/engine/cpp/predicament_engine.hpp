@@ -1,0 +1,1 @@
+../../../../engines/include/predicament_engine.hpp

@@ -1,0 +1,1 @@
+../../../../engines/node/predicament_engine.mjs

@@ -1,0 +1,1 @@
+../../../../engines/python/predicament_engine.py
