@@ -69,7 +69,7 @@ fn missing_data_is_an_error_and_never_a_skip() {
     fails(104, &["run", "maps", "--cache", &cache, "--out", &out], &["predicament corpus fetch"]);
     assert!(!folder.path().join("run").exists());
     // Not naming the suite is a choice, and the choice is in the plan.
-    let told = run(&["run", "tilings", "-b", "exact", "--cache", &cache, "--out", &out]);
+    expect(0, &["run", "tilings", "-b", "exact", "--cache", &cache, "--out", &out]);
     let plan: serde_json::Value = serde_json::from_str(&crate::common::read(&out, "plan.json")).unwrap();
     let left: Vec<&str> =
         plan["not_selected"].as_array().unwrap().iter().filter_map(|left| left["suite"].as_str()).collect();

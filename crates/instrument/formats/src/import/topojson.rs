@@ -4,9 +4,9 @@
 //! decoded coordinates become *one* vertex over the whole map: a symbolic perturbation moves vertices by identity, and
 //! a border that two regions hold as different vertices would open into a sliver.
 //!
-//! Quantised coordinates are decoded as the format's reference client does: integer sums of the deltas, then `k * scale
-//! + translate` with two roundings in double precision. The resulting doubles *are* the scene. Positions that are not
-//! quantised are decimals, read as in suites.
+//! Quantised coordinates are decoded as the format's reference client does: integer sums of the deltas, then
+//! `k * scale + translate` with two roundings in double precision. The resulting doubles *are* the scene. Positions
+//! that are not quantised are decimals, read as in suites.
 
 use std::collections::BTreeMap;
 
