@@ -1,4 +1,4 @@
-//! Adding a scene to a suite of the user's, who may write in it as well: all that is not replaced stays as it is.
+//! Adds a scene to a suite file that the user may edit too; all other text stays as it is.
 
 use std::io::ErrorKind;
 use std::ops::Range;
@@ -14,14 +14,15 @@ use crate::line_ends::{is_crlf, to_crlf, to_lf};
 use crate::out::hold;
 use crate::tool::Tool;
 
-/// What the source of a scene begins with that `shrink` has made.
+/// The prefix of the `source` of a scene that `shrink` wrote.
 const SHRUNK: &str = "shrunk from ";
 
-/// Adds a scene, as a `[[scene]]` table, to a suite, or puts it in the place of a larger one of the same name that was shrunk as well.
-/// Where the suite has the same scene already, or a smaller one, that is told, and nothing is changed.
+/// Adds a scene, given as a `[[scene]]` table, to a suite file.
+/// A larger scene with the same name is replaced if `shrink` wrote it. If the suite already has the same scene, or a
+/// smaller one from `shrink`, a note says so and the file does not change.
 ///
 /// # Errors
-/// If the file can't be read or written, or the result is no suite: nothing is written then.
+/// If the file can't be read or written, or the result is not a valid suite. Then nothing is written.
 pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
     let _hold = hold(file)?;
     let before = match std::fs::read_to_string(file) {
@@ -33,7 +34,7 @@ pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
     let text = if is_crlf { to_lf(&before) } else { before };
     let new = alone(tool, table)?;
     let mut replaced = None;
-    // A suite without scenes is none yet; what else is wrong is an error of the result.
+    // A suite without scenes does not parse yet. Any other error is reported when the result is parsed.
     for def in parsed(tool, file, &text).into_iter().flat_map(|suite| suite.scenes) {
         if !def.is_written() {
             continue;
@@ -62,19 +63,19 @@ fn parsed(tool: &Tool, file: &Path, text: &str) -> Result<Suite, Failure> {
     Ok(Suite::parse(tool.vocabulary(), &name, text, file.parent(), &Manifest::default())?)
 }
 
-/// The scene of a table.
+/// The only scene of a table.
 fn alone(tool: &Tool, table: &str) -> Result<LoadedScene, Failure> {
     let suite = parsed(tool, Path::new("shrunk.toml"), &format!("title = \"One\"\n\n{table}"))?;
     let def = suite.scenes.first().ok_or_else(|| Failure::usage("there is no scene to add"))?;
     Ok(def.load(Level::Quick, &Cache::new(""))?)
 }
 
-/// How large a scene is; none where its task does not write scenes out.
+/// The size of a scene, or `None` if its task does not write scenes out.
 fn size(scene: &LoadedScene) -> Option<Size> {
     scene.spelled().as_ref().map(Size::of)
 }
 
-/// The bytes of the table whose head is in this line, from 1, without the comments before the next one.
+/// The byte range of the table whose header is on this line (from 1), without the comments before the next table.
 fn table_at(text: &str, line: usize) -> Range<usize> {
     let lines: Vec<&str> = text.split_inclusive('\n').collect();
     let first = line.saturating_sub(1).min(lines.len());
@@ -87,13 +88,13 @@ fn table_at(text: &str, line: usize) -> Range<usize> {
     at(first)..at(end)
 }
 
-/// Whether a line begins a table, such as `[[generate]] # more`. A row of an array begins with a number.
+/// True if a line begins a table, such as `[[generate]] # more`. A row of an array begins with a number.
 fn is_head(line: &str) -> bool {
     let name = line.trim_start().trim_start_matches('[').trim_start();
     line.trim_start().starts_with('[') && name.starts_with(|c: char| c.is_ascii_alphabetic())
 }
 
-/// Whether a line has nothing but a comment, or nothing.
+/// True if a line is empty or has only a comment.
 fn is_between(line: &str) -> bool {
     line.trim().is_empty() || line.trim_start().starts_with('#')
 }

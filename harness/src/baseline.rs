@@ -1,10 +1,11 @@
-//! A run beside an earlier one: what is worse, and what is better.
+//! A comparison of a run with an earlier run: what is worse and what is better.
 //!
-//! A class that has become more frequent is worse, and one that has become rarer is better, whatever else happened to the scene. The one
-//! exception: a scene that was broken and is off by rounding now is better, and the rounding in place of what was broken is not worse.
+//! A class that became more frequent is worse; a class that became rarer is better. The other classes of the scene do
+//! not matter, with one exception: if a broken scene is now only off by rounding, that is better, and the new rounding
+//! findings are not worse.
 //!
-//! Findings count always. Times differ from machine to machine and from hour to hour, so they are judged only where somebody asks for
-//! it, on the same machine, and beyond both the range of samples and a threshold.
+//! Findings are always compared. Times differ between machines and hours. They are compared only on request, on the
+//! same machine, and a time is slower only beyond both the range of the samples and a threshold.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,23 +14,23 @@ use predicament_records::{Interface, RunDir, Spread, SummaryRow, ThroughputRow};
 
 use crate::exit::Failure;
 
-/// A class of a row whose count has changed.
+/// A class of a row whose count changed.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Change {
     /// The class.
     pub class: Class,
     /// `suite/scene on backend`.
     pub place: String,
-    /// The count of before.
+    /// The count in the earlier run.
     pub then: u64,
-    /// The count of now.
+    /// The count in this run.
     pub now: u64,
-    /// Whether it is worse, and not better.
+    /// True if the change is worse, false if it is better.
     pub is_worse: bool,
 }
 
 impl Change {
-    /// The classes of a row whose counts have changed, the worst severity first.
+    /// The classes of a row whose counts changed, the worst severity first.
     pub fn of(old: &SummaryRow, new: &SummaryRow) -> Vec<Change> {
         let place = format!("{}/{} on {}", new.suite, new.scene, new.backend);
         let (mut changes, mut mended) = (Vec::new(), 0);
@@ -69,23 +70,23 @@ impl std::fmt::Display for Change {
     }
 }
 
-/// What is worse than in an earlier run, and what is better.
+/// The comparison of a run with an earlier run.
 #[derive(Default)]
 pub struct Beside {
-    /// Classes of rows that are more frequent than before, the worst severity first.
+    /// Classes of rows that became more frequent, the worst severity first.
     pub worse: Vec<Change>,
-    /// Those that are rarer, or milder.
+    /// Classes of rows that became rarer or milder.
     pub better: Vec<Change>,
-    /// Scenes that have become slower; none where times were not judged.
+    /// Scenes that became slower; empty if times were not compared.
     pub timings: Vec<String>,
-    /// Whether times were judged, and why not; nothing where neither run has any.
+    /// `Ok` if times were compared, or the reason why not. `None` if the two runs have no timings.
     pub times: Option<Result<(), String>>,
-    /// Timings of the run that were not held against the baseline though others were, each with the reason.
+    /// Timings of the run that were not compared although others were, each with the reason.
     pub not_compared: Vec<String>,
 }
 
 impl Beside {
-    /// Holds a run against an earlier one. Times are judged where `percent` says from how much on they count.
+    /// Compares a run with an earlier run. Times are compared if `percent`, the threshold, is given.
     ///
     /// # Errors
     /// If the runs have nothing in common.
@@ -107,7 +108,7 @@ impl Beside {
     }
 }
 
-/// In what the machines, or what the tool was compiled to there, differ; none if times can be compared.
+/// The differences between the two machines or builds, or `None` if times can be compared.
 fn another_machine(run: &RunDir, baseline: &RunDir) -> Option<String> {
     let pairs = run.env.comparable().into_iter().zip(baseline.env.comparable());
     let differing: Vec<String> = pairs
@@ -118,7 +119,7 @@ fn another_machine(run: &RunDir, baseline: &RunDir) -> Option<String> {
         .then(|| format!("it was another machine, or another build for it ({})", differing.join("; ")))
 }
 
-/// What has changed in rows of the same scene and backend, the worst severity first.
+/// The changes in rows of the same scene and backend, the worst severity first.
 fn changes(run: &RunDir, baseline: &RunDir) -> Vec<Change> {
     let before: BTreeMap<(&str, &str), &SummaryRow> =
         baseline.summary.iter().map(|row| ((row.scene_id.as_str(), row.backend.as_str()), row)).collect();
@@ -129,9 +130,10 @@ fn changes(run: &RunDir, baseline: &RunDir) -> Vec<Change> {
     changes
 }
 
-/// Timings of a scene whose fastest sample is slower than the slowest sample of before,
-/// and by so many percent at least: beyond what noise explains. A family of several scenes is compared scene by scene, as
-/// those take different times; where it had other scenes, there is nothing to compare.
+/// Timings of scenes that became slower beyond noise.
+/// A scene is slower if its fastest sample is slower than the slowest earlier sample, and its median is slower by at
+/// least `percent`. A family of several scenes is compared scene by scene, because its scenes take different times. If
+/// the family had other scenes in the earlier run, it is not compared.
 fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Beside {
     let (now, then) = (timings(run), timings(baseline));
     let (scenes, scenes_then) = (scenes(run), scenes(baseline));
@@ -157,7 +159,7 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Beside {
             }
         }
     }
-    // Where nothing was compared, nothing was judged.
+    // If no timing was compared, times count as not judged.
     let times = if not_compared.len() < timings(run).len() {
         Ok(())
     } else {
@@ -185,7 +187,7 @@ fn scenes(run: &RunDir) -> BTreeMap<[&str; 2], Vec<&str>> {
     scenes
 }
 
-/// Refuses a baseline that says nothing about this run.
+/// Refuses a baseline that has no scene and no timing in common with this run.
 fn comparable(run: &RunDir, baseline: &RunDir) -> Result<(), Failure> {
     let before: BTreeSet<&str> = baseline.plan.scenes.iter().map(|scene| scene.scene_id.as_str()).collect();
     let timed = || {

@@ -1,4 +1,4 @@
-//! A process of the same program that works for this one, and ends with it.
+//! A child process of the same program that works for this process and ends with it.
 
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::Ordering;
@@ -7,10 +7,10 @@ use std::time::{Duration, Instant};
 use crate::exit::Failure;
 use crate::interrupt;
 
-/// The variable that tells a process that it is a worker.
+/// The environment variable that marks a process as a worker.
 const VARIABLE: &str = "PREDICAMENT_WORKER";
 
-/// Where this process is a worker, it ends with the process that it works for.
+/// Ends this process when its parent ends, if this process is a worker.
 pub fn end_with_parent() {
     if std::env::var_os(VARIABLE).is_some() {
         std::thread::spawn(|| {
@@ -20,10 +20,10 @@ pub fn end_with_parent() {
     }
 }
 
-/// How long a child may take to end, and to end its engines, before it is killed.
+/// The time that a child has to end itself and its engines before it is killed.
 pub const FAREWELL: Duration = Duration::from_secs(2);
 
-/// This program again, not yet started.
+/// A command that runs this program again.
 pub fn command() -> Result<Command, Failure> {
     let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
     let mut command = Command::new(program);
@@ -31,24 +31,24 @@ pub fn command() -> Result<Command, Failure> {
     Ok(command)
 }
 
-/// Starts a child that ends when this process does. What it says on stderr is for whoever reads its pipe.
+/// Starts a child that ends when this process does. The reader of its pipe gets its stderr.
 pub fn start(mut command: Command) -> Result<Child, Failure> {
-    // It ends with the other end of this pipe: nothing is left behind when this process is killed.
+    // The child ends when the other end of this pipe closes, so no child outlives a killed parent.
     command.env(VARIABLE, "1").stdin(Stdio::piped()).stdout(Stdio::null()).stderr(Stdio::piped());
     let child = command.spawn().map_err(|error| Failure::usage(format!("a worker did not start: {error}")))?;
-    // Where memory runs out, Linux ends this process first. Elsewhere there is no such file.
+    // When memory runs out, Linux kills this child first. Other systems do not have this file.
     let _ = std::fs::write(format!("/proc/{}/oom_score_adj", child.id()), "1000");
     Ok(child)
 }
 
-/// How a child came to its end.
+/// How a child ended.
 pub enum End {
     Exit(Option<ExitStatus>),
     Limit(Duration),
     Interrupt,
 }
 
-/// Waits for the end, and makes one where the time is over.
+/// Waits for the child to end, and ends it when the time is over.
 pub fn wait(child: &mut Child, limit: Option<Duration>) -> End {
     let start = Instant::now();
     loop {
@@ -64,7 +64,7 @@ pub fn wait(child: &mut Child, limit: Option<Duration>) -> End {
             },
             Err(_) => End::Exit(None),
         };
-        // At the end of its input it ends its engines and itself, if it still can.
+        // The child ends its engines and itself at the end of its input, if it still can.
         drop(child.stdin.take());
         let asked = Instant::now();
         while asked.elapsed() < FAREWELL && matches!(child.try_wait(), Ok(None)) {

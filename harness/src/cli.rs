@@ -53,7 +53,7 @@ enum Command {
     Setup(cmd::setup::Args),
 }
 
-/// The command of studies, each a command below it.
+/// The `study` command, with one subcommand for each study.
 fn study(studies: &[Entry]) -> clap::Command {
     clap::Command::new(names::STUDY)
         .about("Measure backends: which one for what, where they break, what they cost")
@@ -66,14 +66,14 @@ fn study(studies: &[Entry]) -> clap::Command {
         .subcommands(studies.iter().map(Entry::command))
 }
 
-/// The tool with the systems and studies that it comes with, ready to learn of more.
+/// The tool with its built-in systems and studies; its methods add more.
 #[must_use]
 pub fn cli() -> Cli<(), Systems> {
     let guests = Guests { studies: predicament_bundle::STUDIES.to_vec(), ..Guests::default() };
     Cli { backends: (), tasks: Systems, guests }
 }
 
-/// The tool with backends, tasks and studies of its own; see [`cli`].
+/// The tool with additional backends, tasks and studies; see [`cli`].
 pub struct Cli<B, T> {
     backends: B,
     tasks: T,
@@ -81,13 +81,13 @@ pub struct Cli<B, T> {
 }
 
 impl<B: BackendList, T: TaskList> Cli<B, T> {
-    /// Adds a backend; it runs by default, and `-b` knows it by its name.
+    /// Adds a backend, which runs by default; `-b` selects it by name.
     #[must_use]
     pub fn backend<N: Backend + 'static>(self, backend: N) -> Cli<(Own<N>, B), T> {
         self.own(Own { backend: Arc::new(backend), ties: None })
     }
 
-    /// Adds a backend that breaks ties, with an independent judge of how it should.
+    /// Adds a backend that breaks ties, with an independent judge of its tie-breaking.
     #[must_use]
     pub fn breaking_ties<N: Backend + 'static>(
         self,
@@ -102,21 +102,21 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         Cli { backends: (own, backends), tasks, guests }
     }
 
-    /// Adds a task: every backend is run on its scenes.
+    /// Adds a task; every backend runs on its scenes.
     #[must_use]
     pub fn task<N: Task + Clone>(self, task: N) -> Cli<B, (N, T)> {
         let Cli { backends, tasks, guests } = self;
         Cli { backends, tasks: (task, tasks), guests }
     }
 
-    /// Adds a study: a command of its own.
+    /// Adds a study as a command.
     #[must_use]
     pub fn study<S: Study + 'static>(mut self) -> Cli<B, T> {
         self.guests.studies.push(Entry::of::<S>());
         self
     }
 
-    /// Adds a section to reports, made of rows of the runs that they are about. What is about one task is the task's own
+    /// Adds a section to reports, made from rows of the reported runs. A section about one task belongs to the task
     /// ([`Task::section`](predicament_tasks::Task::section)).
     #[must_use]
     pub fn section(mut self, section: ReportSection) -> Cli<B, T> {
@@ -124,21 +124,21 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         self
     }
 
-    /// Adds a folder of suites of your own, known by their names and run by default.
+    /// Adds a folder of suites, which run by default; commands select them by name.
     #[must_use]
     pub fn suites(mut self, folder: impl Into<PathBuf>) -> Cli<B, T> {
         self.guests.suites.push(folder.into());
         self
     }
 
-    /// Names the file of expected disagreements about your own suites and backends; it adds to the shipped one.
+    /// Names a file of expected disagreements for your own suites and backends, in addition to the shipped file.
     #[must_use]
     pub fn expected(mut self, file: impl Into<PathBuf>) -> Cli<B, T> {
         self.guests.expected = Some(file.into());
         self
     }
 
-    /// Reads the command line, does what it says, and gives the exit code.
+    /// Reads the command line, runs the command, and returns the exit code.
     #[must_use]
     pub fn main(self) -> ExitCode {
         interrupt::outlive_limits();
@@ -157,7 +157,7 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
         for line in renamed {
             note!("{line}");
         }
-        // A panic of the tool must not leave with the code that says `unexpected pass`.
+        // If the tool panics, it must not exit with the code of `unexpected pass`.
         let done = predicament_oracle::caught(|| match asked {
             Asked::Study(study) => cmd::study::run(study.as_ref(), &tool),
             Asked::Command(asked) => asked.run(&tool, command),
@@ -178,7 +178,7 @@ fn whole(tool: &Tool) -> clap::Command {
     command.help_template(page)
 }
 
-/// What the command line asks for.
+/// The parsed command.
 enum Asked {
     Command(Box<Command>),
     Study(Box<dyn Ready>),
@@ -198,7 +198,7 @@ impl Asked {
 }
 
 impl Command {
-    /// Does what the command says.
+    /// Runs the command.
     fn run(self, tool: &Tool, command: clap::Command) -> exit::Outcome {
         match self {
             Command::Ask(args) => cmd::ask::run(&args, tool),
@@ -220,8 +220,8 @@ impl Command {
     }
 }
 
-/// Whether a word of the command line is empty, or an option with an empty value: the value of a variable that is not
-/// set, most often. No argument of the tool may be empty.
+/// True if an argument is empty, or is an option with an empty value. The usual cause is a variable that is not set. No
+/// argument of the tool may be empty.
 fn is_empty(word: &OsString) -> bool {
     let option = |text: &str| text.starts_with("--") && text.ends_with('=');
     word.is_empty() || word.to_str().is_some_and(option)
@@ -236,7 +236,7 @@ fn empty(words: &[OsString], at: usize) -> String {
     format!("{what}{behind}; write a value, or leave it out")
 }
 
-/// A point such as `-1,0` begins like an option and is none: with a bracket it is taken for what it is.
+/// Puts brackets around a point such as `-1,0`, so that it is not parsed as an option.
 fn point(word: OsString) -> OsString {
     let is_point = |text: &str| {
         let rest = text.strip_prefix('-').unwrap_or_default();
@@ -254,12 +254,12 @@ pub struct Own<B> {
     ties: Option<Arc<TieJudge>>,
 }
 
-/// Backends of other crates: `()`, or a backend and more of them.
+/// Backends of other crates: `()`, or a backend followed by a list of more.
 pub trait BackendList: Send + Sync + 'static {
-    /// Their names.
+    /// The names of the backends.
     fn names(&self) -> Vec<String>;
 
-    /// The backend with this name, on the tasks that ask for signs and on those of the list.
+    /// The backend with this name, on the sign tasks and on the tasks of the list.
     fn find<T: TaskList>(&self, name: &str, list: &T) -> Option<Box<dyn Contestant>>;
 }
 

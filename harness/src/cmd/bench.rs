@@ -1,11 +1,10 @@
-//! `bench`: throughput, beside the errors of the very same answers.
+//! `bench`: throughput, next to the errors of the same answers.
 //!
-//! Every backend's answers are judged first, here or in an earlier run
-//! (`--judged`), and that judgement is kept in the bench folder's
-//! `summary.csv`. Then the backends take turns, sample by sample, so that a
-//! noisy machine is noisy for all of them; each timed pass has to give the
-//! answers that were judged, or it is not a measurement. A backend is done when
-//! its median is known well enough. The parts of some algorithms are timed one by one after that: see `timing/phases.rs`.
+//! The answers of every backend are judged first, here or in an earlier run (`--judged`); the bench folder's
+//! `summary.csv` keeps the judgement. Then the backends take turns, sample by sample, so that noise of the machine
+//! affects all of them. Each timed pass has to give the judged answers; otherwise it is not a measurement. Sampling of
+//! a backend stops when its median is known well enough. After that, `timing/phases.rs` times the parts of some
+//! algorithms one by one.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -44,42 +43,43 @@ pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends, several with commas or by repeating; all if left out, or those of --judged
+    /// Backends, several with commas or by repeating; default: all, or those of --judged
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// Samples of each backend, at most
+    /// Maximum number of samples of each backend
     #[arg(long, value_name = "N", default_value_t = 11)]
     pub samples: u64,
 
-    /// Stop sampling a backend when its median is known to this fraction (the
-    /// 95 % confidence interval of the median, by order statistics); 0 takes all samples
+    /// Stop sampling a backend when the 95 % confidence interval of its median (by order statistics) is within this
+    /// fraction of it; 0 takes all samples
     #[arg(long, value_name = "FRACTION", default_value_t = 0.05, value_parser = fraction)]
     pub precision: f64,
 
-    /// A run whose judgements are taken over: answers are not judged again, only compared with those that were. Without suites its scenes
-    /// are timed, at its level, and without -b on its backends, but for engines
+    /// Use the judgements of this run instead of judging again; the scenes, level and backends (except engines) default
+    /// to those of the run
     #[arg(long, value_name = "RUN")]
     pub judged: Option<PathBuf>,
 
-    /// Time contacts, points in meshes and intersections of meshes on so many threads too; everything is timed on one
+    /// Also time contacts, points in meshes and intersections of meshes on this number of threads; everything is timed
+    /// on one thread
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub threads: Option<u16>,
 
-    /// Time a sample of the families for about this many seconds, and say how many; the judged run knows what scenes cost
+    /// Time a sample of the families that takes about this many seconds; the costs of scenes come from the judged run
     #[arg(long, value_name = "SECONDS", value_parser = seconds, requires = "judged")]
     pub seconds: Option<Duration>,
 
-    /// Milliseconds that a sample takes at least, by repeating passes
+    /// Minimum milliseconds of a sample; passes are repeated to reach it
     #[arg(long, value_name = "MS", default_value_t = 2)]
     pub sample_ms: u64,
 
-    /// A new folder; the first free predicament-bench-N if left out
+    /// A new folder; default: the first free predicament-bench-N
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
 
-/// How well a median has to be known: a part of it, from 0 on and below 1.
+/// Parses a precision of the median: a fraction from 0, less than 1.
 fn fraction(text: &str) -> Result<f64, String> {
     let precision = text.parse().ok().filter(|precision| (0.0..1.0).contains(precision));
     precision
@@ -123,7 +123,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     };
     let writer =
         RunWriter::create(&folder, &plan, &env_of(&backends), &phases::tables(tool)).map_err(Failure::usage)?;
-    // A pass over a large scene looks at no flag.
+    // A pass over a large scene does not check the interrupt flag.
     interrupt::listen_for(Duration::from_secs(3));
     let bar = progress::bar(scenes.len() as u64, "scenes");
     let timed = scenes.len();
@@ -173,14 +173,14 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     Ok(if ended == records::Outcome::Complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// A bench under way.
+/// A bench in progress.
 struct Bench<'b> {
     tool: &'b Tool,
     selection: &'b Selection,
     backends: &'b [Box<dyn Contestant>],
-    /// What it costs to reach the predicates of programs in other languages, by the backends' names.
+    /// The call overhead of predicates of programs in other languages, by backend name.
     bindings: &'b [(String, Box<dyn Contestant>)],
-    /// What an earlier run has judged.
+    /// The judgements of an earlier run.
     judged: Option<&'b Judged>,
     expected: &'b Expectations,
     /// The numbers of threads that are timed.
@@ -188,13 +188,13 @@ struct Bench<'b> {
     samples: Samples,
     writer: RunWriter,
     remarks: Vec<String>,
-    /// How many judgements were those of an earlier run.
+    /// The number of judgements taken from the earlier run.
     taken_over: usize,
-    /// By the id of each scene that has some.
+    /// The number of primitives of each scene that has some, by scene id.
     primitives: BTreeMap<String, u64>,
 }
 
-/// A scene, and its truth once somebody's answers have to be judged.
+/// A scene, and its truth once a backend's answers have to be judged.
 struct Truth<'s> {
     task: &'static dyn AnyTask,
     loaded: &'s LoadedScene,
@@ -202,7 +202,7 @@ struct Truth<'s> {
 }
 
 impl Truth<'_> {
-    /// The scene with its truth; none if interrupted.
+    /// The scene with its truth, or `None` if interrupted.
     fn known(&mut self, watch: &Watch<'_>) -> Option<&dyn AnyCase> {
         if self.case.is_none() {
             self.case = self.task.case(self.loaded, watch).ok();
@@ -238,7 +238,8 @@ impl Bench<'_> {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Judges a backend, or takes over what an earlier run has judged: the digest of its answers, if there are any. None if interrupted.
+    /// Judges a backend, or takes its judgement from an earlier run, and returns the digest of its answers, if it has
+    /// any. The outer `None` means interrupted.
     fn judge(
         &mut self,
         scene: &PlannedScene,
@@ -260,7 +261,7 @@ impl Bench<'_> {
         Ok(Some(outcome.digest))
     }
 
-    /// A backend at its starting lines, and its binding, where it has one, as a row of its own.
+    /// Runners of a backend that are ready to be timed, and of its binding, if it has one, as a row of its own.
     fn started<'s>(
         &mut self,
         scene: &PlannedScene,

@@ -1,4 +1,4 @@
-//! `gate`: holds a run against its expectations, and against an earlier run.
+//! `gate`: compares a run with its expectations and with an earlier run.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -29,36 +29,36 @@ Examples:
   predicament gate out/run --fail-on broken,not_done     vertices off by rounding, within its bound, are let pass
   predicament gate out/run --expected mine-expected.toml --suggest more.toml";
 
-/// Hold a run against expectations and a baseline
+/// Check a run against expectations and a baseline
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     /// A folder written by `run`
     pub run: PathBuf,
 
-    /// An earlier run: no finding may have become more frequent
+    /// An earlier run; a finding that became more frequent fails the gate
     #[arg(long, value_name = "RUN")]
     pub baseline: Option<PathBuf>,
 
-    /// The severities that turn the gate red, of `broken` (a wrong sign or topology), `not_done` (declined, out of time, crashed) and
-    /// `rounded` (off by the rounding of output coordinates, within a stated bound): findings of the others are listed and let pass,
-    /// expected or not
+    /// The severities that fail the gate, of `broken` (a wrong sign or topology), `not_done` (declined, out of time,
+    /// crashed) and `rounded` (off by the rounding of output coordinates, within a stated bound); findings of the other
+    /// severities are listed but pass, expected or not
     #[arg(long, value_name = "SEVERITIES", value_delimiter = ',', value_parser = severity,
           default_value = "broken,not_done,rounded")]
     pub fail_on: Vec<Severity>,
 
-    /// Judge times, too: on the same machine, a scene whose samples are all slower than those of the baseline, and by
-    /// this much in the median, is an error (10 if no number is given)
+    /// Also compare times on the same machine: a scene fails if all its samples are slower than those of the baseline
+    /// and its median is slower by this percentage (default 10)
     #[arg(long, value_name = "PERCENT", num_args = 0..=1, default_missing_value = "10", requires = "baseline",
           value_parser = percent)]
     pub time: Option<f64>,
 
-    /// Write Markdown for a comment, at most 65,536 characters: the verdict, counts, first findings, and what changed
-    /// since the baseline; to stdout, and nothing else there, if the file is `-`
+    /// Write Markdown for a comment, at most 65,536 characters: the verdict, counts, first findings, and the changes
+    /// since the baseline; `-` writes only this to stdout
     #[arg(long, value_name = "FILE")]
     pub summary: Option<PathBuf>,
 
-    /// Expected disagreements; those of the embedded corpora if left out
+    /// The file of expected disagreements; default: those of the embedded corpora
     #[arg(long, value_name = "FILE")]
     pub expected: Option<PathBuf>,
 
@@ -66,23 +66,23 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub junit: Option<PathBuf>,
 
-    /// Lines for people, or one JSON object: the counts, and everything that is not as it should be
+    /// Lines for people, or one JSON object with the counts and everything that is not as expected
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 
-    /// Write the expectations that would make every unexpected finding expected, as TOML with reasons to
-    /// be filled in; to stdout if no file is named
+    /// Write the expectations that would cover every unexpected finding, as TOML with empty reasons; to stdout if no
+    /// file is named
     #[arg(long, value_name = "FILE", num_args = 0..=1, default_missing_value = "-")]
     pub suggest: Option<PathBuf>,
 }
 
-/// A threshold for times.
+/// Parses a threshold for times, in percent.
 fn percent(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|percent: &f64| (0.0..=1e6).contains(percent));
     percent.ok_or_else(|| format!("`{text}` is no threshold; write percent, such as 10"))
 }
 
-/// A severity that findings have.
+/// Parses a severity of findings.
 fn severity(text: &str) -> Result<Severity, String> {
     match text.parse().map_err(|why: UnknownName| why.to_string())? {
         legal @ (Severity::Right | Severity::Undecided) => {
@@ -92,7 +92,7 @@ fn severity(text: &str) -> Result<Severity, String> {
     }
 }
 
-/// The format of what is printed.
+/// The output format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Format {
     /// Lines for people.
@@ -114,7 +114,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     apart(&outputs, &args.expected.as_deref().into_iter().collect::<Vec<_>>(), &runs)?;
     let expected = expectations::load(tool, args.expected.as_ref())?;
     let mut run = exit::open(&args.run)?;
-    // The file may have changed since the run: it is the gate's word that counts.
+    // The file may have changed since the run; the gate's expectations count.
     expectations::hold(&expected, &mut run);
     let mut baseline = args.baseline.as_ref().map(exit::open).transpose()?;
     if let Some(baseline) = &mut baseline {
@@ -247,7 +247,7 @@ fn lines(changes: &[Change]) -> Vec<String> {
     changes.iter().map(ToString::to_string).collect()
 }
 
-/// The command that takes out of the file what the run does not meet.
+/// The command that removes expectations that the run does not meet.
 fn prune(args: &Args) -> String {
     let mut command = format!("{} corpus expect prune {}", program(), word(&args.run.display().to_string()));
     if let Some(file) = &args.expected {
@@ -256,7 +256,8 @@ fn prune(args: &Args) -> String {
     command
 }
 
-/// The findings that no task declares a check for, each kind once: their judges say what their lists do not.
+/// The findings whose task does not declare their check, one per kind. The task's judge reports a check that its list
+/// lacks.
 fn undeclared<'r>(findings: impl Iterator<Item = &'r records::FindingRow>, tool: &Tool) -> Vec<String> {
     let is_declared = |row: &&records::FindingRow| {
         let task = tool.tasks().iter().find(|task| task.name() == row.task);
@@ -269,7 +270,7 @@ fn undeclared<'r>(findings: impl Iterator<Item = &'r records::FindingRow>, tool:
     first.into_iter().map(|(what, id)| format!("{what}, such as {id}")).collect()
 }
 
-/// Writes TOML that would turn the gate green once a person has given the reasons: an empty reason is refused.
+/// Writes the TOML that would make the gate pass once a person fills in the reasons; an empty reason is refused.
 fn suggest(run: &RunDir, file: &Path) -> Result<(), Failure> {
     let found = |row: &SummaryRow| {
         let classes = Class::ALL.into_iter().filter(|class| !class.is_legal() && row.count(*class) > 0);

@@ -1,4 +1,4 @@
-//! `hunt`: scenes are changed and recombined until one shows a finding.
+//! `hunt`: mutates and recombines scenes until one of them shows a finding.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -39,11 +39,11 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The task, as suites call it
+    /// The task, as suites name it
     #[arg(required_unless_present = "resume", conflicts_with = "resume")]
     pub task: Option<String>,
 
-    /// Backends that all have to show it; `predicament run --help` lists them
+    /// Backends that all have to show the finding; `predicament run --help` lists them
     #[arg(
         short = 'b',
         long = "backend",
@@ -53,67 +53,69 @@ pub struct Args {
     )]
     pub backends: Vec<String>,
 
-    /// Backends that must not show it
+    /// Backends that must not show the finding
     #[arg(long, value_name = "BACKEND", conflicts_with = "resume")]
     pub not_by: Vec<String>,
 
-    /// The class that is wanted; any but `declined` and `timeout` if left out
+    /// The class to find; default: any except `declined` and `timeout`
     #[arg(long, value_name = "CLASS", conflicts_with = "resume")]
     pub class: Option<Class>,
 
-    /// The check that is wanted; any if left out
+    /// The check to find; default: any
     #[arg(long, value_name = "CHECK", conflicts_with = "resume")]
     pub check: Option<String>,
 
-    /// Scenes that backends answer, at most (a generation more); 20,000 if neither this nor --seconds is given
+    /// Maximum number of scenes that backends answer (the last generation is completed); default: 20,000, or no limit
+    /// if only --seconds is given
     #[arg(long, value_name = "N")]
     pub evaluations: Option<u64>,
 
-    /// Seconds after which no generation begins
+    /// The time in seconds after which no new generation begins
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub seconds: Option<Duration>,
 
-    /// What random numbers begin with
+    /// The seed of the random numbers
     #[arg(long, value_name = "N", default_value = "1", conflicts_with = "resume")]
     pub seed: u64,
 
-    /// Finds after which it ends: of each class and check one, or more where both are named; 1 there, else 10
+    /// Stop after K finds; default: 10, or 1 if both --class and --check are given
     #[arg(long, value_name = "K")]
     pub finds: Option<std::num::NonZeroUsize>,
 
-    /// Suites to begin with, by name or file, or `shapes` for small whole numbers; all embedded ones and shapes if left out
+    /// Suites to start from, by name or file, or `shapes` for small whole numbers; default: all embedded suites and
+    /// shapes
     #[arg(long, value_name = "SUITE", conflicts_with = "resume")]
     pub from: Vec<String>,
 
-    /// Seconds that one backend may take for one scene
+    /// The time limit in seconds of one backend on one scene
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "10", conflicts_with = "resume")]
     pub timeout: Duration,
 
     #[command(flatten)]
     pub programs: Programs,
 
-    /// Threads; all if left out
+    /// The number of threads; default: all cores
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
 
-    /// A new folder; the first free predicament-hunt-N if left out
+    /// A new folder; default: the first free predicament-hunt-N
     #[arg(long, value_name = "DIR", conflicts_with = "resume")]
     pub out: Option<PathBuf>,
 
-    /// Go on where a hunt was interrupted, or with a larger budget
+    /// Continue an interrupted hunt, or one with a larger budget
     #[arg(long, value_name = "DIR")]
     pub resume: Option<PathBuf>,
 
-    /// A suite to add the finds to; it is made if there is none
+    /// A suite to add the finds to; the file is created if it does not exist
     #[arg(long, value_name = "FILE")]
     pub into: Option<PathBuf>,
 }
 
-/// Evaluations where no budget is given.
+/// The number of evaluations if no budget is given.
 const EVALUATIONS: u64 = 20_000;
-/// Scenes to look at to shrink a find, at most.
+/// The maximum number of scenes evaluated to shrink a find.
 const SHRINKING: u64 = 3_000;
-/// The word for shapes among suites.
+/// The name among suites that stands for shapes.
 const SHAPES: &str = "shapes";
 
 /// Runs the command.
@@ -146,7 +148,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(if ended { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// Hunts until the budget has run out, or enough is found; whether it came to that.
+/// Hunts until the budget is used up or enough is found; false if interrupted.
 fn hunt(
     args: &Args,
     tool: &Tool,
@@ -221,7 +223,7 @@ fn hunt(
     Ok(!interrupted)
 }
 
-/// What came of it: finds on stdout, and how near it came on stderr.
+/// Prints the result: finds on stdout, and how near the hunt came on stderr.
 fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool) {
     let State { evaluations, generations, known, finds, .. } = hunt.state();
     for (at, find) in finds.iter().enumerate() {
@@ -273,7 +275,7 @@ fn task_of<'t>(tool: &'t Tool, name: &str) -> Result<&'t dyn AnyTask, Failure> {
     })
 }
 
-/// A hunt that begins, and its seeds.
+/// A new hunt, and its seeds.
 fn begun(
     args: &Args,
     tool: &Tool,
@@ -287,7 +289,7 @@ fn begun(
     let all = args.from.is_empty();
     let seeds = seeds_of(tool, task, &suites, all)?;
     let pinned = args.class.is_some() && args.check.is_some();
-    // Before a folder is made.
+    // Check the names before the folder is made.
     for name in each(&args.backends).chain(each(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
         tool.backend(name).map_err(Failure::usage)?;
     }
@@ -315,7 +317,7 @@ fn begun(
     Ok((Saved { order, evaluations: EVALUATIONS, finds, seconds: 0.0, state: State::default() }, seeds))
 }
 
-/// Refuses what no hunt can find.
+/// Refuses options with which no finding is possible.
 fn possible(args: &Args, shown_by: &[String], not_by: &[String]) -> Result<(), Failure> {
     if let Some(both) = not_by.iter().find(|name| shown_by.contains(name)) {
         return Err(Failure::usage(format!("--not-by {both}: -b has it too, and it can't do both; drop one")));
@@ -326,15 +328,15 @@ fn possible(args: &Args, shown_by: &[String], not_by: &[String]) -> Result<(), F
     Ok(())
 }
 
-/// What stands for all embedded suites.
+/// The name that stands for all embedded suites.
 const ALL: &str = "*";
 
-/// The seeds of a hunt that was begun before.
+/// The seeds of an earlier hunt.
 fn resumed(saved: &Saved, tool: &Tool, folder: &Path) -> Result<Vec<Seed>, Failure> {
     let Order { task, suites, .. } = &saved.order;
     let all = suites.iter().any(|name| name == ALL);
     let file = folder.join(STATE);
-    // A name that is no suite is wrong in this file, and what is wrong in a suite is told with the suite's.
+    // The wrong name of a suite is an error of this file; an error inside a suite is an error of the suite's file.
     let named = |failure: Failure| match failure.code {
         exit::USAGE => Failure::usage(format!("{}: {}", file.display(), failure.message)),
         _ => failure,
@@ -377,7 +379,7 @@ fn make(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Adds the finds to a suite, but those that it has.
+/// Adds the finds to a suite, except those that it already has.
 fn add(tool: &Tool, file: &Path, saved: &Saved) -> Result<(), Failure> {
     for find in &saved.state.finds {
         let before = std::fs::read_to_string(file).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! One file for each command, with its arguments, its help and its work. A group of commands is a folder.
+//! The commands, one file each, with arguments, help and code. A group of commands is a folder.
 
 pub mod ask;
 pub mod bench;

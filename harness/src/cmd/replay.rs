@@ -1,4 +1,4 @@
-//! `replay`: asks the query of one finding again, alone, and explains the answers.
+//! `replay`: asks the query of one finding again and explains the answers.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -28,25 +28,25 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The finding's id, or a prefix of it, from findings.csv or the report
+    /// The id of the finding, or a prefix of it, from findings.csv or the report
     pub id: String,
 
     /// The run that found it
     #[arg(long, value_name = "DIR")]
     pub run: PathBuf,
 
-    /// Backends to ask besides the one that the finding is about; all if left out
+    /// Backends to ask in addition to the finding's backend; default: all
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
     #[command(flatten)]
     pub programs: Programs,
 
-    /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
+    /// The folder of fetched data; default: $PREDICAMENT_CACHE or the user's cache
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
 
-    /// Seconds after which a scene that is run again as a whole is ended
+    /// The time limit in seconds for a whole scene that is run again
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "600")]
     pub timeout: Duration,
 }
@@ -86,7 +86,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// The backend that a finding is about, and those that the command line names.
+/// The backend of a finding, and the backends that the command line names.
 fn of_finding(args: &Args, tool: &Tool, run: &RunDir, finding: &FindingRow) -> Result<Picked, Failure> {
     let file = args.run.join("plan.json");
     let recorded = Recorded { file: &file, folder: Some(&args.run), engines: &run.plan.engines };
@@ -95,7 +95,7 @@ fn of_finding(args: &Args, tool: &Tool, run: &RunDir, finding: &FindingRow) -> R
     programs.pick(tool, &names, recorded)
 }
 
-/// A finding about a whole scene: the scene is run again, in a process of its own, as it may loop or crash.
+/// Runs the scene of a whole-scene finding again, in a separate process, because it may loop or crash.
 fn whole(run: &RunDir, finding: &FindingRow, args: &Args, tool: &Tool) -> exit::Outcome {
     let scene = run.plan.scenes.iter().find(|scene| scene.scene_id == finding.scene_id && scene.suite == finding.suite);
     let scene = scene.ok_or_else(|| Failure::usage(format!("{}: its plan has no such scene", args.run.display())))?;

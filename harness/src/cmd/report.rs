@@ -1,4 +1,4 @@
-//! `report`: pages from run folders.
+//! `report`: writes pages from run folders.
 
 use std::path::{Path, PathBuf};
 
@@ -24,19 +24,21 @@ Examples:
 
 /// Write a report of runs: one HTML page, Markdown, plots, figures as CSV
 ///
-/// A scene on a backend that several folders have counts once: in the first folder. Where they disagree, it is an error.
+/// If several folders have the same scene and backend, the first folder counts. If the folders disagree, that is an
+/// error.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run` or `bench`; earlier ones come first where several have the same. Folders written by `compare` and `stress` add their sections, as do RUN/compare and RUN/stress
+    /// Folders written by `run` or `bench`; if several have the same pair of scene and backend, the first counts.
+    /// Folders written by `compare` and `stress` add their sections, as do RUN/compare and RUN/stress
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
-    /// Where the pages go; files of an earlier report are replaced
+    /// The folder for the pages; files of an earlier report are replaced
     #[arg(long, value_name = "DIR", default_value = "predicament-report")]
     pub out: PathBuf,
 
-    /// An earlier run, or several: the page shows what changed since, in scenes, classes and times
+    /// One or more earlier runs; the page shows changes since then in scenes, classes and times
     #[arg(long, value_name = "RUN")]
     pub baseline: Vec<PathBuf>,
 
@@ -90,7 +92,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         compared.push(against(&runs, &earlier).map_err(Failure::usage)?);
     }
     let with_studies = folders.iter().find(|folder| folder.join(COMPARISON).exists()).unwrap_or(&folders[0]);
-    // All pages are made before any is written.
+    // All pages are made before any page is written.
     let mut spliced = Vec::new();
     for (at, page) in args.splice.iter().enumerate() {
         if args.splice[..at].contains(page) {
@@ -113,13 +115,13 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// What studies have written into a folder.
+/// The sections that studies wrote into a folder.
 fn studied(folder: &Path) -> Result<Vec<Section>, Failure> {
     let sections = [compare::section(folder), stress::section(folder)];
     sections.into_iter().filter_map(|section| section.map_err(Failure::usage).transpose()).collect()
 }
 
-/// The folder of a stress study in that of a run.
+/// The folder of a stress study inside a run's folder.
 const STRESS: &str = "stress";
-/// The folder of a comparison in that of a run, and its section.
+/// The folder of a comparison inside a run's folder, and the name of its section.
 const COMPARISON: &str = "compare";

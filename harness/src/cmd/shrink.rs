@@ -1,4 +1,4 @@
-//! `shrink`: the smallest scene that still shows a finding.
+//! `shrink`: finds the smallest scene that still shows a finding.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -32,7 +32,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The finding's id, or a prefix of it, from findings.csv or the report
+    /// The id of the finding, or a prefix of it, from findings.csv or the report
     #[arg(required_unless_present = "resume", requires = "run")]
     pub id: Option<String>,
 
@@ -40,38 +40,38 @@ pub struct Args {
     #[arg(long, value_name = "DIR")]
     pub run: Option<PathBuf>,
 
-    /// Backends that have to show it besides the one that the finding is about
+    /// Backends that have to show the finding, in addition to the finding's backend
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// Backends that must not show it
+    /// Backends that must not show the finding
     #[arg(long, value_name = "BACKEND")]
     pub not_by: Vec<String>,
 
-    /// Scenes to look at, at most; 5,000 if left out
+    /// Maximum number of scenes evaluated; default: 5,000
     #[arg(long, value_name = "N")]
     pub evaluations: Option<u64>,
 
-    /// Seconds that one backend may take for one scene
+    /// The time limit in seconds of one backend on one scene
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "10")]
     pub timeout: Duration,
 
-    /// A new folder; the first free predicament-shrink-N if left out
+    /// A new folder; default: the first free predicament-shrink-N
     #[arg(long, value_name = "DIR", conflicts_with = "resume")]
     pub out: Option<PathBuf>,
 
-    /// Go on where a `shrink` was interrupted, or with more evaluations where these had run out
+    /// Continue an interrupted `shrink`, or one that had too few evaluations
     #[arg(long, value_name = "DIR", conflicts_with_all = ["id", "run", "backends", "not_by"])]
     pub resume: Option<PathBuf>,
 
-    /// A suite to add the scene to; it is made if there is none
+    /// A suite to add the scene to; the file is created if it does not exist
     #[arg(long, value_name = "FILE")]
     pub into: Option<PathBuf>,
 
     #[command(flatten)]
     pub programs: Programs,
 
-    /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
+    /// The folder of fetched data; default: $PREDICAMENT_CACHE or the user's cache
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
 }
@@ -108,7 +108,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             bar.set_position(evaluations);
             bar.set_message(format!("{pieces} pieces"));
         });
-        // Where nothing was begun, nothing is left: a folder with files in it stays.
+        // If the work fails before it begins, an empty folder is removed; a folder with files stays.
         let (state, shrunk) = done.inspect_err(|_| drop(std::fs::remove_dir(&folder)))?;
         (state.table(&source, &shrunk.spelled, &shrunk.finding), state)
     };
@@ -136,7 +136,7 @@ fn make(folder: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The work of a folder, to go on with.
+/// The work in the folder of an earlier `shrink`.
 fn resumed<'a>(args: &Args, tool: &'a Tool, folder: &Path) -> Result<Job<'a>, Failure> {
     let mut job = again(tool, folder, &args.programs)?;
     job.state.most = args.evaluations.unwrap_or(job.state.most);

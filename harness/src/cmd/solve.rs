@@ -1,4 +1,4 @@
-//! `solve`: one scene under one backend, the answer as files for other programs.
+//! `solve`: solves one scene under one backend and writes the answer as files for other programs.
 
 use std::path::PathBuf;
 
@@ -26,7 +26,7 @@ Examples:
   predicament solve mesh-intersect part.stl part.stl -b sos:per-mesh --set 'moved=[1, 0, 0]' --out out/step
   predicament solve orient2d survey.csv --set queries=all --round --out out/signs";
 
-/// Solve one scene, or a task on your own files, under one backend and write the answer
+/// Solve one scene, or a task on your own files, under one backend, and write the answer
 #[derive(clap::Args)]
 #[command(
     after_help = EXAMPLES,
@@ -41,7 +41,7 @@ pub struct Args {
     #[arg(short = 'b', long = "backend", value_name = "BACKEND", default_value = "exact")]
     pub backend: String,
 
-    /// A folder for the files; made if need be
+    /// A folder for the files; it is created if it does not exist
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
 }

@@ -1,7 +1,7 @@
-//! Runs a study: one that the tool comes with, or one that it was told of.
+//! Runs a study: a built-in study, or one that another crate added.
 //!
-//! A study measures and formats. Here are threads, backends by name, Ctrl-C,
-//! the progress bar, the folder and the exit code, the same for all.
+//! A study measures and formats. This module provides the same threads, backends by name, Ctrl-C handling, progress
+//! bar, folder and exit code for all studies.
 
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
@@ -51,10 +51,10 @@ fn failure(error: Error, out: Option<&Path>) -> Failure {
     }
 }
 
-/// Shows a study's progress on stderr, and stops it at Ctrl-C.
+/// Shows a study's progress on stderr, and stops the study at Ctrl-C.
 struct Terminal<'a> {
     tool: &'a Tool,
-    /// The bar of the part that the study is at.
+    /// The progress bar of the current part of the study.
     bar: &'a Mutex<ProgressBar>,
     watch: Watch<'a>,
 }
@@ -83,7 +83,7 @@ impl Host for Terminal<'_> {
     }
 }
 
-/// The bar now: whatever panicked while it was held has left it whole. Cheap to clone.
+/// The current bar. A panic while the lock was held leaves the bar valid. A clone is cheap.
 fn held(bar: &Mutex<ProgressBar>) -> std::sync::MutexGuard<'_, ProgressBar> {
     bar.lock().unwrap_or_else(PoisonError::into_inner)
 }

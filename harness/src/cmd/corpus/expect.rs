@@ -1,4 +1,4 @@
-//! `expect`: the file of expectations brought to what a run has found, its comments and order kept.
+//! `expect`: updates a file of expectations from a run; comments and order stay.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
@@ -26,7 +26,7 @@ Examples:
   predicament corpus expect update out/run --expected mine.toml --reason 'differences are rounded'
   predicament corpus expect prune out/run --expected mine.toml --dry-run";
 
-/// Bring expectations to what a run has found
+/// Update a file of expectations from a run
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -36,17 +36,17 @@ pub struct Args {
 
 #[derive(clap::Subcommand)]
 enum Chore {
-    /// Add what was found and not expected
+    /// Add the unexpected findings of a run
     #[command(after_help = EXAMPLES)]
     Update {
         #[command(flatten)]
         of: Of,
 
-        /// Why it is to be expected; ends up in the file, and may not be empty
+        /// The reason for the new expectations; it is written to the file and may not be empty
         #[arg(long, value_name = "TEXT")]
         reason: String,
     },
-    /// Take out what no scene shows any more
+    /// Remove expectations that no scene shows any more
     #[command(after_help = EXAMPLES)]
     Prune {
         #[command(flatten)]
@@ -59,26 +59,26 @@ struct Of {
     /// A folder written by `run` or `merge`
     run: PathBuf,
 
-    /// The file to edit; corpora/expected.toml of the repository that the tool was built from if left out
+    /// The file to edit; default: corpora/expected.toml of the repository that the tool was built from
     #[arg(long, value_name = "FILE")]
     expected: Option<PathBuf>,
 
-    /// Print the difference, and leave the file alone
+    /// Print the difference and do not change the file
     #[arg(long)]
     dry_run: bool,
 }
 
-/// Where the shipped expectations are in the repository.
+/// The path of the shipped expectations in the repository.
 const SHIPPED: &str = "corpora/expected.toml";
 
-/// The file, its text, and all that rows are held against.
+/// The file to edit, its text, and the expectations that rows are compared with.
 struct Held {
     file: PathBuf,
     text: String,
-    /// What rows are held against besides the file.
+    /// Expectations besides those of the file.
     beside: Expectations,
     expected: Expectations,
-    /// Nobody else edits the file until this is written.
+    /// The lock: no other process edits the file until it is written.
     _hold: Option<Hold>,
 }
 
@@ -130,7 +130,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     }
 }
 
-/// How many rows of a run became expected, as they are held against these expectations, and how many are not as they should be.
+/// Describes how many rows of the run became expected and how many are still not as expected.
 fn changed(run: &mut RunDir, expected: &Expectations) -> String {
     let before: Vec<bool> = run.summary.iter().map(|row| row.status == Status::Unexpected).collect();
     expectations::hold(expected, run);
@@ -144,7 +144,7 @@ fn changed(run: &mut RunDir, expected: &Expectations) -> String {
     told
 }
 
-/// The file that is edited, and what it says together with what it adds to.
+/// The file to edit, with its text and the expectations that it adds to.
 fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
     let file = match (&of.expected, tool.expected()) {
         (Some(file), _) | (None, Some(file)) => file.clone(),
@@ -159,7 +159,7 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
             PathBuf::from(SHIPPED)
         }
     };
-    // Whoever edits it now is waited for, and what they have written is read.
+    // Wait for another process that edits the file, then read what it wrote.
     let hold = if of.dry_run { None } else { Some(hold(&file)?) };
     if may_begin && of.expected.is_some() && !file.exists() {
         let none = Expectations::default();
@@ -172,7 +172,7 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
     Ok(Held { file, text, beside, expected, _hold: hold })
 }
 
-/// The run, each row with the status that the file gives it now.
+/// The run, with the status of each row recomputed from the file.
 fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     let mut run = RunDir::open(&of.run).map_err(Failure::usage)?;
     if !run.is_complete() {
@@ -187,7 +187,7 @@ fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     Ok(run)
 }
 
-/// What a run says of a pattern, of a backend that there may be, and of a class.
+/// The evidence of a run on a scene pattern, a backend that may exist, and a class.
 fn told(run: &RunDir, known: &Scenes, glob: &Pattern, backend: &str, class: &str) -> Told {
     if !known.has_any(glob) {
         return match (known.may_be_elsewhere(glob), glob.has_suite()) {
@@ -209,7 +209,8 @@ fn told(run: &RunDir, known: &Scenes, glob: &Pattern, backend: &str, class: &str
     }
 }
 
-/// Writes the file, or prints the difference. `what` says what was done, by all that rows are held against then.
+/// Writes the file, or prints the difference. `what` describes the change, given all expectations that rows are now
+/// compared with.
 fn finish(of: &Of, held: &Held, edits: Edits, what: impl FnOnce(&Expectations) -> String) -> exit::Outcome {
     let edits = edits.with_line_ends_of(&held.text);
     let name = held.file.display().to_string();

@@ -1,4 +1,4 @@
-//! `resolve`: a mesh that crosses itself as one that does not.
+//! `resolve`: turns a self-intersecting mesh into one that does not intersect itself.
 
 use std::collections::BTreeMap;
 use std::io::BufWriter;
@@ -30,14 +30,14 @@ Examples:
   predicament corpus resolve scan.ply.gz --round --out scan.ply && predicament solve mesh-intersect scan.ply tool.off \\
       -b sos:per-mesh --out out/cut";
 
-/// Results of more triangles are checked only if that is asked for.
+/// Results with more triangles are checked only on request.
 const CHECKED: usize = 2_000;
 
-/// Resolve a mesh that crosses, folds onto or touches itself, exactly, and round it
+/// Resolve a mesh that crosses, folds onto or touches itself, exactly, and round the result
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The mesh: .off, .obj, .ply or .stl, each perhaps with .gz behind it
+    /// The mesh: .off, .obj, .ply or .stl, optionally followed by .gz
     #[arg(value_name = "MESH")]
     pub mesh: PathBuf,
 
@@ -45,7 +45,7 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 
-    /// Take the nearest doubles of decimals that are none
+    /// Round decimals that are not doubles to the nearest double
     #[arg(long)]
     pub round: bool,
 
@@ -79,7 +79,7 @@ pub fn run(args: &Args) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// What was done.
+/// Prints what was done.
 fn told(given: &Closed, mesh: &Closed, counts: &Counts, args: &Args) {
     say!("{}: {} triangles", args.mesh.display(), given.triangles.len());
     say!(
@@ -94,7 +94,7 @@ fn told(given: &Closed, mesh: &Closed, counts: &Counts, args: &Args) {
     say!("{}: {} triangles, {} points", args.out.display(), mesh.triangles.len(), mesh.points.len());
 }
 
-/// The mesh of a file, without points that no triangle has.
+/// The mesh of a file, without points that no triangle uses.
 fn read(args: &Args) -> Result<Closed, Failure> {
     let name = args.mesh.display().to_string();
     let file = |message: String, cure: &str| Failure::from(CorpusError::file(name.clone(), message, cure));
@@ -133,7 +133,7 @@ fn unresolved(why: &Unresolved, file: &Path) -> String {
     format!("{}: {why}", file.display())
 }
 
-/// The format that a file's name says.
+/// The format of a file, by its name.
 fn format(file: &Path) -> Result<MeshFormat, Failure> {
     let formats = [MeshFormat::Off, MeshFormat::Obj, MeshFormat::PlyBinary, MeshFormat::StlAscii];
     let name = file.to_string_lossy().to_lowercase();

@@ -1,4 +1,4 @@
-//! `diff`: what changed from one run to another, as Markdown for a comment or as JSON for a script.
+//! `diff`: the changes from one run to another, as Markdown for a comment or as JSON for a script.
 
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,11 +28,11 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The run; or the earlier run and the later one
+    /// The later run; or the earlier run and the later run
     #[arg(required = true, num_args = 1..=2, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
-    /// The earlier run, where one run is named
+    /// The earlier run, if only one run is named
     #[arg(long, value_name = "RUN")]
     pub baseline: Option<PathBuf>,
 
@@ -41,7 +41,7 @@ pub struct Args {
     pub format: Format,
 }
 
-/// The format of what is printed.
+/// The output format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Format {
     /// Markdown.
@@ -65,10 +65,10 @@ impl Args {
 
 type Key<'r> = [&'r str; 5];
 
-/// The worst severity that a pair is worse in, then the worst that it is better in.
+/// The worst severity in which a pair is worse, then the worst in which it is better.
 type Rank = [Option<Severity>; 2];
 
-/// How many changes are listed before the rest is counted.
+/// The number of changes listed before the rest is only counted.
 const LINES: usize = 50;
 
 /// Runs the command.
@@ -99,7 +99,7 @@ pub fn run(args: &Args) -> exit::Outcome {
         }
     }
     changes.sort_by_key(|change| Reverse(change.class.severity()));
-    // What is worse first, the worst on top; what only got better last.
+    // Worse pairs come first, the worst severity on top; pairs that are only better come last.
     let ordered = |mut told: Vec<(Rank, Value)>| {
         told.sort_by_key(|(rank, _)| Reverse(*rank));
         told.into_iter().map(|(_, told)| told).collect::<Vec<Value>>()

@@ -1,4 +1,4 @@
-//! `export`: run folders as typed tables for databases.
+//! `export`: writes run folders as typed tables for databases.
 
 use std::path::PathBuf;
 use std::sync::atomic::Ordering::Relaxed;
@@ -28,15 +28,15 @@ Examples:
   predicament data export nightly --out out/data                 all run folders below a folder, such as a year of nights
   predicament data export out/run --out out/csv --format csv     the same columns, not compressed and without types";
 
-/// Write run folders as typed tables for DuckDB, pandas, R: Parquet, a file for each table
+/// Write run folders as typed tables for DuckDB, pandas or R, one file per table
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run`, `bench` or `merge`, or folders with such folders in them, however deep
+    /// Folders written by `run`, `bench` or `merge`, or folders that contain such folders at any depth
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 
-    /// Where the files go
+    /// The folder for the files
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
 
@@ -45,7 +45,7 @@ pub struct Args {
     pub format: As,
 }
 
-/// The formats.
+/// The file formats.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum As {
     /// Typed columns, compressed by gzip

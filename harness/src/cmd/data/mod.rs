@@ -1,4 +1,4 @@
-//! `data`: run folders as tables: what changed between two, export, schema.
+//! `data`: compares two runs, exports run folders as tables, and prints the schema.
 
 mod diff;
 mod export;

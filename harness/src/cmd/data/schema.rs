@@ -1,4 +1,4 @@
-//! `schema`: what the columns of all tables are.
+//! `schema`: the meaning of the columns of all tables.
 
 use std::path::PathBuf;
 
@@ -26,12 +26,12 @@ pub struct Args {
     #[arg(long, value_enum, default_value_t = As::Md)]
     pub format: As,
 
-    /// Put it into a Markdown page of your own in place of printing it
+    /// Put the schema into a Markdown page instead of printing it
     #[arg(long, value_name = "FILE", conflicts_with = "format")]
     pub splice: Option<PathBuf>,
 }
 
-/// How it is printed.
+/// The output format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum As {
     /// Markdown
@@ -40,7 +40,7 @@ pub enum As {
     Json,
 }
 
-/// The marks of a page.
+/// The marks in a page around the schema.
 const MARKS: [&str; 2] = ["<!-- predicament: schema -->", "<!-- /predicament -->"];
 
 /// Runs the command.

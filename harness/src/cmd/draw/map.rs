@@ -1,4 +1,4 @@
-//! `map`: a square of queries as a picture, one tile per backend.
+//! `map`: draws a square of queries as a picture, one tile per backend.
 
 use std::path::{Path, PathBuf};
 
@@ -31,18 +31,18 @@ Examples:
   predicament draw map -f '/near-orient3d$' --query 'orient3d(0 1 2 3)' --plane yz --step 4ulp --out slice.svg
   predicament draw map --finding 3fa9 --run out/run --side 128 --out finding.svg";
 
-/// Draw a square grid of queries, one pixel a query: red/yellow/blue for -/0/+, dark where it is wrong
+/// Draw a square grid of queries, one pixel per query: red/yellow/blue for -/0/+, dark where the answer is wrong
 ///
-/// The first queries are the lowest row. Wrong is what the backend's promise does not allow. Ties that are broken by
-/// a backend that promises to break them, and zeros within the band of one that has a band, are drawn as they are
-/// answered.
+/// The first queries are the lowest row. An answer is wrong if the backend's contract does not allow it. If a backend
+/// promises to break ties, its broken ties keep their colour; if it has a tolerance band, so do its zeros within the
+/// band.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends from left to right
+    /// Backends, from left to right
     #[arg(
         short = 'b',
         long = "backend",
@@ -51,7 +51,7 @@ pub struct Args {
     )]
     pub backends: Vec<String>,
 
-    /// A query about vertices of the scene, one of which walks
+    /// A query about vertices of the scene, one of which moves
     #[arg(long, value_name = "QUERY")]
     pub query: Option<Query>,
 
@@ -63,23 +63,23 @@ pub struct Args {
     #[arg(long, value_name = "DIR", requires = "finding")]
     pub run: Option<PathBuf>,
 
-    /// Which vertex of the query walks, from 0 on; the last one if left out
+    /// The position in the query of the vertex that moves, from 0; default: the last
     #[arg(long = "move", value_name = "PLACE")]
     pub place: Option<usize>,
 
-    /// The axes that it walks along; those of the predicate, or xy, if left out
+    /// The axes along which it moves; default: those of the predicate, or xy
     #[arg(long, value_name = "xy|yz|zx")]
     pub plane: Option<Plane>,
 
-    /// From place to place: some doubles, such as 1ulp, or a length, such as 1e-9
+    /// The step from pixel to pixel: a number of doubles, such as 1ulp, or a length, such as 1e-9
     #[arg(long, default_value = "1ulp", value_name = "STEP", value_parser = step)]
     pub step: Step,
 
-    /// So many places in a row
+    /// The number of pixels in a row
     #[arg(long, default_value_t = 96, value_name = "N", value_parser = clap::builder::RangedU64ValueParser::<usize>::new().range(1..=2048))]
     pub side: usize,
 
-    /// Screen pixels to a query
+    /// The number of screen pixels per query
     #[arg(long, default_value_t = 1, value_name = "N")]
     pub zoom: usize,
 
@@ -123,7 +123,7 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// Whether the file is to be a sheet in SVG, and not a PNG picture, by its name.
+/// True if the file is an SVG sheet, false if it is a PNG picture, by its name.
 fn is_svg(out: &Path) -> Result<bool, Failure> {
     match out.extension().and_then(|extension| extension.to_str()) {
         Some("svg") => Ok(true),
@@ -132,7 +132,7 @@ fn is_svg(out: &Path) -> Result<bool, Failure> {
     }
 }
 
-/// The scene, and the query whose vertex walks.
+/// The scene, and the query whose vertex moves.
 fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failure> {
     if let (Some(id), Some(folder)) = (&args.finding, &args.run) {
         let run = RunDir::open(folder).map_err(Failure::usage)?;

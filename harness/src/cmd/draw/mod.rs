@@ -1,4 +1,4 @@
-//! `draw`: pictures of scenes, answers and findings, and pixel maps of predicates.
+//! `draw`: draws scenes, answers and findings, and pixel maps of predicates.
 
 mod map;
 mod scene;

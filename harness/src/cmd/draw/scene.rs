@@ -1,4 +1,4 @@
-//! `show`: a scene, a result or a finding as a picture, or as a page with a view that turns.
+//! `show`: draws a scene, a result or a finding as a picture, or as a page with a 3D view.
 
 use std::path::{Path, PathBuf};
 
@@ -45,7 +45,7 @@ pub struct Args {
     #[command(flatten)]
     pub scene: OneScene,
 
-    /// The backend whose answer is shown; the scene alone if left out
+    /// The backend whose answer is drawn; default: the scene alone
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backend: Option<String>,
 
@@ -53,19 +53,19 @@ pub struct Args {
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
 
-    /// A layer of the picture; may be repeated. The first error message about one names them all
+    /// A layer of the picture; may be repeated. The error message about an unknown layer lists all names
     #[arg(long = "layer", value_name = "NAME")]
     pub layers: Vec<String>,
 
-    /// In space: from where a picture is taken, as degrees around the z axis and above the horizon
+    /// In space: the direction from which the picture is taken, in degrees around the z axis and above the horizon
     #[arg(long, value_name = "AZIMUTH,ELEVATION", default_value = "30,25", allow_hyphen_values = true, value_parser = look)]
     pub look: Look,
 
-    /// A vertex that offsets are taken from, such as 7 or c0
+    /// A vertex, such as 7 or c0, from which offsets are measured
     #[arg(long, value_name = "VERTEX")]
     pub around: Option<Vertex>,
 
-    /// How far a picture reaches around that vertex; all of the scene if left out
+    /// The radius of the picture around that vertex; default: the whole scene
     #[arg(long, value_name = "LENGTH", requires = "around", value_parser = length)]
     pub radius: Option<f64>,
 
@@ -78,7 +78,7 @@ pub struct Args {
     pub run: Option<PathBuf>,
 }
 
-/// What is written, by the file's name.
+/// The kind of output, by the file's name.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Kind {
     Svg,
@@ -86,7 +86,7 @@ enum Kind {
     Json,
 }
 
-/// A picture of more would be too large for browsers; a view takes more.
+/// A picture with more parts is too large for browsers; a 3D view can have more.
 const MOST_PARTS: usize = 200_000;
 
 /// Runs the command.
@@ -126,7 +126,7 @@ fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failur
     let run = RunDir::open(folder).map_err(Failure::usage)?;
     let finding = find(&run, id, folder)?;
     let loaded = load(&run, finding, args.scene.selector.cache.as_deref(), tool)?;
-    // A finding about several queries has the first one shown; one about a whole scene has none.
+    // For a finding about several queries, draw the first query. A finding about a whole scene has no query.
     let query = finding.query.split(" | ").next().filter(|query| !query.is_empty()).map(str::parse).transpose();
     Ok((loaded, query.map_err(|error| Failure::usage(format!("findings.csv was changed: {error}")))?))
 }
@@ -149,7 +149,7 @@ fn draw(
     drawn.map_err(Failure::usage)
 }
 
-/// A layer of the vertices of a query, named by letters in their order.
+/// Adds a layer with the vertices of a query, labelled by letters in their order.
 fn asked(scene: &Scene, query: &Query, canvas: &mut Canvas) -> std::io::Result<()> {
     let vertices: Vec<Vertex> = query.vertices().filter(|&v| scene.has(v)).collect();
     let names: Vec<String> = vertices.iter().zip('a'..='z').map(|(v, letter)| format!("{letter} = {v}")).collect();
@@ -157,7 +157,7 @@ fn asked(scene: &Scene, query: &Query, canvas: &mut Canvas) -> std::io::Result<(
     Ok(())
 }
 
-/// Shows the layers with these names and no others; what the task shows if there is no name.
+/// Shows exactly the layers with these names; without names, the default layers of the task.
 fn choose(drawing: &mut Drawing, names: &[String]) -> Result<(), Failure> {
     let known: Vec<String> = drawing.layers.iter().map(|layer| layer.name.clone()).collect();
     if let Some(unknown) = names.iter().find(|name| !known.contains(name)) {

@@ -1,4 +1,4 @@
-//! What a run does: what the command line selects, what a plan says, or what is left of a run that was ended.
+//! The work of a run: the selection of the command line, a plan, or the rest of an incomplete run.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,20 +17,20 @@ use crate::shared::tell_not_selected;
 use crate::tool::{Tool, engines};
 use crate::{expectations, worker};
 
-/// A run under way.
+/// A run in progress.
 pub struct Job {
     pub selection: Selection,
     pub scenes: Vec<Planned>,
     pub backends: Vec<Box<dyn Contestant>>,
-    /// The files of engines, by the backends' names.
+    /// The files of engines, by backend name.
     pub engines: BTreeMap<String, String>,
-    /// How much is spent on other orders of arguments, where it was named.
+    /// The number of evaluations spent on other orders of arguments, if given.
     pub permutations: Option<usize>,
     pub ledger: Ledger,
 }
 
 impl Job {
-    /// What the command line asks for.
+    /// The job that the command line asks for.
     pub fn of(args: &Args, tool: &Tool, expected: &str) -> Result<Job, Failure> {
         match (&args.resume, &args.plan) {
             (Some(folder), _) => Job::resume(args, tool, folder, expected),
@@ -39,7 +39,7 @@ impl Job {
         }
     }
 
-    /// What the command line selects.
+    /// A new job for the scenes and backends that the command line selects.
     fn new(args: &Args, tool: &Tool, expected: &str) -> Result<Job, Failure> {
         let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
@@ -60,7 +60,7 @@ impl Job {
         Ok(job)
     }
 
-    /// What a plan of work says, or a part of it.
+    /// The job of a work plan, or of one of its parts.
     fn planned(args: &Args, tool: &Tool, file: &Path, expected: &str) -> Result<Job, Failure> {
         let work = WorkPlan::read(file).map_err(Failure::usage)?;
         let refuse = |why: String| Failure::usage(format!("{}: {why}", file.display()));
@@ -95,7 +95,7 @@ impl Job {
         Job::start(args, tool, (selection, scenes, picked), plan, Some(work.hash))
     }
 
-    /// Makes the folder.
+    /// Makes the folder of the run and writes its plan.
     fn start(
         args: &Args,
         tool: &Tool,
@@ -114,7 +114,7 @@ impl Job {
         Ok(Job { selection, scenes, backends, engines, permutations, ledger })
     }
 
-    /// What is left of a run that has not come to its end.
+    /// The rest of an incomplete run.
     fn resume(args: &Args, tool: &Tool, folder: &PathBuf, expected: &str) -> Result<Job, Failure> {
         let plan = &RunDir::plan(folder).map_err(Failure::usage)?;
         if plan.timed {
@@ -139,7 +139,7 @@ impl Job {
         let selection = selector.select(tool)?;
         let recorded = Recorded { file: &folder.join("plan.json"), folder: Some(folder), engines: &plan.engines };
         let Picked { backends, files: engines } = args.programs.pick(tool, &plan.backends, recorded)?;
-        // The filter of the first call isn't needed: the plan lists its scenes.
+        // The filter of the first call is not needed, because the plan lists the scenes.
         let scenes = selection.of_plan(&plan.scenes, |lost, of| {
             Failure::usage(format!(
                 "{}: scene {}/{}{of} has changed since the run was planned, or is gone; start a new run",
@@ -153,7 +153,7 @@ impl Job {
         same_versions(folder, &backends)?;
         let (writer, before) =
             RunWriter::resume(folder, || env_of(&backends), &tables_of(tool, plan)).map_err(Failure::usage)?;
-        // What a run that was killed has left of its workers.
+        // Remove what workers of a killed run left.
         worker::clear(folder);
         let RunDir { summary, precision, .. } = before;
         let (done, precision) = (summary.into(), precision.into());
@@ -163,12 +163,12 @@ impl Job {
     }
 }
 
-/// How much a plan spends on other orders of arguments, where it says so.
+/// The number of evaluations that a plan spends on other orders of arguments, if it says so.
 fn permutations(plan: &Plan) -> Option<usize> {
     plan.permutations.map(|most| usize::try_from(most).unwrap_or(usize::MAX))
 }
 
-/// The places of a part's scenes in the whole.
+/// The position of each scene of a part in the whole run.
 fn places(plan: &Plan) -> BTreeMap<PlannedScene, u64> {
     let places = plan.whole.iter().flat_map(|whole| whole.places.iter().copied());
     plan.scenes.iter().cloned().zip(places).collect()

@@ -1,4 +1,4 @@
-//! `run`: every selected scene through every backend, each answer judged.
+//! `run`: runs every selected scene through every backend and judges each answer.
 
 mod job;
 mod scenes;
@@ -40,78 +40,82 @@ pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends, several with commas or by repeating; if left out those that run by default, and the end says which others there are
+    /// Backends, several with commas or by repeating; default: those that run by default (the last lines of output list
+    /// the others)
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// Part k of n, by scene id or as the plan has it; all of it if left out
+    /// Part k of n, by scene id or as the plan divides the scenes; default: all of it
     #[arg(long, value_name = "k/n")]
     pub shard: Option<Shard>,
 
-    /// Do what a file of `plan` says, or the part of it that --shard names
+    /// Run a file written by `plan`, or the part of it that --shard names
     #[arg(long, value_name = "FILE", conflicts_with_all = ["suites", "filter", "level", "backends", "answers", "permutations"])]
     pub plan: Option<PathBuf>,
 
-    /// Threads; all cores if left out
+    /// The number of threads; default: all cores
     #[arg(long, value_name = "N")]
     pub threads: Option<usize>,
 
-    /// A new folder for the run; the first free predicament-run-N if left out
+    /// A new folder for the run; default: the first free predicament-run-N
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 
-    /// Go on with an incomplete run; takes its selection from that run's plan
+    /// Continue an incomplete run; the selection comes from that run's plan
     #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "plan", "shard", "backends", "answers", "filter", "level", "permutations"])]
     pub resume: Option<PathBuf>,
 
     #[command(flatten)]
     pub programs: Programs,
 
-    /// Expected disagreements; those of the embedded corpora if left out
+    /// The file of expected disagreements; default: those of the embedded corpora
     #[arg(long, value_name = "FILE")]
     pub expected: Option<PathBuf>,
 
-    /// Evaluations that one backend spends on other orders of the arguments in
-    /// one scene, 0 for none; 5,000 for quick and 24 million for full if left out
+    /// Evaluations per backend and scene on other orders of the arguments, 0 for none; default: 5,000 for quick and 24
+    /// million for full
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Write every answer to answers.csv; what has no answer to each query is counted
+    /// Write every answer to answers.csv; answers that are not per query are counted
     #[arg(long)]
     pub answers: bool,
 
-    /// Seconds that one backend may take for one scene, such as 30 or 0.5; in a process of its own
-    /// it is ended then (10 minutes at level quick if left out)
+    /// The time limit in seconds of one backend on one scene, such as 30 or 0.5; the scene runs in a separate process,
+    /// which is ended then (default at level quick: 10 minutes)
     #[arg(long, value_name = "SECONDS", value_parser = seconds)]
     pub timeout: Option<Duration>,
 
-    /// Run each scene and backend in a process of its own, so that a loop, a crash or a lack of memory costs
-    /// one row; `auto` does so for backends that are not built in, and under --timeout for engines and for algorithms on whole scenes
+    /// Run each scene and backend in a separate process, so that a loop, a crash or a lack of memory costs one row;
+    /// `auto` does so for backends that are not built in and, with --timeout, for engines and for algorithms on whole
+    /// scenes
     #[arg(long, value_name = "WHEN", value_enum, default_value_t = Isolate::Auto, num_args = 0..=1,
           default_missing_value = "always", require_equals = false)]
     pub isolate: Isolate,
 
-    /// Shrink the first N findings of each class once the run is complete, unexpected ones first, into `shrunk` in its folder
+    /// Shrink the first N findings of each class when the run is complete, unexpected ones first, into `shrunk` in its
+    /// folder
     #[arg(long, value_name = "N")]
     pub shrink: Option<usize>,
 }
 
-/// Which scenes and backends run in a process of their own.
+/// Which scenes and backends run in a separate process.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Isolate {
-    /// Backends that are not built in, and under a time limit engines and algorithms on whole scenes.
+    /// Backends that are not built in; with a time limit, also engines and algorithms on whole scenes.
     Auto,
-    /// All.
+    /// All scenes and backends.
     Always,
-    /// None.
+    /// No scene and no backend.
     Never,
 }
 
-/// The time limit of a scene in a process of its own at level quick, where none is given.
+/// The default time limit of a scene in a separate process at level quick.
 const PATIENCE: Duration = Duration::from_secs(600);
 
 impl Args {
-    /// Whether this backend runs a scene of this task in a process of its own. (An engine is one already, but is waited for in this one.)
+    /// True if this backend runs a scene of this task in a separate process. (An engine already is a separate process,
+    /// but this process waits for it.)
     fn isolates(&self, tool: &Tool, backend: &str, task: &dyn AnyTask) -> bool {
         match self.isolate {
             Isolate::Auto => {
@@ -123,7 +127,7 @@ impl Args {
         }
     }
 
-    /// Takes from the plan of a run that is resumed what its rows depend on and the selection does not say.
+    /// Takes the settings that rows depend on, but the selection does not include, from the plan of a resumed run.
     fn recall(&mut self) -> Result<(), Failure> {
         let Some(folder) = &self.resume else { return Ok(()) };
         let plan = RunDir::plan(folder).map_err(Failure::usage)?;
@@ -143,7 +147,7 @@ impl Args {
         Ok(())
     }
 
-    /// The time limit of a process.
+    /// The time limit of a separate process.
     fn limit(&self, level: Level) -> Option<Duration> {
         self.timeout.or((level == Level::Quick).then_some(PATIENCE))
     }
@@ -159,7 +163,7 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
         && args.shrink.is_some()
         && RunDir::open(folder).is_ok_and(|run| run.is_complete())
     {
-        // All that was left of it is to shrink.
+        // The run is complete; only shrinking remains.
         interrupt::listen();
         let run = exit::open(folder)?;
         return shrunk(&args, tool, folder, &programs, exit::of_rows(run.outcome, &run.summary));
@@ -171,7 +175,7 @@ pub fn run(mut args: Args, tool: &Tool) -> exit::Outcome {
     if ended.is_interrupted { Ok(ended.code) } else { shrunk(&args, tool, &ended.folder, &programs, ended.code) }
 }
 
-/// Shrinks findings where the command line says so; the exit code is that of the run where nothing is left to shrink.
+/// Shrinks findings if the command line asks for it; returns the run's exit code if no finding remains to be shrunk.
 fn shrunk(args: &Args, tool: &Tool, folder: &Path, programs: &Programs, code: u8) -> exit::Outcome {
     let Some(n) = args.shrink else { return Ok(code) };
     let end = first_of_each_class(tool, folder, n, args.selector.cache.as_deref(), programs)?;

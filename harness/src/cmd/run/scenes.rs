@@ -1,4 +1,5 @@
-//! The scenes of a run, one after the other: each backend judged here or in a process of its own, and its rows written.
+//! The scenes of a run, one after another: each backend is judged here or in a separate process, and its rows are
+//! written.
 
 use std::collections::BTreeMap;
 use std::ops::ControlFlow;
@@ -25,20 +26,20 @@ use crate::tool::Tool;
 use crate::worker::{self, Worker};
 use crate::{interrupt, progress};
 
-/// Whether the run goes on.
+/// `Continue` if the run goes on, `Break` if it stops.
 type Flow = ControlFlow<()>;
 
-/// What came of all scenes.
+/// The result of all scenes.
 pub struct Ended {
-    /// The run's folder.
+    /// The folder of the run.
     pub folder: PathBuf,
     /// The exit code, by the rows.
     pub code: u8,
-    /// Whether somebody interrupted the run.
+    /// True if somebody interrupted the run.
     pub is_interrupted: bool,
 }
 
-/// Runs the scenes of a job, those that are done apart.
+/// Runs the scenes of a job, except those that are done.
 pub fn all(args: &Args, tool: &Tool, job: Job, expected: &Expectations) -> Result<Ended, Failure> {
     let Job { selection, mut scenes, backends, engines, permutations, ledger } = job;
     let work = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
@@ -56,12 +57,12 @@ pub fn all(args: &Args, tool: &Tool, job: Job, expected: &Expectations) -> Resul
             answers: ledger.answers,
             ..by_level
         },
-        // What ran out of time before it was resumed has.
+        // A scene that ran out of time before the resume still counts as a timeout.
         ended: later(records::Outcome::Complete, &ledger.done),
         ledger,
         bar: progress::bar(work, "answers"),
     };
-    // Each scene is dropped before the next.
+    // Each scene is dropped before the next is loaded.
     for planned in &mut scenes {
         if run.scene(planned)?.is_break() {
             run.ended = records::Outcome::Interrupted;
@@ -74,25 +75,25 @@ pub fn all(args: &Args, tool: &Tool, job: Job, expected: &Expectations) -> Resul
     Ok(Ended { folder, code: run.ledger.finish(run.ended)?, is_interrupted })
 }
 
-/// A run under way.
+/// A run in progress.
 struct Run<'r> {
     args: &'r Args,
     tool: &'r Tool,
     selection: &'r Selection,
     backends: &'r [Box<dyn Contestant>],
-    /// The files of engines, by the backends' names.
+    /// The files of engines, by backend name.
     engines: &'r BTreeMap<String, String>,
     expected: &'r Expectations,
     permutations: Option<usize>,
     budget: Budget,
-    /// How the run has ended so far.
+    /// The outcome of the run so far.
     ended: records::Outcome,
     ledger: Ledger,
     bar: ProgressBar,
 }
 
 impl<'r> Run<'r> {
-    /// Runs the backends that are not done with a scene.
+    /// Runs the backends that have not answered a scene.
     fn scene(&mut self, planned: &mut Planned) -> Result<Flow, Failure> {
         let scene = planned.plan.clone();
         let left = self.left(&scene);
@@ -125,7 +126,7 @@ impl<'r> Run<'r> {
             let flow = match case.filter(|_| !is_apart) {
                 None => self.apart(&worker, &scene, backend)?,
                 Some(case) => {
-                    // The pictures of pixel maps go with their rows; every other scene has none.
+                    // Pictures of pixel maps are written with their rows; other scenes have no pictures.
                     if loaded.family == "pixel-map" {
                         self.ledger.draw(case, backend)?;
                     }
@@ -154,7 +155,7 @@ impl<'r> Run<'r> {
         Flow::Continue(())
     }
 
-    /// The process in which a scene is run by itself.
+    /// The separate process for a scene.
     fn worker<'s>(&self, planned: &Planned, scene: &'s PlannedScene) -> Worker<'s>
     where
         'r: 's,
@@ -173,15 +174,15 @@ impl<'r> Run<'r> {
         }
     }
 
-    /// Judges one backend, and says what it has cost.
+    /// Judges one backend, and measures its cost.
     fn alone(&self, case: &dyn AnyCase, backend: &dyn Contestant, watch: &Watch<'_>) -> (Result<Outcome, Stop>, Cost) {
         let clock = Stopwatch::start();
         let outcome = judge(case, backend, self.budget, &watch.restarted(self.args.timeout));
         (outcome, clock.read())
     }
 
-    /// Judges backends at once. Small scenes leave threads idle, so backends share them; what a crash can lose is one such scene. Time
-    /// limits are for a backend by itself.
+    /// Judges several backends at once. Small scenes leave threads idle, so backends share the threads; a crash can
+    /// lose only one such scene. Backends with a time limit run alone.
     fn side_by_side(
         &self,
         case: Option<&dyn AnyCase>,
@@ -194,7 +195,7 @@ impl<'r> Run<'r> {
         Some(together(backends, |backend| judge(case, backend, budget, &watch.restarted(limit))))
     }
 
-    /// Runs one backend in a process of its own.
+    /// Runs one backend in a separate process.
     fn apart(&mut self, worker: &Worker<'_>, scene: &PlannedScene, backend: &dyn Contestant) -> Result<Flow, Failure> {
         let clock = Stopwatch::start();
         let Some(found) = worker.run(self.tool, &backend.name())? else { return Ok(Flow::Break(())) };
@@ -205,7 +206,7 @@ impl<'r> Run<'r> {
         Ok(Flow::Continue(()))
     }
 
-    /// Writes down what came of one backend.
+    /// Writes the result of one backend.
     fn note(
         &mut self,
         scene: &PlannedScene,
@@ -223,15 +224,15 @@ impl<'r> Run<'r> {
     }
 }
 
-/// Refuses data about which two truths disagree.
+/// Refuses a scene on which two computations of the truth disagree.
 fn refuse_disputed(scene: &PlannedScene, case: Option<&dyn AnyCase>) -> Result<(), Failure> {
     let Some(dispute) = case.and_then(|case| case.dispute()) else { return Ok(()) };
     let message = format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
     Err(Failure { message, code: exit::CORPUS })
 }
 
-/// Does the same for each backend at once. Threads work for one or another as they are free, so of what all have cost together each has the
-/// share that its own clock says.
+/// Calls `each` for all backends at once. Threads work for any backend when they are free; the common cost is divided
+/// in proportion to the backends' own clocks.
 fn together<T: Send>(backends: &[&dyn Contestant], each: impl Fn(&dyn Contestant) -> T + Sync) -> Vec<(T, Cost)> {
     let clock = Stopwatch::start();
     let timed = |backend: &&dyn Contestant| {
@@ -244,7 +245,7 @@ fn together<T: Send>(backends: &[&dyn Contestant], each: impl Fn(&dyn Contestant
     done.into_iter().map(|(done, time)| (done, cost.share(time, whole))).collect()
 }
 
-/// How the run has ended so far, with these rows.
+/// The outcome of the run so far, with these rows added.
 fn later(ended: records::Outcome, rows: &[SummaryRow]) -> records::Outcome {
     let timed_out = rows.iter().any(|row| row.count(Class::Timeout) > 0);
     if timed_out && ended == records::Outcome::Complete { records::Outcome::Timeout } else { ended }

@@ -1,4 +1,4 @@
-//! `merge`: the parts of a run as the run that one machine would have made.
+//! `merge`: combines the parts of a run into the run that one machine would have made.
 
 use std::path::PathBuf;
 
@@ -19,7 +19,7 @@ Examples:
   predicament shard merge out/1 out/2 --out out/whole
   predicament gate out/whole";
 
-/// Put the parts of a run together
+/// Merge the parts of a run
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -27,7 +27,7 @@ pub struct Args {
     #[arg(required = true, value_name = "DIR")]
     pub parts: Vec<PathBuf>,
 
-    /// A new folder for the whole
+    /// A new folder for the merged run
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
 }
@@ -60,7 +60,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     })
 }
 
-/// The machine of the first part, and the machines of all.
+/// The environment of the first part, with the machines of all parts.
 fn env(runs: &[RunDir]) -> Env {
     let part = |run: &RunDir| {
         let node = run.env.node.as_deref().unwrap_or("a machine without a name");

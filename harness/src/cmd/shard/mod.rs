@@ -1,4 +1,4 @@
-//! `shard`: one run on several machines: plan the parts, merge what they wrote.
+//! `shard`: one run on several machines: plans the parts and merges their folders.
 
 mod merge;
 mod plan;

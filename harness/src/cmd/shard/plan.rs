@@ -1,4 +1,4 @@
-//! `plan`: what a run will do, and which of its parts does what, written down and sealed before any part begins.
+//! `plan`: writes down and seals what a run will do, and in which part, before any part begins.
 
 use std::path::PathBuf;
 
@@ -25,38 +25,38 @@ Examples:
   predicament run --plan plan.json --shard 1/7 --out out/1
   predicament shard plan families --level full --shards 64 --costs out/run   only tells what it would cost";
 
-/// Write down what a run in parts will do
+/// Write a plan of a run in parts
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
     #[command(flatten)]
     pub selector: Selector,
 
-    /// Backends, several with commas or by repeating; if left out those that run by default
+    /// Backends, several with commas or by repeating; default: those that run by default
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
     pub backends: Vec<String>,
 
-    /// How many parts
+    /// The number of parts
     #[arg(long, value_name = "N", default_value = "1", value_parser = clap::value_parser!(u32).range(1..))]
     pub shards: u32,
 
-    /// Folders of earlier runs, whose costs.csv says what a scene takes on a backend
+    /// Folders of earlier runs, whose costs.csv has the time of each scene and backend
     #[arg(long, value_name = "RUN", num_args = 1..)]
     pub costs: Vec<PathBuf>,
 
-    /// Every answer of every backend will be written
+    /// Write every answer of every backend
     #[arg(long)]
     pub answers: bool,
 
-    /// Evaluations on other orders of the arguments, as `run` has it
+    /// Evaluations on other orders of the arguments, as for `run`
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Expected disagreements; those of the embedded corpora if left out
+    /// The file of expected disagreements; default: those of the embedded corpora
     #[arg(long, value_name = "FILE")]
     pub expected: Option<PathBuf>,
 
-    /// The file to write; if left out nothing is written
+    /// The file to write; default: nothing is written
     #[arg(long, value_name = "FILE")]
     pub out: Option<PathBuf>,
 }
@@ -103,7 +103,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-/// Prints the parts with what they have to do.
+/// Prints the parts and their work.
 fn tell(work: &WorkPlan) {
     let WorkPlan { plan, shares, parts, .. } = work;
     let backends = plan.backends.len() as u64;
@@ -136,7 +136,7 @@ fn tell(work: &WorkPlan) {
     );
 }
 
-/// Microseconds as seconds with a tenth.
+/// Formats microseconds as seconds with one decimal.
 fn seconds(micros: u64) -> String {
     let tenths = micros.saturating_add(50_000) / 100_000;
     format!("{}.{} s", thousands(tenths / 10), tenths % 10)
