@@ -79,7 +79,8 @@ pub struct Beside {
     pub better: Vec<Change>,
     /// Scenes that became slower; empty if times were not compared.
     pub timings: Vec<String>,
-    /// `Ok` if times were compared, or the reason why not. `None` if the two runs have no timings.
+    /// `Ok` if times were compared, or the reason why not. `None` if times were not asked for and
+    /// the runs have no timing in common.
     pub times: Option<Result<(), String>>,
     /// Timings of the run that were not compared although others were, each with the reason.
     pub not_compared: Vec<String>,

@@ -17,7 +17,7 @@ pub enum Paint {
 }
 
 impl Paint {
-    /// The colour of a result with this exit code.
+    /// The colour for a result with this exit code.
     pub fn of(code: u8) -> Paint {
         if code == crate::exit::OK { Paint::Good } else { Paint::Bad }
     }
@@ -33,7 +33,8 @@ fn is_on() -> bool {
     })
 }
 
-/// The colours, as marks that no text has and as what a terminal obeys. Escape sequences of texts are not obeyed.
+/// The colours: marks that never occur in texts, and the escape sequences that replace them. A terminal never gets the
+/// escape sequences of the texts themselves.
 const MARKS: [(char, &str); 4] =
     [('\u{fdd0}', "\x1b[0m"), ('\u{fdd1}', "\x1b[32m"), ('\u{fdd2}', "\x1b[31m"), ('\u{fdd3}', "\x1b[90m")];
 

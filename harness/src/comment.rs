@@ -1,6 +1,7 @@
-//! A verdict as Markdown, short enough for a comment on a pull request.
+//! The gate's verdict as Markdown, short enough for a comment on a pull request.
 //!
-//! The verdict comes first. What a run or an engine has said stands in code spans, where it can neither be a heading nor call anybody.
+//! The verdict comes first. Texts from a run or an engine are put into code spans, so that they can neither be a
+//! heading nor mention anybody.
 
 use std::collections::BTreeSet;
 
@@ -15,41 +16,41 @@ use crate::exit::{self, Failure};
 use crate::ledger::describe;
 use crate::out::{program, word};
 
-/// The most characters that the services take in a comment.
+/// The maximum number of characters of a comment on the usual services.
 pub const LIMIT: usize = 65_536;
-/// How many findings are shown, each of another scene, backend or class.
+/// The number of findings shown, each of another scene, backend or class.
 const FIRST: usize = 10;
-/// How many lines of one kind are shown before the rest is counted.
+/// The number of lines of one kind shown before the rest is only counted.
 const LINES: usize = 50;
-/// The most characters of what a run has said.
+/// The maximum number of characters of a text from a run.
 const LONGEST: usize = 200;
 
-/// What the gate has found out.
+/// The results of the gate.
 pub struct Comment<'a> {
-    /// The run, whose rows have the status that counts.
+    /// The run, with the final status of its rows.
     pub run: &'a RunDir,
     /// The earlier run, if there is one.
     pub baseline: Option<&'a RunDir>,
-    /// What is worse than there, and what is better.
+    /// The comparison with the earlier run.
     pub beside: &'a Beside,
-    /// What was not asked for, and is let pass.
+    /// Findings that pass because their severity does not fail the gate.
     pub passed: &'a [String],
     /// Expectations that the run does not meet.
     pub unmet: &'a [String],
-    /// The command that takes them out.
+    /// The command that removes unmet expectations.
     pub prune: &'a str,
-    /// What was expected.
+    /// The expectations of the run.
     pub expected: &'a Expectations,
-    /// Expectations that nothing can meet.
+    /// Expectations that no run can meet.
     pub unused: &'a Unused,
-    /// The severities that make the gate red.
+    /// The severities that fail the gate.
     pub fail_on: &'a [Severity],
-    /// The code that the gate leaves with.
+    /// The exit code of the gate.
     pub code: u8,
 }
 
 impl Comment<'_> {
-    /// The text, of no more than `limit` bytes.
+    /// The text, of at most `limit` bytes.
     ///
     /// # Errors
     /// If a section can't be printed.
@@ -133,7 +134,7 @@ impl Comment<'_> {
         self.run.path.display().to_string()
     }
 
-    /// The first findings of each class, scene and backend that make the gate red, with what to type next.
+    /// The first findings of each class, scene and backend that fail the gate, with the command to replay them.
     fn findings(&self, text: &mut Bounded) {
         let mut seen = BTreeSet::new();
         let mut red: Vec<&FindingRow> = self.run.findings.iter().filter(|finding| self.is_red(finding)).collect();
@@ -162,7 +163,7 @@ impl Comment<'_> {
         }
     }
 
-    /// Whether a finding is one that nobody expected, or of a row that has become worse.
+    /// True if a finding is unexpected, or belongs to a row that became worse.
     fn is_red(&self, finding: &FindingRow) -> bool {
         let FindingRow { suite, scene, backend, class, .. } = finding;
         let level = self.run.plan.level.to_string();
@@ -174,7 +175,7 @@ impl Comment<'_> {
     }
 }
 
-/// A code span of what somebody else has said, on one line and not too long.
+/// A code span with a text from a run or an engine, on one line and shortened.
 fn code(text: &str) -> String {
     let mut span: String = text.chars().take(LONGEST).map(plain).collect();
     if text.chars().nth(LONGEST).is_some() {
@@ -183,7 +184,7 @@ fn code(text: &str) -> String {
     format!("`{}`", if span.trim().is_empty() { "-" } else { span.trim() })
 }
 
-/// A character that cannot end a code span or a line.
+/// A character, replaced if it could end a code span or a line.
 fn plain(c: char) -> char {
     match c {
         '`' => '\'',
@@ -192,12 +193,12 @@ fn plain(c: char) -> char {
     }
 }
 
-/// The worst severity that a row has.
+/// The worst severity of a row.
 fn worst(row: &SummaryRow) -> Option<Severity> {
     Class::ALL.into_iter().filter(|class| row.count(*class) > 0).map(Class::severity).max()
 }
 
-/// A text that takes whole lines up to a limit, and counts the others.
+/// A text that takes whole lines up to a limit and counts the rest.
 struct Bounded {
     text: String,
     limit: usize,
@@ -205,7 +206,7 @@ struct Bounded {
 }
 
 impl Bounded {
-    /// What the last line takes.
+    /// The bytes reserved for the last line.
     const LAST: usize = 120;
 
     fn new(limit: usize) -> Bounded {
@@ -213,7 +214,7 @@ impl Bounded {
     }
 
     fn line(&mut self, line: &str) {
-        // After the first line that does not fit there are no more: the text is a beginning.
+        // After the first line that does not fit, no more lines are added, so that the text is a prefix.
         if self.left_out > 0 || self.text.len() + line.len() + 1 + Bounded::LAST > self.limit {
             self.left_out += 1;
         } else {
@@ -222,7 +223,7 @@ impl Bounded {
         }
     }
 
-    /// A section with an item a line, if there are any.
+    /// Adds a section with one item per line, if there are any items.
     fn list(&mut self, title: &str, items: impl Iterator<Item = String>) {
         let items: Vec<String> = items.collect();
         if items.is_empty() {

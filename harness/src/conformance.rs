@@ -1,4 +1,4 @@
-//! Conformance tests: a backend against the corpora, from a test of its own crate.
+//! Conformance tests: a test in a backend's own crate runs the backend on the corpora.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -20,7 +20,7 @@ use crate::select::Selector;
 use crate::told::point_lines;
 use crate::tool::{Guests, Tool};
 
-/// Findings that are printed in full.
+/// The number of findings printed in full.
 const SHOWN: usize = 5;
 
 /// A conformance test of a backend: every embedded scene that needs no download.
@@ -41,7 +41,7 @@ pub fn conformance<B: Backend + 'static>(backend: B) -> Conformance<B> {
     }
 }
 
-/// See [`conformance`].
+/// A conformance test; see [`conformance`].
 pub struct Conformance<B, T = Systems> {
     backend: Arc<B>,
     tasks: T,
@@ -53,49 +53,49 @@ pub struct Conformance<B, T = Systems> {
 }
 
 impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
-    /// How much is run; quick if not said.
+    /// Sets the level; the default is quick.
     #[must_use]
     pub fn level(mut self, level: Level) -> Conformance<B, T> {
         self.selector.level = level;
         self
     }
 
-    /// Only scenes whose `suite/scene` matches this regular expression.
+    /// Selects the scenes whose `suite/scene` matches this regular expression.
     #[must_use]
     pub fn filter(mut self, regex: impl Into<String>) -> Conformance<B, T> {
         self.selector.filter = Some(regex.into());
         self
     }
 
-    /// Only these suites, by name.
+    /// Selects these suites, by name.
     #[must_use]
     pub fn only<S: Into<String>>(mut self, suites: impl IntoIterator<Item = S>) -> Conformance<B, T> {
         self.selector.suites = suites.into_iter().map(Into::into).collect();
         self
     }
 
-    /// Adds a task of your own, which suites of your own ask for.
+    /// Adds a task, which your own suites use.
     #[must_use]
     pub fn task<N: Task + Clone>(self, task: N) -> Conformance<B, (N, T)> {
         let Conformance { backend, tasks, ties, selector, suites, expected, folder } = self;
         Conformance { backend, tasks: (task, tasks), ties, selector, suites, expected, folder }
     }
 
-    /// Adds a folder of suites of your own.
+    /// Adds a folder of suites.
     #[must_use]
     pub fn suites(mut self, folder: impl Into<PathBuf>) -> Conformance<B, T> {
         self.suites.push(folder.into());
         self
     }
 
-    /// Names a file of expected disagreements: what the backend is known to get wrong.
+    /// Names a file of expected disagreements: known errors of the backend.
     #[must_use]
     pub fn expected(mut self, file: impl Into<PathBuf>) -> Conformance<B, T> {
         self.expected = Some(file.into());
         self
     }
 
-    /// Names the independent judge of how the backend breaks ties.
+    /// Names the independent judge of the backend's tie-breaking.
     #[must_use]
     pub fn breaking_ties(
         mut self,
@@ -105,26 +105,26 @@ impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
         self
     }
 
-    /// Names the folder of the run; `target/predicament/NAME` if not said. A run that is in it is replaced.
+    /// Names the folder of the run; the default is `target/predicament/NAME`. An earlier run in it is replaced.
     #[must_use]
     pub fn folder(mut self, folder: impl Into<PathBuf>) -> Conformance<B, T> {
         self.folder = Some(folder.into());
         self
     }
 
-    /// Runs everything. The run folder stays, for `replay` and `report`.
+    /// Runs all selected scenes. The run folder stays, for `replay` and `report`.
     ///
     /// # Errors
-    /// The first findings that nobody expected, each with its coordinates and a
-    /// line that replays it; or why the run could not be made.
+    /// The first unexpected findings, each with its coordinates and a line that replays it, or the reason why the run
+    /// failed.
     pub fn check(&self) -> Result<String, String> {
         self.run().map_err(|failure| failure.message)
     }
 
-    /// Panics with what [`check`](Conformance::check) finds.
+    /// Runs all selected scenes and panics if [`check`](Conformance::check) returns an error.
     ///
     /// # Panics
-    /// If there is a finding that nobody expected, or an expected one did not occur.
+    /// If there is an unexpected finding, or an expected finding did not occur.
     pub fn assert(&self) {
         if let Err(message) = self.check() {
             panic!("{message}");

@@ -1,13 +1,13 @@
-//! A backend for examples: comparisons and turns in plain floating point.
+//! A backend for examples, with comparisons and orientations in plain floating point.
 
 use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-/// Predicates in plain doubles.
+/// A backend with predicates in plain doubles.
 pub struct Mine;
 
-/// [`Mine`] in one scene.
+/// The session of [`Mine`] for one scene.
 pub struct Session<'s>(&'s Scene);
 
 impl Backend for Mine {

@@ -1,4 +1,4 @@
-//! How a command ends: its exit code, and what it prints of a failure.
+//! The exit code of a command, and its output on failure.
 
 use std::process::ExitCode;
 
@@ -9,13 +9,14 @@ pub use crate::failure::{
 };
 use crate::out::program;
 
-/// The run in a folder. One that was ended before it had begun is incomplete; what else can't be read is bad input.
+/// Opens the run in a folder. A run that was ended before it began is incomplete; anything else that can't be read is
+/// bad input.
 pub fn open(folder: impl AsRef<std::path::Path>) -> Result<RunDir, Failure> {
     let code = |folder| if RunDir::is_unbegun(folder) { INCOMPLETE } else { USAGE };
     RunDir::open(&folder).map_err(|error| Failure { message: error.to_string(), code: code(folder.as_ref()) })
 }
 
-/// The code of a run that has ended so, with these rows.
+/// The exit code of a run with this outcome and these rows.
 pub fn of_rows(ended: records::Outcome, rows: &[SummaryRow]) -> u8 {
     let has = |status: Status| rows.iter().any(|row| row.status == status);
     if ended != records::Outcome::Complete {
@@ -29,7 +30,7 @@ pub fn of_rows(ended: records::Outcome, rows: &[SummaryRow]) -> u8 {
     }
 }
 
-/// Prints a failure and turns an outcome into the process' exit code.
+/// Prints a failure and turns an outcome into the exit code of the process.
 pub fn code(outcome: Outcome) -> ExitCode {
     match outcome {
         Ok(code) => match crate::out::lost() {
@@ -46,7 +47,7 @@ pub fn code(outcome: Outcome) -> ExitCode {
     }
 }
 
-/// The table for `--help`.
+/// The table of exit codes for `--help`.
 pub const HELP: &str = "\
 Exit codes:
     0  ok

@@ -1,4 +1,4 @@
-//! Where the expectations come from: the ones that ship with the corpora, or a file.
+//! Loads expectations: those that ship with the corpora, or those of a file.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use crate::exit::{CORPUS, Failure};
 use crate::ledger::describe;
 use crate::tool::Tool;
 
-/// The file of the corpora that has the expectations.
+/// The name of the expectations file in the corpora.
 const SHIPPED: &str = "expected.toml";
 
 /// The expectations of a run, and the SHA-256 of their text.
@@ -26,7 +26,7 @@ pub struct Held {
     pub digest: String,
 }
 
-/// The same as [`load`], with a hash by which two runs see that they were held against the same.
+/// Loads expectations like [`load`], with a hash that shows whether two runs used the same ones.
 pub fn held(tool: &Tool, file: Option<&PathBuf>) -> Result<Held, Failure> {
     let expected = load(tool, file)?;
     let mut digest = Sha256::new();
@@ -41,7 +41,8 @@ pub fn held(tool: &Tool, file: Option<&PathBuf>) -> Result<Held, Failure> {
     Ok(Held { expected, digest: hex(&digest.finalize()) })
 }
 
-/// Reads the expectations of `file`; without one the shipped ones, and those of the tool's maker.
+/// Loads the expectations of `file`; without a file, the shipped expectations and those of the crate that built the
+/// tool.
 pub fn load(tool: &Tool, file: Option<&PathBuf>) -> Result<Expectations, Failure> {
     if let Some(file) = file {
         return read(file);
@@ -59,7 +60,7 @@ pub fn shipped(tool: &Tool) -> Result<Expectations, Failure> {
     Expectations::parse(Path::new(&name), &text).map_err(|error| Failure { message: error.to_string(), code: CORPUS })
 }
 
-/// What a plan says of a file of expectations.
+/// The entry of a plan for a file of expectations.
 pub fn file(file: &Path) -> Result<ExpectedFile, Failure> {
     let cannot = |error: std::io::Error| Failure::usage(Error::io(file)(error));
     let text = std::fs::read(file).map_err(cannot)?;
@@ -79,7 +80,7 @@ fn read(file: &Path) -> Result<Expectations, Failure> {
     Expectations::parse(file, &text(file)?).map_err(|error| Failure { message: error.to_string(), code: CORPUS })
 }
 
-/// Gives each row of a run the status that these expectations give it: the file may have changed since.
+/// Recomputes the status of each row of a run from these expectations, because the file may have changed since the run.
 pub fn hold(expected: &Expectations, run: &mut RunDir) {
     let level = run.plan.level.to_string();
     for row in &mut run.summary {
@@ -87,8 +88,8 @@ pub fn hold(expected: &Expectations, run: &mut RunDir) {
     }
 }
 
-/// Lets the rows pass of a run that is held, which only classes of other severities than these keep from it. Each is described
-/// as it was.
+/// Marks rows as passed that fail only because of classes with severities outside `fail_on`. Returns a description of
+/// each row, with its old status.
 pub fn let_pass(expected: &Expectations, run: &mut RunDir, fail_on: &[Severity]) -> Vec<String> {
     let level = run.plan.level.to_string();
     let mut passed = Vec::new();
@@ -97,7 +98,7 @@ pub fn let_pass(expected: &Expectations, run: &mut RunDir, fail_on: &[Severity])
             expected.matching(&row.suite, &row.scene, &row.backend, &level).map(|entry| entry.class).collect();
         let mut counted = ClassCounts::default();
         for class in Class::ALL {
-            // What does not count is there where it is expected, and nowhere else.
+            // A class that does not count is treated as found exactly where it is expected.
             let is_asked = class.is_legal() || fail_on.contains(&class.severity());
             counted.add(class, if is_asked { row.count(class) } else { u64::from(known.contains(&class)) });
         }
@@ -112,7 +113,7 @@ pub fn let_pass(expected: &Expectations, run: &mut RunDir, fail_on: &[Severity])
     passed
 }
 
-/// The expectations that rows of a run do not meet, with their places.
+/// The expectations that a run does not meet, each with its place in the file.
 pub fn unmet(expected: &Expectations, run: &RunDir) -> Vec<String> {
     let level = run.plan.level.to_string();
     let mut unmet = Vec::new();
@@ -127,7 +128,7 @@ pub fn unmet(expected: &Expectations, run: &RunDir) -> Vec<String> {
     unmet
 }
 
-/// How often each class was found.
+/// The number of findings of each class.
 pub fn counts(row: &SummaryRow) -> ClassCounts {
     let mut counts = ClassCounts::default();
     for class in Class::ALL {
@@ -136,7 +137,7 @@ pub fn counts(row: &SummaryRow) -> ClassCounts {
     counts
 }
 
-/// The expectations that the run of this plan has not put to the test.
+/// The expectations that the run of this plan has not tested.
 pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unused, Failure> {
     let library = tool.library()?;
     let planned = Scenes::new(planned(plan), BTreeSet::new());
@@ -151,7 +152,7 @@ pub fn unused(expected: &Expectations, tool: &Tool, plan: &Plan) -> Result<Unuse
     let mut unused = expected.unused(&known);
     let is_own = |suite: &String| plan.paths.contains_key(suite) || !library.names().any(|name| name == suite);
     if plan.suites.iter().all(is_own) {
-        // What ships with the tool is about none of the user's suites.
+        // Shipped expectations are never about the user's suites.
         unused.here.retain(|place| !place.starts_with(&format!("corpora/{SHIPPED}:")));
     }
     Ok(unused)
@@ -162,7 +163,8 @@ fn planned(plan: &Plan) -> Vec<(String, String)> {
     plan.scenes.iter().map(|scene| (scene.suite.clone(), scene.scene.clone())).collect()
 }
 
-/// Whether a run may have a backend with this name. An engine may be in any folder: what names one is no mistake.
+/// True if a run may have a backend with this name. An engine may be in any folder, so the name of an engine is always
+/// possible.
 pub fn may_be(tool: &Tool, plan: &Plan, name: &str) -> bool {
     plan.backends.iter().any(|planned| planned == name) || name.starts_with(PREFIX) || tool.knows_backend(name)
 }
@@ -171,7 +173,7 @@ pub fn may_be(tool: &Tool, plan: &Plan, name: &str) -> bool {
 pub fn scenes(tool: &Tool, plan: &Plan) -> Result<Scenes, Failure> {
     let library = tool.library()?;
     let mut suites: Vec<Suite> = library.suites()?.iter().chain(&tool.own_suites()?).cloned().collect();
-    // All scenes of a suite that was named by file, also those that a filter left out; without its file, some are not known.
+    // For a suite named by file, include scenes that a filter left out. If the file is gone, some scenes are unknown.
     let (files, gone): (Vec<_>, Vec<_>) = plan.paths.iter().partition(|(_, file)| Path::new(file).exists());
     for (_, file) in files {
         suites.push(library.suite(file)?);

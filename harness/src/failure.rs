@@ -1,28 +1,29 @@
-//! The exit codes, part of the contract, so each is a public, documented constant; and failures, which have one.
+//! The exit codes, and failures, which carry one. The codes are part of the contract, so each is a public, documented
+//! constant.
 
-/// All as it should be.
+/// Success: all is as expected.
 pub const OK: u8 = 0;
-/// Usage, or input that is bad outside of the corpora.
+/// Wrong usage, or bad input outside of the corpora.
 pub const USAGE: u8 = 2;
-/// The selection is empty: nothing was run.
+/// Empty selection: nothing was run.
 pub const NOTHING_SELECTED: u8 = 4;
-/// A finding that no expectation lists.
+/// An unexpected finding.
 pub const UNEXPECTED: u8 = 100;
 /// An expected finding that did not occur.
 pub const UNEXPECTED_PASS: u8 = 101;
-/// Slower than the baseline, beyond noise.
+/// A time slower than the baseline, beyond noise.
 pub const SLOWER: u8 = 102;
-/// Incomplete: a timeout or an interrupt.
+/// An incomplete run, because of a timeout or an interrupt.
 pub const INCOMPLETE: u8 = 103;
 /// A suite, or the data that it needs, is invalid or missing.
 pub const CORPUS: u8 = 104;
 
-/// A failure: what to print in one line, and the code to leave with.
+/// A failure: a message of one line, and the exit code.
 #[derive(Debug)]
 pub struct Failure {
-    /// One line for stderr.
+    /// The message, one line for stderr.
     pub message: String,
-    /// One of the constants of this module.
+    /// The exit code: one of the constants of this module.
     pub code: u8,
 }
 
@@ -35,12 +36,12 @@ impl Failure {
         Failure { message: message.to_string(), code: USAGE }
     }
 
-    /// What the operating system says of a file or folder, with a cure, for `map_err`.
+    /// An error of the operating system about a file or folder, with a cure, for `map_err`.
     pub fn io(path: &std::path::Path) -> impl FnOnce(std::io::Error) -> Failure {
         move |error| Failure::usage(predicament_records::Error::io(path)(error))
     }
 
-    /// Nothing matches.
+    /// An empty selection.
     pub fn nothing(message: impl std::fmt::Display) -> Failure {
         Failure { message: message.to_string(), code: NOTHING_SELECTED }
     }

@@ -1,4 +1,4 @@
-//! A finding of a run by its id, and its scene as it was in the run.
+//! Finds a finding of a run by its id, and loads its scene as it was in the run.
 
 use std::path::Path;
 
@@ -11,7 +11,7 @@ use crate::exit::Failure;
 use crate::select::{Selector, suite_of};
 use crate::tool::Tool;
 
-/// The finding with this id, or the only one that it begins.
+/// The finding with this id, or the only finding whose id begins with it.
 pub fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingRow, Failure> {
     let mut hits = run.findings.iter().filter(|row| row.finding_id.starts_with(id));
     match (hits.next(), hits.find(|row| !row.finding_id.eq(id))) {
@@ -26,7 +26,7 @@ pub fn find<'a>(run: &'a RunDir, id: &str, folder: &Path) -> Result<&'a FindingR
     }
 }
 
-/// The scene of a finding, as it was in its run.
+/// Loads the scene of a finding, as it was in its run.
 pub fn load(run: &RunDir, finding: &FindingRow, cache: Option<&Path>, tool: &Tool) -> Result<LoadedScene, Failure> {
     let level: Level = run.plan.level.to_string().parse().map_err(Failure::usage)?;
     let suite = suite_of(&run.path, &run.plan, &finding.suite);
@@ -52,7 +52,7 @@ pub fn load(run: &RunDir, finding: &FindingRow, cache: Option<&Path>, tool: &Too
     Ok(loaded)
 }
 
-/// Whether the file of a suite that was named by path is another one than it was.
+/// True if the file of a suite that was named by path has changed since the run.
 fn changed(plan: &Plan, suite: &str) -> bool {
     let now = plan.paths.get(suite).and_then(|file| std::fs::read(file).ok());
     now.is_none_or(|bytes| plan.hashes.get(suite).is_some_and(|then| *then != hex(&Sha256::digest(bytes))))

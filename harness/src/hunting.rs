@@ -1,7 +1,7 @@
-//! A hunt's folder: what is hunted, how far it has come, and what was found.
+//! The folder of a hunt: its options, its progress, and its finds.
 //!
-//! `hunt.json` has all that is needed to go on, and is put in place whole after each generation, behind the files that it tells
-//! of. So an end at any moment loses one generation.
+//! `hunt.json` has everything that is needed to continue. It is replaced as a whole after each generation, after the
+//! files that it refers to. A kill at any moment therefore loses one generation.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -19,44 +19,44 @@ use serde::{Deserialize, Serialize};
 use crate::exit::Failure;
 use crate::tool::Tool;
 
-/// The files of a folder.
+/// The files of a folder: state, suite of finds, and table.
 pub const STATE: &str = "hunt.json";
 pub const SUITE: &str = "finds.toml";
 pub const TABLE: &str = "hunt.csv";
 
-/// What is hunted: what has to be the same for a hunt to go on.
+/// The options of a hunt that must not change when it continues.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Order {
     pub task: String,
     pub class: Option<String>,
     pub check: Option<String>,
-    /// The backends that have to show it, by their names.
+    /// The names of the backends that have to show the finding.
     pub shown_by: Vec<String>,
-    /// The backends that must not.
+    /// The names of the backends that must not show it.
     pub not_by: Vec<String>,
-    /// What engines among them are.
+    /// The files and versions of the engines among them.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub engines: BTreeMap<String, EngineFile>,
     pub seed: u64,
-    /// The suites that scenes to begin with are from, and whether shapes are.
+    /// The suites of the initial scenes; `shapes` is true if shapes are used too.
     pub suites: Vec<String>,
     pub shapes: bool,
-    /// A digest of those scenes.
+    /// A digest of the initial scenes.
     pub seeds: u64,
-    /// Scenes to look at to shrink a find, at most.
+    /// The maximum number of scenes evaluated to shrink a find.
     pub shrinking: u64,
-    /// Seconds that one backend may take for one scene.
+    /// The time limit in seconds of one backend on one scene.
     pub limit: f64,
 }
 
-/// `hunt.json`.
+/// The contents of `hunt.json`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct Saved {
     pub order: Order,
-    /// The budget: what is left of it is for `--resume`.
+    /// The budget; `--resume` continues with the rest of it.
     pub evaluations: u64,
     pub finds: usize,
-    /// Seconds of all processes that worked on it.
+    /// The seconds that all processes of the hunt took.
     pub seconds: f64,
     pub state: State,
 }
@@ -77,8 +77,7 @@ struct Row<'a> {
 }
 
 impl Saved {
-    /// Reads the folder of a hunt. What is wrong in a scene or a name of it is wrong in its file, and said here, where the file is
-    /// known.
+    /// Reads the folder of a hunt. Errors in its scenes and names are reported here, because here the file is known.
     pub fn open(tool: &Tool, folder: &Path) -> Result<Saved, Failure> {
         let file = folder.join(STATE);
         let text = std::fs::read_to_string(&file).map_err(|error| {
@@ -93,7 +92,7 @@ impl Saved {
         for class in class.iter().chain(saved.state.finds.iter().map(|find| &find.class)) {
             class.parse::<Class>().map_err(|why| refuse(&why.to_string()))?;
         }
-        // Engines are looked for where they are picked: a folder names none that is started.
+        // Engines are looked up when they are picked; reading a folder never starts one.
         let is_strange = |name: &&String| !name.starts_with(PREFIX) && !tool.knows_backend(name);
         for name in shown_by.iter().chain(not_by).filter(is_strange) {
             tool.backend(name).map_err(|why| refuse(&why.to_string()))?;
@@ -103,7 +102,8 @@ impl Saved {
         Ok(saved)
     }
 
-    /// Writes everything, the state last: what it says is there. Where so many finds are written already, only what is new.
+    /// Writes all files, the state last, so that everything that it refers to exists. If `written` finds are on disk
+    /// already, only new ones are written.
     pub fn write(&self, tool: &Tool, folder: &Path, written: Option<usize>) -> Result<(), Failure> {
         let put = |name: &str, text: &str| replace(&folder.join(name), text.as_bytes()).map_err(Failure::usage);
         for (at, find) in self.state.finds.iter().enumerate().skip(written.unwrap_or(0)) {
@@ -122,7 +122,7 @@ impl Saved {
         put(STATE, &serde_json::to_string(self).map_err(Failure::usage)?)
     }
 
-    /// The finds as a suite, in which a scene that shows several stands once.
+    /// The finds as a suite, in which a scene with several finds occurs once.
     fn suite(&self, tool: &Tool) -> Result<String, Failure> {
         let mut text = "title = \"Finds of a hunt\"\n".to_owned();
         if self.state.finds.iter().any(|find| find.class == Class::Inconsistent.name()) {
@@ -135,12 +135,12 @@ impl Saved {
         Ok(text)
     }
 
-    /// The first find of the scene of this one.
+    /// The first find with the same scene as this one.
     fn first<'f>(&'f self, find: &'f Find) -> &'f Find {
         self.state.finds.iter().find(|other| other.scene_id == find.scene_id).unwrap_or(find)
     }
 
-    /// The name of a find's scene: what was first found to show in it, and which scene it is.
+    /// The name of a find's scene, from its first find and its id.
     pub fn name(&self, find: &Find) -> String {
         let find = self.first(find);
         let backend = self.order.shown_by.first().map_or("", String::as_str);

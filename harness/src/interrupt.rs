@@ -1,17 +1,17 @@
-//! Ctrl-C: asks the work to stop at the next chunk, so that what is done is
-//! kept and the run says that it is incomplete. A second Ctrl-C kills.
+//! Ctrl-C asks the work to stop at the next chunk; finished work is kept and the run is marked as incomplete. A second
+//! Ctrl-C kills.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 static STOP: AtomicBool = AtomicBool::new(false);
 
-/// Starts listening. Called once, by commands whose work is worth keeping.
+/// Starts to listen for Ctrl-C. Commands whose partial work is worth keeping call this once.
 pub fn listen() {
     listen_and_say("what is done is kept");
 }
 
-/// The same, by commands whose work is worth nothing before its end.
+/// Starts to listen for Ctrl-C, for commands whose partial work is worth nothing.
 pub fn listen_for_all() {
     listen_and_say("nothing is kept of what is not finished");
 }
@@ -28,8 +28,8 @@ fn listen_and_say(kept: &'static str) {
     }
 }
 
-/// The same, for work that may be in the middle of something long that looks at no flag: after a while the process
-/// ends as it is. What was committed to a run folder stays.
+/// Starts to listen for Ctrl-C, for work that may not check the flag for a long time. After `grace` the process ends;
+/// what was committed to a run folder stays.
 pub fn listen_for(grace: Duration) {
     listen();
     std::thread::spawn(move || {
@@ -42,13 +42,13 @@ pub fn listen_for(grace: Duration) {
     });
 }
 
-/// Ends this process in the middle of its work, and the engines that it has started.
+/// Ends this process and the engines that it has started, in the middle of its work.
 pub fn leave() -> ! {
     predicament_engines::end_all();
     std::process::exit(i32::from(crate::exit::INCOMPLETE))
 }
 
-/// A limit of a file's size (`ulimit -f`) becomes an error of the file that reaches it, which is told, instead of the end of the process.
+/// Turns a file size limit (`ulimit -f`) into an error that names the file, instead of the end of the process.
 #[cfg(unix)]
 pub fn outlive_limits() {
     let flag = std::sync::Arc::new(AtomicBool::new(false));
@@ -57,11 +57,11 @@ pub fn outlive_limits() {
     }
 }
 
-/// There are no such limits.
+/// Does nothing: this system has no such limits.
 #[cfg(not(unix))]
 pub fn outlive_limits() {}
 
-/// The flag that the work looks at.
+/// The flag that asks the work to stop.
 pub fn flag() -> &'static AtomicBool {
     &STOP
 }

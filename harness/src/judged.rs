@@ -1,5 +1,5 @@
-//! `judged.csv`: which answers a run has judged, so that they can be timed later
-//! without judging them again.
+//! `judged.csv`: the digests of the answers that a run has judged, so that they can be timed later without judging them
+//! again.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -32,7 +32,7 @@ predicament_records::table! {
 }
 
 impl JudgedRow {
-    /// The row of an outcome; none where there were no answers.
+    /// The row of an outcome, or no row if there were no answers.
     pub fn of(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<JudgedRow> {
         let row = |digest: u64| {
             let [suite, scene, scene_id, task] = scene.labels();
@@ -51,16 +51,16 @@ pub struct Judged {
 
 /// The judgement of one scene on one backend.
 pub struct Before<'r> {
-    /// Its row of `summary.csv`.
+    /// The row of `summary.csv`.
     pub summary: &'r SummaryRow,
-    /// Its rows of `findings.csv`.
+    /// The rows of `findings.csv`.
     pub findings: Vec<FindingRow>,
-    /// The digest of the answers that were judged; none where there were none.
+    /// The digest of the judged answers, or `None` if there were none.
     pub digest: Option<u64>,
 }
 
 impl Judged {
-    /// Reads a run's folder.
+    /// Reads the folder of a run.
     pub fn read(folder: &Path) -> Result<Judged, Failure> {
         let run = RunDir::open(folder).map_err(Failure::usage)?;
         let rows = run.rows::<JudgedRow>().map_err(Failure::usage)?;
@@ -73,10 +73,11 @@ impl Judged {
         Ok(Judged { folder: folder.to_owned(), run, digests })
     }
 
-    /// The scenes to time: of the run, if no suite is named. Files of suites are read, and nothing else that the plan names.
+    /// The scenes to time; if no suite is named, the scenes of the run. Of the files that the plan names, only suite
+    /// files are read.
     ///
     /// # Errors
-    /// If a scene of the run is gone or has changed, or a suite is named of which the run has no scene.
+    /// If a scene of the run is gone or has changed, or the run has no scene of a named suite.
     pub fn select(&self, selector: &Selector, tool: &Tool) -> Result<(Selection, Vec<Planned>), Failure> {
         let plan = &self.run.plan;
         let run = self.folder.display();
@@ -117,7 +118,8 @@ impl Judged {
         Ok((selection, scenes))
     }
 
-    /// The backends of the run. Engines are left out with a remark: to start a program takes somebody who names it.
+    /// The backends of the run, without engines, each of which gets a remark. A program is started only if the user
+    /// names it.
     pub fn backends(&self, remarks: &mut Vec<String>) -> Vec<String> {
         let (engines, backends): (Vec<_>, Vec<_>) =
             self.run.plan.backends.iter().cloned().partition(|name| name.starts_with(PREFIX));
@@ -125,7 +127,7 @@ impl Judged {
         backends
     }
 
-    /// What the run says about a scene on a backend; none where it says nothing.
+    /// The judgement of a scene on a backend, or `None` if the run has none.
     pub fn of(&self, scene: &PlannedScene, backend: &str) -> Option<Before<'_>> {
         let run = &self.run;
         let summary = run.summary.iter().find(|row| row.scene_id == scene.scene_id && row.backend == backend)?;
@@ -135,7 +137,7 @@ impl Judged {
         Some(Before { summary, findings, digest })
     }
 
-    /// How many judgements were taken over, in a line.
+    /// A line that says how many judgements were taken from the run.
     pub fn told(&self, taken_over: usize) -> String {
         let run = self.folder.display();
         match taken_over {

@@ -1,23 +1,24 @@
-//! The width of help texts. They are written without line breaks inside of paragraphs, and broken at the terminal's width.
+//! The width of help texts. Help texts are written without line breaks inside paragraphs and wrapped at the terminal's
+//! width.
 
 use clap::Command;
 
-/// The widest help, as clap has it where the terminal is wider or is not one.
+/// The maximum width of help; clap uses the same if the terminal is wider or is not a terminal.
 const WIDEST: usize = 100;
 
-/// The columns of the help.
+/// The width of help, in columns.
 fn width() -> usize {
     let columns = || std::env::var("COLUMNS").ok()?.parse().ok();
     let terminal = terminal_size::terminal_size().map(|(terminal_size::Width(width), _)| usize::from(width));
     terminal.or_else(columns).map_or(WIDEST, |width: usize| width.clamp(40, WIDEST))
 }
 
-/// The command with all help texts broken at the terminal's width.
+/// The command with all help texts wrapped at the terminal's width.
 pub fn laid_out(command: Command) -> Command {
     fit(command, width())
 }
 
-/// The command with all help texts broken at the widest width, for pages.
+/// The command with all help texts wrapped at the maximum width, for pages.
 pub fn of_pages(command: Command) -> Command {
     fit(command, WIDEST)
 }
@@ -31,8 +32,8 @@ fn fit(command: Command, width: usize) -> Command {
     command.term_width(width).mut_subcommands(|one| fit(one, width))
 }
 
-/// A text with lines of at most this width. What follows two spaces is a second column: it keeps its indentation, or
-/// goes to a line of its own where the first column takes most of the width.
+/// A text wrapped at this width. Text after two spaces is a second column: it keeps its indentation, or goes to a line
+/// of its own if the first column takes most of the width.
 pub fn broken(text: &str, width: usize) -> String {
     let mut lines = Vec::new();
     for line in text.lines() {
@@ -60,7 +61,7 @@ pub fn broken(text: &str, width: usize) -> String {
     lines.join("\n")
 }
 
-/// The words of a text in lines, of which the first begins so and the others so.
+/// The words of a text in lines; the first line begins with `first` and the others with `other`.
 fn wrapped(text: &str, first: &str, other: &str, width: usize) -> Vec<String> {
     if first.chars().count() + text.chars().count() <= width {
         return vec![format!("{first}{text}").trim_end().to_owned()];

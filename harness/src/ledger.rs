@@ -1,4 +1,4 @@
-//! The rows of a run under way, in memory and on disk.
+//! The rows of a run in progress, in memory and on disk.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -17,18 +17,18 @@ use crate::pixels::of_square;
 use crate::rows;
 use crate::stopwatch::Cost;
 
-/// What is done, in memory and on disk.
+/// The finished work of a run, in memory and on disk.
 pub struct Ledger {
     pub level: Level,
-    /// Whether every answer is written.
+    /// True if every answer is written.
     pub answers: bool,
-    /// Tasks whose answers are wholes, where every answer was to be written, with their scenes.
+    /// With `--answers`: the tasks whose answers are not per query, and their scenes.
     pub wholes: BTreeMap<String, BTreeSet<String>>,
     pub done: Vec<SummaryRow>,
     pub precision: Vec<PrecisionRow>,
-    /// Backends of the tool that run only where they are named, and were not.
+    /// Backends of the tool that run only if named, and were not named.
     pub left_out: Vec<String>,
-    /// In a part of a run: where its scenes are in the whole.
+    /// For a part of a run: the position of each of its scenes in the whole run.
     pub places: BTreeMap<PlannedScene, u64>,
     pub folder: PathBuf,
     pub writer: RunWriter,
@@ -39,12 +39,13 @@ impl Ledger {
         self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
     }
 
-    /// Whether the scene's precision plan is written down: a run folder may be older than that table.
+    /// True if the scene's precision plan is written. A run folder may be older than that table.
     pub fn is_planned(&self, scene: &PlannedScene) -> bool {
         self.precision.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene)
     }
 
-    /// Writes the scene's precision plan and what reading it has changed, once; the next commit makes it permanent.
+    /// Writes the scene's precision plan and the changes made while reading it, once; the next commit makes them
+    /// permanent.
     pub fn plan(&mut self, scene: &PlannedScene, loaded: &LoadedScene) -> Result<(), Failure> {
         if !self.is_planned(scene) {
             let row = rows::precision(scene, &Precision::of(&loaded.scene));
@@ -71,12 +72,12 @@ impl Ledger {
         Ok(summary)
     }
 
-    /// Notes what a scene has cost; the commit that follows need not know.
+    /// Writes the cost of a scene; it does not have to be part of the commit that follows.
     pub fn cost(&mut self, scene: &PlannedScene, backend: &str, cost: Cost) -> Result<(), Failure> {
         self.writer.cost(&[cost.row(scene, backend)]).map_err(Failure::usage)
     }
 
-    /// Takes the rows that a worker has left.
+    /// Takes over the rows of a worker.
     pub fn adopt(
         &mut self,
         found: crate::worker::Found,
@@ -103,7 +104,7 @@ impl Ledger {
         Ok(())
     }
 
-    /// Makes permanent what a backend has to say of a scene.
+    /// Makes the rows of a backend on a scene permanent.
     fn commit(&mut self, scene: &PlannedScene, backend: &str) -> Result<(), Failure> {
         let committed = match self.places.get(scene) {
             Some(&place) => self.writer.commit_of(place, backend),
@@ -112,7 +113,7 @@ impl Ledger {
         committed.map_err(Failure::usage)
     }
 
-    /// Notes a scene whose answer is a whole: it has no lines among the answers.
+    /// Records a scene whose answer is not per query, which has no lines among the answers.
     fn note_whole(&mut self, scene: &PlannedScene, is_whole: bool) {
         if self.answers && is_whole {
             self.wholes.entry(scene.task.clone()).or_default().insert(format!("{}/{}", scene.suite, scene.scene));
@@ -120,7 +121,7 @@ impl Ledger {
     }
 
     pub fn draw(&mut self, case: &dyn AnyCase, backend: &dyn Contestant) -> Result<(), Failure> {
-        // A backend that declines or panics has a row that says so, and no picture.
+        // A backend that declines or panics has a row and no picture.
         let tile = std::panic::catch_unwind(std::panic::AssertUnwindSafe(|| of_square(case, backend)));
         let Ok(Ok(tile)) = tile else { return Ok(()) };
         let png = tile.map.to_png(1).map_err(Failure::usage)?;
@@ -132,7 +133,7 @@ impl Ledger {
         self.writer.finish(ended).map_err(Failure::usage)?;
         let count = |status: Status| self.done.iter().filter(|row| row.status == status).count();
         let (unexpected, passes) = (count(Status::Unexpected), count(Status::UnexpectedPass));
-        // What was declined, or ran out of time, was not answered.
+        // Queries that were declined or ran out of time were not answered.
         let queries: u64 = self.done.iter().filter(|row| row.has_answers()).map(|row| row.queries).sum();
         let code = exit::of_rows(ended, &self.done);
         let told = format!(
@@ -157,7 +158,7 @@ impl Ledger {
     }
 }
 
-/// A summary row in words.
+/// Describes a summary row in words.
 pub fn describe(row: &SummaryRow) -> String {
     let classes: Vec<String> = Class::ALL
         .into_iter()

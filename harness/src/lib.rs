@@ -1,9 +1,7 @@
-//! `predicament`: is my predicate right, when does it break, and what does
-//! being right cost?
+//! `predicament`: is my predicate right, when does it break, and what does being right cost?
 //!
-//! The tool is a library, so that a crate of your own can put its predicates
-//! under it. A binary with all commands, and your backend beside those of the
-//! house:
+//! The tool is a library, so that your own crate can test its predicates with it. A binary with all commands, and with
+//! your backend next to the built-in ones:
 //!
 //! ```no_run
 //! # use predicament::example::Mine;
@@ -12,8 +10,7 @@
 //! }
 //! ```
 //!
-//! And a test that fails with the first findings, their coordinates and a line
-//! that replays them:
+//! And a test that fails with the first findings, their coordinates and a line that replays them:
 //!
 //! ```no_run
 //! # use predicament::example::Mine;
@@ -23,9 +20,9 @@
 //! }
 //! ```
 //!
-//! `docs/BACKENDS.md` walks through a backend, `docs/TASKS.md` through a task.
-//! This crate parses command lines and moves rows into folders; what is judged
-//! is decided in `tasks`, what is run in `oracle`, what is drawn in `report`.
+//! `docs/BACKENDS.md` explains how to write a backend, `docs/TASKS.md` how to write a task. This crate parses command
+//! lines and writes rows into folders; the crate `tasks` decides what is judged, `oracle` what is run, and `report`
+//! what is drawn.
 
 #[macro_use]
 mod out;
@@ -73,7 +70,7 @@ mod worker;
 pub use cli::{BackendList, Cli, cli};
 pub use conformance::{Conformance, conformance};
 pub use exit::{CORPUS, INCOMPLETE, NOTHING_SELECTED, OK, SLOWER, UNEXPECTED, UNEXPECTED_PASS, USAGE};
-/// The systems that the tool comes with.
+/// The built-in systems.
 pub use predicament_bundle::Systems;
 pub use predicament_corpus::{self as corpus, Level};
 pub use predicament_formats as formats;

@@ -1,6 +1,6 @@
-//! The line ends of files that are edited in place: a file that an editor on Windows has written stays one.
+//! Line ends of files that are edited in place; a file with the line ends of Windows keeps them.
 
-/// Whether all lines of a text end by CR LF, and there is one.
+/// True if a text has lines and all of them end with CR LF.
 pub fn is_crlf(text: &str) -> bool {
     text.contains('\n') && text.matches('\n').count() == text.matches("\r\n").count()
 }

@@ -1,4 +1,4 @@
-//! The names of commands: their groups in the help, and the names that they had before.
+//! The names of commands: their groups in the help, and their earlier names.
 
 use std::ffi::OsString;
 
@@ -8,7 +8,7 @@ use predicament_studies::Entry;
 /// The command that runs studies.
 pub const STUDY: &str = "study";
 
-/// The commands of the first level, in the order of the help.
+/// The top-level commands by group, in the order of the help.
 const GROUPS: [(&str, &[&str]); 6] = [
     ("Ask and draw", &["ask", "solve", "draw"]),
     ("Run and gate", &["run", "gate", "bench", "report"]),
@@ -18,7 +18,7 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ("Set-up", &["engines", "setup"]),
 ];
 
-/// Names of version 0.0 and the commands that took their place. They go with version 0.2.
+/// Command names of version 0.0 and their replacements. They will be removed in version 0.2.
 const EARLIER: [(&str, [&str; 2]); 14] = [
     ("completions", ["setup", "completions"]),
     ("diff", ["data", "diff"]),
@@ -36,7 +36,7 @@ const EARLIER: [(&str, [&str; 2]); 14] = [
     ("show", ["draw", "scene"]),
 ];
 
-/// Options with another name before, by command: `--old`, and the words in its place.
+/// Earlier names of options, by command: `--old`, and the words that replace it.
 const OPTIONS: [(&[&str], &str, &[&str]); 8] = [
     (&["report"], "--against", &["--baseline"]),
     (&["draw", "map"], "--suite", &[]),
@@ -48,7 +48,7 @@ const OPTIONS: [(&[&str], &str, &[&str]); 8] = [
     (&["setup", "selftest"], "--json", &["--format", "json"]),
 ];
 
-/// The list of commands by group, for the first page of help.
+/// The list of commands by group, for the main help page.
 pub fn groups(command: &Command) -> String {
     let width = command.get_subcommands().map(|one| one.get_name().len()).max().unwrap_or(0);
     let line = |name: &&str| {
@@ -81,14 +81,14 @@ fn section(command: &Command, above: &str) -> String {
     format!("\n### {name}\n{}", block(command)) + &below.map(|one| section(one, &name)).collect::<String>()
 }
 
-/// The short help, as a block of text.
+/// The short help of a command, as a block of text.
 fn block(command: &Command) -> String {
     let help = command.clone().render_help().to_string();
     let lines = help.trim_end().lines().map(|line| format!("{}\n", line.trim_end()));
     format!("\n```text\n{}```\n", lines.collect::<String>())
 }
 
-/// The words of a command line with today's names, and a note about each that has changed.
+/// Replaces earlier names in a command line by current ones, and returns a note about each change.
 pub fn current(mut words: Vec<OsString>, studies: &[Entry]) -> (Vec<OsString>, Vec<String>) {
     let mut notes = Vec::new();
     let is_option = |word: &OsString| word.to_str().is_some_and(|text| text.starts_with('-'));

@@ -1,8 +1,7 @@
-//! Printing to stdout without losing the exit code.
+//! Prints to stdout without losing the exit code.
 //!
-//! `println!` panics where stdout is a closed pipe or a full disk, and what a
-//! command was about to say with its exit code is lost. Here a failed write is
-//! noted, the command goes on, and its code stays.
+//! `println!` panics if stdout is a closed pipe or a full disk, and then the exit code of the command is lost. Here a
+//! failed write is recorded, the command continues, and its exit code stays.
 
 use std::borrow::Cow;
 use std::path::Path;
@@ -18,7 +17,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
 
-/// Writes to stdout; after the first failure, nothing.
+/// Writes to stdout; after the first failure it writes nothing.
 pub fn print(text: Arguments<'_>) {
     let mut failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if failed.is_none() {
@@ -28,14 +27,14 @@ pub fn print(text: Arguments<'_>) {
     }
 }
 
-/// Why some of the output was lost, where that is an error: a reader that goes
-/// away (`predicament … | head`) has read what it wanted.
+/// The reason why output was lost, if that is an error. A reader that closes the pipe (`predicament … | head`) is not
+/// an error.
 pub fn lost() -> Option<String> {
     let failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     failed.as_ref().filter(|error| error.kind() != ErrorKind::BrokenPipe).map(ToString::to_string)
 }
 
-/// A text without what a terminal would obey: folders of strangers are printed, too.
+/// A text without control characters that a terminal obeys, because folders from other people are printed too.
 fn harmless(text: &str) -> Cow<'_, str> {
     let is_harmless = |c: char| !c.is_control() || matches!(c, '\n' | '\t' | '\r');
     if text.chars().all(is_harmless) {
@@ -46,7 +45,7 @@ fn harmless(text: &str) -> Cow<'_, str> {
     )
 }
 
-/// A text of a folder on one line.
+/// A text with its line breaks replaced by spaces.
 pub fn one_line(text: &str) -> Cow<'_, str> {
     if text.contains(['\n', '\r']) { Cow::Owned(text.replace(['\n', '\r'], " ")) } else { Cow::Borrowed(text) }
 }
@@ -57,12 +56,12 @@ macro_rules! say {
     ($($arg:tt)*) => { $crate::out::print(format_args!("{}\n", format_args!($($arg)*))) };
 }
 
-/// Prints to stdout, without the end of a line.
+/// Prints to stdout without a line end.
 macro_rules! say_text {
     ($($arg:tt)*) => { $crate::out::print(format_args!($($arg)*)) };
 }
 
-/// Writes a line to stderr. Where that is closed or full the line is lost, and the command and its code are not.
+/// Writes a line to stderr. If stderr is closed or full, the line is lost but the command and its exit code are not.
 pub fn tell(line: Arguments<'_>) {
     let _ = writeln!(std::io::stderr(), "{}", harmless(&line.to_string()));
 }
@@ -74,17 +73,17 @@ macro_rules! tell {
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// From now on no notes and no progress: only what was asked for, and errors.
+/// Turns off notes and progress; requested output and errors stay.
 pub fn be_quiet() {
     QUIET.store(true, Ordering::Relaxed);
 }
 
-/// Whether notes and progress are unwanted.
+/// True if notes and progress are off.
 pub fn is_quiet() -> bool {
     QUIET.load(Ordering::Relaxed)
 }
 
-/// Prints a note to stderr, unless notes are unwanted.
+/// Prints a note to stderr, unless notes are off.
 macro_rules! note {
     ($($arg:tt)*) => {
         if !$crate::out::is_quiet() {
@@ -93,20 +92,20 @@ macro_rules! note {
     };
 }
 
-/// The right to edit a file in place. Another process that edits it is waited for, and the file is to be read after this.
+/// Locks a file that is edited in place, waiting for other processes that edit it. Read the file after this.
 pub fn hold(file: &Path) -> Result<Hold, Failure> {
     let words: Vec<String> = std::env::args().skip(1).take(2).collect();
     Hold::take(file, &format!("{} {}", program(), words.join(" "))).map_err(Failure::usage)
 }
 
-/// The name by which the tool was called, for lines that say what to type next.
+/// The name under which the tool was called, for lines that suggest a command.
 pub fn program() -> String {
     let called = std::env::args_os().next();
     let name = called.as_ref().and_then(|path| Path::new(path).file_stem());
     name.map_or_else(|| "predicament".to_owned(), |name| name.to_string_lossy().into_owned())
 }
 
-/// A word of a shell's command line.
+/// A text quoted as one word of a shell command.
 pub fn word(text: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
     if !text.is_empty() && text.chars().all(is_plain) {

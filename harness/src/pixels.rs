@@ -1,7 +1,8 @@
-//! One query as a raster: one of its vertices walks over a square of neighbouring places, and every backend answers at each.
+//! One query as a raster: one of its vertices moves over a square of nearby places, and every backend answers at each
+//! place.
 //!
-//! Kettner, Mehlhorn, Pion, Schirra and Yap have shown so what doubles make of an orientation. The scene stays what it is, its extent and
-//! the order of its vertices, too: backends that look at either answer as they do in the scene.
+//! Kettner, Mehlhorn, Pion, Schirra and Yap have shown the effect of doubles on an orientation in this way. The scene
+//! keeps its extent and the order of its vertices, so a backend that depends on either answers as it does in the scene.
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Axis, Dimension, Query, QuerySet, Question, Scene, Sign, Vertex};
@@ -11,29 +12,29 @@ use predicament_tasks::{AnyCase, Class, Contestant};
 
 use crate::exit::Failure;
 
-/// From one place of a raster to the next.
+/// The step from one place of a raster to the next.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Step {
-    /// So many doubles.
+    /// A number of doubles.
     Ulps(u64),
     /// A length, which is rounded at every place.
     Length(f64),
 }
 
-/// What is drawn of a query.
+/// A query and the movement of one of its vertices.
 #[derive(Clone, Debug)]
 pub struct Walk<'a> {
     pub scene: &'a Scene,
     pub query: &'a Query,
-    /// Which of the query's vertices walks, from 0 on.
+    /// The position in the query of the moving vertex, from 0.
     pub place: usize,
-    /// Along which axes, to the right and upwards.
+    /// The axes of the movement, to the right and upwards.
     pub axes: [Axis; 2],
     pub step: Step,
     pub side: usize,
 }
 
-/// A scene and queries in a raster, the lowest row first.
+/// A scene with a raster of queries, the lowest row first.
 pub struct Raster {
     pub scene: Scene,
     pub content: SignQueries,
@@ -41,7 +42,7 @@ pub struct Raster {
 }
 
 impl Walk<'_> {
-    /// The scene with all places of the walking vertex instead of itself, and a query for each.
+    /// The scene with all places in place of the moving vertex, and one query for each place.
     pub fn raster(&self) -> Result<Raster, Failure> {
         let (scene, side) = (self.scene, self.side);
         let (question, args) = self
@@ -61,7 +62,7 @@ impl Walk<'_> {
         }
         let places = self.places(walker)?;
         let count = side * side;
-        // The places take the walking vertex's place in the order of vertices.
+        // The places take the position of the moving vertex in the order of vertices.
         let moved =
             |v: Vertex| Vertex::input(if v.index() > walker.index() { v.index() + count - 1 } else { v.index() });
         let width = scene.dimension().count();
@@ -82,7 +83,7 @@ impl Walk<'_> {
         Ok(Raster { scene: made, content: SignQueries { queries, expected: None }, side })
     }
 
-    /// The coordinates of all places, row after row from below; the vertex itself is in the middle.
+    /// The coordinates of all places, row by row from below, with the original vertex in the middle.
     fn places(&self, walker: Vertex) -> Result<Vec<Vec<f64>>, Failure> {
         let at = self.scene.point(walker);
         let [right, up] = self.axes.map(Axis::index);
@@ -106,7 +107,7 @@ impl Walk<'_> {
     }
 }
 
-/// The axes that a question names, and looks at alone.
+/// The axes that a question names; it depends on no others.
 fn named_axes(question: Question) -> Vec<Axis> {
     match question {
         Question::Compare(axis) => vec![axis],
@@ -123,7 +124,7 @@ fn has_axes<'a>(scene: &Scene, mut axes: impl Iterator<Item = &'a Axis>) -> Resu
     }
 }
 
-/// The axes of a raster where nobody has named any: those that the question looks at.
+/// The default axes of a raster: those that the question depends on.
 pub fn axes(question: Question, scene: &Scene) -> [Axis; 2] {
     match (question, scene.dimension()) {
         (Question::Orient2d(plane), _) => plane.axes(),
@@ -132,14 +133,14 @@ pub fn axes(question: Question, scene: &Scene) -> [Axis; 2] {
     }
 }
 
-/// The double so many steps away.
+/// The coordinate that is `steps` steps away.
 fn stepped(x: f64, steps: i64, step: Step) -> f64 {
     match step {
         // Steps are far fewer than 2^53.
         #[allow(clippy::cast_precision_loss)]
         Step::Length(length) => x + steps as f64 * length,
         Step::Ulps(ulps) => {
-            // Doubles in their order as integers, with one zero.
+            // Map doubles to integers in the same order, with one zero.
             let bits = x.to_bits().cast_signed();
             let place = if bits < 0 { i64::MIN - bits } else { bits };
             let moved = i128::from(place) + i128::from(steps) * i128::from(ulps);
@@ -153,18 +154,18 @@ fn stepped(x: f64, steps: i64, step: Step) -> f64 {
 pub struct Tile {
     /// The pixels.
     pub map: PixelMap,
-    /// Where it differs from the truth.
+    /// The pixels that differ from the truth.
     pub difference: PixelMap,
-    /// How many negative, zero and positive.
+    /// The number of negative, zero and positive answers.
     pub signs: [usize; 3],
-    /// How many differ from the exact sign.
+    /// The number of answers that differ from the exact sign.
     pub differ: usize,
-    /// How many are not what the backend's promise allows.
+    /// The number of answers that the backend's contract does not allow.
     pub wrong: usize,
 }
 
 impl Tile {
-    /// How many of each sign, how many that differ from the exact one, and how many that are wrong.
+    /// The caption: the number of each sign, of differences from the exact sign, and of wrong answers.
     pub fn caption(&self) -> String {
         let [negative, zero, positive] = self.signs;
         format!(
@@ -174,7 +175,7 @@ impl Tile {
     }
 }
 
-/// Draws one backend's answers to a square of queries.
+/// Draws the answers of one backend to a square of queries.
 pub fn tile(
     scene: &Scene,
     content: &SignQueries,
@@ -195,7 +196,7 @@ pub fn exact(truth: &[Sign], side: usize) -> Result<Tile, Failure> {
 
 fn of(answers: &[(Sign, Class)], truth: &[Sign], side: usize) -> Result<Tile, Failure> {
     let count = |sign: Sign| answers.iter().filter(|(answer, _)| *answer == sign).count();
-    // The first queries are those of the lowest row: y grows upwards, as in every plot.
+    // The first queries are the lowest row: y grows upwards, as in every plot.
     let pixels: Vec<(Sign, Class, Sign)> = answers
         .chunks(side)
         .zip(truth.chunks(side))
@@ -222,7 +223,7 @@ fn of(answers: &[(Sign, Class)], truth: &[Sign], side: usize) -> Result<Tile, Fa
     })
 }
 
-/// What stands on a sheet.
+/// The tiles as columns of a sheet.
 pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
     let column = |(name, tile): (String, Tile)| {
         let [negative, zero, positive] = tile.signs;
@@ -237,7 +238,7 @@ pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
     tiles.into_iter().map(column).collect()
 }
 
-/// The queries of a scene as they are.
+/// The queries of a scene as a square raster.
 pub fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
     let Some(content) = loaded.content::<SignQueries>() else {
         return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
@@ -251,7 +252,7 @@ pub fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
     Ok(Raster { scene: loaded.scene.clone(), content: content.clone(), side })
 }
 
-/// Draws one backend's answers to a scene of a square number of queries.
+/// Draws the answers of one backend to a scene with a square number of queries.
 pub fn of_square(case: &dyn AnyCase, backend: &dyn Contestant) -> Result<Tile, Failure> {
     let Raster { scene, content, side } = square(case.loaded())?;
     let signs = case.truth().downcast_ref::<Vec<Sign>>().map_or(&[][..], Vec::as_slice);
@@ -289,7 +290,7 @@ mod tests {
             Walk { scene: &scene, query: &query, place: 1, axes: [Axis::X, Axis::Y], step: Step::Length(1.0), side: 3 };
         let raster = walk.raster().unwrap();
         assert_eq!(raster.scene.len(), 3 + 9);
-        // The lowest row from left to right, the vertex itself in the middle.
+        // The lowest row from left to right, with the vertex itself in the middle.
         let at = |query: usize| {
             raster.content.queries.args(query).iter().map(|&v| raster.scene.point(v).to_vec()).collect::<Vec<_>>()
         };

@@ -1,15 +1,16 @@
-//! Where output must not go: onto an input, onto other output, or onto the files of a run.
+//! Places where output is refused: an input, another output, or the files of a run.
 
 use std::path::{Path, PathBuf};
 
 use crate::exit::Failure;
 
-/// Refuses output that would replace another file that the command reads or writes, or that would be taken for a file of a run.
+/// Refuses output that would replace a file that the command reads or writes, or that would look like a file of a run.
 ///
-/// `outputs` are the options with their files or folders, `inputs` are files that are read, and `runs` are folders of runs.
+/// `outputs` are the options with their files or folders, `inputs` are files that are read, and `runs` are folders of
+/// runs.
 ///
 /// # Errors
-/// With the first such option, and what its place is.
+/// The first such option, with the reason.
 pub fn apart(outputs: &[(&str, &Path)], inputs: &[&Path], runs: &[&Path]) -> Result<(), Failure> {
     let inputs: Vec<PathBuf> = inputs.iter().map(|path| resolved(path)).collect();
     let runs: Vec<PathBuf> = runs.iter().map(|path| resolved(path)).collect();
@@ -30,7 +31,7 @@ pub fn apart(outputs: &[(&str, &Path)], inputs: &[&Path], runs: &[&Path]) -> Res
     Ok(())
 }
 
-/// Whether a place is the folder of a run, or in it and named as a run's own files are.
+/// True if a place is the folder of a run, or is in it and has a name like the run's own files.
 fn is_of_run(run: &Path, place: &Path) -> bool {
     place.strip_prefix(run).is_ok_and(|file| {
         let ending = file.extension().and_then(|ending| ending.to_str());
@@ -40,7 +41,7 @@ fn is_of_run(run: &Path, place: &Path) -> bool {
     })
 }
 
-/// The one name of a file or folder that may not be there yet.
+/// The absolute name of a file or folder that may not exist yet, with links resolved.
 fn resolved(path: &Path) -> PathBuf {
     if let Ok(whole) = path.canonicalize() {
         return whole;

@@ -1,4 +1,4 @@
-//! What a run is going to do, and where: its plan, machine, tables and folder.
+//! The preparation of a run: its plan, environment, tables and folder.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -17,7 +17,7 @@ use crate::judged::JudgedRow;
 use crate::select::{Planned, Selection};
 use crate::tool::Tool;
 
-/// How much is sampled at a level.
+/// The sampling budget of a level.
 pub fn budget(level: Level) -> Budget {
     match level {
         Level::Quick => Budget::QUICK,
@@ -25,28 +25,28 @@ pub fn budget(level: Level) -> Budget {
     }
 }
 
-/// The tables of a run folder besides those of every run.
+/// The tables of a run folder in addition to those of every run.
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
     tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
     tables
 }
 
-/// The same, with that of all answers where they are wanted, and with that of a part of a run, so that parts can be merged.
+/// The tables of [`tables`], with that of all answers and that of the parts of a run if the plan asks for them.
 pub fn tables_of(tool: &Tool, plan: &Plan) -> Vec<TableSpec> {
     let mut tables = tables_with(tool, plan.answers);
     tables.extend(plan.whole.is_some().then(TableSpec::of::<SegmentRow>));
     tables
 }
 
-/// The same, and that of all answers where they are wanted.
+/// The tables of [`tables`], with that of all answers if `answers` is set.
 pub fn tables_with(tool: &Tool, answers: bool) -> Vec<TableSpec> {
     let mut tables = tables(tool);
     tables.extend(answers.then(TableSpec::of::<AnswerRow>));
     tables
 }
 
-/// All tables that a folder of a run or a bench may have: those of every run first.
+/// All tables that a folder of a run or a bench may have, those of every run first.
 pub fn every_table(tool: &Tool) -> Vec<TableSpec> {
     let rest = [
         TableSpec::of::<PhaseRow>(),
@@ -93,7 +93,7 @@ pub fn plan(
     }
 }
 
-/// The machine, the compiler, what the tool was built from, and the version of the crate behind `shewchuk`.
+/// The machine, the compiler, the source of the tool, and the version of the crate behind `shewchuk`.
 pub fn env() -> Env {
     let mut env = Env::collect(env!("CARGO_PKG_VERSION"));
     env.rustc = Some(env!("PREDICAMENT_RUSTC").to_owned());
@@ -104,17 +104,17 @@ pub fn env() -> Env {
     env
 }
 
-/// The same, with the versions of libraries behind these backends.
+/// The environment of [`env`], with the versions of the libraries behind these backends.
 pub fn env_of(backends: &[Box<dyn Contestant>]) -> Env {
     let mut env = env();
     env.peers.extend(backends.iter().filter_map(|backend| Some((backend.name(), backend.version()?))));
     env
 }
 
-/// Refuses to go on with a run in which a backend had another version: its rows would be of two.
+/// Refuses to resume a run in which a backend had another version, because its rows would mix two versions.
 ///
 /// # Errors
-/// With the first such backend, or if the run's `env.json` can't be read.
+/// The first such backend, or an unreadable `env.json`.
 pub fn same_versions(folder: &Path, backends: &[Box<dyn Contestant>]) -> Result<(), Failure> {
     if RunDir::is_unbegun(folder) {
         return Ok(());
@@ -137,7 +137,7 @@ pub fn same_versions(folder: &Path, backends: &[Box<dyn Contestant>]) -> Result<
     Ok(())
 }
 
-/// `stem-1`, or the first number that is free.
+/// The first folder of `stem-1`, `stem-2` and so on that does not exist.
 pub fn free_folder(stem: &str) -> PathBuf {
     let mut names = (1..).map(|n| PathBuf::from(format!("{stem}-{n}")));
     names.find(|path| !path.exists()).expect("some number is free")

@@ -1,9 +1,9 @@
-//! Precision plans in words.
+//! Precision plans as text.
 
 use predicament_arithmetic::Span;
 use predicament_exact::{Choice, Precision};
 
-/// A plan, line by line.
+/// The lines of a precision plan.
 pub fn lines(precision: &Precision) -> Vec<String> {
     let axes = precision.axes.iter().zip(["x", "y", "z"]).map(|(span, name)| axis(name, span));
     let all = format!("all: multiples of 2^{}, differences of {} bits", precision.lowest, precision.bits);

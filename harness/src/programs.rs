@@ -1,9 +1,9 @@
-//! Engines that a folder names: which of them may be started.
+//! Decides which of the engines that a folder names may be started.
 //!
-//! Folders of runs, shrinks and hunts travel. A folder that could say what is started would run a stranger's command on
-//! the machine of whoever reads it. So a folder only names an engine. Its program is one that the user names on the
-//! command line, or the engine of that name in the user's own folder of engines, if it is the one that the folder means:
-//! the digest of its `engine.toml` and the version of its library are those that were written down.
+//! Folders of runs, shrinks and hunts are passed on to other people. If a folder could say what is started, reading it
+//! would run a stranger's command. Therefore a folder only names an engine. The program is one that the user names on
+//! the command line, or the engine of that name in the user's own folder of engines. The latter must be the same
+//! engine: the digest of its `engine.toml` and the version of its library must match the recorded ones.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -18,11 +18,11 @@ use crate::exit::Failure;
 use crate::out::word;
 use crate::tool::{Tool, each};
 
-/// The engines of a folder that the command line names.
+/// The engines that the command line names for a folder.
 #[derive(clap::Args, Clone, Debug, Default)]
 pub struct Programs {
-    /// The program of an engine that the folder names: its name there and its engine.toml. Without it only engines of your own
-    /// engines folder are started, and only if they have not changed
+    /// The program of an engine that the folder names, as its name and its engine.toml. Otherwise only engines of your
+    /// own engines folder are started, and only if they have not changed
     #[arg(long = "engine", value_name = "NAME=FILE")]
     engines: Vec<String>,
 
@@ -31,34 +31,34 @@ pub struct Programs {
     typed: BTreeSet<String>,
 }
 
-/// The engines that a file names.
+/// The engines that a file records.
 #[derive(Clone, Copy)]
 pub struct Recorded<'a> {
     /// The file: a plan, or the state of a shrink or a hunt.
     pub file: &'a Path,
-    /// The folder that it came with; none where it came alone.
+    /// The folder that the file came with, or `None` if it came alone.
     pub folder: Option<&'a Path>,
-    /// What they were, by the backends' names.
+    /// The recorded files and versions, by backend name.
     pub engines: &'a BTreeMap<String, EngineFile>,
 }
 
-/// Backends that a folder names, ready to be asked.
+/// Backends that a folder names, ready to answer.
 pub struct Picked {
-    /// In the order of their names.
+    /// The backends, in the order of their names in the folder.
     pub backends: Vec<Box<dyn Contestant>>,
-    /// The `engine.toml` of each engine, by the backends' names.
+    /// The `engine.toml` of each engine, by backend name.
     pub files: BTreeMap<String, String>,
 }
 
 impl Picked {
-    /// What its engines are, for a file that names them.
+    /// The records of its engines, for a file that names them.
     pub fn recorded(&self) -> Result<BTreeMap<String, EngineFile>, Failure> {
         record(self.files.clone(), &self.backends)
     }
 }
 
 impl Programs {
-    /// The same, with the engines that `-b` or the like names; and what a plan calls all that it names.
+    /// Adds the engines that `-b` or a similar option names; also returns all these names as a plan writes them.
     pub fn and_named(mut self, backends: &[String]) -> Result<(Programs, Vec<String>), Failure> {
         let mut names = Vec::new();
         for argument in each(backends) {
@@ -77,10 +77,11 @@ impl Programs {
         Ok((self, names))
     }
 
-    /// Backends that a folder names, by what it says of its engines.
+    /// The backends that a folder names, given its records of engines.
     ///
     /// # Errors
-    /// If one is not there, or is an engine that nobody named; with the line that would start it.
+    /// If a backend does not exist, or is an engine that the user has not named; the message has the option that would
+    /// start it.
     pub fn pick(&self, tool: &Tool, names: &[String], recorded: Recorded<'_>) -> Result<Picked, Failure> {
         let mut files = BTreeMap::new();
         let mut arguments = Vec::new();
@@ -110,7 +111,8 @@ impl Programs {
         Ok(Picked { backends, files })
     }
 
-    /// The engine of this name: where the command line names it, or in the user's own folder of engines.
+    /// The configuration of an engine: from the file that the command line names, or from the user's own folder of
+    /// engines.
     fn config(&self, engine: &str, recorded: Recorded<'_>) -> Result<Config, Failure> {
         let Recorded { file, folder: with, engines } = recorded;
         if let Some(place) = self.place(engine)? {
@@ -164,7 +166,7 @@ impl Programs {
         Ok(place)
     }
 
-    /// Refuses an engine that the command line does not name, and that has another version by now.
+    /// Refuses an engine whose version has changed, unless the command line names it.
     fn same_version(&self, backend: &dyn Contestant, recorded: Recorded<'_>) -> Result<(), Failure> {
         let name = backend.name();
         let Some(engine) = name.strip_prefix(PREFIX) else { return Ok(()) };
@@ -179,7 +181,7 @@ impl Programs {
     }
 }
 
-/// What engines are, for a plan: those that the command line has named, and that were started.
+/// The records of the engines that the command line names, for a plan.
 pub fn recorded(names: &[String], backends: &[Box<dyn Contestant>]) -> Result<BTreeMap<String, EngineFile>, Failure> {
     record(crate::tool::engines(names)?, backends)
 }
@@ -196,12 +198,12 @@ fn record(
     files.into_iter().map(record).collect()
 }
 
-/// Whether an engine is named by its file, and not by its name.
+/// True if an engine is given by its file, not by its name.
 fn is_file(engine: &str) -> bool {
     engine.ends_with(".toml") || engine.contains(['/', '\\'])
 }
 
-/// Whether a path is in a folder, or is that.
+/// True if a path is a folder or is inside it.
 pub fn is_within(path: &Path, folder: &Path) -> bool {
     let canonical = |path: &Path| std::fs::canonicalize(path).ok();
     canonical(path).zip(canonical(folder)).is_some_and(|(path, folder)| path.starts_with(folder))

@@ -1,4 +1,4 @@
-//! The progress bar on stderr; nothing at all without a terminal, or with `--quiet`.
+//! The progress bar on stderr. It is hidden without a terminal and with `--quiet`.
 
 use std::io::IsTerminal;
 use std::time::Duration;

@@ -1,4 +1,4 @@
-//! From the oracle's outcomes and the scenes' plans to the rows of a run folder.
+//! Converts the oracle's outcomes and the scenes' plans to rows of a run folder.
 
 use predicament_exact::Precision;
 use predicament_formats::ImportNotes;
@@ -12,7 +12,7 @@ use predicament_tasks::{AnswerLine, Class, ClassCounts, Finding, Outcome, findin
 
 use crate::judged::JudgedRow;
 
-/// Writes everything about one scene and backend; gives the summary back.
+/// Writes all rows of one scene and backend, and returns the summary row.
 pub fn record(
     writer: &mut RunWriter,
     scene: &PlannedScene,
@@ -35,7 +35,7 @@ pub fn record(
     Ok(summary)
 }
 
-/// What the gate says of a row that another process wrote.
+/// The status of a row that another process wrote.
 pub fn status(
     scene: &PlannedScene,
     backend: &str,
@@ -50,7 +50,7 @@ pub fn status(
     expectations.status(&scene.suite, &scene.scene, backend, level, &counts)
 }
 
-/// The row of one scene and backend.
+/// The summary row of one scene and backend.
 fn summary(
     scene: &PlannedScene,
     backend: &str,
@@ -113,7 +113,7 @@ fn answers(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<Answer
     outcome.answers.iter().map(row).collect()
 }
 
-/// The rows of the stages that settled something.
+/// The rows of the stages that decided at least one answer.
 fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRow> {
     let row = |&(stage, settled): &(&str, u64)| StageRow {
         task: scene.task.clone(),
@@ -125,7 +125,7 @@ fn stages(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<StageRo
     outcome.stages.iter().map(row).collect()
 }
 
-/// The row of what reading a scene has changed, if anything.
+/// The row with the changes made while reading a scene, if there are any.
 pub fn imported(scene: &PlannedScene, notes: &ImportNotes) -> Option<ImportRow> {
     let row = ImportRow {
         rounded: notes.rounded as u64,

@@ -1,4 +1,4 @@
-//! Which scenes a command works on.
+//! Selects the scenes that a command works on.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -15,35 +15,35 @@ use crate::out::program;
 use crate::programs::is_within;
 use crate::tool::Tool;
 
-/// Why a suite is left out that nobody asked for, where others were asked for.
+/// The reason why a suite is left out if the command line names other suites.
 pub const NOT_NAMED: &str = "not named on the command line";
 
 /// The part of a command line that selects scenes.
 #[derive(clap::Args, Clone)]
 pub struct Selector {
-    /// Suites by name, or TOML files of your own; all that need no download if left out
+    /// Suites by name, or your own TOML files; default: all that need no download
     pub suites: Vec<String>,
 
     /// Only scenes whose `suite/scene` matches this regular expression
     #[arg(short = 'f', long = "filter", value_name = "RE")]
     pub filter: Option<String>,
 
-    /// How much: `quick` takes seconds, `full` is what the suites' authors thought worth it
+    /// The amount of work: `quick` takes seconds, `full` is what the authors of the suites chose
     #[arg(long, default_value = "quick", value_name = "quick|full")]
     pub level: Level,
 
-    /// Where fetched data lie; $PREDICAMENT_CACHE or the user's cache if left out
+    /// The folder of fetched data; default: $PREDICAMENT_CACHE or the user's cache
     #[arg(long, value_name = "DIR")]
     pub cache: Option<PathBuf>,
 }
 
-/// What names the suites of a plan on a command line. A file that the plan names and that is not in its folder is told of
-/// before it is read, once; `folder` is the plan's, or the plan by itself.
+/// The command line arguments that name the suites of a plan. `folder` is the plan's folder, or the plan's file if it
+/// came alone. If the plan names a file outside it, a note says so once, before the file is read.
 pub fn suites_of(folder: &Path, plan: &Plan) -> Vec<String> {
     plan.suites.iter().map(|suite| suite_of(folder, plan, suite)).collect()
 }
 
-/// The same of one suite.
+/// The command line argument that names one suite of a plan; see [`suites_of`].
 pub fn suite_of(folder: &Path, plan: &Plan, suite: &str) -> String {
     static TOLD: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
     let argument = plan.argument(suite).to_owned();
@@ -56,14 +56,14 @@ pub fn suite_of(folder: &Path, plan: &Plan, suite: &str) -> String {
     argument
 }
 
-/// What was selected.
+/// The selected suites and scenes.
 pub struct Selection {
     pub level: Level,
     pub suites: Vec<Suite>,
     pub cache: Cache,
     pub not_selected: Vec<NotSelected>,
     filter: Option<Regex>,
-    /// Suites that were named by a file, with its absolute path.
+    /// Suites that were named by a file, with the file's absolute path.
     paths: BTreeMap<String, String>,
 }
 
@@ -78,7 +78,7 @@ impl From<CorpusError> for Failure {
 }
 
 impl Selector {
-    /// This selector, with a scene that is named without `-f` taken for a filter where no suite has its name.
+    /// This selector, with a single scene name among the suites taken as a filter if no suite has this name.
     pub fn with_names(mut self, tool: &Tool) -> Result<Selector, Failure> {
         let library = tool.library()?;
         let is_suite = |name: &String| name.ends_with(".toml") || library.names().any(|suite| suite == name);
@@ -92,7 +92,7 @@ impl Selector {
         Ok(self)
     }
 
-    /// Everything that needs no download, at level quick.
+    /// A selector for every scene that needs no download, at level quick.
     pub fn everything() -> Selector {
         Selector { suites: Vec::new(), filter: None, level: Level::Quick, cache: None }
     }
@@ -150,7 +150,7 @@ impl Selector {
         Ok(Selection { level: self.level, suites, cache, not_selected, filter, paths })
     }
 
-    /// The cache that the command line names, or the user's.
+    /// The cache that the command line names, or the user's cache.
     pub fn cache(&self) -> Result<Cache, Failure> {
         Ok(match &self.cache {
             Some(folder) => Cache::new(folder),
@@ -165,22 +165,22 @@ impl Selection {
         self.suites.iter().flat_map(|suite| &suite.scenes).filter(|def| self.passes(&def.suite, &def.name)).collect()
     }
 
-    /// Whether a scene of this suite passes the filter.
+    /// True if a scene of this suite passes the filter.
     pub fn passes(&self, suite: &str, scene: &str) -> bool {
         self.filter.as_ref().is_none_or(|filter| filter.is_match(&format!("{suite}/{scene}")))
     }
 
-    /// What to write on a command line for the suite of a scene: its name, or the file that was named.
+    /// The command line argument for the suite of a scene: its name, or the file that was named.
     pub fn argument(&self, def: &SceneDef) -> String {
         self.paths.get(&def.suite).cloned().unwrap_or_else(|| def.suite.clone())
     }
 
-    /// What to put behind the name of a scene or suite: the file, where one was named.
+    /// The text after the name of a scene or suite: ` of FILE` if a file was named, otherwise empty.
     pub fn of_file(&self, suite: &str) -> String {
         self.paths.get(suite).map_or_else(String::new, |file| format!(" of {file}"))
     }
 
-    /// That nothing is selected, with the files that were named.
+    /// The failure that nothing is selected, with the named files.
     pub fn nothing(&self) -> Failure {
         let files: Vec<&str> = self.paths.values().map(String::as_str).collect();
         let of = if files.is_empty() { String::new() } else { format!(" of {}", files.join(" and ")) };
@@ -193,7 +193,7 @@ impl Selection {
         self.paths.clone()
     }
 
-    /// The SHA-256 of these files. One that has gone since it was read has none.
+    /// The SHA-256 of these files. A file that was removed since it was read has none.
     pub fn hashes(&self) -> BTreeMap<String, String> {
         let hash = |path: &String| std::fs::read(path).ok().map(|bytes| hex(&Sha256::digest(bytes)));
         self.paths.iter().filter_map(|(suite, path)| Some((suite.clone(), hash(path)?))).collect()
@@ -204,12 +204,12 @@ impl Selection {
         Ok(def.load(self.level, &self.cache)?)
     }
 
-    /// Loads every selected scene, for its id and its size. Refuses two scenes with the same contents.
+    /// Loads every selected scene for its id and size. Refuses two scenes with the same contents.
     pub fn plan(&self) -> Result<Vec<Planned>, Failure> {
         Ok(self.part(Shard::WHOLE)?.0)
     }
 
-    /// The same, of which it keeps the scenes of the shard, and says what they are a part of. A part may be empty.
+    /// Loads every selected scene, and returns those of the shard and a description of the whole. A part may be empty.
     pub fn part(&self, shard: Shard) -> Result<(Vec<Planned>, Option<Whole>), Failure> {
         let mut seen = SeenIds::new();
         let (mut planned, mut all, mut places) = (Vec::new(), Vec::new(), Vec::new());
@@ -219,7 +219,7 @@ impl Selection {
             seen.insert(def, &loaded)?;
             let plan = planned_scene(&loaded);
             all.push(plan.clone());
-            // Shards go by content id: the same scene is in the same shard whatever else is selected.
+            // Shards depend on the content id only, so a scene is in the same shard whatever else is selected.
             if part_of_id(&loaded.id, shard.count()) == shard.index() {
                 places.push(all.len() as u64 - 1);
                 planned.push(Planned { def: def.clone(), plan, kept: room.keep(loaded) });
@@ -232,10 +232,11 @@ impl Selection {
         Ok((planned, whole))
     }
 
-    /// The scenes that were planned before, and no others are loaded.
+    /// The scenes of an earlier plan; no others are loaded.
     ///
     /// # Errors
-    /// The first that is gone or has other contents by now, as `changed` puts it, which is told of its [file](Self::of_file) too.
+    /// The first scene that is gone or has changed, with the failure that `changed` makes from it and from its
+    /// [file](Self::of_file).
     pub fn of_plan(
         &self,
         scenes: &[PlannedScene],
@@ -257,14 +258,14 @@ impl Selection {
     }
 }
 
-/// Numbers in the scenes that are kept in memory between planning and running: half a gigabyte.
+/// The number of coordinates kept in memory between planning and running: half a gigabyte.
 const KEPT: usize = 1 << 26;
 
-/// How many more numbers are kept.
+/// The number of coordinates that may still be kept.
 struct Room(usize);
 
 impl Room {
-    /// The scene, where there is room for it.
+    /// The scene, if it may be kept.
     fn keep(&mut self, scene: LoadedScene) -> Option<LoadedScene> {
         let size = scene.scene.coordinates().len() + 8 * scene.count();
         let kept = (size <= self.0).then_some(scene);
@@ -275,16 +276,16 @@ impl Room {
 
 /// A scene of a plan.
 pub struct Planned {
-    /// Its definition.
+    /// The definition of the scene.
     pub def: SceneDef,
-    /// What the plan says of it.
+    /// The entry of the plan for the scene.
     pub plan: PlannedScene,
     /// The scene itself, unless it is too large to be kept.
     kept: Option<LoadedScene>,
 }
 
 impl Planned {
-    /// The scene: it is not loaded twice where it could be kept.
+    /// The scene, loaded unless it was kept.
     pub fn take(&mut self, selection: &Selection) -> Result<LoadedScene, Failure> {
         match self.kept.take() {
             Some(loaded) => Ok(loaded),
@@ -293,7 +294,7 @@ impl Planned {
     }
 }
 
-/// What a plan says of a scene.
+/// The entry of a plan for a scene.
 pub fn planned_scene(loaded: &LoadedScene) -> PlannedScene {
     PlannedScene {
         suite: loaded.suite.clone(),
@@ -309,7 +310,7 @@ pub fn planned_scene(loaded: &LoadedScene) -> PlannedScene {
 mod tests {
     use super::*;
 
-    /// Its data file is gone once the plan is made.
+    /// The data file is removed once the plan is made.
     #[test]
     fn a_scene_is_loaded_once() {
         let folder = tempfile::tempdir().unwrap();

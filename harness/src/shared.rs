@@ -1,4 +1,4 @@
-//! What several commands share: time limits, threads, and the line about suites that were not selected.
+//! Parts shared by several commands: time limits, threads, and the note about suites that are not selected.
 
 use std::time::Duration;
 
@@ -8,7 +8,7 @@ use crate::exit::Failure;
 use crate::out::program;
 use crate::select::NOT_NAMED;
 
-/// A time limit from seconds: a positive number, up to some thirty years, as clocks can't add what is beyond them.
+/// Parses a time limit in seconds: a positive number up to some thirty years, because clocks can't add more.
 pub fn seconds(text: &str) -> Result<Duration, String> {
     const MOST: f64 = 1e9;
     let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0 && seconds <= MOST);
@@ -16,10 +16,10 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
     limit.ok_or_else(|| format!("`{text}` is no time limit; write seconds such as 30 or 0.5, at most {MOST}"))
 }
 
-/// More threads than any machine has cores.
+/// The maximum number of threads, more than any machine has cores.
 const MOST_THREADS: usize = 4096;
 
-/// Sizes the thread pool.
+/// Sets the size of the thread pool.
 pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
     if let Some(threads) = threads.filter(|threads| !(1..=MOST_THREADS).contains(threads)) {
         return Err(Failure::usage(format!("--threads: {threads} threads; choose from 1 to {MOST_THREADS}")));
@@ -30,7 +30,7 @@ pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
         .map_err(|error| Failure::usage(format!("--threads: {error}")))
 }
 
-/// Says in one line which suites are not run (or the like): how many, where they were not asked for.
+/// Prints a note about suites that were not selected because their data are missing.
 pub fn tell_not_selected(suites: &[NotSelected], done: &str) {
     let unnamed = suites.iter().filter(|suite| suite.reason == NOT_NAMED).count();
     let unfetched: Vec<&str> =
@@ -40,7 +40,7 @@ pub fn tell_not_selected(suites: &[NotSelected], done: &str) {
         (0, unfetched) => {
             note!("not {done}: {unfetched}: `{} corpus fetch` gets their data, then name them", program())
         }
-        // Whoever names suites means these.
+        // If the command line names suites, there is no note.
         (_, _) => {}
     }
 }

@@ -1,11 +1,11 @@
-//! What something costs: the time that passes, and the processor time of all threads of the process.
+//! Costs: the wall time, and the processor time of all threads of the process.
 
 use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
 use predicament_records::{CostRow, PlannedScene};
 
-/// Runs from when it was made.
+/// A stopwatch that runs from its creation.
 pub struct Stopwatch {
     wall: Instant,
     cpu: Option<ProcessTime>,
@@ -30,17 +30,17 @@ impl Stopwatch {
 }
 
 impl Cost {
-    /// The row of a scene on a backend.
+    /// The cost as the row of a scene on a backend.
     pub fn row(self, scene: &PlannedScene, backend: &str) -> CostRow {
         CostRow::new(scene, backend, self.wall_us, self.cpu_us)
     }
 
-    /// The same for work that another process did: of it nothing but the time that passed is known.
+    /// The cost of work that another process did, for which only the wall time is known.
     pub fn of_another(self) -> Cost {
         Cost { cpu_us: self.cpu_us.max(self.wall_us), ..self }
     }
 
-    /// The share of one that took `part` of a `whole` side by side with others.
+    /// The share of a common cost for a task that took `part` of the `whole` time.
     pub fn share(self, part: Duration, whole: Duration) -> Cost {
         let share = |cost: u64| {
             let share = u128::from(cost) * part.as_nanos() / whole.as_nanos().max(1);

@@ -1,4 +1,4 @@
-//! Explanations as lines: points, the truth, and what each backend answers.
+//! Explanations as lines of text: points, the truth, and the answer of each backend.
 
 use predicament_corpus::LoadedScene;
 use predicament_formats::hexfloat;
@@ -20,19 +20,19 @@ pub fn lines(told: &Explanation) -> Vec<String> {
     }
     if told.permutations.iter().any(|(_, of)| of.iter().any(|sign| *sign != of[0])) {
         lines.push("of all orders of the vertices, turned back where they are odd:".to_owned());
-        // Those that begin with one vertex stand together.
+        // Group the orders that begin with the same vertex.
         let grouped = |of: &[Sign]| of.chunks(group(of.len())).map(signs).collect::<Vec<_>>().join(" ");
         lines.extend(told.permutations.iter().map(|(name, of)| format!("{name:<24} {}", grouped(of))));
     }
     lines
 }
 
-/// Signs as a word.
+/// The signs as a word of `-`, `0` and `+`.
 pub fn signs(of: &[Sign]) -> String {
     of.iter().map(|sign| ["-", "0", "+"][usize::from(sign.as_i8() >= 0) + usize::from(sign.as_i8() > 0)]).collect()
 }
 
-/// The coordinates of vertices, those of constructed ones by what defines them.
+/// The coordinates of vertices; for constructed vertices, those of their defining vertices.
 pub fn point_lines(loaded: &LoadedScene, ids: &[Vertex]) -> Vec<String> {
     let mut lines = Vec::new();
     for &id in ids {
@@ -50,7 +50,7 @@ pub fn point_lines(loaded: &LoadedScene, ids: &[Vertex]) -> Vec<String> {
     lines
 }
 
-/// How many of all orders begin with one vertex: n! orders are of n vertices.
+/// The number of orders that begin with one given vertex, if there are n! orders of n vertices.
 fn group(orders: usize) -> usize {
     (1..=5)
         .map(|n| (n, (1..=n).product::<usize>()))
@@ -58,7 +58,7 @@ fn group(orders: usize) -> usize {
         .map_or(orders.max(1), |(n, all)| all / n)
 }
 
-/// What helps where a backend has said that another kind is needed.
+/// The advice to add to a refusal if another kind of backend would answer.
 pub fn cure(why: &AnswerError) -> &'static str {
     match why {
         AnswerError::Refused(Refusal { check: "touch", .. }) => {

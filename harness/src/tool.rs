@@ -1,4 +1,4 @@
-//! The tasks, backends, suites and expectations that every command works with.
+//! The tasks, backends, suites and expectations that every command uses.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -18,13 +18,13 @@ use crate::exit::Failure;
 
 type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, BackendError> + Send + Sync>;
 
-/// The names that `-b` was given: several with commas, or by repeating.
+/// The names given to `-b`, separated by commas or repeated.
 pub fn each(names: &[String]) -> impl Iterator<Item = &str> {
     names.iter().flat_map(|names| names.split(',')).filter(|name| !name.is_empty())
 }
 
-/// The files of the engines that `-b` was given, by the backends' names: from there they are found by another process,
-/// and from another folder.
+/// The files of the engines given to `-b`, by backend name. With them another process finds the engines, also from
+/// another folder.
 pub fn engines(names: &[String]) -> Result<BTreeMap<String, String>, Failure> {
     engine_files(each(names))
 }
@@ -43,7 +43,7 @@ fn engine_files<'n>(names: impl Iterator<Item = &'n str>) -> Result<BTreeMap<Str
     Ok(files)
 }
 
-/// What the tool was told of besides backends and tasks.
+/// Additions to the tool besides backends and tasks.
 #[derive(Default)]
 pub struct Guests {
     /// Folders of suites.
@@ -52,14 +52,14 @@ pub struct Guests {
     pub expected: Option<PathBuf>,
     /// Studies, in the order of the help.
     pub studies: Vec<Study>,
-    /// Sections of reports that are no task's.
+    /// Sections of reports that do not belong to a task.
     pub sections: Vec<ReportSection>,
 }
 
-/// A section of a report, made of the runs that the report is about; none where they have nothing for it.
+/// A section of a report, made from the reported runs; `None` if they have no rows for it.
 pub type ReportSection = fn(&[RunDir]) -> Result<Option<Section>, predicament_records::Error>;
 
-/// The tasks, backends and suites that the tool was put together from.
+/// The tasks, backends and suites of the tool.
 pub struct Tool {
     tasks: Vec<&'static dyn AnyTask>,
     vocabulary: Vocabulary,
@@ -80,7 +80,7 @@ impl Tool {
         Tool { tasks, vocabulary, own_backends, find, guests, library: OnceLock::new() }
     }
 
-    /// The file of expectations that the tool was told of, if any.
+    /// The file of expectations that was added to the tool, if any.
     pub fn expected(&self) -> Option<&PathBuf> {
         self.guests.expected.as_ref()
     }
@@ -90,7 +90,7 @@ impl Tool {
         &self.guests.studies
     }
 
-    /// All tasks: those that ask for signs, then those that the tool was told of.
+    /// All tasks: those that ask for signs, then the systems and added tasks.
     pub fn tasks(&self) -> &[&'static dyn AnyTask] {
         &self.tasks
     }
@@ -98,13 +98,13 @@ impl Tool {
     /// The task with this name.
     ///
     /// # Panics
-    /// If there is none: suites were read with this tool's vocabulary.
+    /// If there is no such task. This can't happen for suites, which are read with this tool's vocabulary.
     pub fn task(&self, name: &str) -> &'static dyn AnyTask {
         let task = self.tasks.iter().copied().find(|task| task.name() == name);
         task.unwrap_or_else(|| panic!("no task is called `{name}`"))
     }
 
-    /// The tasks as suites know them.
+    /// The vocabulary of the tasks, for reading suites.
     pub fn vocabulary(&self) -> &Vocabulary {
         &self.vocabulary
     }
@@ -144,17 +144,17 @@ impl Tool {
         })
     }
 
-    /// Whether there is a backend with this name. None is started.
+    /// True if there is a backend with this name. No backend is started.
     pub fn knows_backend(&self, name: &str) -> bool {
         self.own_backends.iter().any(|own| own == name) || roster::knows(name)
     }
 
-    /// Whether a backend is the tool's maker's own.
+    /// True if a backend was added by the crate that built the tool.
     pub fn is_foreign(&self, name: &str) -> bool {
         self.own_backends.iter().any(|own| own == name)
     }
 
-    /// The backends named by `-b`, or all that run by default; each once.
+    /// The backends named by `-b`, or all that run by default, each once.
     pub fn pick(&self, names: &[String]) -> Result<Vec<Box<dyn Contestant>>, Failure> {
         let default = || self.own_backends.iter().map(String::as_str).chain(roster::DEFAULT.iter().copied());
         let names: Vec<&str> = if names.is_empty() { default().collect() } else { each(names).collect() };
@@ -172,24 +172,24 @@ impl Tool {
         Ok(picked)
     }
 
-    /// The house's backends that do not run where `-b` names none; nothing where it names some.
+    /// The built-in backends that do not run by default; empty if `-b` names backends.
     pub fn left_out(&self, names: &[String]) -> Vec<String> {
         let more: &[&str] = if names.is_empty() { roster::MORE } else { &[] };
         more.iter().map(|&name| name.to_owned()).collect()
     }
 
-    /// What can be written after `-b`.
+    /// The help for the values of `-b`.
     pub fn backend_help(&self) -> String {
         let own = self.own_backends.iter().map(|name| format!("{name:<23} of this tool\n"));
         own.chain([roster::HELP.to_owned()]).collect()
     }
 
-    /// The embedded library.
+    /// The embedded library of suites.
     pub fn library(&self) -> Result<&Library, CorpusError> {
         self.library.get_or_init(|| Library::embedded(&self.vocabulary)).as_ref().map_err(Clone::clone)
     }
 
-    /// The suites of the folders that the tool's maker named, in the order of folders and names.
+    /// The suites of the added folders, in the order of folders and names.
     pub fn own_suites(&self) -> Result<Vec<Suite>, CorpusError> {
         let mut suites = Vec::new();
         for folder in &self.guests.suites {

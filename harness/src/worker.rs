@@ -1,9 +1,8 @@
-//! Runs a scene on a backend in a process of its own, which a time limit, or its own end, cannot take the run with.
+//! Runs a scene on a backend in a separate process, so that neither a time limit nor a crash ends the run.
 //!
-//! A backend of somebody else may loop for ever, overflow its stack, abort or ask
-//! for all memory; an algorithm that runs on a whole scene looks at no clock. Both
-//! run where they can be ended: in another process of the same program, whose
-//! run folder is read back.
+//! A backend from another crate may loop forever, overflow its stack, abort or ask for all memory. An algorithm on a
+//! whole scene does not check the clock. Both run where they can be ended: in another process of the same program,
+//! whose run folder is read back.
 
 use std::collections::BTreeMap;
 use std::io::Read;
@@ -26,37 +25,38 @@ use crate::out::program;
 use crate::planning::tables_with;
 use crate::tool::Tool;
 
-/// The folder of the files of workers begins so, in that of the run; the number of the process that they work for follows, since a
-/// worker whose run was killed may be there a moment longer.
+/// The prefix of the folder for files of workers, inside the run's folder. The process id of the run follows, because a
+/// worker of a killed run may still be running for a moment.
 const FOLDER: &str = "worker-";
-/// How often a worker is started again that somebody has ended, before it counts as the backend's fault, or as an end of the run.
+/// The number of times that a worker ended by somebody is started again before this counts as the backend's fault or as
+/// the end of the run.
 const AGAIN: u32 = 2;
-/// How long an end of the run may take to be told of here, where it was told to a worker, too.
+/// The time to wait for an interrupt to reach this process after it reached a worker.
 const HEARSAY: Duration = Duration::from_millis(200);
-/// The codes of a worker that has done its work: with the last one, an engine has run out of time.
+/// The exit codes of a worker that has done its work. With the last code, an engine ran out of time.
 const FINE: [u8; 4] = [OK, UNEXPECTED, UNEXPECTED_PASS, INCOMPLETE];
-/// The codes of a worker that could not: there is no room on the disk, or the suite is another one by now.
+/// The exit codes of a worker that could not work, because the disk is full or the suite has changed.
 const UNABLE: [u8; 3] = [USAGE, NOTHING_SELECTED, CORPUS];
 /// The scene, suite and time limit of a worker.
 pub struct Worker<'a> {
     pub permutations: Option<usize>,
     pub threads: Option<usize>,
     pub cache: Option<&'a Path>,
-    /// A folder for its files, which no other process writes: see [`folder`].
+    /// A folder for its files, which no other process writes; see [`folder`].
     pub folder: PathBuf,
     /// The suite, by name or file.
     pub suite: String,
-    /// The files of engines, by the backends' names.
+    /// The files of engines, by backend name.
     pub engines: &'a BTreeMap<String, String>,
     pub scene: &'a PlannedScene,
-    /// None where nothing but Ctrl-C ends it.
+    /// The time limit, or `None` if only Ctrl-C ends the worker.
     pub limit: Option<Duration>,
     pub level: Level,
-    /// Whether every answer is written.
+    /// True if every answer is written.
     pub answers: bool,
 }
 
-/// The rows that a worker has left.
+/// The rows that a worker wrote.
 pub struct Found {
     pub summary: Vec<SummaryRow>,
     pub findings: Vec<FindingRow>,
@@ -66,13 +66,13 @@ pub struct Found {
     pub maps: Vec<(String, Vec<u8>)>,
 }
 
-/// How a worker has ended.
+/// How a worker ended.
 enum Done {
-    /// With rows, or with what it died of as a row.
+    /// It wrote rows, or crashed; a crash is a row too.
     Found(Box<Found>),
-    /// By a signal that no program sends itself; what its row would be.
+    /// It was killed by a signal that no program sends itself; this would be its row.
     Killed(Box<Found>),
-    /// Because it, or this process, was asked to.
+    /// It or this process was asked to stop.
     Stopped,
 }
 
@@ -82,12 +82,12 @@ impl Done {
     }
 }
 
-/// The folder for the files of workers of this process, in that of the run.
+/// The folder for the files of this process's workers, inside the run's folder.
 pub fn folder(run: &Path) -> PathBuf {
     run.join(format!("{FOLDER}{}", std::process::id()))
 }
 
-/// Takes away what runs that were killed have left of their workers in the folder of a run.
+/// Removes the worker files of killed runs from the folder of a run.
 pub fn clear(run: &Path) {
     for entry in std::fs::read_dir(run).into_iter().flatten().flatten() {
         if entry.file_name().to_string_lossy().starts_with(FOLDER) {
@@ -96,7 +96,7 @@ pub fn clear(run: &Path) {
     }
 }
 
-/// Whether this process is told to stop before a while is over.
+/// True if this process is asked to stop within this time.
 fn was_interrupted_within(while_: Duration) -> bool {
     let start = Instant::now();
     while !interrupt::flag().load(Ordering::Relaxed) && start.elapsed() < while_ {
@@ -105,19 +105,20 @@ fn was_interrupted_within(while_: Duration) -> bool {
     interrupt::flag().load(Ordering::Relaxed)
 }
 
-/// Whether a worker has ended since it was asked to: it says so by its code, and by rows that are not all there.
+/// True if a worker ended because it was asked to: its exit code says so and its rows are incomplete, or a signal ended
+/// it.
 fn was_stopped(status: Option<ExitStatus>, run: &Path) -> bool {
     let ended = status.and_then(|status| status.code()) == Some(i32::from(INCOMPLETE));
     let outcome = || RunDir::open(run).map(|dir| dir.outcome);
     (ended && outcome().is_ok_and(|outcome| outcome == Outcome::Interrupted)) || was_signalled(status, &[1, 2, 15])
 }
 
-/// Whether a worker was killed outright: by somebody, or by the system where memory runs out.
+/// True if a worker was killed outright, by somebody or by the system when memory runs out.
 fn was_killed(status: Option<ExitStatus>) -> bool {
     was_signalled(status, &[9])
 }
 
-/// Whether a process was ended by one of these signals.
+/// True if a process was ended by one of these signals.
 fn was_signalled(status: Option<ExitStatus>, signals: &[i32]) -> bool {
     #[cfg(unix)]
     return status
@@ -131,10 +132,10 @@ fn was_signalled(status: Option<ExitStatus>, signals: &[i32]) -> bool {
 }
 
 impl Worker<'_> {
-    /// Runs one backend; none where the tool was interrupted.
+    /// Runs one backend; returns `None` if the tool was interrupted.
     ///
-    /// A worker that somebody has ended, such as a batch system that ends what it finds, is started again: what it works for is not to
-    /// blame. One that is killed time and again is out of memory, as far as anybody can tell.
+    /// A worker that somebody ended, such as a batch system, is started again, because its backend did not cause that.
+    /// A worker that is killed repeatedly counts as out of memory.
     pub fn run(&self, tool: &Tool, backend: &str) -> Result<Option<Found>, Failure> {
         let mut done = self.once(tool, backend);
         for _ in 0..AGAIN {
@@ -164,7 +165,7 @@ impl Worker<'_> {
             End::Limit(limit) => {
                 Done::found(self.fate(backend, Class::Timeout, "time limit", format!("took longer than {limit:?}")))
             }
-            // Ctrl-C reaches both processes; the other one may have ended before this one looked.
+            // Ctrl-C reaches both processes; the worker may have ended before this process looked.
             End::Exit(_) if interrupt::flag().load(Ordering::Relaxed) => Done::Stopped,
             End::Exit(status) => match self.left(tool, status, &run) {
                 Some(found) => Done::found(found),
@@ -183,7 +184,7 @@ impl Worker<'_> {
         })
     }
 
-    /// The rows that a worker has left; none where it ended before they were all there, whatever its code.
+    /// The rows that a worker wrote, or `None` if it ended before they were complete, whatever its exit code.
     fn left(&self, tool: &Tool, status: Option<ExitStatus>, run: &Path) -> Option<Found> {
         FINE.iter().find(|&&code| status.and_then(|status| status.code()) == Some(i32::from(code)))?;
         let dir =
@@ -215,7 +216,7 @@ impl Worker<'_> {
         child::start(command)
     }
 
-    /// The rows of a worker that left none.
+    /// The rows for a worker that wrote none.
     fn fate(&self, backend: &str, class: Class, check: &str, said: String) -> Found {
         let scene = self.scene;
         let finding = Finding::plain(class, check, Vec::new(), said, String::new());
@@ -232,14 +233,14 @@ impl Worker<'_> {
     }
 }
 
-/// What a worker says on stderr. It goes through a pipe: into a file on a full disk it could not say that the disk is full.
+/// The stderr of a worker, read through a pipe. A file could not record that the disk is full.
 struct Said {
     bytes: Arc<Mutex<Vec<u8>>>,
     listener: Option<JoinHandle<()>>,
 }
 
 impl Said {
-    /// Listens until the other end is closed; keeps the end of what is said.
+    /// Reads until the other end is closed, and keeps the end of the text.
     fn of(stderr: Option<ChildStderr>) -> Said {
         const MOST: usize = 1 << 16;
         let bytes = Arc::new(Mutex::new(Vec::new()));
@@ -258,7 +259,8 @@ impl Said {
         Said { bytes, listener: stderr.map(listen) }
     }
 
-    /// The text, once the worker has ended. A process that it has left behind may hold the pipe, and is not waited for.
+    /// The text, once the worker has ended. A process that the worker left behind may keep the pipe open; it is not
+    /// waited for.
     fn text(&self) -> String {
         let start = Instant::now();
         while self.listener.as_ref().is_some_and(|listener| !listener.is_finished()) && start.elapsed() < FAREWELL {
@@ -268,7 +270,7 @@ impl Said {
     }
 }
 
-/// Why a worker could not do its work, where it has said so itself: that is no row of a backend.
+/// The failure that a worker reported itself, which is not a row of a backend.
 fn unable(status: Option<ExitStatus>, said: &str) -> Option<Failure> {
     let code = status.and_then(|status| status.code());
     let code = UNABLE.into_iter().find(|&unable| code == Some(i32::from(unable)))?;
@@ -277,7 +279,7 @@ fn unable(status: Option<ExitStatus>, said: &str) -> Option<Failure> {
     Some(Failure { message: message.to_owned(), code })
 }
 
-/// What a worker died of: the name of the check, and what is known.
+/// The cause of a worker's death: the name of the check, and a message.
 fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
     let lines: Vec<&str> = said.lines().filter(|line| !line.trim().is_empty()).collect();
     if let Some(line) = lines.iter().find(|line| line.starts_with("memory allocation of ")) {
@@ -289,7 +291,7 @@ fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
     let last = lines.last().map_or_else(|| "without a word".to_owned(), |last| printable(last));
     #[cfg(unix)]
     if let Some(signal) = status.and_then(|status| std::os::unix::process::ExitStatusExt::signal(&status)) {
-        // Nobody but the system sends this one, where memory runs out.
+        // Only the system sends this signal, when memory runs out.
         let (check, name) = match signal {
             9 => ("out of memory", "killed by the system"),
             6 => ("crashed", "abort"),
@@ -305,7 +307,7 @@ fn death(status: Option<ExitStatus>, said: &str) -> (&'static str, String) {
     )
 }
 
-/// A line that is safe to print: control characters escaped, the rest of a long one left out.
+/// A line that is safe to print: control characters are escaped and long lines are cut.
 fn printable(line: &str) -> String {
     const MOST: usize = 300;
     let escaped: String = line.trim().chars().take(MOST).flat_map(char::escape_debug).collect();

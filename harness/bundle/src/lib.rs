@@ -1,7 +1,8 @@
-//! The systems and studies that the tool comes with: the one list of them.
+//! The list of the built-in systems and studies.
 //!
-//! A system enters as a task of anybody's crate does, by a [`TaskList`], and a study as a [`studies::Entry`]. The list is a crate of its own, as tests below the tool need
-//! backends that know every task; it is where backends and systems are compiled together.
+//! A system is added as a task of any crate, with a [`TaskList`], and a study as a [`studies::Entry`]. The list is a
+//! separate crate because tests of lower layers need backends that know every task. Backends and systems are compiled
+//! together here.
 
 use std::sync::{Arc, OnceLock};
 
@@ -35,7 +36,7 @@ use predicament_studies::worst::Worst;
 use predicament_tasks::{AnyTask, Contestant, Entry, OnTask, Solver, TaskList, with_signs};
 use predicament_triangulate::task::Triangulate;
 
-/// All systems, in the order of reports and messages. A new system is a line here.
+/// Calls a macro with all systems, in the order of reports and messages. To add a system, add a line here.
 macro_rules! each_task {
     ($do:ident) => {
         vec![
@@ -125,7 +126,7 @@ pub fn entry<B: Backend + 'static>(backend: B) -> Entry<B, Systems> {
 /// The backend with this name, on all of [`tasks`].
 ///
 /// # Errors
-/// One line with the names that there are.
+/// One line with the names of all backends.
 pub fn backend(name: &str) -> Result<Box<dyn Contestant>, BackendError> {
     roster::backend(name, &Systems)
 }

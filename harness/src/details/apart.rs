@@ -1,11 +1,12 @@
-//! Pictures of one query: to scale, and with what nearly coincides pulled apart by the exact determinant.
+//! Pictures of one query: one to scale, and one in which the exact determinant separates points that nearly coincide.
 
 use predicament_corpus::LoadedScene;
 use predicament_judge::verdict;
 use predicament_predicates::{Axis, Plane, Query, Question, Vertex};
 use predicament_report::picture::{Named, pulled_apart, to_scale};
 
-/// How far the last vertex is from what it is asked about, by the exact determinant; none for what has no distance.
+/// The distance of the last vertex from the line, circle, plane or sphere of the others, from the exact determinant.
+/// `None` if the predicate has no distance.
 pub fn distance(loaded: &LoadedScene, query: &Query) -> Option<f64> {
     let (question, args) = query.question()?;
     if args.iter().any(|v| v.is_constructed()) {
@@ -39,7 +40,7 @@ pub fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)
     if args.iter().any(|v| v.is_constructed()) {
         return None;
     }
-    // How far the last point is on which side, from the exact determinant.
+    // The exact determinant gives the distance and the side of the last point.
     let exact = |question: Question, args: &[Vertex]| verdict(&loaded.scene, question, args).determinant.to_f64();
     let determinant = exact(question, args);
     let space = || -> Vec<[f64; 3]> { args.iter().map(|&v| loaded.scene.point3(v)).collect() };
@@ -88,7 +89,8 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// Points by how far they are in the direction from a to b, d with its exact distance from the plane of a, b and c: a determinant that is positive is below.
+/// Points by their distance along the direction from a to b, d with its exact distance from the plane of a, b and c. A
+/// positive determinant is below.
 fn across_plane(points: &[[f64; 3]], determinant: f64) -> Option<Vec<[f64; 2]>> {
     let [a, b, c, d] = *points else { return None };
     let (along, normal) = (minus(b, a), cross(minus(b, a), minus(c, a)));
@@ -110,7 +112,7 @@ pub fn sphere(points: [[f64; 3]; 4]) -> Option<([f64; 3], f64)> {
     radius.is_finite().then_some((from_a, radius))
 }
 
-/// Points by their distances from a, e with its exact distance from the sphere of a, b, c and d to the outside.
+/// Points by their distance from a, e with its exact distance from the sphere of a, b, c and d; outside is positive.
 fn across_sphere(points: &[[f64; 3]], power: f64, volume: f64) -> Option<Vec<[f64; 2]>> {
     let [a, b, c, d, _] = *points else { return None };
     let (_, radius) = sphere([a, b, c, d])?;
@@ -127,7 +129,8 @@ fn across_sphere(points: &[[f64; 3]], power: f64, volume: f64) -> Option<Vec<[f6
     apart.as_flattened().iter().all(|x| x.is_finite()).then_some(apart)
 }
 
-/// Points by how far they are along the line from a to b, c with its exact distance from it: half of a turn that is positive is to the left.
+/// Points by their distance along the line from a to b, c with its exact distance from the line. The determinant is
+/// twice the area; positive is to the left.
 fn along_line(points: &[[f64; 2]], determinant: f64) -> Option<Vec<[f64; 2]>> {
     let [a, b, c] = *points else { return None };
     let along = [b[0] - a[0], b[1] - a[1]];
@@ -137,7 +140,8 @@ fn along_line(points: &[[f64; 2]], determinant: f64) -> Option<Vec<[f64; 2]>> {
     (length > 0.0 && apart.as_flattened().iter().all(|x| x.is_finite())).then_some(apart)
 }
 
-/// The circle of a, b and c, and the points by their angles on it, d with its exact distance from it to the outside.
+/// The circle of a, b and c, and the points by their angles on it, d with its exact distance from the circle; outside
+/// is positive.
 #[allow(clippy::type_complexity)] // a circle, and points
 fn along_circle(points: &[[f64; 2]], power: f64, area: f64) -> Option<(([f64; 2], f64), Vec<[f64; 2]>)> {
     let [a, b, c, d] = *points else { return None };
@@ -148,7 +152,7 @@ fn along_circle(points: &[[f64; 2]], power: f64, area: f64) -> Option<(([f64; 2]
     let radius = from_a[0].hypot(from_a[1]);
     let centre = [a[0] + from_a[0], a[1] + from_a[1]];
     let angle = |p: [f64; 2]| (p[1] - centre[1]).atan2(p[0] - centre[0]) * radius;
-    // The determinant is the turn of a, b, c times what the square of the distance from the centre lacks to that of the radius.
+    // The determinant is orient2d(a, b, c) times (radius² − squared distance from the centre).
     let outside = -power / area / (2.0 * radius);
     let mut apart: Vec<[f64; 2]> = points.iter().map(|&p| [angle(p), 0.0]).collect();
     apart[3] = [angle(d), outside];
@@ -162,7 +166,7 @@ mod tests {
 
     #[test]
     fn the_last_point_is_on_its_side_of_the_line() {
-        // Left of the line from a to b, by 2^-60 of its length.
+        // c is left of the line from a to b, by 2^-60.
         let apart = along_line(&[[0.0, 0.0], [2.0, 0.0], [1.0, 0.0]], 2_f64.powi(-59)).unwrap();
         assert_eq!(apart, [[0.0, 0.0], [2.0, 0.0], [1.0, 2_f64.powi(-60)]]);
         assert_eq!(along_line(&[[1.0, 1.0], [1.0, 1.0], [2.0, 0.0]], 0.0), None);
@@ -171,7 +175,7 @@ mod tests {
     #[test]
     fn the_last_point_is_inside_of_the_circle_or_outside() {
         let points = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -2.0]];
-        // A turn of 2, and 1 - 4 less than the square of the radius.
+        // orient2d is 2, and the squared radius minus the squared distance is 1 - 4.
         let ((centre, radius), apart) = along_circle(&points, -6.0, 2.0).unwrap();
         assert_eq!((centre, radius), ([0.0, 0.0], 1.0));
         assert_eq!(apart[3][1], 1.5, "outside, about by 1");
@@ -179,7 +183,7 @@ mod tests {
         assert_eq!(along_circle(&[[0.0; 2]; 4], 0.0, 0.0), None);
     }
 
-    /// The signs are those of the judge's determinants.
+    /// The signs agree with the judge's determinants.
     #[test]
     fn the_last_point_is_above_the_plane_or_outside_of_the_sphere() {
         let at = |points: &[[f64; 3]], question: Question| {
@@ -198,7 +202,7 @@ mod tests {
             let points = [&sphere[..], &[[0.0, 0.0, z]]].concat();
             let volume = at(&sphere, Question::Orient3d);
             let apart = across_sphere(&points, at(&points, Question::Insphere), volume).unwrap();
-            // About by a half: half of what the squares differ by.
+            // The distance is half of the difference of the squares.
             assert!((apart[4][1] - outside).abs() < 1e-12, "{apart:?}");
         }
     }

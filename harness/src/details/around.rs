@@ -1,4 +1,4 @@
-//! A raster around the last vertex of a finding's query, as every backend answers it.
+//! A raster around the last vertex of a finding's query, with the answers of every backend.
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::Query;
@@ -12,14 +12,15 @@ use crate::interrupt;
 use crate::pixels::columns;
 use crate::pixels::{Step, Walk, axes, exact, tile};
 
-/// Places in a row.
+/// The number of places in a row.
 const SIDE: usize = 40;
-/// Screen pixels to a place.
+/// The number of screen pixels per place.
 const ZOOM: usize = 3;
-/// Scenes of more vertices are prepared too slowly for a page.
+/// Scenes with more vertices take too long to prepare for a page.
 const MOST_VERTICES: usize = 20_000;
 
-/// The sheet, with what there is to see; none where the finding is about no sign, or no backend answers.
+/// The sheet with its description. `None` if the finding is not about a sign of input vertices or the scene is too
+/// large.
 pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Contestant]) -> Option<(String, String)> {
     let query: Query = finding.query.split(" | ").next()?.parse().ok()?;
     let (question, args) = query.question()?;
@@ -28,7 +29,7 @@ pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Cont
     }
     let axes = axes(question, &loaded.scene);
     let walker = args[args.len() - 1];
-    // What the vertex is asked about goes through the picture.
+    // The step is chosen so that the line, circle, plane or sphere of the query goes through the picture.
     #[allow(clippy::cast_precision_loss)] // a few dozen
     let length = distance(loaded, &query).map_or(0.0, |distance| 3.0 * distance / SIDE as f64);
     let largest = loaded.scene.point(walker).iter().map(|x| x.abs()).fold(0.0, f64::max);
@@ -38,7 +39,7 @@ pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Cont
     let quiet = |_: u64| {};
     let signs = truth(&raster.scene, &raster.content.queries, &Watch::new(interrupt::flag(), None, &quiet)).ok()?;
     let mut tiles = vec![("exact signs".to_owned(), exact(&signs, SIDE).ok()?)];
-    // Who declines has said so elsewhere.
+    // A backend that declines is reported elsewhere.
     let answered = |backend: &&dyn Contestant| {
         tile(&raster.scene, &raster.content, &signs, SIDE, *backend).ok().map(|tile| (backend.name(), tile))
     };

@@ -1,4 +1,4 @@
-//! What a build server shows of a row that failed: its worst finding, with points and the line that asks it again.
+//! Texts of failed rows for a CI server: the worst finding, its points, and the command that replays it.
 
 use std::cell::{Cell, RefCell};
 use std::cmp::Reverse;
@@ -14,23 +14,23 @@ use crate::out::{program, word};
 use crate::told::point_lines;
 use crate::tool::Tool;
 
-/// So many points are written out.
+/// The maximum number of points written out.
 const MOST_POINTS: usize = 16;
-/// So many scenes are loaded for their points.
+/// The maximum number of scenes loaded for their points.
 const MOST_SCENES: usize = 100;
 
 /// The texts for the failed rows of a run.
 pub struct Bodies<'a> {
     run: &'a RunDir,
     tool: &'a Tool,
-    /// By suite, scene and backend, what was not expected first, then the worst severity.
+    /// Findings by suite, scene and backend: unexpected ones first, then by severity.
     findings: BTreeMap<[&'a str; 3], Vec<&'a FindingRow>>,
     scenes: RefCell<BTreeMap<(String, String), Option<LoadedScene>>>,
     loaded: Cell<usize>,
 }
 
 impl<'a> Bodies<'a> {
-    /// Nothing is loaded yet.
+    /// The texts for a run; no scene is loaded yet.
     pub fn new(run: &'a RunDir, expected: &Expectations, tool: &'a Tool) -> Bodies<'a> {
         let mut findings: BTreeMap<[&str; 3], Vec<&FindingRow>> = BTreeMap::new();
         for finding in run.findings.iter() {
@@ -44,7 +44,7 @@ impl<'a> Bodies<'a> {
         Bodies { run, tool, findings, scenes: RefCell::default(), loaded: Cell::default() }
     }
 
-    /// What is said of a row: its first finding; where it has none, the expectations of `unmet` that are about it.
+    /// The text of a row: the expectations in `unmet` about it, and its first finding.
     pub fn of(&self, row: &SummaryRow, unmet: &[String]) -> String {
         let place = format!(" of {}/{} any more", row.suite, row.scene);
         let on = format!(" on {}: ", row.backend);
@@ -76,7 +76,7 @@ impl<'a> Bodies<'a> {
         lines
     }
 
-    /// The points of the query, or of a whole scene the first ones, in decimals and as hex floats.
+    /// The points of the query, in decimals and as hex floats; for a whole scene, its first points.
     fn points(&self, finding: &FindingRow) -> Vec<String> {
         let key = (finding.suite.clone(), finding.scene.clone());
         let mut scenes = self.scenes.borrow_mut();

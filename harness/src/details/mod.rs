@@ -1,7 +1,7 @@
-//! What a report says about single findings: their points, the truth, the answer of each backend, and a picture.
+//! Details of single findings for a report: their points, the truth, the answer of each backend, and a picture.
 //!
-//! A few findings of each class and backend are asked again, alone, as `replay` does. What can't be, because a scene has changed, needs data
-//! that are not there, or is too large to be loaded for a page, is left out and counted.
+//! A few findings of each class and backend are asked again, alone, as `replay` does. A finding is left out and counted
+//! if its scene has changed, needs data that are not there, or is too large to load for a page.
 
 mod apart;
 mod around;
@@ -26,17 +26,17 @@ use crate::tool::Tool;
 
 pub use bodies::Bodies;
 
-/// So many findings of each class, backend and task, each of a suite of its own.
+/// The maximum number of findings of each class, backend and task, each from another suite.
 const FEW: usize = 3;
-/// Answers to scenes of more queries, triangles or points are not drawn.
+/// Answers to scenes with more queries, triangles or points are not drawn.
 const MOST_DRAWN: u64 = 500;
-/// Scenes of more queries are not loaded again.
+/// Scenes with more queries are not loaded again.
 const MOST_QUERIES: u64 = 100_000;
 
-/// Details of a few findings of each class, backend and task, and how many of those that were chosen have none.
+/// Details of a few findings of each class, backend and task, and the number of chosen findings without details.
 pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Failure> {
     let (mut told, mut missing) = (Vec::new(), 0);
-    // One raster for each class and task is enough of them.
+    // At most one raster per class and task.
     let mut drawn = BTreeSet::new();
     for run in runs {
         let (engines, names): (Vec<&String>, Vec<_>) =
@@ -73,8 +73,8 @@ pub fn details(runs: &[RunDir], tool: &Tool) -> Result<(Vec<Detail>, usize), Fai
     Ok((told, missing))
 }
 
-/// Lines about a query with those of engines: a report starts no program, so it has what the run wrote down, or the line
-/// that asks.
+/// The lines about a query, with those of engines added. A report starts no program, so an engine's line is its
+/// recorded answer or the command that asks it.
 fn recorded(run: &RunDir, finding: &FindingRow, engines: &[&String], mut lines: Vec<String>) -> Vec<String> {
     for name in engines {
         lines.push(match finding.backend == **name {
@@ -85,7 +85,7 @@ fn recorded(run: &RunDir, finding: &FindingRow, engines: &[&String], mut lines: 
     lines
 }
 
-/// The line that asks an engine about a finding.
+/// The command that asks an engine about a finding.
 fn asking(run: &RunDir, finding: &FindingRow, name: &str) -> String {
     let file = run.plan.engines.get(name).map_or("FILE", |engine| &engine.file);
     let engine = word(&format!("{}={file}", name.trim_start_matches(PREFIX)));
@@ -93,7 +93,7 @@ fn asking(run: &RunDir, finding: &FindingRow, name: &str) -> String {
     format!("{} replay {id} --run {folder} -b {} --engine {engine}", program(), word(name))
 }
 
-/// A finding about a whole scene: what its backend answers.
+/// The backend's answer for a finding about a whole scene.
 fn answered(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow) -> Option<Detail> {
     let mut detail = Detail { finding: finding.finding_id.clone(), ..Detail::default() };
     if finding.backend.starts_with(PREFIX) {
@@ -108,8 +108,8 @@ fn answered(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow) -> Option<
     Some(detail)
 }
 
-/// A few findings about single queries of each class, backend and task, the first of each of the first suites, and one about a whole scene
-/// of each class and task; by suite and scene.
+/// The findings to show, by suite and scene. For each class, backend and task these are a few findings about single
+/// queries, one from each of the first suites; for each class and task, one finding about a whole scene.
 fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
     let sizes: BTreeMap<(&str, &str), u64> =
         run.plan.scenes.iter().map(|scene| ((&*scene.suite, &*scene.scene_id), scene.queries)).collect();
@@ -122,7 +122,7 @@ fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
     let mut chosen: BTreeMap<(&str, &str), Vec<&FindingRow>> = BTreeMap::new();
     for row in findings {
         let is_chosen = if row.query.is_empty() {
-            // What never ended, or broke, has no answer to be drawn.
+            // A scene that timed out or panicked has no answer to draw.
             let is_answered = !matches!(row.class, Class::Timeout | Class::Panic);
             is_answered && is_small(&row, MOST_DRAWN) && whole.insert((row.class.name(), &row.task))
         } else {
@@ -136,7 +136,7 @@ fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
     chosen
 }
 
-/// The scene as it was; none where it is not there any more.
+/// The scene as it was in the run, or `None` if it is gone or has changed.
 fn load(run: &RunDir, suite: &str, scene: &str, findings: &[&FindingRow], tool: &Tool) -> Option<LoadedScene> {
     let level: Level = run.plan.level.to_string().parse().ok()?;
     let suite = suite_of(&run.path, &run.plan, suite);
@@ -165,7 +165,7 @@ fn detail(tool: &Tool, loaded: &LoadedScene, finding: &FindingRow, backends: &[&
     Some(detail)
 }
 
-/// The signs of all permutations, where there are any.
+/// The signs of all permutations, if there are any.
 fn strip(query: &Query, told: &Explanation) -> Option<Strip> {
     let vertices = query.vertices().map(|v| v.to_string()).collect();
     let rows: Vec<(String, String)> = told.permutations.iter().map(|(name, of)| (name.clone(), signs(of))).collect();

@@ -1,6 +1,6 @@
-//! Drawings of whole answers: the scene of a finding as its backend has answered it.
+//! Drawings of whole answers: the scene of a finding, with its backend's answer.
 //!
-//! Wrong signs can lead an algorithm anywhere: so the answer is drawn by a process of its own, under a time limit.
+//! Wrong signs can make an algorithm loop or crash, so a separate process with a time limit draws the answer.
 
 use std::path::PathBuf;
 use std::time::Duration;
@@ -14,10 +14,10 @@ use predicament_tasks::Class;
 use crate::child::{self, End};
 use crate::select::suite_of;
 
-/// Seconds for one answer.
+/// The time limit for one answer.
 const LIMIT: Duration = Duration::from_secs(2);
 
-/// Puts the answer of the finding's backend, which is not an engine, to its scene, as a picture or a view, into what is said about the finding.
+/// Adds to `detail` a picture or a view of the scene with the answer of the finding's backend, which is not an engine.
 pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &mut Detail) -> Option<()> {
     let is_space = loaded.scene.dimension() == Dimension::Three;
     let file = Temporary::new(if is_space { "json" } else { "svg" });
@@ -25,7 +25,7 @@ pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &m
     let suite = suite_of(&run.path, &run.plan, &finding.suite);
     let filter = format!("^{}$", regex::escape(&format!("{}/{}", finding.suite, finding.scene)));
     command.args(["show", &suite, "-f", &filter, "--level", &run.plan.level.to_string()]);
-    // Who declines has no answer: the scene is seen.
+    // A backend that declines has no answer; the scene alone is drawn.
     let is_declined = finding.class == Class::Declined;
     if !is_declined {
         command.args(["-b", &finding.backend]);
@@ -44,7 +44,7 @@ pub fn draw(run: &RunDir, loaded: &LoadedScene, finding: &FindingRow, detail: &m
     Some(())
 }
 
-/// A file that is removed in the end.
+/// A file that is removed when this is dropped.
 struct Temporary(PathBuf);
 
 impl Temporary {

@@ -1,4 +1,4 @@
-//! Drawings of what one query is about: what its vertices span, each vertex by its letter.
+//! Drawings of one query: the shape that its vertices span, with a letter for each vertex.
 
 use predicament_corpus::LoadedScene;
 use predicament_predicates::{Dimension, Query, Question, Scene, Vertex};
@@ -8,13 +8,13 @@ use serde_json::Value;
 
 use super::apart::sphere;
 
-/// The drawing of a query in space, for a view; none in the plane, or where a vertex is no point.
+/// The 3D drawing of a query in space, or `None` for a query in the plane or with a vertex that is not a point.
 pub fn view(loaded: &LoadedScene, query: &Query) -> Option<(String, Value)> {
     let is_space = loaded.scene.dimension() == Dimension::Three;
     is_space.then(|| drawing(loaded, query)).flatten().map(|of| (format!("{query}"), of.json()))
 }
 
-/// A picture of a query in the plane that asks for no sign.
+/// A picture of a query in the plane that does not ask for a sign.
 pub fn picture(loaded: &LoadedScene, query: &Query) -> Option<(String, String)> {
     if loaded.scene.dimension() == Dimension::Three || query.question().is_some() {
         return None;
@@ -27,7 +27,7 @@ fn drawing(loaded: &LoadedScene, query: &Query) -> Option<Drawing> {
     let all: Vec<Vertex> = query.vertices().collect();
     let mut canvas = Canvas::new(scene, all.first().copied()).ok()?;
     let groups: Vec<&[Vertex]> = match query.question() {
-        // What the last vertex is asked about.
+        // The shape of all vertices but the last, which is the query point.
         Some((_, args)) => vec![&args[..args.len() - 1]],
         None => query.args.iter().map(Vec::as_slice).collect(),
     };

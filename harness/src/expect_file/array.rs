@@ -1,18 +1,18 @@
-//! Items put into and taken out of an array of a file, which keeps its lines and comments.
+//! Edits of an array in a TOML file that keep its lines and comments.
 
 use std::ops::Range;
 
 use super::edits::Edits;
 use super::quoted;
 
-/// A value: one string, or an array of them.
+/// A TOML value: one string, or an array of strings.
 #[derive(Clone, Debug)]
 pub struct ListText {
-    /// The bytes of the value.
+    /// The byte range of the value.
     pub span: Range<usize>,
-    /// Each string with its bytes.
+    /// Each string with its byte range.
     pub items: Vec<(String, Range<usize>)>,
-    /// Whether it is an array.
+    /// True if the value is an array.
     pub is_array: bool,
 }
 
@@ -22,7 +22,7 @@ impl ListText {
         self.items.iter().map(|(value, _)| value.clone()).collect()
     }
 
-    /// Appends items.
+    /// Appends items to the array.
     pub fn append(&self, text: &str, more: &[String], edits: &mut Edits) {
         let new: Vec<String> = more.iter().map(|item| quoted(item)).collect();
         let Some((_, last)) = self.items.last().filter(|_| !new.is_empty()) else { return };
@@ -40,7 +40,8 @@ impl ListText {
                 edits.insert(last.end, ",");
             }
             let items: String = new.iter().map(|item| format!("{indent}{item},\n")).collect();
-            // Behind the line of the last item, as there may be a comment; or before the bracket, where that is there, too.
+            // Insert after the line of the last item, because it may have a comment; insert before the bracket if it is
+            // on that line.
             match rest.find('\n') {
                 Some(end) => edits.insert(last.end + end + 1, items),
                 None => edits.insert(self.span.end - 1, format!("\n{items}")),
@@ -50,7 +51,7 @@ impl ListText {
         }
     }
 
-    /// Takes out all but these items, of which there is at least one.
+    /// Removes all items except these, of which there is at least one.
     pub fn keep(&self, text: &str, kept: impl Fn(&str) -> bool, edits: &mut Edits) {
         if self.items.iter().all(|(value, _)| kept(value)) {
             return;
@@ -67,7 +68,7 @@ impl ListText {
     }
 }
 
-/// An item with its comma, and with all of its line where nothing else but a comment is on it.
+/// The byte range of an item with its comma, and of its whole line if the line has only a comment besides.
 fn with_its_line(text: &str, span: &Range<usize>) -> Range<usize> {
     let behind = &text[span.end..];
     let blank = behind.len() - behind.trim_start().len();

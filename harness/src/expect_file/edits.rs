@@ -1,4 +1,4 @@
-//! Changes of a text by byte ranges, and the difference that they make, as a patch.
+//! Edits of a text by byte ranges, and the resulting difference as a patch.
 
 use std::ops::Range;
 
@@ -6,12 +6,12 @@ use similar::TextDiff;
 
 use crate::line_ends::{is_crlf, to_crlf};
 
-/// Changes of one text; they do not overlap.
+/// Edits of one text; they do not overlap.
 #[derive(Default, Debug)]
 pub struct Edits(Vec<(Range<usize>, String)>);
 
 impl Edits {
-    /// Puts a text in the place of these bytes.
+    /// Replaces these bytes by a text.
     pub fn replace(&mut self, bytes: Range<usize>, with: impl Into<String>) {
         self.0.push((bytes, with.into()));
     }
@@ -21,7 +21,7 @@ impl Edits {
         self.replace(at..at, text);
     }
 
-    /// The same changes with the line ends of a text, where all of its lines end by CR LF: an editor on Windows has written it.
+    /// The same edits with CR LF line ends, if all lines of this text end with CR LF, as Windows editors write them.
     pub fn with_line_ends_of(mut self, text: &str) -> Edits {
         if is_crlf(text) {
             self.0.iter_mut().for_each(|(_, with)| *with = to_crlf(with));
@@ -29,12 +29,12 @@ impl Edits {
         self
     }
 
-    /// Whether nothing is changed.
+    /// True if there are no edits.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// The text with the changes; of several in one place the one that came first is first.
+    /// The edited text. Insertions at the same place keep their order.
     pub fn apply(&self, text: &str) -> String {
         let mut edits: Vec<_> = self.0.iter().collect();
         edits.sort_by_key(|(bytes, _)| (bytes.start, bytes.end));
@@ -47,7 +47,7 @@ impl Edits {
         made + text.get(at..).unwrap_or_default()
     }
 
-    /// The changes as a patch, with three lines around each.
+    /// The edits as a patch, with three lines of context.
     pub fn patch(&self, file: &str, text: &str) -> String {
         let made = self.apply(text);
         let (old, new) = (lines(text), lines(&made));
@@ -56,7 +56,7 @@ impl Edits {
     }
 }
 
-/// The lines of a text as patches count them: `TextDiff::from_lines` also ends one at a lone carriage return.
+/// The lines of a text as patches count them. (`TextDiff::from_lines` also ends a line at a lone carriage return.)
 fn lines(text: &str) -> Vec<&str> {
     text.split_inclusive('\n').collect()
 }
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(first.apply(""), "a\n");
     }
 
-    /// The text with a patch, which has to fit.
+    /// The text after a patch, which has to fit.
     fn patched(text: &str, patch: &str) -> String {
         let mut lines = text.split_inclusive('\n');
         let (mut made, mut at) = (String::new(), 0);

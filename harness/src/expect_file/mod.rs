@@ -1,4 +1,4 @@
-//! A file of expectations, edited as text: what is not touched stays as it was written, with comments and order.
+//! A file of expectations, edited as text: lines that are not edited keep their text, comments and order.
 
 mod array;
 mod edits;
@@ -17,7 +17,7 @@ pub use prune::{Told, prune};
 use table::tables;
 pub use update::update;
 
-/// What one entry has: a backend, classes, and scenes as globs of themselves.
+/// One `[[expect]]` entry: backends, classes and scenes. Scene names are written as globs that match only themselves.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
     pub backends: Vec<String>,
@@ -26,13 +26,13 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// The table; without a reason one that a person has to fill in.
+    /// The entry as a TOML table; without a reason, with an empty one for a person to fill in.
     pub fn text(&self, level: &str, reason: Option<&str>) -> String {
         let reason = reason.map_or_else(|| "\"\" # say why".to_owned(), quoted);
         self.written(Some(&quoted(level)), &reason)
     }
 
-    /// The table with a level and a reason as they stand in a file.
+    /// The entry as a TOML table, with a level and a reason in TOML syntax.
     pub fn written(&self, level: Option<&str>, reason: &str) -> String {
         let one_or_list = |items: &[String]| match items {
             [one] => quoted(one),
@@ -49,12 +49,12 @@ impl Entry {
     }
 }
 
-/// A string of TOML.
+/// A TOML string.
 pub fn quoted(text: &str) -> String {
     toml::Value::String(text.to_owned()).to_string()
 }
 
-/// The unexpected rows of a run, those of a backend with the same classes together.
+/// The unexpected rows of a run as entries. Rows of a backend with the same classes share an entry.
 pub fn grouped(run: &RunDir, classes: impl Fn(&SummaryRow) -> Vec<Class>) -> Vec<Entry> {
     let mut alike: BTreeMap<(&str, Vec<&str>), Vec<String>> = BTreeMap::new();
     for row in run.summary.iter().filter(|row| row.status == Status::Unexpected) {

@@ -1,6 +1,7 @@
-//! Expectations taken out that no scene shows any more.
+//! Removes expectations that no scene shows any more.
 //!
-//! A table expects each of its classes of each of its scenes on each of its backends. What a run has not put to the test stays.
+//! A table expects each of its classes of each of its scenes on each of its backends. An expectation that the run has
+//! not tested stays.
 
 use std::collections::BTreeMap;
 
@@ -11,33 +12,34 @@ use super::edits::Edits;
 use super::table::TableText;
 use super::{Entry, tables};
 
-/// What a run says of one scene pattern, backend and class.
+/// The evidence of a run about one scene pattern, backend and class.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Told {
-    /// Some scene shows it, and all of the run that match do.
+    /// Every matching scene of the run shows the class.
     Kept,
-    /// The run has not put it to the test, or not on all scenes that match.
+    /// The run has not tested the expectation, or not on all matching scenes.
     Untried,
-    /// It names no scene that is known, and not of which suite: a person has to say whether it is wrong.
+    /// The pattern matches no known scene and does not name its suite; a person has to decide whether it is wrong.
     Nameless,
-    /// Some scene shows it, and some that matches does not: a person has to narrow the pattern.
+    /// Some matching scenes show the class and some do not; a person has to narrow the pattern.
     Partly,
-    /// No scene shows it, of all that match.
+    /// No matching scene shows the class.
     Gone,
 }
 
-/// What was pruned.
+/// The result of pruning.
 pub struct Pruned {
     pub edits: Edits,
-    /// How many of the expectations of a pattern, backend and class are gone.
+    /// The number of removed expectations, each of a pattern, backend and class.
     pub gone: usize,
-    /// How many of them stay as the run has not put them to the test.
+    /// The number of expectations that stay because the run has not tested them.
     pub untried: usize,
-    /// What is left to a person, one line each.
+    /// The expectations that a person has to edit, one line each.
     pub by_hand: Vec<String>,
 }
 
-/// Takes out what is gone, as `told` says of a pattern, backend and class. Tables of another level than this are left alone.
+/// Removes expectations that are gone according to `told`, for each pattern, backend and class. Tables of another level
+/// stay as they are.
 ///
 /// # Errors
 /// If the file can't be read.
@@ -76,7 +78,7 @@ pub fn prune(
 }
 
 impl Pruned {
-    /// Counts or tells what a run says of a pattern, backend and class; true if the file keeps it.
+    /// Counts or records the evidence for a pattern, backend and class; returns true if the file keeps the expectation.
     fn stays(&mut self, told: Told, place: &str, backend: &str, class: &str) -> bool {
         match told {
             Told::Gone => self.gone += 1,
@@ -93,7 +95,8 @@ impl Pruned {
     }
 }
 
-/// Leaves of a table these patterns, backends and classes: it keeps the first of them that go together, and the rest become tables after it.
+/// Reduces a table to these patterns, backends and classes. The table keeps the first group that fits into one table;
+/// the other groups become new tables after it.
 fn rewrite(text: &str, table: &TableText, left: Vec<(String, String, Vec<String>)>, edits: &mut Edits) {
     let mut alike: Vec<Entry> = Vec::new();
     for (pattern, backend, classes) in left {
@@ -156,7 +159,7 @@ mod tests {
         let (head, rest) = FILE.split_at(FILE.find("# about a").unwrap());
         let rest = &rest[rest.find("# about z").unwrap()..];
         assert_eq!(without(&[("a", "*", "*"), ("b", "*", "*"), ("c", "*", "*")]), format!("{head}{rest}"));
-        // A table of the other level says nothing about this run.
+        // A run of one level is no evidence for a table of the other level.
         assert_eq!(without(&[("z", "*", "*")]), FILE);
     }
 
@@ -168,7 +171,7 @@ mod tests {
         assert_eq!(made, expected);
         let tables = tables("f", &made).unwrap();
         assert_eq!(tables.len(), 3);
-        // Every expectation that is not gone is there once.
+        // Every expectation that is not gone occurs exactly once.
         let made = without(&[("b", "p", "nan"), ("c", "q", "*")]);
         let mut all = Vec::new();
         for table in super::tables("f", &made).unwrap().iter().take_while(|table| table.level.is_none()) {

@@ -1,4 +1,4 @@
-//! The `[[expect]]` tables of a file, with the bytes of what they are made of.
+//! The `[[expect]]` tables of a file, with the byte ranges of their parts.
 
 use std::ops::Range;
 
@@ -9,16 +9,16 @@ use super::array::ListText;
 /// A table as it stands in the file.
 #[derive(Clone, Debug)]
 pub struct TableText {
-    /// Its lines, from its header to its last value.
+    /// The bytes of its lines, from the header to the last value.
     pub lines: Range<usize>,
-    /// The line of its header, from 1.
+    /// The line number of its header, from 1.
     pub line: usize,
     pub scenes: ListText,
     pub backends: ListText,
     pub classes: ListText,
-    /// The level and how it is written.
+    /// The level, as a value and in TOML syntax.
     pub level: Option<(String, String)>,
-    /// The reason and how it is written.
+    /// The reason, as a value and in TOML syntax.
     pub reason: (String, String),
 }
 
@@ -28,7 +28,7 @@ static EXPECT: TableKind = TableKind::new("table [[expect]]", &["scene", "backen
 /// The tables of a file, in their order.
 ///
 /// # Errors
-/// What the file is refused for elsewhere, and tables that are not written as `[[expect]]`.
+/// If the file is not a valid file of expectations, or a table is not written as `[[expect]]`.
 pub fn tables(file: &str, text: &str) -> Result<Vec<TableText>, CorpusError> {
     let document = Document::new(file, text);
     let root = document.parse()?;
@@ -68,7 +68,7 @@ fn read(text: &str, table: &Field<'_, '_>) -> Result<TableText, CorpusError> {
 }
 
 impl TableText {
-    /// The bytes of the table with the comment directly above it, and the empty line below.
+    /// The byte range of the table, the comment directly above it, and the empty line below it.
     pub fn with_its_comment(&self, text: &str) -> Range<usize> {
         let mut start = self.lines.start;
         while let Some(above) = text[..start].strip_suffix('\n') {
@@ -78,7 +78,7 @@ impl TableText {
             }
             start = line;
         }
-        // The comment at the head of the file is about the file.
+        // A comment at the start of the file is about the whole file.
         let start = if start == 0 { self.lines.start } else { start };
         let below = text[self.lines.end..].find('\n').map_or(self.lines.end, |at| self.lines.end + at + 1);
         let is_empty = text[self.lines.end..below].trim().is_empty();

@@ -1,12 +1,12 @@
-//! Expectations added from a run.
+//! Adds expectations from a run.
 
 use predicament_formats::CorpusError;
 
 use super::edits::Edits;
 use super::{Entry, tables};
 
-/// Makes what the entries have expected, at this level and for this reason: a table with the same backend, classes, level and reason gets
-/// more scenes, and what no such table is about gets a table of its own, at the end of the file.
+/// Adds expectations for the entries at this level and with this reason. A table with the same backends, classes, level
+/// and reason gets more scenes; other entries become new tables at the end of the file.
 ///
 /// # Errors
 /// If the file can't be read.
@@ -36,7 +36,7 @@ pub fn update(file: &str, text: &str, entries: &[Entry], level: &str, reason: &s
     }
     if !new.is_empty() {
         let end = if text.is_empty() || text.ends_with('\n') { "" } else { "\n" };
-        // One empty line between tables, where the file does not end in one already.
+        // Separate tables by one empty line, unless the file already ends with one.
         let new = if text.ends_with("\n\n") { new.trim_start() } else { &new };
         edits.insert(text.len(), format!("{end}{new}"));
     }
@@ -62,7 +62,7 @@ mod tests {
         };
         let grown = FILE.replace("\"a/c\" # last\n", "\"a/c\", # last\n  \"a/d\",\n  \"a/e\",\n");
         assert_eq!(add("r").apply(FILE), grown);
-        // Another reason is another table.
+        // Another reason makes another table.
         let other = add("other").apply(FILE);
         assert!(other.starts_with(FILE) && other.ends_with("]\nlevel = \"quick\"\nreason = \"other\"\n"), "{other}");
         let inline = FILE.replace("[\n  \"a/b\", # why\n  \"a/c\" # last\n]", "\"a/b\"");

@@ -1,19 +1,19 @@
-//! All checks: those that tasks declare, those of every task, and the guards of the tool itself.
+//! All checks: those that tasks declare, those common to all tasks, and the guards of the tool itself.
 
 use predicament_oracle::guards::{Guard, guards};
 use predicament_tasks::{Catch, Check, Class, ON_EVERY_TASK};
 
 use crate::tool::Tool;
 
-/// A check, and where it is used.
+/// A check, and the tasks that use it.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Declared {
     pub of: Of,
-    /// The tasks whose judges can report it; none for what can happen to every task, and for guards.
+    /// The tasks whose judges can report the check; empty for checks of every task and for guards.
     pub tasks: Vec<&'static str>,
 }
 
-/// A check of answers, or one of the tool.
+/// A check of answers, or a guard of the tool.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum Of {
     Judge(Check),
@@ -28,7 +28,7 @@ impl Declared {
         }
     }
 
-    /// The class of its findings; a guard has none.
+    /// The class of its findings, or `None` for a guard.
     pub fn class(&self) -> Option<Class> {
         match self.of {
             Of::Judge(check) => Some(check.class),
@@ -43,7 +43,7 @@ impl Declared {
         }
     }
 
-    /// Where it is used, in words.
+    /// The place where the check is used, in words.
     pub fn place(&self) -> String {
         match self.of {
             Of::Guard(guard) => guard.area.name().to_owned(),
@@ -52,17 +52,18 @@ impl Declared {
         }
     }
 
-    /// Whether it is one of the checks of a task.
+    /// True if a task uses the check.
     pub fn is_tried_in(&self, task: &str) -> bool {
         matches!(self.of, Of::Judge(_)) && (self.tasks.is_empty() || self.tasks.contains(&task))
     }
 
-    /// Whether it is one of the relations that are tried with plenty of time only.
+    /// True if the check is a relation that is tested only by thorough runs.
     pub fn is_thorough(&self) -> bool {
         matches!(self.of, Of::Judge(check) if check.thorough)
     }
 
-    /// What it can be called on the command line: its name, with its class in front, or with a task of it before that.
+    /// True if the command line may call the check by this text: its name, `CLASS/NAME`, or either with `TASK:` in
+    /// front.
     fn is_called(&self, text: &str) -> bool {
         let name = self.name();
         let with_class = self.class().map(|class| format!("{}/{name}", class.name()));
@@ -75,7 +76,7 @@ impl Declared {
     }
 }
 
-/// `sign_flip (sign)`; of a guard the name and its part.
+/// Displays `sign_flip (sign)`; for a guard, the part of the tool and the guard's name.
 impl std::fmt::Display for Declared {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self.of {
@@ -85,7 +86,7 @@ impl std::fmt::Display for Declared {
     }
 }
 
-/// All checks, in the order of tasks; equal ones of several tasks are one.
+/// All checks, in the order of tasks. Equal checks of several tasks are merged.
 pub struct Declarations(pub Vec<Declared>);
 
 impl Declarations {
@@ -95,7 +96,7 @@ impl Declarations {
             for &check in task.declared_checks() {
                 all.add(check, task.name());
             }
-            // A task that declares nothing has the checks that its faults name.
+            // For a task without declared checks, use the checks that its faults name.
             if task.declared_checks().is_empty() {
                 for &(class, name) in task.spoiled_answers().iter().flat_map(|fault| fault.caught_by()) {
                     all.add(Check::new(class, name, ""), task.name());
@@ -119,7 +120,7 @@ impl Declarations {
         }
     }
 
-    /// The check that a finding of a task is of; none where it is not declared.
+    /// The index of the check that a finding of a task belongs to, or `None` if it is not declared.
     pub fn find(&self, task: &str, class: Class, check: &str) -> Option<usize> {
         self.0.iter().position(|declared| match declared.of {
             Of::Judge(of) => (declared.tasks.is_empty() || declared.tasks.contains(&task)) && of.has(class, check),
@@ -127,13 +128,14 @@ impl Declarations {
         })
     }
 
-    /// The check that a fault in one of these tasks names.
+    /// The index of the check that a fault in one of these tasks names.
     pub fn named_by(&self, tasks: &[&str], (class, check): Catch) -> Result<usize, String> {
         let found = tasks.iter().find_map(|task| self.find(task, class, check));
         found.ok_or_else(|| format!("{} declares no check {} ({check})", tasks.join(", "), class.name()))
     }
 
-    /// The check that a fault of a backend names: the only one of this class and name, or that of a task.
+    /// The index of the check that a fault of a backend names: the only check of this class and name, or that of a
+    /// task.
     pub fn named(&self, (class, check): Catch, task: Option<&str>) -> Result<usize, String> {
         let is = |declared: &Declared| match declared.of {
             Of::Judge(of) => of.has(class, check) && task.is_none_or(|task| declared.tasks.contains(&task)),
@@ -147,12 +149,12 @@ impl Declarations {
         }
     }
 
-    /// The guard with this name.
+    /// The index of the guard with this name.
     pub fn guard(&self, name: &str) -> Option<usize> {
         self.0.iter().position(|declared| matches!(declared.of, Of::Guard(guard) if guard.name == name))
     }
 
-    /// The checks that a word of the command line means.
+    /// The indices of the checks that a word of the command line names.
     pub fn called(&self, text: &str) -> Result<Vec<usize>, String> {
         let all: Vec<usize> = (0..self.0.len()).filter(|&at| self.0[at].is_called(text)).collect();
         if all.is_empty() {
@@ -165,7 +167,7 @@ impl Declarations {
     }
 }
 
-/// Checks that no fault needs, and why: by class, task and name; all of a class where there is no name.
+/// Checks that no fault has to need, with the reason: by class, task and name; without a name, all of a class.
 const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
     (
         Class::Declined,
@@ -206,7 +208,7 @@ const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
     ),
 ];
 
-/// Why no fault has to need a check, if none has to.
+/// The reason why no fault has to need a check, if there is one.
 pub fn not_needed(declared: &Declared) -> Option<&'static str> {
     let class = declared.class()?;
     let is = |&&(of, task, name, _): &&(Class, &str, &str, &str)| {

@@ -1,4 +1,4 @@
-//! All that `selftest` runs: honest backends, faults in backends, in answers and in parts of the tool.
+//! All entries of `selftest`: honest backends, and faults in backends, in answers and in parts of the tool.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -10,54 +10,54 @@ use super::declared::Declarations;
 use crate::shrinking::Measure;
 use crate::tool::Tool;
 
-/// Backends that must have no finding but the expected ones.
+/// The honest backends, which must have only expected findings.
 const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", TWO_MESHES, "tolerance"];
 
-/// The one of them that no run has unless it is named: it is held to every scene with two meshes here.
+/// The honest backend that runs only if named; here it runs on every scene with two meshes.
 pub const TWO_MESHES: &str = "sos:per-mesh";
 
-/// What is planted where.
+/// The kind of an entry.
 #[derive(Clone, Copy)]
 pub enum Kind {
-    /// Nothing, in a backend.
+    /// A backend without a fault.
     Honest,
     /// A fault in a backend.
     Backend(Fault),
-    /// A fault in right answers of a task, and of those that share it.
+    /// A fault in right answers of a task, and of the tasks that share these answers.
     Answer,
-    /// Nothing, in a part of the tool.
+    /// A part of the tool without a fault.
     HonestPart(Area),
     /// A fault in a part of the tool.
     Part(&'static Guarded),
 }
 
-/// What is planted, and what was found.
+/// An entry: the planted fault, if any, and what was found.
 pub struct Entry {
     pub name: String,
     pub what: &'static str,
     pub area: Option<Area>,
     pub kind: Kind,
-    /// The checks that have to find it, by their places among the declared ones.
+    /// The indices of the declared checks that have to find the fault.
     pub wants: Vec<usize>,
     pub record: Record,
 }
 
-/// What was found of an entry.
+/// The findings of an entry.
 #[derive(Clone, Default, Debug)]
 pub struct Record {
-    /// By check, when it found it first.
+    /// The first find of each check, by the check's index.
     pub found: BTreeMap<usize, Find>,
     /// Findings that no task declares, in words.
     pub undeclared: BTreeSet<String>,
-    /// Scenes, or parts of the tool, that it was run on.
+    /// The number of scenes, or parts of the tool, that the entry was run on.
     pub scenes: u64,
-    /// Queries, or facts, that it was asked there.
+    /// The number of queries, or facts, in them.
     pub queries: u64,
-    /// The smallest scene that shows it to the first check that has to find it.
+    /// The size of the smallest scene that shows the fault to the first of its checks.
     pub shrunk: Option<Measure>,
 }
 
-/// How much it took until a check found something.
+/// The work until a check found something.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Find {
     pub scenes: u64,
@@ -73,7 +73,7 @@ impl Entry {
         !matches!(self.kind, Kind::Honest | Kind::HonestPart(_))
     }
 
-    /// Whether it is a backend, with a fault or without.
+    /// True if the entry is a backend, with or without a fault.
     pub fn is_backend(&self) -> bool {
         matches!(self.kind, Kind::Honest | Kind::Backend(_))
     }
@@ -82,24 +82,24 @@ impl Entry {
         self.wants.iter().copied().filter(|check| !self.record.found.contains_key(check))
     }
 
-    /// Whether it is a fault that is run on the next scene: until all its checks have found it.
+    /// True if the entry is a fault that is run on the next scene, because not all its checks have found it.
     pub fn is_open(&self) -> bool {
         self.is_fault() && (self.record.found.is_empty() || self.missed().next().is_some())
     }
 
-    /// Whether it is a backend with a fault that is run on the next scene of this task.
+    /// True if the entry is a faulty backend that is run on the next scene of this task.
     pub fn is_open_in(&self, task: &str) -> bool {
         matches!(self.kind, Kind::Backend(fault) if fault.shows_in(task)) && self.is_open()
     }
 
-    /// How much it took until all checks that have to find it had.
+    /// The work until all checks that have to find the fault had found it.
     pub fn until_caught(&self) -> Find {
         let finds = self.wants.iter().filter_map(|check| self.record.found.get(check));
         let most = finds.max_by_key(|find| find.scenes).copied();
         most.unwrap_or(Find { scenes: self.record.scenes, queries: self.record.queries })
     }
 
-    /// Notes what checks have found in what it was run on last.
+    /// Records what checks have found in the last scene or part.
     pub fn note(&mut self, checks: impl IntoIterator<Item = usize>) {
         let Record { scenes, queries, .. } = self.record;
         for check in checks {
@@ -108,12 +108,12 @@ impl Entry {
     }
 }
 
-/// The name of a fault in an answer.
+/// The name of an entry for a fault in an answer.
 pub fn answer(fault: &str) -> String {
     format!("answer:{fault}")
 }
 
-/// The checks of all findings but refusals; what is not declared, in words.
+/// The checks of all findings except refusals, and the undeclared findings in words.
 pub fn caught(checks: &Declarations, task: &str, outcome: &Outcome) -> (BTreeSet<usize>, BTreeSet<String>) {
     let (mut found, mut undeclared) = (BTreeSet::new(), BTreeSet::new());
     for finding in outcome.findings.iter().filter(|finding| finding.class != predicament_tasks::Class::Declined) {
@@ -129,10 +129,10 @@ pub fn caught(checks: &Declarations, task: &str, outcome: &Outcome) -> (BTreeSet
     (found, undeclared)
 }
 
-/// Honest backends, faulty backends, spoiled answers, parts of the tool, in this order.
+/// The entries: honest backends, faulty backends, spoiled answers and parts of the tool, in this order.
 ///
 /// # Errors
-/// One line, where a fault names a check that is not declared.
+/// One line, if a fault names a check that is not declared.
 pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String> {
     let nothing = "nothing is wrong";
     let honest = CLEAN.iter().map(|name| Entry::new((*name).to_owned(), nothing, None, Kind::Honest, Vec::new()));
@@ -146,11 +146,11 @@ pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String>
     for &task in tool.tasks() {
         for spoiled in task.spoiled_answers() {
             let name = answer(spoiled.name());
-            // Tasks of one family share their answers and so the faults in these.
+            // Tasks of one family share their answers, and so the faults in them.
             if entries.iter().any(|entry| entry.name == name) {
                 continue;
             }
-            // What one of them declares, the others need not.
+            // A check has to be declared by only one of these tasks.
             let has_it =
                 |task: &&&dyn AnyTask| task.spoiled_answers().iter().any(|other| other.name() == spoiled.name());
             let tasks: Vec<&str> = tool.tasks().iter().filter(has_it).map(|task| task.name()).collect();
@@ -173,10 +173,10 @@ pub fn entries(tool: &Tool, checks: &Declarations) -> Result<Vec<Entry>, String>
     Ok(entries)
 }
 
-/// Those that are named, with the honest backends, and the honest parts of the tool that a named fault is in.
+/// The entries with these names, all honest backends, and the honest parts of the tool for the named faults.
 ///
 /// # Errors
-/// The first name that there is not.
+/// The first name that does not exist.
 pub fn only(mut entries: Vec<Entry>, names: &[String]) -> Result<Vec<Entry>, String> {
     if let Some(unknown) = names.iter().find(|name| entries.iter().all(|entry| entry.name != **name)) {
         return Err(format!(

@@ -1,11 +1,11 @@
-//! The scorecard of `selftest`: planted faults, the checks that have to find them, and what became of each.
+//! The scorecard of `selftest`: planted faults, the checks that have to find them, and the results.
 //!
-//! * [`declared`]: all checks that there are.
-//! * [`entries`]: all faults, and the honest backends beside them.
+//! * [`declared`]: all checks.
+//! * [`entries`]: all faults, and the honest backends.
 //! * [`work`]: runs them on scenes.
-//! * [`verdict`]: what is as it should be, also with a check switched off.
+//! * [`verdict`]: verdicts, with all checks or with some switched off.
 //! * [`page`]: tables of faults and of checks.
-//! * [`shrunk`]: how small a scene can be that still shows a fault.
+//! * [`shrunk`]: the size of the smallest scene that still shows a fault.
 
 pub mod declared;
 pub mod entries;

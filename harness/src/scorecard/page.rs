@@ -1,4 +1,4 @@
-//! Tables of faults and of checks: text, JSON, CSV and a page.
+//! Tables of faults and of checks, as text, JSON, CSV and a page.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -12,15 +12,15 @@ use super::verdict::{Verdict, idle, needed_by, verdict};
 use crate::colour::{Paint, paint};
 use crate::shrinking::Measure;
 
-/// What was recorded, and what of it counts.
+/// The entries with their records, and the checks that count.
 pub struct Card<'a> {
     pub checks: &'a Declarations,
     pub entries: &'a [Entry],
     /// The checks whose findings are ignored.
     pub off: BTreeSet<usize>,
-    /// Whether all scenes were run: else any finding catches a fault.
+    /// True if all scenes were run. Otherwise any finding catches a fault.
     pub is_whole: bool,
-    /// Whether there are all faults too, so that it can be said which checks none needs.
+    /// True if all faults are included too, so that the checks that no fault needs can be listed.
     pub is_complete: bool,
 }
 
@@ -30,7 +30,7 @@ struct Line {
     area: &'static str,
     verdict: &'static str,
     is_good: bool,
-    /// What found it, or what should have and did not.
+    /// The checks that found the fault, or the checks that missed it.
     by: Vec<String>,
     scenes: Option<u64>,
     queries: Option<u64>,
@@ -57,7 +57,7 @@ impl Card<'_> {
         }
     }
 
-    /// A check that is off: caught where faults are missed without it.
+    /// The line of a check that is off: caught if faults are missed without it.
     fn off(&self, check: usize) -> Line {
         let declared = &self.checks.0[check];
         let (verdict, is_good, by) = match (not_needed(declared), needed_by(self.entries, check)) {
@@ -85,12 +85,12 @@ impl Card<'_> {
         self.entries.iter().flat_map(|entry| &entry.record.undeclared).map(String::as_str).collect()
     }
 
-    /// Whether all is as it should be.
+    /// True if all lines are good.
     pub fn is_good(&self) -> bool {
         self.lines().iter().all(|line| line.is_good) && self.undeclared().is_empty()
     }
 
-    /// The card as text: a line for each fault, and for each check that none needs.
+    /// The card as text: a line for each fault, and for each check that no fault needs.
     pub fn text(&self) -> String {
         let all = self.lines();
         let shown: Vec<&Line> = all
@@ -140,7 +140,7 @@ impl Card<'_> {
         text
     }
 
-    /// The card as JSON objects, one a line: a fault, or a check that is off.
+    /// The card as JSON objects, one per line: a fault, or a check that is off.
     pub fn json(&self) -> String {
         let object = |line: &Line| -> Value {
             json!({
@@ -193,7 +193,7 @@ fn csv<const N: usize>(head: [&str; N], rows: impl Iterator<Item = [String; N]>)
     String::from_utf8(bytes).map_err(|error| error.to_string())
 }
 
-/// The faults that have to be found by a check, or why there are none.
+/// The faults that a check has to find, or the reason why there are none.
 fn needs(checks: &Declarations, entries: &[Entry], check: usize) -> String {
     let faults: Vec<&str> =
         entries.iter().filter(|entry| entry.wants.contains(&check)).map(|entry| entry.name.as_str()).collect();

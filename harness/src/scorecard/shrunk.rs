@@ -1,4 +1,4 @@
-//! The smallest scene that still shows a fault to a check.
+//! Shrinks a scene while it still shows a fault to a check.
 
 use std::time::Duration;
 
@@ -13,20 +13,20 @@ use crate::shrinking::Measure;
 use crate::tool::Tool;
 use crate::{interrupt, planning};
 
-/// The longest time for a scene: one that takes longer shows nothing.
+/// The time limit for a scene; a scene that takes longer counts as not showing the fault.
 const LIMIT: Duration = Duration::from_secs(2);
 
-/// What is shrunk, and for how long.
+/// The options of shrinking.
 pub struct Shrinking<'a> {
     pub tool: &'a Tool,
     pub check: &'a Declared,
     pub contestants: &'a [Box<dyn Contestant>],
-    /// Scenes that are looked at, at most.
+    /// The maximum number of scenes evaluated.
     pub evaluations: u64,
 }
 
 impl Shrinking<'_> {
-    /// How large the smallest scene is; none where the task cannot write its scenes out.
+    /// The size of the smallest scene, or `None` if the task cannot write its scenes out.
     pub fn shrunk(&self, entry: &Entry, loaded: &LoadedScene, outcome: &Outcome) -> Option<Measure> {
         let Of::Judge(check) = self.check.of else { return None };
         let start = loaded.spelled()?;
@@ -67,7 +67,7 @@ impl Shrinking<'_> {
     }
 }
 
-/// Right answers that are spoiled.
+/// Right answers that are spoiled by a fault.
 struct Answers<'a> {
     task: &'a dyn AnyTask,
     fault: &'a dyn AnySpoiled,

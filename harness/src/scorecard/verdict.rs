@@ -1,20 +1,20 @@
-//! What is as it should be, with all checks on or with some switched off.
+//! Verdicts on entries, with all checks on or with some switched off.
 //!
-//! A verdict is of what was recorded: to switch a check off is to ignore what it has found, so that no scene is run again.
+//! A verdict is computed from the records. Switching a check off means ignoring its findings, so no scene is run again.
 
 use std::collections::BTreeSet;
 
 use super::declared::{Declarations, not_needed};
 use super::entries::Entry;
 
-/// What became of an entry.
+/// The verdict on an entry.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Verdict {
     Clean,
     NotClean,
     Caught,
     NotCaught,
-    /// Found, but not by these.
+    /// Found, but not by these checks, which have to find it.
     Missed(Vec<usize>),
 }
 
@@ -34,7 +34,7 @@ impl Verdict {
     }
 }
 
-/// The verdict on an entry, without the checks that are off. Where not all scenes were run any finding catches a fault.
+/// The verdict on an entry, without the checks that are off. If not all scenes were run, any finding catches a fault.
 pub fn verdict(entry: &Entry, off: &BTreeSet<usize>, is_whole: bool) -> Verdict {
     let mut found = entry.record.found.keys().filter(|check| !off.contains(check));
     let is_found = found.next().is_some();
@@ -50,7 +50,7 @@ pub fn verdict(entry: &Entry, off: &BTreeSet<usize>, is_whole: bool) -> Verdict 
     }
 }
 
-/// The faults that are caught with all checks on, and not without this one.
+/// The faults that are caught with all checks on, but not without this check.
 pub fn needed_by(entries: &[Entry], check: usize) -> Vec<&Entry> {
     let (none, one) = (BTreeSet::new(), BTreeSet::from([check]));
     let needs = |entry: &&Entry| {
@@ -59,7 +59,7 @@ pub fn needed_by(entries: &[Entry], check: usize) -> Vec<&Entry> {
     entries.iter().filter(needs).collect()
 }
 
-/// The checks that no fault needs although one has to.
+/// The checks that no fault needs, although a fault has to need them.
 pub fn idle(checks: &Declarations, entries: &[Entry]) -> Vec<usize> {
     let is_idle = |&at: &usize| not_needed(&checks.0[at]).is_none() && needed_by(entries, at).is_empty();
     (0..checks.0.len()).filter(is_idle).collect()
@@ -71,7 +71,7 @@ mod tests {
     use super::*;
     use crate::tool::Tool;
 
-    /// All faults as if each check that has to find one had: `selftest` shows that they do.
+    /// All faults, as if each check that has to find them had; `selftest` shows that they do.
     fn recorded() -> (Declarations, Vec<Entry>) {
         let tool = Tool::new((), &predicament_bundle::Systems, crate::tool::Guests::default());
         let checks = Declarations::of(&tool);
@@ -114,7 +114,7 @@ mod tests {
         let faults: Vec<&Entry> = entries.iter().filter(|entry| entry.is_fault()).collect();
         assert!(faults.len() >= 40 && faults.iter().all(|entry| !entry.wants.is_empty()));
         for area in predicament_oracle::faults::Area::ALL {
-            // A check that is off is a fault of its area.
+            // Switching off a check is a fault of its area.
             let count = faults.iter().filter(|entry| entry.area == Some(area)).count();
             assert!(count >= 3 || area == predicament_oracle::faults::Area::Checks, "{}: {count}", area.name());
         }

@@ -1,4 +1,4 @@
-//! Runs faults on scenes until the checks that have to find them have.
+//! Runs faults on scenes until all checks that have to find them have found them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,14 +16,14 @@ use crate::select::Selection;
 use crate::tool::Tool;
 use crate::{interrupt, planning, progress};
 
-/// Scenes of more queries are not tried with plenty of time.
+/// Scenes with more queries are not run thoroughly.
 const MOST_THOROUGH: usize = 100_000;
 
-/// How it is done.
+/// The options of the work.
 pub struct How {
-    /// Whether each fault is run on all scenes, and not until it is caught.
+    /// True if each fault is run on all scenes; false if only until it is caught.
     pub everything: bool,
-    /// Scenes that are looked at for each shrunk one, at most; none where none is shrunk.
+    /// The maximum number of scenes evaluated to shrink each scene, or `None` to shrink none.
     pub shrink: Option<u64>,
 }
 
@@ -36,11 +36,11 @@ pub struct Work<'a> {
     pub how: How,
 }
 
-/// What became of entries, by their places.
+/// The outcomes of entries, by index.
 type Found = Vec<(usize, Outcome)>;
 
 impl Work<'_> {
-    /// Parts of the tool, then all scenes.
+    /// Runs the parts of the tool, then all scenes.
     pub fn run(mut self, selection: &Selection) -> Result<(), Failure> {
         self.parts();
         let backends = self.entries.iter().filter(|entry| entry.is_backend());
@@ -51,7 +51,7 @@ impl Work<'_> {
             return Ok(());
         }
         let mut scenes = selection.plan()?;
-        // What a small scene shows need not be looked for in a large one.
+        // Small scenes first: a fault that a small scene shows need not be run on a large one.
         scenes.sort_by_key(|scene| scene.plan.queries);
         interrupt::listen_for_all();
         let bar = progress::bar(scenes.len() as u64, "scenes");
@@ -77,21 +77,21 @@ impl Work<'_> {
         entry.is_open() || self.how.everything && entry.is_fault() && !matches!(entry.kind, Kind::Part(_))
     }
 
-    /// Whether a backend with a fault is run on the next scene of a task: once something has found it, where a check
-    /// that has to find it is tried.
+    /// True if a faulty backend is run on the next scene of a task. Once something has found the fault, it is run only
+    /// on tasks that use a check that still misses it.
     fn is_open_in(&self, entry: &Entry, task: &str) -> bool {
         let is_tried = |check: usize| self.checks.0[check].is_tried_in(task);
         entry.is_open_in(task) && (entry.record.found.is_empty() || entry.missed().any(is_tried))
             || self.how.everything && matches!(entry.kind, Kind::Backend(fault) if fault.shows_in(task))
     }
 
-    /// The place of a fault in an answer that is run on the next scene.
+    /// The index of a fault in an answer that is run on the next scene.
     fn open(&self, fault: &str) -> Option<usize> {
         let name = answer(fault);
         self.entries.iter().position(|entry| entry.name == name && self.is_open(entry))
     }
 
-    /// Holds parts of the tool to their guards.
+    /// Runs the guards on parts of the tool.
     fn parts(&mut self) {
         for entry in self.entries.iter_mut() {
             let held: Vec<Held> = match entry.kind {
@@ -109,7 +109,7 @@ impl Work<'_> {
         }
     }
 
-    /// Runs what is open on a scene, and the honest backends beside it where something was found.
+    /// Runs the open entries on a scene. If they found something new, runs the honest backends too.
     fn scene(&mut self, loaded: &LoadedScene, contestants: &[Box<dyn Contestant>]) -> Result<(), Stop> {
         let quiet = |_: u64| {};
         let watch = Watch::new(interrupt::flag(), None, &quiet);
@@ -131,7 +131,7 @@ impl Work<'_> {
         let is_held =
             |entry: &Entry| matches!(entry.kind, Kind::Honest) && (gains || has_two && entry.name == TWO_MESHES);
         let honest = self.run_backends(case.as_ref(), contestants, &watch, is_held)?;
-        // What an honest backend is known to show catches no fault.
+        // A finding that an honest backend is expected to show catches no fault.
         let mut known: BTreeSet<usize> = BTreeSet::new();
         for (at, outcome) in honest {
             let (catches, undeclared) = caught(self.checks, loaded.task, &outcome);
@@ -148,7 +148,7 @@ impl Work<'_> {
             entry.note(wrong);
             known.extend(expected);
         }
-        // Without a gain nothing was held against the honest ones, and nothing is missed.
+        // Without a new find the honest backends were not run, and no find is lost.
         for (at, catches) in catches.into_iter().filter(|_| gains) {
             let before = self.entries[at].missed().collect::<Vec<_>>();
             self.entries[at].note(catches.difference(&known).copied());
@@ -165,7 +165,7 @@ impl Work<'_> {
         Ok(())
     }
 
-    /// Whether an outcome has a catch that is missed so far.
+    /// True if an outcome has a find by a check that had missed the fault.
     fn gains(&self, entry: &Entry, catches: &BTreeSet<usize>) -> bool {
         let is_new = |check: &usize| !entry.record.found.contains_key(check);
         if self.how.everything || entry.record.found.is_empty() {
@@ -174,7 +174,7 @@ impl Work<'_> {
         catches.iter().any(|check| entry.wants.contains(check) && is_new(check))
     }
 
-    /// How much is sampled: plenty where a check that a fault still misses is tried only then.
+    /// The sampling budget; thorough if a check that still misses the fault is tested only then.
     fn budget(&self, entry: &Entry, case: &dyn AnyCase) -> Budget {
         let task = case.task().name();
         let is_tried = |check: usize| {
@@ -189,7 +189,7 @@ impl Work<'_> {
         Budget { thorough, ..planning::budget(Level::Quick) }
     }
 
-    /// The backends of these entries, which come first.
+    /// Runs the backends of these entries, which come first in the list.
     fn run_backends(
         &self,
         case: &dyn AnyCase,
@@ -210,7 +210,7 @@ impl Work<'_> {
         chosen.into_par_iter().map(run).collect()
     }
 
-    /// Backends with a fault, and right answers with each fault of the scene's task: those that are open.
+    /// Runs the open faults: faulty backends, and right answers with each fault of the scene's task.
     fn faulty(&self, case: &dyn AnyCase, contestants: &[Box<dyn Contestant>], watch: &Watch) -> Result<Found, Stop> {
         let task = case.task().name();
         let open: BTreeSet<&str> =

@@ -1,4 +1,4 @@
-//! The work of shrinking a finding: as a run has found it, or as an earlier `shrink` has left it.
+//! The work of shrinking a finding, from a run or from the folder of an earlier `shrink`.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -13,10 +13,10 @@ use crate::out::program;
 use crate::programs::{Programs, Recorded};
 use crate::tool::Tool;
 
-/// Evaluations where none are asked for.
+/// The default number of evaluations.
 pub const EVALUATIONS: u64 = 5_000;
 
-/// How a finding is to be shrunk.
+/// The options of shrinking a finding.
 pub struct Ask<'a> {
     pub also: Vec<String>,
     pub not_by: Vec<String>,
@@ -60,12 +60,12 @@ pub fn begun<'a>(tool: &'a Tool, dir: &RunDir, finding: &FindingRow, ask: &Ask<'
     Ok(Job { tool, state, start, source: loaded.source, named: named(&finding.query), backends })
 }
 
-/// What the source of a shrunk scene says about the source of the first one: what was put before it comes off again.
+/// The source of the original scene, from the source of a shrunk scene: the prefix that `shrink` added is removed.
 fn source_of(source: &str) -> String {
     source.split_once("); ").map_or_else(String::new, |(_, source)| source.to_owned())
 }
 
-/// The work of a folder as it was left.
+/// The work of a folder, to be continued.
 pub fn again<'a>(tool: &'a Tool, folder: &Path, programs: &Programs) -> Result<Job<'a>, Failure> {
     let (state, loaded) = open(tool, folder)?;
     let start = loaded.spelled().ok_or_else(|| Failure::usage("the task cannot write its scenes out"))?;
@@ -75,7 +75,7 @@ pub fn again<'a>(tool: &'a Tool, folder: &Path, programs: &Programs) -> Result<J
     Ok(Job { tool, state, start, source, named: Vec::new(), backends })
 }
 
-/// What became of a scene, in a line.
+/// Describes the result of a shrink in one line.
 pub fn told(state: &State) -> String {
     let State { before, after, evaluations, .. } = state;
     let end = match state.end.as_deref() {

@@ -1,4 +1,4 @@
-//! The first findings of a run, each shrunk.
+//! Shrinks the first findings of a run.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -14,11 +14,11 @@ use crate::programs::Programs;
 use crate::tool::Tool;
 use crate::{interrupt, progress};
 
-/// The folder in that of a run.
+/// The name of the folder inside the run's folder.
 const SHRUNK: &str = "shrunk";
 
-/// Shrinks the first findings of each class of a run that has ended, each in a folder of its own in `shrunk`, and puts all scenes into
-/// one suite there. What was shrunk before stays; what was begun goes on.
+/// Shrinks the first findings of each class of a finished run, each in its own folder in `shrunk`, and writes all
+/// scenes into one suite there. Finished shrinks stay; unfinished shrinks continue.
 pub fn first_of_each_class(
     tool: &Tool,
     run: &Path,
@@ -61,12 +61,12 @@ pub fn first_of_each_class(
         bar.inc(1);
         let Ok(job) = job.map_err(|failure| note!("not shrunk: {}", failure.message)) else { continue };
         std::fs::create_dir_all(&folder).map_err(Failure::io(&folder))?;
-        // A finding that comes only with the whole scene, such as one of a sample, is told and left.
+        // A finding that depends on the whole scene, such as one of a sample, can't be shrunk; a note says so.
         match done(job, &folder) {
             Ok((state, scene, table)) => {
                 complete &= state.end.is_some();
                 note!("{}: {}", folder.display(), told(&state));
-                // Two findings may have one smallest scene, which a suite holds once.
+                // Two findings may have the same smallest scene, which a suite holds once.
                 tables.entry(scene).or_insert(table);
             }
             Err(failure) => note!("not shrunk: {}", failure.message),
@@ -87,7 +87,7 @@ pub fn first_of_each_class(
     Ok(if complete { exit::OK } else { exit::INCOMPLETE })
 }
 
-/// Shrinks, or tells what was shrunk before: how it ended, the scene's id, and the scene.
+/// Shrinks a finding, unless that is done already: the state, the scene's id, and the scene as a table.
 fn done(job: Job<'_>, folder: &Path) -> Result<(State, String, String), Failure> {
     let source = job.source.clone();
     let (state, shrunk) = job.run(folder, &mut |_, _| {})?;

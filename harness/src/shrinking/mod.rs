@@ -1,6 +1,6 @@
-//! Shrinking a finding into a folder: the scene as a suite, the tests, and what is needed to go on.
+//! Shrinks a finding into a folder: the scene as a suite, tests, and the state needed to continue.
 //!
-//! Each smaller scene is written down as it is found, so that an end at any moment loses one evaluation.
+//! Each smaller scene is written as soon as it is found, so a kill at any moment loses one evaluation.
 
 mod begun;
 mod first;
@@ -30,45 +30,45 @@ use crate::{interrupt, planning};
 pub use begun::{Ask, EVALUATIONS, again, begun, told};
 pub use first::first_of_each_class;
 
-/// The files of a folder: what is shrunk and how far, and the smallest scene so far.
+/// The files of a folder: the state, and the smallest scene so far.
 pub const STATE: &str = "shrink.json";
 pub const SUITE: &str = "shrunk.toml";
-/// The same scene as tests.
+/// The smallest scene as tests.
 const TESTS: [&str; 3] = ["shrunk.rs", "shrunk.cpp", "shrunk.py"];
 
-/// What is shrunk and how far it has come: `shrink.json`.
+/// The state of a shrink, written to `shrink.json`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct State {
-    /// The finding.
+    /// The id of the finding.
     pub finding_id: String,
-    /// Where it was found: suite, scene, and the scene's id.
+    /// The place of the finding: suite, scene, and the scene's id.
     pub suite: String,
     pub scene: String,
     pub scene_id: String,
     pub task: String,
     pub class: String,
     pub check: String,
-    /// The backends that have to show it, by their names; the first is the finding's.
+    /// The names of the backends that have to show the finding, its own backend first.
     pub shown_by: Vec<String>,
-    /// The backends that must not.
+    /// The names of the backends that must not show it.
     pub not_by: Vec<String>,
-    /// What engines among them are.
+    /// The files and versions of the engines among them.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub engines: BTreeMap<String, EngineFile>,
     pub level: String,
-    /// Seconds for each backend and scene.
+    /// The time limit in seconds of one backend on one scene.
     pub limit: f64,
-    /// Scenes that were looked at, and how many may be.
+    /// The number of scenes evaluated, and its maximum.
     pub evaluations: u64,
     pub most: u64,
-    /// Why it ended; none while it goes on.
+    /// The reason why it ended, or `None` while it is not finished.
     pub end: Option<String>,
-    /// Points, pieces, and what the coordinates cost to write.
+    /// The size of the scene: points, pieces, and digits of the coordinates.
     pub before: Measure,
     pub after: Measure,
 }
 
-/// How large a scene is.
+/// The size of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Measure {
     pub points: usize,
@@ -84,22 +84,22 @@ impl Measure {
     }
 }
 
-/// A finding and its scene.
+/// A finding and its scene, ready to be shrunk.
 pub struct Job<'a> {
     pub tool: &'a Tool,
-    /// What is known beforehand.
+    /// The initial state.
     pub state: State,
-    /// The scene to begin with: that of the finding, or the smallest so far.
+    /// The initial scene: that of the finding, or the smallest so far.
     pub start: Spelled,
-    /// Where the original is from, in words.
+    /// The source of the original scene, in words.
     pub source: String,
     /// The vertices that the finding is about.
     pub named: Vec<Vertex>,
-    /// The backends that have to show it, and those that must not.
+    /// The backends that have to show the finding, and those that must not.
     pub backends: [Picked; 2],
 }
 
-/// The vertices of queries as text.
+/// The vertices of queries given as text.
 pub fn named(query: &str) -> Vec<Vertex> {
     queries(query).iter().flat_map(|query| query.vertices().collect::<Vec<_>>()).collect()
 }
@@ -108,7 +108,7 @@ fn queries(text: &str) -> Vec<Query> {
     text.split(" | ").filter_map(|one| one.parse().ok()).collect()
 }
 
-/// The name of a shrunk scene: what it shows, and of which finding it is.
+/// The name of a shrunk scene, from its task, class, backend and finding.
 fn name_of(state: &State) -> String {
     let backend = state.shown_by.first().map_or("", String::as_str);
     let backend: String = backend.chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
@@ -116,7 +116,7 @@ fn name_of(state: &State) -> String {
 }
 
 impl State {
-    /// The backends of a shrink: those that have to show it, and those that must not.
+    /// The backends that have to show the finding, and those that must not.
     pub fn pick(&self, tool: &Tool, programs: &Programs, recorded: Recorded<'_>) -> Result<[Picked; 2], Failure> {
         Ok([programs.pick(tool, &self.shown_by, recorded)?, programs.pick(tool, &self.not_by, recorded)?])
     }
@@ -134,7 +134,7 @@ impl State {
         text.replace('\n', " ")
     }
 
-    /// The scene as a `[[scene]]` table; `from` is where the original is from, in words.
+    /// The scene as a `[[scene]]` table; `from` is the source of the original scene, in words.
     pub fn table(&self, from: &str, spelled: &Spelled, finding: &Finding) -> String {
         let analysis = self.analysis(finding);
         let mut source = format!("shrunk from {}/{} ({})", self.suite, self.scene, self.scene_id);
@@ -147,7 +147,7 @@ impl State {
 }
 
 impl Job<'_> {
-    /// Shrinks and writes into a folder that exists; `told` hears of evaluations and pieces.
+    /// Shrinks and writes into an existing folder; `told` is called with the numbers of evaluations and pieces.
     pub fn run(mut self, folder: &Path, told: &mut dyn FnMut(u64, usize)) -> Result<(State, Shrunk), Failure> {
         let level: Level = self.state.level.parse().map_err(Failure::usage)?;
         for picked in &self.backends {
@@ -201,7 +201,7 @@ impl Job<'_> {
         let done = shrink(vocabulary, witness, start, &self.named, limits, evaluations, &mut kept);
         let done = done.map_err(|why| {
             let State { suite, scene, finding_id, .. } = &self.state;
-            // Where it goes on, the scene is that of its own file.
+            // A continued shrink takes the scene from its own file.
             let own = folder.join(SUITE);
             let place = if own.exists() { format!("{}: ", own.display()) } else { String::new() };
             Failure::usage(format!("{place}{suite}/{scene}, finding {finding_id}: {why}; start it again"))
@@ -217,7 +217,7 @@ impl Job<'_> {
         Ok((self.state, done))
     }
 
-    /// Writes the scene, its tests and the state, in this order: what the state says is there.
+    /// Writes the scene, its tests and the state, in this order, so that everything that the state refers to exists.
     fn write(&self, folder: &Path, state: &State, spelled: &Spelled, finding: &Finding) -> Result<(), Failure> {
         let put = |name: &str, text: &str| replace(&folder.join(name), text.as_bytes()).map_err(Failure::usage);
         put(SUITE, &format!("title = \"Shrunk findings\"\n\n{}", state.table(&self.source, spelled, finding)))?;
@@ -234,7 +234,7 @@ impl Job<'_> {
     }
 }
 
-/// What a folder of `shrink` holds: its state, and the smallest scene so far.
+/// Reads a folder of `shrink`: its state, and the smallest scene so far.
 pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure> {
     let file = folder.join(STATE);
     let cure = "name the folder of a `shrink` that was begun";
@@ -258,7 +258,7 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
     if let Err(why) = state.level.parse::<Level>() {
         return refuse(why.to_string());
     }
-    // Engines are looked for where they are picked: a folder names none that is started.
+    // Engines are looked up when they are picked; reading a folder never starts one.
     let is_strange = |name: &&String| !name.starts_with(PREFIX) && !tool.knows_backend(name);
     for name in state.shown_by.iter().chain(&state.not_by).filter(is_strange) {
         if let Err(why) = tool.backend(name) {
@@ -271,7 +271,7 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
     Ok((state, loaded))
 }
 
-/// Backends in processes of their own: those that loop, crash or are somebody else's.
+/// Backends that run in separate processes, because they may loop or crash, or are from another crate.
 struct Apart<'a> {
     tool: &'a Tool,
     folder: PathBuf,
@@ -284,7 +284,7 @@ struct Apart<'a> {
 }
 
 impl Apart<'_> {
-    /// What a backend shows of what is wanted.
+    /// The wanted finding of a backend, if it shows it.
     fn find(&self, loaded: &LoadedScene, suite: &Path, backend: &str) -> Result<Option<Finding>, Stop> {
         let scene = planned_scene(loaded);
         let worker = Worker {

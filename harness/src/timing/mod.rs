@@ -1,4 +1,4 @@
-//! Timing: backends at their starting lines, samples in turns, and the parts of algorithms one by one.
+//! Timing: preparing backends, taking samples in turns, and timing the parts of algorithms.
 
 pub mod phases;
 

@@ -1,4 +1,4 @@
-//! The parts of algorithms, timed by `bench` one by one: rows of `phases.csv`.
+//! The parts of algorithms, which `bench` times one by one; the rows of `phases.csv`.
 
 use std::sync::atomic::Ordering::Relaxed;
 use std::time::{Duration, Instant};
@@ -20,19 +20,19 @@ pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     tables
 }
 
-/// What is timed together.
+/// A group of phases that are timed together.
 struct Part<'a> {
-    /// Empty where no predicate is asked.
+    /// The backend's name; empty for phases that call no predicate.
     backend: String,
     threads: usize,
     once: Box<dyn FnMut() -> Vec<Phase> + 'a>,
     passes: u32,
-    /// Nanoseconds for one of what each phase counts, sample by sample.
+    /// Nanoseconds per unit of each phase, sample by sample.
     known: Vec<Vec<f64>>,
 }
 
-/// Times the phases of a scene, where its task has any, and writes their rows: those that ask no predicate on each number of threads,
-/// the others on each runner. They take turns. False if interrupted.
+/// Times the phases of a scene, if its task has any, and writes their rows. Phases that call no predicate are timed
+/// with each number of threads, the others with each runner; they take turns. Returns false if interrupted.
 pub fn take(
     samples: &Samples,
     scene: &PlannedScene,
@@ -52,7 +52,7 @@ pub fn take(
         let once = Box::new(|| watch.phases());
         parts.push(Part { backend: name.clone(), threads: *threads, once, passes: 1, known: Vec::new() });
     }
-    // Once to warm up, to size the samples, and to see what has phases.
+    // One pass to warm up, to size the samples, and to see which parts have phases.
     parts.retain_mut(|part| {
         let start = Instant::now();
         match caught(|| (part.once)()) {
@@ -78,7 +78,7 @@ pub fn take(
                 return Ok(false);
             }
             for (at, phase) in part.times().into_iter().enumerate() {
-                // Counts of units and passes are far below 2^53: no rounding.
+                // Counts of units and passes are far below 2^53, so the conversion is exact.
                 #[allow(clippy::cast_precision_loss)]
                 let units = phase.count as f64 * f64::from(part.passes);
                 let ns_per_unit = phase.elapsed.max(Duration::from_nanos(1)).as_secs_f64() * 1e9 / units;
@@ -107,7 +107,7 @@ pub fn take(
 }
 
 impl Part<'_> {
-    /// The phases of all passes of a sample, their times added up.
+    /// The phases of one sample, with the times of all passes added up.
     fn times(&mut self) -> Vec<Phase> {
         let mut all = (self.once)();
         for _ in 1..self.passes {

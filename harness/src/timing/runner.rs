@@ -1,30 +1,30 @@
-//! Backends at their starting lines: what is timed, and what it has to answer.
+//! Prepared backends: what is timed, and the answers that it has to give.
 
 use predicament_corpus::LoadedScene;
 use predicament_oracle::caught;
 use predicament_records::{Interface, PlannedScene};
 use predicament_tasks::{Contestant, Stopwatch, on_threads};
 
-/// One backend at its starting line.
+/// A backend that is ready to be timed on one scene.
 pub struct Runner<'a> {
     /// The backend's name.
     pub name: String,
     pub(super) family: String,
     pub(super) version: String,
-    /// How it is asked.
+    /// The interface through which it is called.
     pub(super) interface: Interface,
-    /// The threads that it uses.
+    /// The number of threads that it uses.
     pub threads: usize,
-    /// Its passes.
+    /// The stopwatch that runs and times its passes.
     pub watch: Box<dyn Stopwatch + 'a>,
     pub(super) judged: u64,
     pub(super) queries: u64,
     pub(super) passes: u32,
-    /// Nanoseconds per query of each sample.
+    /// The nanoseconds per query of each sample.
     pub(super) samples: Vec<f64>,
 }
 
-/// Prepares one backend by each interface, for each of these numbers of threads.
+/// Prepares a backend for each interface and each of these numbers of threads.
 pub fn start<'a>(
     loaded: &'a LoadedScene,
     backend: &'a dyn Contestant,
@@ -58,7 +58,7 @@ pub fn start<'a>(
     Ok(runners)
 }
 
-/// Prepares predicates that return at once: what they answer is not judged, only that it stays the same.
+/// Prepares predicates that return at once. Their answers are not judged; they only have to stay the same.
 pub fn empty<'a>(
     loaded: &'a LoadedScene,
     binding: &'a dyn Contestant,

@@ -1,4 +1,4 @@
-//! A sample of scenes that takes about so many seconds to time: one scene of a family, of each task in turn.
+//! Chooses a sample of scenes that takes about a given time: one scene per family, from each task in turn.
 
 use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use std::path::PathBuf;
@@ -9,27 +9,27 @@ use predicament_records::Costs;
 use crate::exit::Failure;
 use crate::select::Planned;
 
-/// Samples that a backend takes of a scene until its median is known, by experience.
+/// The typical number of samples of a scene until a backend's median is known.
 const SAMPLES: u64 = 6;
 
 /// A limit on the time of a bench.
 pub struct Limit<'r> {
-    /// The time that it may take, about.
+    /// The approximate time of the bench.
     pub time: Duration,
-    /// The run that has judged the scenes: it knows what they cost.
+    /// The run that has judged the scenes, which knows their costs.
     pub run: &'r PathBuf,
-    /// The backends by name.
+    /// The names of the backends.
     pub backends: &'r [String],
-    /// The least time of a sample, in milliseconds.
+    /// The minimum time of a sample, in milliseconds.
     pub sample_ms: u64,
 }
 
-/// The scenes of a sample, in the order in which they are given, and a line that says what was left out.
+/// The scenes of a sample, in the given order, and a line that says what was left out.
 pub fn sample(mut scenes: Vec<Planned>, limit: &Limit<'_>) -> Result<(Vec<Planned>, String), Failure> {
     let costs = Costs::read(std::slice::from_ref(limit.run)).map_err(Failure::usage)?;
     let least = limit.backends.len() as u64 * SAMPLES * limit.sample_ms * 1000;
     let cost = |planned: &Planned| costs.of(&planned.plan, limit.backends).0.unwrap_or(0).max(least);
-    // By task: the cheapest scene of each family, the cheapest families first.
+    // For each task: the cheapest scene of each family, cheapest families first.
     let mut tasks: BTreeMap<&str, BTreeMap<&str, (u64, usize)>> = BTreeMap::new();
     for (at, planned) in scenes.iter().enumerate() {
         let families = tasks.entry(&planned.plan.task).or_default();
@@ -50,7 +50,7 @@ pub fn sample(mut scenes: Vec<Planned>, limit: &Limit<'_>) -> Result<(Vec<Planne
     while let Some(mut queue) = queues.pop_front() {
         let Some((cost, at)) = queue.pop_front() else { continue };
         if !chosen.is_empty() && spent.saturating_add(cost) > most {
-            // What follows of this task costs as much, or more.
+            // The remaining families of this task cost as much or more.
             continue;
         }
         spent += cost;

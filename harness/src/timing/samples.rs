@@ -1,4 +1,4 @@
-//! Samples in turns, until each median is known well enough.
+//! Takes samples in turns until each median is known well enough.
 
 use std::time::{Duration, Instant};
 
@@ -9,25 +9,25 @@ use super::Runner;
 use crate::exit::{self, Failure};
 use crate::interrupt;
 
-/// How samples are taken.
+/// The options of sampling.
 pub struct Samples {
-    /// How many, at most.
+    /// The maximum number of samples.
     pub most: u64,
-    /// What a sample takes, at least.
+    /// The minimum time of a sample.
     pub least: Duration,
-    /// How well the median has to be known, as a fraction of it.
+    /// The required precision of the median, as a fraction of it.
     pub precision: f64,
 }
 
-/// How many times longer than it lasts a sample may take.
+/// The maximum ratio of the waiting time of a sample to its minimum time.
 const PATIENCE: u128 = 10;
 
-/// Samples before the first look at the confidence interval: the smallest and the
-/// largest of six enclose the median with 97 %.
+/// The number of samples before the first look at the confidence interval. The smallest and the largest of six samples
+/// enclose the median with 97 %.
 const FIRST_LOOK: usize = 6;
 
 impl Samples {
-    /// Times the runners in turns. False if interrupted.
+    /// Times the runners in turns. Returns false if interrupted.
     pub fn take(
         &self,
         scene: &PlannedScene,
@@ -35,7 +35,7 @@ impl Samples {
         writer: &mut RunWriter,
         remarks: &mut Vec<String>,
     ) -> Result<bool, Failure> {
-        // A pass to warm up, to size the samples, and to see that the answers are the judged ones.
+        // Passes to warm up, to size the samples, and to see that the answers are the judged ones.
         runners.retain_mut(|runner| {
             let warm = caught(|| {
                 runner.watch.pass();
@@ -50,7 +50,7 @@ impl Samples {
                     return false;
                 }
             };
-            // By a clock of its own a pass can be much shorter than we wait for it.
+            // If a pass is timed by its own clock, that time can be much shorter than the waiting time.
             let passes =
                 (self.least.as_nanos() / pass.as_nanos()).min(PATIENCE * self.least.as_nanos() / wall.as_nanos());
             runner.passes = u32::try_from(passes + 1).unwrap_or(u32::MAX);
@@ -79,10 +79,10 @@ impl Samples {
                         continue;
                     }
                 };
-                // Counts of queries and passes are far below 2^53: no rounding.
+                // Counts of queries and passes are far below 2^53, so the conversion is exact.
                 #[allow(clippy::cast_precision_loss)]
                 let queries = runner.queries as f64 * f64::from(runner.passes);
-                // A clock that has not moved says that it was less than its step.
+                // A clock that has not moved shows that the time was less than its step.
                 let ns_per_query = total.max(Duration::from_nanos(1)).as_secs_f64() * 1e9 / queries;
                 runner.samples.push(ns_per_query);
                 rows.push(ThroughputRow {
@@ -108,14 +108,14 @@ impl Samples {
         Ok(true)
     }
 
-    /// Whether the median is known well enough.
+    /// True if the median is known well enough.
     pub fn is_known(&self, samples: &[f64]) -> bool {
         interval(samples).is_some_and(|[low, high]| high - low <= self.precision * (low + high))
     }
 }
 
-/// A confidence interval of the median, of at least 95 %: between two order
-/// statistics, so that it needs no distribution. None for fewer than six samples.
+/// A confidence interval of the median, of at least 95 %, between two order statistics. It needs no assumption about
+/// the distribution. `None` for fewer than six samples.
 fn interval(samples: &[f64]) -> Option<[f64; 2]> {
     let n = samples.len();
     if n < FIRST_LOOK {
@@ -123,7 +123,7 @@ fn interval(samples: &[f64]) -> Option<[f64; 2]> {
     }
     let mut sorted = samples.to_vec();
     sorted.sort_unstable_by(f64::total_cmp);
-    // The share of outcomes of n fair coins with at most `below` heads, doubled, is what the interval misses.
+    // The interval misses twice the share of outcomes of n fair coins with at most `below` heads.
     let mut below = 0;
     let (mut term, mut tail) = (0.5_f64.powi(i32::try_from(n).unwrap_or(i32::MAX)), 0.0);
     while below < n / 2 {
@@ -132,7 +132,7 @@ fn interval(samples: &[f64]) -> Option<[f64; 2]> {
             break;
         }
         below += 1;
-        // Counts of samples: exact as doubles.
+        // Counts of samples are exact as doubles.
         #[allow(clippy::cast_precision_loss)]
         let next = (n - below + 1) as f64 / below as f64;
         term *= next;
@@ -149,7 +149,7 @@ mod tests {
     fn the_interval_is_that_of_the_binomial_distribution() {
         let samples = |n: u32| (1..=n).rev().map(f64::from).collect::<Vec<_>>();
         assert_eq!(interval(&samples(5)), None);
-        // The tables of order statistics: 1 and 6 of 6 (96.9 %), 2 and 10 of 11 (98.8 %), 6 and 15 of 20 (95.9 %).
+        // From tables of order statistics: 1 and 6 of 6 (96.9 %), 2 and 10 of 11 (98.8 %), 6 and 15 of 20 (95.9 %).
         assert_eq!(interval(&samples(6)), Some([1.0, 6.0]));
         assert_eq!(interval(&samples(11)), Some([2.0, 10.0]));
         assert_eq!(interval(&samples(20)), Some([6.0, 15.0]));

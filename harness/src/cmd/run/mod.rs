@@ -77,7 +77,7 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub permutations: Option<usize>,
 
-    /// Write every answer to answers.csv; answers that are not per query are counted
+    /// Write every answer to answers.csv; scenes whose answer is one whole are only counted
     #[arg(long)]
     pub answers: bool,
 
