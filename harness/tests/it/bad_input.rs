@@ -1,9 +1,9 @@
-//! Bad input: one line with a place and a cure, the right exit code, nothing half-written.
+//! Bad input gives one line with a place and a cure, the right exit code, and no half-written output.
 
 use crate::common::{SUITE, at, expect, run, tool, write};
 use tempfile::tempdir;
 
-/// A failure is one line on stderr that holds these words; the rest is quiet.
+/// Asserts that a call fails with this code and one line on stderr that has these words, and prints nothing else.
 fn fails(code: i32, args: &[&str], words: &[&str]) {
     let told = expect(code, args);
     let lines: Vec<&str> = told.stderr.lines().filter(|line| !line.contains("is not run:")).collect();
@@ -113,7 +113,7 @@ fn usage_is_answered_with_what_there_is() {
     assert_eq!(tool(&["run", "--no-such-flag"]).output().unwrap().status.code(), Some(2));
 }
 
-/// The value of a variable of a script that is not set must not mean everything.
+/// An empty argument, the value of an unset variable of a script, must not select everything.
 #[test]
 fn nothing_is_no_argument() {
     let folder = tempdir().unwrap();

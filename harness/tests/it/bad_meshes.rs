@@ -1,4 +1,4 @@
-//! Bad mesh files of every format: one line with the file, the line or the byte, and the cure, and code 104.
+//! Bad mesh files of every format give one line with the file, the line or byte, and the cure, and exit code 104.
 
 use crate::common::{at, expect, write};
 use tempfile::{TempDir, tempdir};
@@ -16,23 +16,23 @@ enum Format {
 use Format::{Obj, Off, PlyBinary, PlyText, StlBinary, StlText};
 
 const ALL: [Format; 6] = [Off, Obj, PlyText, PlyBinary, StlText, StlBinary];
-/// The formats that list points and name them in faces.
+/// The formats that list points, which faces refer to by index.
 const INDEXED: [Format; 4] = [Off, Obj, PlyText, PlyBinary];
 
-/// Points, and faces that name them from 0.
+/// A mesh: points, and faces as indices of points, from 0.
 #[derive(Clone)]
 struct Mesh {
     points: Vec<[f32; 3]>,
     faces: Vec<Vec<usize>>,
 }
 
-/// A mesh file, and where its parts are.
+/// A mesh file, with the places of its parts.
 struct File {
     name: &'static str,
     bytes: Vec<u8>,
     points: Vec<String>,
     faces: Vec<String>,
-    /// The number of each point in what is read: STL files do not list points.
+    /// The index of each point after reading, because STL files do not list points.
     numbers: Vec<usize>,
 }
 
@@ -45,7 +45,7 @@ impl File {
         format!("{} ({})", self.numbers[point], self.points[point])
     }
 
-    /// What a message begins with that is about such a place.
+    /// The prefix of a message about a place.
     fn place(&self, place: &str) -> String {
         match place.strip_prefix("line ") {
             Some(line) => format!("{}:{line}: ", self.name),
@@ -116,7 +116,8 @@ fn file(format: Format, mesh: &Mesh) -> File {
     file
 }
 
-/// The triangles behind one that is dropped, as two of its corners are one: numbers of faces are not those of the file.
+/// Writes the triangles after one that is dropped because its corners coincide, so that the indices of faces differ
+/// from those in the file.
 fn stl(is_text: bool, mesh: &Mesh, file: &mut File) {
     let first = mesh.faces[0][0];
     let dropped = vec![first, first, first];
@@ -179,7 +180,7 @@ fn with_more(points: &[[f32; 3]], face: &[usize]) -> Mesh {
     mesh
 }
 
-/// Refused by a task on the file, and, for one format, by a suite that names it.
+/// Asserts that a task on the file refuses it and, for one format, that a suite with the file does too.
 fn refused(folder: &TempDir, format: Format, file: &File, what: &str, expected: &str) {
     let what = format!("{what} in {format:?}");
     let path = at(folder, file.name);
@@ -204,7 +205,7 @@ fn refused(folder: &TempDir, format: Format, file: &File, what: &str, expected: 
     assert_eq!(line(&expect(104, &["run", &suite, "--out", &out]).stderr), said, "{what}");
 }
 
-/// Each kind of bad surface in each format that can hold it.
+/// Tries each kind of bad surface in each format that can hold it.
 #[test]
 fn surfaces_that_are_none_are_refused_where_they_are_written() {
     type Said = fn(&File) -> String;
@@ -257,7 +258,7 @@ fn surfaces_that_are_none_are_refused_where_they_are_written() {
     }
 }
 
-/// Each kind of wrong or truncated file in each format that can be so.
+/// Tries each kind of wrong or truncated file in each format where it is possible.
 #[test]
 fn files_that_are_none_are_refused_where_they_are_wrong() {
     let folder = tempdir().unwrap();
@@ -291,7 +292,7 @@ fn files_that_are_none_are_refused_where_they_are_wrong() {
     }
     for format in ALL {
         let mut short = file(format, &tetrahedron());
-        // In the last face: of text, its last character and the end of its line.
+        // Cut inside the last face; in a text format, cut its last character and line end.
         let (cut, place, said) = match format {
             Off => (2, &short.faces[3], "a face is the number of its corners, then the corners; give"),
             Obj => (2, &short.faces[3], "a face of 2 corners; give it three"),
@@ -329,7 +330,7 @@ fn files_that_are_none_are_refused_where_they_are_wrong() {
     }
 }
 
-/// Surfaces that have no inside, as their regions are not closed, in each format.
+/// Tries surfaces without an inside, because their regions are not closed, in each format.
 #[test]
 fn open_and_turned_surfaces_have_no_regions() {
     let folder = tempdir().unwrap();
@@ -353,7 +354,7 @@ fn open_and_turned_surfaces_have_no_regions() {
     }
 }
 
-/// What is fine is fine: otherwise the tests above would say nothing.
+/// A good mesh is read; otherwise the tests above would prove nothing.
 #[test]
 fn the_tetrahedron_is_read_from_every_format() {
     let folder = tempdir().unwrap();

@@ -1,11 +1,11 @@
-//! `predicament study bounds`, and the page that is made of it.
+//! `predicament study bounds`, and the page made from it.
 
 use crate::common::{column, expect};
 
 #[test]
 fn the_committed_page_is_what_the_command_prints() {
     let page = include_str!("../../../docs/BOUNDS.md");
-    // what a search has found comes last, and is not derived
+    // the results of a search come last, and are not derived
     let (page, found) = page.split_once("\n## Worst cases\n").expect("the search comes last");
     assert!(found.contains("`predicament study worst`"));
     assert_eq!(expect(0, &["study", "bounds"]).stdout, page, "run `cargo xtask pages`");

@@ -3,21 +3,21 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// The tool, ready for arguments, with no data fetched.
+/// The tool with these arguments and without fetched data.
 pub fn tool(args: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_predicament"));
     command.args(args).stdin(Stdio::null()).env("RUST_BACKTRACE", "0").env_remove("PREDICAMENT_CACHE");
     command
 }
 
-/// What a call printed and how it ended.
+/// The output and the exit code of a call.
 pub struct Told {
     pub code: i32,
     pub stdout: String,
     pub stderr: String,
 }
 
-/// Runs the tool to its end.
+/// Runs the tool until it ends.
 pub fn run(args: &[&str]) -> Told {
     told(tool(args).output().expect("the tool starts"))
 }
@@ -30,7 +30,7 @@ pub fn told(output: Output) -> Told {
     }
 }
 
-/// Runs the tool and insists on an exit code.
+/// Runs the tool and asserts its exit code.
 pub fn expect(code: i32, args: &[&str]) -> Told {
     let told = run(args);
     assert_eq!(told.code, code, "{args:?}\nstdout: {}\nstderr: {}", told.stdout, told.stderr);
@@ -42,7 +42,7 @@ pub fn at(folder: &tempfile::TempDir, name: &str) -> String {
     folder.path().join(name).display().to_string()
 }
 
-/// The tables of a folder by name, but for those of times: they are the same whatever the threads.
+/// The tables of a folder by name, except those with times. They do not depend on the number of threads.
 pub fn tables(folder: &str) -> Vec<(String, String)> {
     let names = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
     let mut names: Vec<String> =
@@ -51,7 +51,7 @@ pub fn tables(folder: &str) -> Vec<(String, String)> {
     names.into_iter().map(|name| (name.clone(), read(folder, &name))).collect()
 }
 
-/// Asserts that two folders have the same tables, those of times apart.
+/// Asserts that two folders have the same tables, except those with times.
 pub fn assert_same_tables(one: &str, other: &str, why: &str) {
     let (one, other) = (tables(one), tables(other));
     let names = |tables: &[(String, String)]| tables.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
@@ -65,12 +65,12 @@ pub fn read(folder: &str, file: &str) -> String {
     std::fs::read_to_string(Path::new(folder).join(file)).unwrap_or_else(|error| panic!("{folder}/{file}: {error}"))
 }
 
-/// A JSON file of a run folder as it was before there were seals: it may be changed.
+/// Reads a JSON file of a run folder without its seal, so that a test may change it.
 pub fn unsealed(folder: &str, file: &str) -> String {
     read(folder, file).lines().filter(|line| !line.starts_with("  \"seal\"")).map(|line| format!("{line}\n")).collect()
 }
 
-/// Writes a table of a run folder anew, as if the run had written it: its state says so.
+/// Rewrites a table of a run folder and its digest in the state, as if the run had written it.
 pub fn rewrite(folder: &str, file: &str, text: &str) {
     std::fs::write(Path::new(folder).join(file), text).unwrap();
     let mut state: serde_json::Value = serde_json::from_str(&unsealed(folder, "state.json")).unwrap();
@@ -87,7 +87,7 @@ pub fn column(csv: &str, name: &str) -> Vec<String> {
     lines.map(|line| line.split(',').nth(place).unwrap_or_default().to_owned()).collect()
 }
 
-/// Writes a file and gives its path.
+/// Writes a file and returns its path.
 pub fn write(folder: &tempfile::TempDir, name: &str, text: &str) -> String {
     let path: PathBuf = folder.path().join(name);
     std::fs::write(&path, text).expect("the folder is writable");

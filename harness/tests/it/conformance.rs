@@ -1,4 +1,4 @@
-//! Conformance tests of a crate of one's own.
+//! Conformance tests of another crate.
 
 use crate::common::{at, write};
 use predicament::example::Mine;
@@ -23,11 +23,11 @@ fn findings_and_expectations_that_nothing_can_meet_fail_it() {
     let never = check("^families/uniform-orient2d", &entry("families/unifrom-*")).unwrap_err();
     assert!(never.contains("mine: expectations that nothing can meet\n"), "{never}");
     assert!(never.contains("expected.toml:1: no scene is called `families/unifrom-*`"), "{never}");
-    // What is in the folder is replaced only where it is a run.
+    // The contents of the folder are replaced only if it is a run.
     write(&folder, "precious.txt", "mine");
     let refused = predicament::conformance(Mine).folder(folder.path()).check().unwrap_err();
     assert!(refused.ends_with("the folder holds something else than a run; name another"), "{refused}");
     assert!(folder.path().join("precious.txt").exists());
-    // Left out by the filter.
+    // The filter leaves this scene out.
     check("^families/uniform-orient2d", &entry("families/kettner-orient2d")).unwrap();
 }

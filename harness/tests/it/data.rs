@@ -1,7 +1,7 @@
 //! Results as data: `export`, `schema`, and the page about them.
 //!
-//! What the page says to DuckDB and pandas is run by these where they are: `cargo xtask nightly` makes a place for them and names its Python in
-//! `PREDICAMENT_PYTHON`. What it says to R is run where R has the packages.
+//! These tests run the page's examples for DuckDB and pandas if both are available: `cargo xtask nightly` installs them
+//! and names their Python in `PREDICAMENT_PYTHON`. The examples for R run if R has the packages.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -33,7 +33,7 @@ fn every_table_of_a_run_is_exported() {
     there.sort();
     assert_eq!(there, names);
 
-    // As CSV, the cells of a table are those of the run, with four columns in front.
+    // As CSV, a table has the cells of the run, with four columns in front.
     let csv = at(&folder, "csv");
     expect(0, &["data", "export", &out, "--out", &csv, "--format", "csv"]);
     for (name, text) in tables(&out) {
@@ -104,10 +104,10 @@ fn the_page_has_the_schema_and_every_column_a_meaning() {
     assert!(told.stderr.contains("there is no `<!-- predicament: schema -->`"), "{}", told.stderr);
 }
 
-/// The night from which a task of a backend is slower in [`year`], from 0, and what it is.
+/// The night of [`year`], from 0, after which one task of one backend is slower, and that task and backend.
 const SLOWER: (u64, &str, &str) = (230, "orient3d", "exact");
 
-/// Writes a year of benches: the folder of each night by its date.
+/// Writes benches of a year, one folder per night, named by its date.
 fn year(folder: &Path, nights: u64) {
     let base = moment::seconds("2026-01-01T03:00:00Z").unwrap();
     let commit = |night: u64| format!("{:040x}", 0xC0FFEE + night / 2);
@@ -159,7 +159,7 @@ fn year(folder: &Path, nights: u64) {
     }
 }
 
-/// A number from -1 to 1 that these decide.
+/// A pseudo-random number from -1 to 1 that depends only on `of`.
 fn noise(of: &[u64]) -> f64 {
     let mixed = of.iter().fold(0x9E37_79B9_7F4A_7C15_u64, |sum, part| {
         let sum = (sum ^ part).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -224,14 +224,14 @@ fn python(script: &str, folder: &Path) -> String {
     String::from_utf8(done.stdout).unwrap()
 }
 
-/// The first block of the page in a language that has this in it.
+/// The first block of the page in this language that contains this text.
 fn block(language: &str, with: &str) -> &'static str {
     let blocks = PAGE.split("```").skip(1).step_by(2).filter_map(|block| block.split_once('\n'));
     let mut found = blocks.filter(|(of, text)| *of == language && text.contains(with)).map(|(_, text)| text);
     found.next().unwrap_or_else(|| panic!("the page has no block of {language} with `{with}`"))
 }
 
-/// What a block of SQL gives, as CSV without quotes.
+/// The result of a block of SQL, as CSV without quotes.
 fn duckdb(sql: &str, folder: &Path) -> String {
     std::fs::write(folder.join("query.sql"), sql).unwrap();
     let script = "import duckdb\nresult = duckdb.sql(open('query.sql').read())\nprint(','.join(result.columns))\n\
@@ -239,7 +239,8 @@ fn duckdb(sql: &str, folder: &Path) -> String {
     python(script, folder)
 }
 
-/// Runs and exports some scenes into `data` of a folder, and counts wrong answers by task and backend from the run itself, as CSV.
+/// Runs some scenes and exports them into the folder `data`. Returns the number of wrong answers by task and backend,
+/// counted from the run, as CSV.
 fn wrong_answers(folder: &tempfile::TempDir) -> String {
     let out = at(folder, "run");
     run(&[
@@ -279,7 +280,7 @@ fn page_in_r_counts_wrong_answers_as_the_run_does() {
     let expected = wrong_answers(&folder);
     let script = at(&folder, "block.R");
     std::fs::write(&script, block("r", "read_parquet")).unwrap();
-    // Names in the order of their bytes, whatever the language of the machine.
+    // Names are sorted by bytes, whatever the locale of the machine.
     let done = Command::new("Rscript").arg(&script).current_dir(folder.path()).env("LC_ALL", "C").output();
     let done = done.expect("R is installed");
     assert!(done.status.success(), "{}", String::from_utf8_lossy(&done.stderr));
@@ -350,7 +351,7 @@ fn page_of_data_finds_the_night_that_was_slower() {
     let start = format!("{} 03:00:0{},{commit},{before},{task},{backend},batch,2,1.", &date[..10], night % 7);
     assert!(lines[1].starts_with(&start), "{} does not start with {start}", lines[1]);
 
-    // A year without that night has nothing to tell: the query is no alarm of its own.
+    // In a year without the slower night the query must not raise an alarm.
     let plain = folder.path().join("plain");
     for entry in std::fs::read_dir(&nights).unwrap().map(|entry| entry.unwrap()) {
         if entry.file_name().to_str().unwrap() < &date[..10] {

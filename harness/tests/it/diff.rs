@@ -1,4 +1,4 @@
-//! What changed from one run to another.
+//! The changes from one run to another.
 
 use serde_json::Value;
 use tempfile::tempdir;
@@ -29,7 +29,7 @@ fn what_changed_was_added_and_removed_is_told() {
     let told = expect(0, &["data", "diff", &before, &go(&one, "again", "exact,sos")]);
     assert!(told.stdout.contains("| 6 | 0 | 0 | 0 |"), "{}", told.stdout);
 
-    // One scene is gone, one is new, and one has another content; a backend is new.
+    // One scene is removed, one is added, one has other contents, and one backend is added.
     let other = suite("mine.toml", &[("a", "2"), ("b", "5"), ("d", "6")]);
     let now = go(&other, "now", "exact,sos");
     let json: Value =
@@ -47,7 +47,7 @@ fn what_changed_was_added_and_removed_is_told() {
         )
     );
 
-    // A wrong sign that nobody expects is a change for the worse.
+    // An unexpected wrong sign is a change for the worse.
     let naive = go(&other, "naive", "exact,naive");
     let told = run(&["data", "diff", &now, &naive, "--format", "json"]);
     let json: Value = serde_json::from_str(&told.stdout).unwrap();

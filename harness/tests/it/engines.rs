@@ -1,19 +1,19 @@
-//! The example engines, built and run as their pages say. They need a C++ compiler, Python and a crate: `cargo xtask test` runs
-//! these tests where it finds them, and says so where it does not.
+//! The example engines, built and run as their pages say. They need a C++ compiler, Python and a crate. `cargo xtask
+//! test` runs these tests if it finds them, and otherwise says that it does not.
 
 use std::path::Path;
 
 use crate::common::{SUITE, at, column, expect, read, run, tool, unsealed, write};
 use tempfile::tempdir;
 
-/// An engine that computes what `naive` computes has the same rows as `naive`, but for its name.
-/// (orient3d is expanded in another order there: where nothing is near a tie, that is no difference.)
+/// Asserts that an engine that computes like `naive` has the same rows as `naive`, except for its name. (The engine
+/// expands orient3d in another order, which makes no difference far from ties.)
 fn agrees_with_naive(engine: &str) {
     let filter = "/(uniform|grid|near|kettner|wide-mixed)-(compare|orient2d|incircle)|/(uniform|grid)-orient3d";
     agrees(engine, "naive", filter);
 }
 
-/// An engine of the repository has the same rows as a backend in these scenes, but for its name.
+/// Asserts that an engine has the same rows as a backend in these scenes, except for its name.
 fn agrees(engine: &str, backend: &str, filter: &str) {
     agrees_in(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../engines")), engine, backend, filter);
 }
@@ -33,7 +33,7 @@ pub fn agrees_in(engines: &Path, engine: &str, backend: &str, filter: &str) {
     let ran = call(&["run", "families", "-f", filter, "-b", &backends, "--out", &out]);
     assert_eq!(ran.0, Some(100), "its mistakes are expected of nobody: {}", ran.1);
     let summary = read(&out, "summary.csv");
-    // Everything between the backend and the status.
+    // Compare the columns between the backend and the status.
     let rows = |backend: &str| -> Vec<String> {
         let of = summary.lines().filter(|line| line.split(',').nth(4) == Some(backend));
         of.map(|line| line.replace(backend, "").rsplit_once(',').unwrap().0.to_owned()).collect()
@@ -45,7 +45,7 @@ pub fn agrees_in(engines: &Path, engine: &str, backend: &str, filter: &str) {
     assert!(findings.lines().any(|line| line.contains(&format!("engine:{engine}"))), "{findings}");
 }
 
-/// A folder with an engine in Python whose `orient2d` is this line.
+/// Writes an engine in Python whose `orient2d` is this line.
 fn python(folder: &tempfile::TempDir, name: &str, orient2d: &str) -> String {
     let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python");
     let engine = format!(
@@ -75,7 +75,7 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,exact", "--out", "run"]);
     assert_eq!(code, 100, "{told}");
     let id = &column(&read(&out, "findings.csv"), "finding_id")[0];
-    // From another folder, where it is named: a run folder starts nothing by itself.
+    // Run from another folder, with the engine named: reading a run folder never starts a program.
     let here = format!("mine={}", at(&folder, "here/engine.toml"));
     let refused = expect(2, &["replay", id, "--run", &out, "-b", "exact"]).stderr;
     assert!(refused.contains(&format!("add --engine {here}")), "{refused}");
@@ -85,12 +85,12 @@ fn an_engine_in_python_is_found_again_by_its_file() {
     assert_eq!(code, 100, "{told}");
     let rows = |run: &str| read(&at(&folder, run), "summary.csv").lines().filter(|l| l.contains("mine,e")).count();
     assert_eq!(column(&read(&at(&folder, "apart"), "summary.csv"), "overreach"), ["1", "0"], "{}", rows("apart"));
-    // A run that was interrupted before it began.
+    // Make a run that was interrupted before it began.
     crate::common::rewrite(&out, "summary.csv", &format!("{}\n", read(&out, "summary.csv").lines().next().unwrap()));
     write(&folder, "run/state.json", &unsealed(&out, "state.json").replace("complete", "interrupted"));
     let resumed = crate::common::run(&["run", "--resume", &out, "--engine", &here]);
     assert_eq!(resumed.code, 100, "{}", resumed.stderr);
-    // Another version by then, or another name, is another engine.
+    // An engine with another version or another name is another engine.
     write(&folder, "run/state.json", &unsealed(&out, "state.json").replace("complete", "interrupted"));
     for (file, from, to, why) in [
         (
@@ -118,7 +118,7 @@ fn an_engine_in_python_is_found_again_by_its_file() {
         100,
         "with the engine that it was begun with"
     );
-    // Two of one name are two backends.
+    // Two engines with one name are two backends.
     python(&folder, "there", DETERMINANT);
     let (code, told) = call(&["run", &suite, "-b", "engine:here/engine.toml,engine:there/engine.toml", "--out", "two"]);
     assert!(code == 2 && told.contains("two engines are called `engine:mine`"), "{told}");
@@ -133,7 +133,7 @@ fn an_engine_in_python_that_loops_ends_with_its_worker() {
     let engine = python(&folder, "endless", "while True: pass");
     let out = at(&folder, "run");
     let backend = format!("engine:{engine}");
-    // A time limit is enough to have it apart.
+    // A time limit is enough to run it in a separate process.
     let told = crate::common::run(&["run", &suite, "-b", &backend, "--timeout", "0.5", "--out", &out]);
     assert_eq!(told.code, 103, "{}", told.stderr);
     assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
@@ -174,14 +174,14 @@ fn the_example_in_python_is_judged() {
     agrees_with_naive("naive-python");
 }
 
-/// The backend `shewchuk` is the same crate, in this process.
+/// The backend `shewchuk` uses the same crate, in this process.
 #[test]
 #[ignore = "needs a crate from the registry"]
 fn the_example_in_rust_is_built_and_judged() {
     agrees("robust", "shewchuk", "/(uniform|grid|near|kettner|wide-mixed)-(orient2d|orient3d|incircle|insphere)");
 }
 
-/// A copy of the Python example with its helper, in a folder of this name; the path of its configuration.
+/// A copy of the Python example and its helper in a folder with this name; returns the path of its configuration.
 fn copied(folder: &tempfile::TempDir, name: &str) -> String {
     let engines = Path::new(env!("CARGO_MANIFEST_DIR")).join("../engines");
     for (from, to) in [("python", "python"), ("naive-python", name)] {
@@ -226,7 +226,7 @@ fn an_engine_in_python_by_path_is_found_again() {
     assert!(resumed.stdout.contains("timeout"), "{}{}", resumed.stdout, resumed.stderr);
     expect(100, &["run", &suite, "-b", &backends, "--isolate", "--out", &apart]);
     crate::common::assert_same_tables(&out, &apart, "in a process of its own");
-    // Rows of two engines could not be told apart.
+    // Rows of two engines with one name would be ambiguous.
     let both = format!("engine:{one},engine:{two}");
     let refused = expect(2, &["run", &suite, "-b", &both, "--out", &at(&folder, "both")]);
     assert!(refused.stderr.contains("two engines are called `engine:naive-python`: "), "{}", refused.stderr);
@@ -239,7 +239,7 @@ fn an_engine_in_python_by_path_is_found_again() {
     );
 }
 
-/// An engine with the name of a backend is another one everywhere.
+/// An engine with the name of a backend is a different backend everywhere.
 #[test]
 #[ignore = "needs Python"]
 fn an_engine_in_python_called_as_a_backend_is_told_apart() {

@@ -1,10 +1,10 @@
-//! `expect update` and `expect prune`: a file of expectations brought to what a run has found.
+//! `expect update` and `expect prune` update a file of expectations from a run.
 
 use tempfile::{TempDir, tempdir};
 
 use crate::common::{SUITE, at, expect, run, unsealed, write};
 
-/// The run of a suite on two backends, held against a file.
+/// Runs a suite on two backends with a file of expectations.
 fn go(folder: &TempDir, suite: &str, known: &str, name: &str) -> String {
     let out = at(folder, name);
     let code = run(&["run", suite, "-b", "exact,naive", "-q", "--expected", known, "--out", &out]).code;
@@ -23,7 +23,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     let told = expect(2, &[&update[..], &["  "]].concat()).stderr;
     assert!(told.contains("--reason is empty"), "{told}");
 
-    // First only to look at.
+    // First only show the changes.
     let why = "2^-53 is lost against 12";
     let told = expect(0, &[&update[..], &[why, "--dry-run"]].concat()).stdout;
     assert!(told.contains("+backend = \"naive\"\n") && told.contains("@@ -1 +1,"), "{told}");
@@ -39,7 +39,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     };
     assert!(prune(&run, &[]).contains("nothing to change"));
 
-    // A second scene of the same kind goes where the first is.
+    // A second scene of the same kind is added to the first scene's table.
     let more = SUITE
         .replace("wrong-once", "wrong-again")
         .split_once("[[scene]]")
@@ -55,7 +55,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     assert_eq!(std::fs::read_to_string(&known).unwrap(), both);
     expect(0, &["gate", &run, "--expected", &known]);
 
-    // One is right by now, and one is not there any more. What is about other backends and the other level stays.
+    // One scene is right now and one is gone. Expectations of other backends and of the other level stay.
     let others = "\n[[expect]]\nbackend = \"sos\" # not run\nclass = \"nan\"\nscene = \"mine/*\"\nreason = \"r\"\n\n\
                   [[expect]]\nbackend = \"naive\"\nclass = \"nan\"\nscene = \"mine/plain\"\nlevel = \"full\"\nreason = \"r\"\n\n\
                   [[expect]]\nbackend = [\"naive\"]\nclass = \"overreach\"\nscene = [\"mine/wrong*\", \"mine/long-gone\"]\nreason = \"r\"\n";
@@ -74,7 +74,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     prune(&run, &[]);
     let left = text.clone() + &others.replace(", \"mine/long-gone\"", "");
     assert_eq!(std::fs::read_to_string(&known).unwrap(), left);
-    // A file of an editor on Windows stays one.
+    // A file with Windows line ends keeps them.
     let crlf = |text: &str| text.replace('\n', "\r\n");
     std::fs::write(&known, crlf(&(both.clone() + others))).unwrap();
     prune(&run, &[]);
@@ -83,12 +83,12 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     let first = at(&folder, "run");
     expect(0, &["corpus", "expect", "update", &first, "--expected", &known, "--reason", why]);
     assert_eq!(std::fs::read_to_string(&known).unwrap(), crlf(&text));
-    // The glob is narrowed by hand, as it was told.
+    // Narrow the glob by hand, as the message says.
     std::fs::write(&known, left.replace("mine/wrong*", "mine/wrong-once")).unwrap();
     expect(0, &["gate", &run, "--expected", &known]);
 }
 
-/// Entries about a class of scenes on a backend.
+/// Expectations, each for scenes, a backend and a class.
 fn entries(all: &[(&str, &str, &str)]) -> String {
     let entry = |(scene, backend, class): &(&str, &str, &str)| {
         format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"{backend}\"\nclass = \"{class}\"\nreason = \"r\"\n")
@@ -115,7 +115,7 @@ fn what_a_run_has_not_tried_stays() {
     let text = || std::fs::read_to_string(&known).unwrap();
     let (both, one, part) = (go("both", &[&a, &b]), go("one", &[&a]), go("part", &[&a, "-f", "plain"]));
 
-    // Of another suite.
+    // Expectations of another suite stay.
     expect(0, &["corpus", "expect", "update", &both, "--expected", &known, "--reason", "r"]);
     let before = text();
     assert!(before.contains("b/wrong-once"), "{before}");
@@ -124,7 +124,8 @@ fn what_a_run_has_not_tried_stays() {
     assert!(told.contains("1 expectations stay, as the run has not put them to the test"), "{told}");
     assert!(told.contains("nothing to change"), "{told}");
 
-    // Of engines that may be anywhere, and of globs of which a part was tried. What is misspelled is gone nevertheless.
+    // Expectations of engines, which may be in any folder, and of globs that were tested only in part stay. Misspelled
+    // ones are removed.
     let stay = [("a/*", "naive", "nan"), ("a/wrong-once", "engine:odd", "nan"), ("a/w*", "naive", "overreach")];
     let gone = [("a/long-gone", "naive", "nan"), ("a/plain", "nave", "nan"), ("a/p*", "naive", "overreach")];
     std::fs::write(&known, entries(&[&stay[..], &gone].concat())).unwrap();
@@ -132,12 +133,12 @@ fn what_a_run_has_not_tried_stays() {
     assert!(gate.contains(" 2 never true") && !gate.contains("engine:odd"), "{gate}");
     prune(&part);
     assert_eq!(text(), entries(&stay));
-    // All of it was tried.
+    // Now the run has tested all matching scenes.
     std::fs::write(&known, entries(&[("a/*", "naive", "nan")])).unwrap();
     prune(&one);
     assert_eq!(text(), "");
 
-    // Without its file it is not known what else is in a suite.
+    // Without its file, the other scenes of a suite are unknown.
     std::fs::remove_file(&a).unwrap();
     let stay = [("a/wrong-once", "naive", "overreach"), ("a/p*", "naive", "inconsistent"), ("lost", "naive", "nan")];
     let gone = [("a/plain", "naive", "nan"), ("families/long-gone", "naive", "nan")];
@@ -146,7 +147,7 @@ fn what_a_run_has_not_tried_stays() {
     std::fs::write(&known, entries(&[&stay[..], &gone].concat())).unwrap();
     prune(&part);
     assert_eq!(text(), entries(&stay));
-    // A name without a suite may be of one that no run knows: a person decides.
+    // A name without a suite may belong to a suite that no run knows, so a person decides.
     std::fs::write(&known, entries(&[("lost", "naive", "nan")])).unwrap();
     let told = prune(&go("other", &[&b]));
     assert!(
@@ -158,7 +159,7 @@ fn what_a_run_has_not_tried_stays() {
 #[test]
 fn an_update_counts_what_it_has_changed() {
     let folder = tempdir().unwrap();
-    // Characters that mean something in globs.
+    // Names with characters that are special in globs.
     for (at, name) in ["a\\\\b", "\\\\", "[a]{b,c}*?!\\\\*"].into_iter().enumerate() {
         let suite = write(&folder, "mine.toml", &SUITE.replace("wrong-once", name));
         let known = write(&folder, "known.toml", "");
@@ -169,7 +170,7 @@ fn an_update_counts_what_it_has_changed() {
         expect(0, &["gate", &run, "--expected", &known]);
         assert!(update().contains("nothing to change"), "{name}");
     }
-    // A row that lacks a class that is expected is not as it should be, whatever else is expected of it.
+    // A row without an expected class is an unexpected pass, whatever its other expectations are.
     let suite = write(&folder, "mine.toml", SUITE);
     let known = write(&folder, "known.toml", &entries(&[("wrong-once", "naive", "nan")]));
     let run = go(&folder, &suite, &known, "run");
@@ -195,10 +196,10 @@ fn a_run_or_file_that_says_nothing_is_refused() {
     let told =
         expect(104, &["corpus", "expect", "prune", &run, "--expected", &write(&folder, "inline.toml", inline)]).stderr;
     assert!(told.contains("inline.toml:1: it is no table of its own; write it as [[expect]]"), "{told}");
-    // The shipped file is edited where it is, and nowhere else.
+    // The shipped file is edited only in the repository.
     let told = expect(2, &["corpus", "expect", "prune", &run]).stderr;
     assert!(told.contains("name the file with --expected"), "{told}");
-    // A file that is not there yet is begun.
+    // A file that does not exist yet is created.
     let new = at(&folder, "new.toml");
     expect(0, &["corpus", "expect", "update", &run, "--expected", &new, "--reason", "r"]);
     expect(0, &["gate", &run, "--expected", &new]);

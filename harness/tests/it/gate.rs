@@ -1,4 +1,4 @@
-//! `gate`: expectations both ways, planted faults, and what is worse than a baseline.
+//! `gate`: unexpected findings, unexpected passes, planted faults, and comparison with a baseline.
 
 use tempfile::tempdir;
 
@@ -24,13 +24,13 @@ fn expectations_turn_the_gate_both_ways() {
     expect(100, &["gate", &out, "--expected", &expectation("sign_flip", "wrong-*")]);
     expect(101, &["gate", &out, "--expected", &expectation("overreach", "*")]);
 
-    // `run` says it at once.
+    // `run` reports the same.
     let known = expectation("overreach", "*");
     let passed = ["run", &suite, "--expected", &known, "-b", "naive", "--out", &at(&folder, "passed")];
     let told = expect(101, &passed);
     assert!(told.stdout.contains("unexpected_pass: mine/plain on naive"), "{}", told.stdout);
 
-    // Suggestions are TOML, and refused until the reasons are there.
+    // Suggestions are TOML, which is refused until the reasons are filled in.
     let suggested = at(&folder, "suggested.toml");
     expect(100, &["gate", &out, "--expected", &empty, "--suggest", &suggested]);
     let refused = expect(104, &["gate", &out, "--expected", &suggested]);
@@ -67,7 +67,7 @@ fn an_expectation_that_nothing_can_meet_is_red_and_one_that_was_left_out_is_list
     assert!(told.contains(" 1 never true, "), "{told}");
     let told = gate(101, &more("plain", "nave", ""));
     assert!(told.contains("never true: ") && told.contains("no backend is called `nave`"), "{told}");
-    // Scenes, backends and a level that the selection has left out; an engine and a suite may be elsewhere.
+    // Expectations outside the selected scenes, backends and level; an engine and a suite may be elsewhere.
     let left_out = [
         more("plain", "engine:no-such-engine", ""),
         more("theirs/plain", "naive", ""),
@@ -98,7 +98,7 @@ fn a_baseline_without_a_scene_in_common_is_an_error() {
 #[test]
 fn planted_faults_turn_the_gate_red_and_honest_backends_leave_it_green() {
     let folder = tempdir().unwrap();
-    // Faults with the scenes that show them. Those of a group are run together, on the scenes of all of them.
+    // Faults, with the scenes that show them. All faults of a group run on all scenes of the group.
     let groups: [&[(&str, &str)]; 4] = [
         &[
             ("sos-swapped-term", "ties/grid"),
@@ -150,7 +150,7 @@ fn a_baseline_catches_what_expectations_forgive() {
     let forgiving = write(&folder, "forgiving.toml", forgiving);
     expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &bad]);
     expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &good]);
-    // As if the baseline had been right: its one overreach agrees.
+    // Change the baseline so that its one overreach agrees.
     let summary = read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
     assert_ne!(summary, read(&good, "summary.csv"), "the row was found");
     rewrite(&at(&folder, "good"), "summary.csv", &summary);
@@ -177,13 +177,13 @@ fn a_baseline_catches_what_has_become_slower() {
     assert!(told.stdout.contains("on exact (single): 1.20 ns/query, was 1.00 (1.20 times)"), "{}", told.stdout);
     expect(0, &["gate", &fast, "--baseline", &slow, "--time"]);
     expect(0, &["gate", &slow, "--baseline", &slow, "--time"]);
-    // Within the threshold, or where nobody asks, times are no error.
+    // A time within the threshold is no error, and without --time no time is.
     expect(0, &["gate", &slow, "--baseline", &fast, "--time", "25"]);
     let told = expect(0, &["gate", &slow, "--baseline", &fast]).stdout;
     assert!(told.contains("times were not judged: nobody asked: `--time` does"), "{told}");
     expect(2, &["gate", &slow, "--time"]);
     expect(2, &["gate", &slow, "--baseline", &fast, "--time", "-3"]);
-    // Nor are those of another machine.
+    // Times of another machine are no error.
     let env = unsealed(&fast, "env.json");
     let other = env.replace(&format!("\"os\": \"{} ", std::env::consts::OS), "\"os\": \"other ");
     assert_ne!(env, other);

@@ -1,11 +1,11 @@
-//! `gate` and `diff`: severities apart, what is better, what to prune, and the bodies of JUnit failures.
+//! `gate` and `diff`: severities, improvements, expectations to prune, and the texts of JUnit failures.
 
 use serde_json::Value;
 use tempfile::tempdir;
 
 use crate::common::{SUITE, at, column, expect, read, rewrite, write};
 
-/// A tetrahedron cut where its edges have no doubles: each vertex is rounded, and nothing turns.
+/// A tetrahedron cut where the edges have no points in doubles: each vertex is rounded, and no triangle turns over.
 const ROUNDED: &str = r#"title = "Mine"
 
 [[scene]]
@@ -38,7 +38,7 @@ fn what_is_rounded_is_gated_by_itself() {
         let told = gate(2, &["--fail-on", wrong]).stderr;
         assert!(told.contains(&format!("`{wrong}`")), "{told}");
     }
-    // It need not be there, either, where it is not asked for; what is asked for, must.
+    // An expected finding of a severity that does not count may be missing; one of a severity that counts may not.
     let known = |class: &str| {
         let text = format!("[[expect]]\nbackend = \"exact\"\nclass = \"{class}\"\nscene = \"cut\"\nreason = \"r\"\n");
         write(&folder, "known.toml", &text)
@@ -72,7 +72,7 @@ fn what_is_mended_is_better_and_no_failure() {
     assert!(text.contains(&format!("### ✅ Better than the baseline\n\n* `{mended}`")), "{text}");
     assert!(!text.contains('❌'), "{text}");
 
-    // What was broken and is rounded now is better, also where it is red for being unexpected.
+    // A broken scene that is now only rounded is better, even if the rounding is unexpected and fails the gate.
     let milder = at(&folder, "milder");
     expect(100, &["run", &suite, "-b", "naive", "-q", "--expected", &none, "--out", &milder]);
     let summary = read(&milder, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,0,0,0,0,0,0,0,0,0,1,0,0,");
@@ -130,7 +130,7 @@ fn a_failure_of_junit_has_the_finding_and_its_points() {
         "got     0\n",
         "truth   ",
         &format!("replay  predicament replay {id} --run {out}"),
-        // Of a scene as a whole: its points.
+        // For a scene as a whole, its points.
         "(wrong side), rounded\n",
         "vertex        3  (0.0, 0.0, 3.0)  = (0x0p+0, 0x0p+0, 0x1.8p+1)\n",
     ] {

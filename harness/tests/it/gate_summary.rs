@@ -26,7 +26,7 @@ fn the_verdict_comes_first_and_says_what_to_type() {
     let typed = format!("`predicament replay {id} --run '{out}'`<br>`predicament shrink {id} --run '{out}'`");
     assert!(text.contains(&typed), "{text}");
 
-    // Green, and beside a baseline in which it was right.
+    // The gate passes, and the baseline was right about the scene.
     let forgiving = "[[expect]]\nscene = \"wrong-once\"\nbackend = \"naive\"\nclass = \"overreach\"\nreason = \"r\"\n";
     let forgiving = write(&folder, "forgiving.toml", forgiving);
     let (code, text) = gate(&out, &forgiving, &[]);
@@ -43,7 +43,7 @@ fn the_verdict_comes_first_and_says_what_to_type() {
     assert!(stdout.contains("## Gate: passed"), "{stdout}");
 }
 
-/// Four thousand rows that nobody expected, with long names and what could be markup.
+/// A run of four thousand unexpected rows, with long names and text that looks like markup.
 #[test]
 fn a_comment_is_never_too_long() {
     let folder = tempdir().unwrap();
@@ -69,7 +69,7 @@ fn a_comment_is_never_too_long() {
     assert_eq!(text.matches("predicament shrink ").count(), 10);
 }
 
-/// One text on stdout, and a file for each.
+/// Stdout has one text; each other text has its own file.
 #[test]
 fn outputs_do_not_mix() {
     let folder = tempdir().unwrap();

@@ -1,4 +1,5 @@
-//! What scripts and shells ask for: JSON, quiet, completions, manual pages, one line about suites that are not run.
+//! Features that scripts and shells need: JSON, quiet mode, completions, manual pages, and one line about suites that
+//! are not run.
 
 use crate::common::{SUITE, at, expect, run, told, tool, write};
 use serde_json::Value;
@@ -56,7 +57,7 @@ fn what_is_not_run_is_one_line_and_none_if_quiet() {
     }
 }
 
-/// The corpora that ship with the tool, and what is expected of them, are no news to who runs a suite of their own.
+/// A user who runs their own suite gets no notes about the shipped corpora and expectations.
 #[test]
 fn a_suite_of_ones_own_is_not_told_about_the_others() {
     let folder = tempdir().unwrap();
@@ -102,7 +103,7 @@ fn the_page_of_commands_is_what_the_tool_prints() {
     assert!(page.lines().all(fits), "a help text is wider than 100 columns");
 }
 
-/// No help text has a line that ends early for no reason: it would be a line break inside of a paragraph.
+/// Help texts have no line break inside a paragraph.
 #[test]
 fn help_is_as_wide_as_the_terminal() {
     let commands = [&["run"][..], &["ask"], &["hunt"], &["setup", "selftest"], &["study", "compare"], &["draw", "map"]];

@@ -1,4 +1,4 @@
-//! `hunt`: finds, folders, budgets and what is refused.
+//! `hunt`: finds, folders, budgets and refusals.
 
 use std::fs;
 
@@ -26,7 +26,7 @@ fn what_is_hunted_is_shrunk_and_kept_as_a_suite_that_shows_it() {
     for end in ["rs", "cpp", "py"] {
         assert!(fs::read_to_string(format!("{out}/find-1.{end}")).unwrap().contains("orient2d("), "{end}");
     }
-    // The suite and the one it was added to show it, and an exact backend does not.
+    // Both suites show the finding again, and an exact backend does not.
     for file in [&format!("{out}/finds.toml"), &suite] {
         let again = at(&folder, "again");
         assert_eq!(run(&["run", file, "-b", "naive", "-q", "--out", &again]).code, 100);
@@ -34,13 +34,13 @@ fn what_is_hunted_is_shrunk_and_kept_as_a_suite_that_shows_it() {
         fs::remove_dir_all(again).unwrap();
     }
     expect(0, &["run", &suite, "-b", "exact", "-q", "--out", &at(&folder, "exact")]);
-    // Gone on with, there is nothing more to find, and the suite has it already.
+    // A resumed hunt finds nothing more, and the suite already has the find.
     let before = fs::read_to_string(&suite).unwrap();
     expect(0, &["hunt", "--resume", &out, "--into", &suite]);
     assert_eq!(fs::read_to_string(&suite).unwrap(), before);
 }
 
-/// In two parts, and in one on other threads.
+/// A hunt in two parts, and the same hunt in one part on other threads.
 #[test]
 fn a_hunt_in_two_parts_is_the_same() {
     let folder = tempdir().unwrap();
@@ -50,7 +50,7 @@ fn a_hunt_in_two_parts_is_the_same() {
     assert!(state(&parts)["state"]["evaluations"].as_u64() < Some(200));
     expect(0, &["hunt", "--resume", &parts, "--evaluations", "260", "--threads", "2"]);
     expect(0, &[&hunt[..], &["260", "--out", &whole, "--threads", "1"]].concat());
-    // Seconds are those of a clock.
+    // The seconds are wall time, so they are not compared.
     let found = |folder: &str| {
         let mut state = state(folder)["state"].clone();
         let finds = state["finds"].as_array_mut().unwrap();
@@ -89,7 +89,7 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
     }
 }
 
-/// Whatever is wrong in `hunt.json` is told with its name: the scenes in it are in no file of their own.
+/// Errors in `hunt.json` name it, because the scenes in it have no file of their own.
 #[test]
 fn a_changed_hunt_is_refused_with_the_name_of_its_file() {
     let folder = tempdir().unwrap();
@@ -121,7 +121,7 @@ fn a_changed_hunt_is_refused_with_the_name_of_its_file() {
     expect(0, &["hunt", "--resume", &out, "--evaluations", "400"]);
 }
 
-/// Maps and meshes are read when they are run, and have probes by the hundred.
+/// Maps and meshes are read when they are run, and have hundreds of probes.
 #[test]
 fn maps_and_meshes_are_hunted() {
     let folder = tempdir().unwrap();
@@ -138,7 +138,7 @@ fn maps_and_meshes_are_hunted() {
     }
 }
 
-/// Cubes are rows of four numbers, which have no shear.
+/// Cubes are rows of four numbers, which have no shear mutation.
 #[test]
 fn unions_of_cubes_are_hunted() {
     let folder = tempdir().unwrap();
@@ -148,7 +148,7 @@ fn unions_of_cubes_are_hunted() {
             expect(0, &["hunt", "cube-union", "-b", "exact", "--evaluations", "200", "--seed", seed, "--out", &out]);
         assert!(told.stdout.contains("done") || told.stderr.contains("done"), "{} {}", told.stdout, told.stderr);
     }
-    // Two findings in one scene are two finds, and one scene of the suite.
+    // Two findings in one scene are two finds and one scene of the suite.
     let [out, suite] = ["finds", "mine.toml"].map(|name| at(&folder, name));
     let hunt = ["hunt", "cube-union", "-b", "naive", "--seed", "11", "--evaluations", "100", "--out", &out];
     expect(0, &[&hunt[..], &["--into", &suite]].concat());

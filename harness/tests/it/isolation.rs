@@ -1,4 +1,4 @@
-//! Backends that loop, crash or take all memory: a row each, and the run goes on.
+//! A backend that loops, crashes or takes all memory costs one row, and the run continues.
 
 use crate::common::{at, column, expect, read, run, tool, write};
 use tempfile::tempdir;
@@ -31,7 +31,7 @@ fn what_ends_the_process_costs_one_row() {
     ] {
         let out = at(&folder, fault);
         let backends = format!("fault:{fault},exact");
-        // Long enough for a process that does not loop, however busy the machine is.
+        // The limit is long enough for a process that does not loop, even on a busy machine.
         let limit: &[&str] = if fault == "loops" { &["--timeout", "2.5"] } else { &[] };
         let args = ["run", &suite, "-b", &backends, "--isolate", "--expected", &none, "--out", &out];
         let told = run(&[&args[..], limit].concat());
@@ -46,13 +46,13 @@ fn what_ends_the_process_costs_one_row() {
         assert_eq!(column(&findings, "check"), [check], "{findings}");
         assert!(findings.contains(said), "{fault}: {findings}");
     }
-    // What a run was of stands in its plan.
+    // The plan has the selection of a run.
     let refused = expect(2, &["run", "--resume", &at(&folder, "loops"), "-f", "turn"]);
     assert!(refused.stderr.contains("'--resume <DIR>' cannot be used with"), "{}", refused.stderr);
-    // Where time has run out, a run that is resumed goes past it.
+    // A resumed run skips a scene that timed out.
     let resumed = run(&["run", "--resume", &at(&folder, "loops")]);
     assert!(resumed.stdout.ends_with("1 timeout\n"), "{}{}", resumed.stdout, resumed.stderr);
-    // It stays one that has run out of time.
+    // Its outcome stays a timeout.
     assert_eq!(resumed.code, 103, "{}", resumed.stdout);
     assert!(resumed.stdout.contains("; incomplete: out of time\n"), "{}", resumed.stdout);
 }
@@ -68,7 +68,7 @@ fn a_worker_that_cannot_work_is_no_row_of_a_backend() {
     while !worker.join("run/state.json").exists() {
         std::thread::sleep(std::time::Duration::from_millis(2));
     }
-    // While one worker loops, the suite changes under the next.
+    // While one worker loops, change the suite for the next worker.
     write(&folder, "mine.toml", "title = ");
     let told = crate::common::told(first.wait_with_output().unwrap());
     assert_eq!(told.code, 104, "{}", told.stderr);
@@ -110,17 +110,17 @@ fn two_writers_of_one_folder_are_refused() {
     assert!(refused.stderr.contains("another process is writing this run"), "{}", refused.stderr);
     std::process::Command::new("kill").args(["-KILL", &first.id().to_string()]).status().unwrap();
     first.wait().unwrap();
-    // The worker ends with the process that it works for, and is gone soon.
+    // The worker ends soon after the process that it works for.
     #[cfg(target_os = "linux")]
     while workers_of(&suite) > 0 {
         std::thread::sleep(std::time::Duration::from_millis(5));
     }
-    // The lock went with the process.
+    // The lock ended with the process.
     let gate = run(&["gate", &out]);
     assert_eq!(gate.code, 103, "{}{}", gate.stdout, gate.stderr);
 }
 
-/// How many processes name a suite on their command line.
+/// The number of processes with a suite on their command line.
 #[cfg(target_os = "linux")]
 fn workers_of(suite: &str) -> usize {
     let commands = std::fs::read_dir("/proc").unwrap().flatten().map(|entry| entry.path().join("cmdline"));

@@ -1,4 +1,4 @@
-//! `bench --judged`: what a run has judged is taken over.
+//! `bench --judged` uses the judgements of a run.
 
 use tempfile::tempdir;
 
@@ -23,7 +23,7 @@ fn judgements_are_taken_over_and_answers_compared() {
     assert!(timed >= 5 * 3, "{told}");
     assert!(read(&out, "summary.csv").lines().all(|row| summary.contains(row)), "{summary}");
 
-    // Were it judged again, the row would be as it was.
+    // If the answers were judged again, this row would be unchanged.
     let rows = read(&out, "summary.csv");
     let changed = rows.replacen(",ok", ",expected", 1);
     assert_ne!(changed, rows);
@@ -31,7 +31,7 @@ fn judgements_are_taken_over_and_answers_compared() {
     let (_, _, summary) = bench("second");
     assert!(changed.lines().all(|row| summary.contains(row)), "{summary}");
 
-    // Other answers than the judged ones are not timed.
+    // Answers that differ from the judged ones are not timed.
     let digests = read(&out, "judged.csv");
     let digest = column(&digests, "digest").remove(0);
     rewrite(&out, "judged.csv", &digests.replacen(&digest, "0123456789abcdef", 1));
@@ -66,11 +66,11 @@ fn a_scene_that_became_slower_is_seen_beside_a_slow_one() {
     let slower = expect(102, &["gate", &now, "--baseline", &then, "--time"]);
     let said = "slower: orient2d uniform on exact (single): 20.50 ns/query, was 2.50 (8.20 times)";
     assert!(slower.stdout.contains(said), "{}", slower.stdout);
-    // Batches are not held against single queries.
+    // Timings of batches and of single queries are not compared.
     let batches = timed("batches", &suite, "batch", [20, 90]);
     let batches = expect(0, &["gate", &batches, "--baseline", &then, "--time"]);
     assert!(!batches.stdout.contains("slower"), "{}", batches.stdout);
-    // Of other scenes nothing is said.
+    // Timings of other scenes are not compared.
     let other = write(&folder, "other.toml", &format!("title = \"Other\"\n{}{}", scene(10), scene(30)));
     let other = expect(0, &["gate", &bench("other", &other, [20, 90]), "--baseline", &then, "--time"]);
     let why = "times were not judged: orient2d";
@@ -104,7 +104,7 @@ fn the_scenes_of_a_run_are_timed_and_no_others() {
         assert_eq!(of(&bench, key), of(&out, key), "{key}");
     }
     assert_eq!(read(&bench, "summary.csv"), read(&out, "summary.csv"));
-    // How each was asked.
+    // The interfaces of the rows.
     let throughput = read(&bench, "throughput.csv");
     let [tasks, names, interfaces, queries] =
         ["task", "backend", "interface", "queries"].map(|name| column(&throughput, name));
@@ -121,7 +121,7 @@ fn the_scenes_of_a_run_are_timed_and_no_others() {
     assert_eq!(rows, expected, "{throughput}");
     assert_eq!(queries[0], "9", "the level of the run");
 
-    // Some of its scenes, and another backend: then there is nothing to take over.
+    // With a filter and another backend there is no judgement to use.
     let filtered = at(&folder, "filtered");
     let args = ["bench", "--judged", &out, "-f", "signs", "-b", "shewchuk", "--out", &filtered];
     let told = expect(0, &[&args[..], &QUICKLY].concat()).stdout;
@@ -160,7 +160,7 @@ fn an_engine_of_a_run_is_not_started_unless_it_is_named() {
     plan["backends"] = serde_json::json!(["exact", "engine:evil"]);
     plan["engines"] = serde_json::json!({ "engine:evil": { "file": engine, "sha256": "" } });
     std::fs::write(format!("{out}/plan.json"), serde_json::to_string_pretty(&plan).unwrap()).unwrap();
-    // As a run that was never told of its digests.
+    // Make a run without digests.
     rewrite(&out, "summary.csv", &read(&out, "summary.csv"));
     let told = expect(0, &[&["bench", "--judged", &out, "--out", &bench][..], &QUICKLY].concat()).stdout;
     assert!(told.contains("not timed: engine:evil; name it with -b to start it"), "{told}");

@@ -1,4 +1,4 @@
-//! `docs/LECTURE.md`: what it says of each scene, and its pictures.
+//! `docs/LECTURE.md`: its claims about each scene, and its pictures.
 
 use std::path::Path;
 
@@ -6,7 +6,7 @@ use tempfile::tempdir;
 
 use crate::common::{at, column, expect, read};
 
-/// What is said to fail: scene, backend, class, and for findings of that class the checks.
+/// The failures that the page claims: scene, backend, class, and the checks of that class's findings.
 const FAILURES: &[(&str, &str, &str, &[&str])] = &[
     ("ear-cut-across", "naive", "topology", &["overlap", "positive"]),
     ("loop-that-does-not-close", "naive", "topology", &["the horizon of a vertex is a single loop"]),

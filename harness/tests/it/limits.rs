@@ -14,11 +14,11 @@ fn a_timeout_is_counted_and_the_run_incomplete() {
         expect(103, &["run", "classics", "-f", "kettner-a1$", "-b", "exact,naive", "--timeout", "1e-9", "--out", &out]);
     assert!(told.stdout.contains("1 timeout"), "{}", told.stdout);
     assert_eq!(column(&read(&out, "summary.csv"), "timeout"), ["1", "1"]);
-    // A timeout is a finding that nobody expects.
+    // A timeout is an unexpected finding.
     expect(100, &["gate", &out]);
 }
 
-/// Cubes that take minutes, and a scene of signs behind them.
+/// A suite with cubes that take minutes, followed by a scene of signs.
 fn endless() -> String {
     let cubes = "[[generate]]\nfamily = \"cubes-uniform\"\ntask = \"cube-union\"\nn = 300000\nseed = 1\n\
                  density = 60.0\nsource = \"ours\"\nanalysis = \"Takes long.\"\n";

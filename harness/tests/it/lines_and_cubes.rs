@@ -57,7 +57,7 @@ fn a_file_of_cubes_is_run_or_refused_by_its_line() {
     assert!(told.stderr.contains("cubes.csv:3: cube 1: the edge length is 3"), "{}", told.stderr);
 }
 
-/// Measures that are no doubles are told as zero and as infinite, and judged as what they are.
+/// Measures that are not doubles are printed as zero or infinite, but judged exactly.
 #[test]
 fn cubes_of_any_size_are_judged() {
     let folder = tempdir().unwrap();

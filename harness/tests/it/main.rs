@@ -1,4 +1,4 @@
-//! The tool from outside, as a user runs it.
+//! Tests of the tool from outside, as a user runs it.
 
 mod bad_input;
 mod bad_meshes;

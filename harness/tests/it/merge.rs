@@ -1,4 +1,4 @@
-//! Parts of a run put together, and what is refused.
+//! Merging parts of a run, and the refusals of merge.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -8,17 +8,18 @@ use tempfile::{TempDir, tempdir};
 use crate::common::{at, expect, run, unsealed};
 
 const PARTS: u32 = 7;
-/// Suites of many kinds of tables, and what is small of them: nothing that a merge does goes by the size of a scene.
+/// Suites with many kinds of tables. The filter below selects small scenes, because a merge does not depend on the size
+/// of scenes.
 const MANY: &[&str] = &["classics", "tilings", "cubes", "ties"];
 const SMALL: &str =
     "^(classics/kettner-[ab]|tilings/crossing|cubes/(co|one|twins|off|slide)|ties/(grid-4x4|coincident)|mine/)";
-/// A map of 64 pixels: a file of its own beside the tables.
+/// A map of 64 pixels, which has a file besides the tables.
 const MAP: &str = "title = \"Mine\"\n[[generate]]\nfamily = \"pixel-map\"\nname = \"neighbours\"\ntask = \"orient2d\"\n\
                    p = [0.5, 0.5]\nq = [12, 12]\nr = [24, 24]\nside = 8\n";
-/// Two suites that are quick.
+/// Two fast suites.
 const QUICK: &[&str] = &["ties", "lecture"];
 
-/// A run of one part, or of all; the folder's name.
+/// Runs one part, or everything; returns the folder.
 fn of(folder: &TempDir, suites: &[&str], name: &str, shard: Option<u32>, more: &[&str]) -> String {
     let out = at(folder, name);
     let part = shard.map(|k| format!("{k}/{PARTS}"));
@@ -28,7 +29,7 @@ fn of(folder: &TempDir, suites: &[&str], name: &str, shard: Option<u32>, more: &
     out
 }
 
-/// All parts, made at once: most of their time is spent waiting for the disk.
+/// Makes all parts in parallel, because most of the time is spent waiting for the disk.
 fn parts_of(folder: &TempDir, suites: &[&str], more: &[&str]) -> Vec<String> {
     std::thread::scope(|scope| {
         let part = |k| scope.spawn(move || of(folder, suites, &format!("part{k}"), Some(k), more));
@@ -44,7 +45,7 @@ fn merge(parts: &[String], out: &str, code: i32) -> String {
     format!("{}{}", done.stdout, done.stderr)
 }
 
-/// All files of a folder but those that say where it was made, and how long it took.
+/// All files of a folder, except those with the machine or the times.
 pub fn files(folder: &Path) -> BTreeSet<(String, Vec<u8>)> {
     let mut all = BTreeSet::new();
     let mut left = vec![folder.to_owned()];
@@ -74,7 +75,7 @@ fn seven_parts_are_byte_for_byte_the_whole_run() {
     let mut parts = parts_of(&folder, &suites, more);
     parts.reverse();
     let out = at(&folder, "merged");
-    // No expectation is about the suite that is not embedded.
+    // There are no expectations for the suite that is not embedded.
     let told = merge(&parts, &out, 100);
     assert!(told.contains(rows), "{told}");
     let (merged, expected) = (files(Path::new(&out)), files(Path::new(&whole)));
@@ -89,7 +90,7 @@ fn seven_parts_are_byte_for_byte_the_whole_run() {
     }
     let env = std::fs::read_to_string(Path::new(&out).join("env.json")).unwrap();
     assert!(env.contains("7/7 on "), "the machines are named: {env}");
-    // The folder is a run like any other.
+    // The merged folder is a run like any other.
     expect(100, &["gate", &out]);
     expect(0, &["report", &out, "--out", &at(&folder, "pages")]);
     assert!(merge(&parts, &out, 2).contains("the folder is not empty"), "a merge overwrites nothing");
@@ -119,7 +120,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let answers = of(&folder, QUICK, "answers", Some(3), &["--answers"]);
     assert!(merge(&with(2, &answers), &out, 2).contains("other settings (plan.json)"));
 
-    // One that was killed says so, and one whose bytes were changed.
+    // A part that was killed and a part with changed bytes are refused, with the reason.
     let state = Path::new(&again).join("state.json");
     let text = unsealed(&again, "state.json");
     std::fs::write(&state, text.replace("\"complete\"", "\"unfinished\"")).unwrap();
@@ -143,7 +144,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     assert!(merge(&with(2, &again), &out, 2).contains("segments.csv"));
     assert!(!Path::new(&out).exists(), "nothing was written");
 
-    // One that was ended before it had begun is incomplete; one that lost its state is not.
+    // A part that was ended before it began is incomplete; a part that lost its state is not.
     std::fs::remove_file(&state).unwrap();
     let lost = merge(&with(2, &again), &out, 2);
     assert!(
@@ -166,7 +167,8 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     merge(&with(2, &again), &out, 0);
 }
 
-/// The first part says where the file of a suite is, whichever folder is named first; and a link leads to a place as good as any.
+/// The path of a suite's file comes from the first part, whatever the order of the folders; a symlink may be the output
+/// folder.
 #[test]
 fn the_order_of_the_folders_changes_nothing() {
     let folder = tempdir().unwrap();
@@ -190,13 +192,13 @@ fn the_order_of_the_folders_changes_nothing() {
     assert_eq!(files(Path::new(&forth)), files(Path::new(&back)));
 }
 
-/// A part that was stopped in the middle and resumed is the part that was not.
+/// A part that was stopped and resumed is the same as one that was not.
 #[test]
 fn a_resumed_part_is_merged_like_any_other() {
     let folder = tempdir().unwrap();
     let part = of(&folder, QUICK, "part1", Some(1), &[]);
     let cut = of(&folder, QUICK, "cut", Some(1), &[]);
-    // As it was after the first scenes: the tables are cut where the segments say, with a row that was being written.
+    // Truncate the tables as the segments say, as after the first scenes, with a half-written row at the end.
     let cut_path = Path::new(&cut);
     let segments = std::fs::read_to_string(cut_path.join("segments.csv")).unwrap();
     let rows: Vec<&str> = segments.lines().collect();
@@ -230,7 +232,7 @@ fn a_resumed_part_is_merged_like_any_other() {
     assert!(differ.is_empty(), "{differ:?}");
 }
 
-/// One part is all of it: scripts of any number of parts end with a merge.
+/// A single part is the whole, so that scripts with any number of parts can end with a merge.
 #[test]
 fn a_single_part_is_merged_into_the_same() {
     let folder = tempdir().unwrap();
@@ -240,6 +242,6 @@ fn a_single_part_is_merged_into_the_same() {
     assert!(merge(std::slice::from_ref(&part), &out, 0).contains("1 part, "));
     assert_eq!(files(Path::new(&part)), files(Path::new(&out)));
     expect(0, &["gate", &out]);
-    // Of two it is none.
+    // A single part given twice is refused.
     assert!(merge(&[part.clone(), part], &at(&folder, "two"), 2).contains("a whole run, and no part of one"));
 }

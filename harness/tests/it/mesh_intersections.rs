@@ -1,4 +1,4 @@
-//! Two meshes through the tool: under the perturbation of the paper, from files, and where they touch.
+//! Two meshes through the tool: with the paper's perturbation, from files, and where they touch.
 
 use crate::common::{at, expect, read, write};
 use tempfile::tempdir;
@@ -9,7 +9,8 @@ const OFF: &str = "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 1
 fn a_mesh_that_moves_as_a_whole_has_no_findings() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "run");
-    // What was drawn by hand and what was reported, the smallest of each family of meshes, and every way to lay two spheres.
+    // Scenes drawn by hand and from bug reports, the smallest of each family of meshes, and every placement of two
+    // spheres.
     let few = ["-f", "/[^i]|/(into|in-)|-mesh-intersect-placed-(same|nearly|offset|quarter|tiny|tangent|step|half)$"];
     let scenes: &[&str] = if predicament_effort::whole() { &[] } else { &few };
     expect(0, &[&["run", "-q", "intersections", "-b", "sos:per-mesh", "--out", &out], scenes].concat());
@@ -22,7 +23,7 @@ fn two_files_are_cut_and_touches_are_named() {
     let folder = tempdir().unwrap();
     let first = write(&folder, "first.off", OFF);
     let out = at(&folder, "out");
-    // With itself: exact says what touches, the perturbation decides.
+    // A mesh with itself: exact reports the touching triangles, the perturbation decides them.
     let told = expect(2, &["solve", "mesh-intersect", &first, &first, "--out", &out]);
     assert!(told.stderr.contains("of the first mesh touches triangle"), "{}", told.stderr);
     expect(0, &["solve", "mesh-intersect", &first, &first, "-b", "sos:per-mesh", "--out", &out]);
@@ -31,7 +32,7 @@ fn two_files_are_cut_and_touches_are_named() {
         let counts = text.lines().nth(1).unwrap().split_ascii_whitespace().nth(1).unwrap().parse::<usize>();
         counts.unwrap()
     };
-    // Both have the same volume; what is in one of them and not in the other is a sheet without volume.
+    // Both operands have the same volume; the part in only one of them is a sheet without volume.
     assert!(faces("union") >= 4 && faces("intersection") >= 4);
     let pieces: serde_json::Value = serde_json::from_str(&read(&out, "pieces.json")).unwrap();
     assert!(pieces["broken"].is_null() && pieces["pieces"].as_array().unwrap().len() >= 8);

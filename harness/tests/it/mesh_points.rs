@@ -1,4 +1,4 @@
-//! Points in meshes through the tool: what is refused and where, what is answered, and what comes out.
+//! Points in meshes through the tool: refusals with their places, answers, and output files.
 
 use crate::common::{Told, at, column, expect, read, write};
 use tempfile::{TempDir, tempdir};
@@ -8,7 +8,7 @@ const POINTS: &str = "points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [5, 
 const CLOSED: &str = "[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]";
 const OFF: &str = "OFF\n4 4 0\n0 0 0\n4 0 0\n0 4 0\n0 0 4\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 2 0 3\n";
 
-/// What the tool says in one line, without the folder.
+/// The one-line message of the tool, without the folder.
 fn said(folder: &TempDir, told: &Told) -> String {
     assert_eq!(told.stderr.lines().count(), 1, "{}", told.stderr);
     let line = told.stderr.trim_end().replace(&format!("{}/", folder.path().display()), "");
@@ -85,7 +85,7 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
         let suite = write(&folder, "s.toml", &format!("{HEAD}{scene}\n"));
         let found = said(&folder, &expect(104, &["corpus", "verify", &suite]));
         if at == 0 {
-            // A run says the same.
+            // A run gives the same message.
             assert_eq!(said(&folder, &expect(104, &["run", &suite, "-b", "exact", "--out", &out])), found);
         }
         assert!(found.starts_with(&expected), "{scene}: {found}\n  expected {expected}");
@@ -148,7 +148,7 @@ fn tetrahedra_that_cross_are_no_fault_of_a_backend() {
     expect(0, &["run", &suite, "-b", "exact,sos,tolerance", "--answers", "--out", &out]);
     let answers = read(&out, "answers.csv");
     assert_eq!(column(&answers, "answer"), ["in no one region"; 3]);
-    // Nor is a point within a band of the mesh, where the mesh contradicts itself.
+    // A point in the band of the mesh has no region either, if the mesh contradicts itself.
     let suite = std::fs::read_to_string(&suite).unwrap().replace("quick_stride = 0", "quick_stride = 1");
     let (suite, out) = (write(&folder, "all.toml", &suite), at(&folder, "all"));
     expect(0, &["run", &suite, "-b", "exact,tolerance", "--out", &out]);
@@ -203,7 +203,7 @@ fn regions_and_probes_come_from_files() {
         "{found}"
     );
     assert!(found.ends_with("or correct its regions at r.csv:2"), "{found}");
-    // A quadrilateral is one face, of two triangles.
+    // A quadrilateral is one face with two triangles.
     let quads = "OFF\n5 5 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n2 2 4\n4 3 2 1 0\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
     let mesh = write(&folder, "m.off", quads);
     let regions = write(&folder, "r.csv", "0,3\n0,3\n0,3\n0,3\n0,3\n");
@@ -307,14 +307,14 @@ fn phases_are_timed_one_by_one_and_the_report_plots_their_growth() {
     }
     let sizes = of("size").into_iter().zip(of("count")).zip(of("unit")).filter(|(_, unit)| unit == "triangle");
     assert!(sizes.map(|((size, count), _)| (size == count).then_some(size)).all(|size| size.is_some()));
-    // All of a pass is timed on both numbers of threads as well.
+    // The whole pass is timed with both numbers of threads as well.
     let families = column(&read(&one, "throughput.csv"), "family");
     assert!(
         ["locate-torus", "locate-torus on 2 threads", "file on 2 threads"]
             .iter()
             .all(|name| families.contains(&(*name).to_owned()))
     );
-    // Timings of two folders stand beside each other.
+    // Timings of two folders are shown side by side.
     let pages = at(&folder, "pages");
     expect(0, &["report", &one, &two, "--out", &pages]);
     let page = read(&pages, "report.md");

@@ -1,5 +1,5 @@
-//! The engines of other people's crates: their conventions, the counterexamples and the tables of our pages. They have to be
-//! built: `cargo xtask nightly` does that and runs these tests.
+//! The engines of published crates: their conventions, the counterexamples, and the tables of the pages. The engines
+//! have to be built; `cargo xtask nightly` builds them and runs these tests.
 
 use std::path::Path;
 
@@ -32,7 +32,7 @@ fn engine(name: &str) -> Engine {
     Engine::find(&file.display().to_string()).unwrap_or_else(|why| panic!("{why}"))
 }
 
-/// What the tool says about engines, in whatever folder the tests run.
+/// The output of the tool with the engines, without the folder of the tests.
 fn with_engines(code: i32, args: &[&str]) -> String {
     let told = told(tool(args).env("PREDICAMENT_ENGINES", ENGINES).output().expect("the tool starts"));
     assert_eq!(told.code, code, "{args:?}\nstdout: {}\nstderr: {}", told.stdout, told.stderr);
@@ -66,7 +66,7 @@ impl Random {
     }
 }
 
-/// Of each engine the predicates that it has, 1,000 random queries each on a grid of ±1, ±2 and ±30.
+/// Compares each predicate of each engine with the truth on 1,000 random queries on grids of ±1, ±2 and ±30.
 #[test]
 #[ignore = "needs the engines in Rust, built"]
 fn conventions_are_mapped_on_small_integers() {
@@ -136,11 +136,11 @@ fn a_vertex_twice_is_a_zero_and_no_panic() {
             zeros += 1;
         }
     }
-    // Nine have orient2d, asked once, and nine incircle, asked twice.
+    // Nine engines have orient2d, asked once, and nine have incircle, asked twice.
     assert_eq!(zeros, 27);
 }
 
-/// Ten vertices in the plane, at the origin where nothing else is said.
+/// Ten vertices in the plane, at the origin unless given.
 fn ten(points: &[(usize, [f64; 2])]) -> Scene {
     let mut coordinates = [[0.0; 2]; 10];
     for &(at, point) in points {
@@ -156,13 +156,13 @@ fn ask(name: &str, scene: &Scene, ids: &[usize]) -> Sign {
     question.ask(&engine(name).prepare(scene, Off).unwrap(), &args)
 }
 
-/// Three products that add up to zero for any points.
+/// Three products whose sum is zero for all points.
 type Relation = [[&'static [usize]; 2]; 3];
 
-/// Four turns at vertex 8.
+/// Four orientations at vertex 8.
 const TURNS: Relation = [[&[8, 0, 1], &[8, 2, 9]], [&[8, 2, 0], &[8, 1, 9]], [&[8, 0, 9], &[8, 1, 2]]];
 
-/// Turns and circles at 1 and 7.
+/// Orientations and incircle tests at vertices 1 and 7.
 const CIRCLES: Relation = [[&[1, 7, 3], &[1, 7, 5, 9]], [&[1, 5, 7], &[1, 7, 3, 9]], [&[1, 7, 9], &[1, 7, 3, 5]]];
 
 /// The determinant of the rows (x, y, 1) or (x, y, x² + y², 1), on integers.
@@ -176,7 +176,7 @@ fn determinant(points: &[[i64; 2]], ids: &[usize]) -> i64 {
     let minor = |i: usize, j: usize| rows[i][0] * rows[j][1] - rows[j][0] * rows[i][1];
     match rows.len() {
         2 => minor(0, 1),
-        // Along the column of lifts, which is the third of three.
+        // Expand along the column of lifts, the third of three.
         _ => minor(1, 2) * rows[0][2] - minor(0, 2) * rows[1][2] + minor(0, 1) * rows[2][2],
     }
 }
@@ -215,7 +215,7 @@ fn delaunay_takes_places_for_vertices() {
     assert_eq!(turns("delaunay"), [Sign::Negative; 2]);
     let [turn, swapped] = turns("delaunay-sorted");
     assert_eq!(turn, -swapped);
-    // Its callers sort the simplex, and have the query last.
+    // The crate's callers sort the simplex and put the query point last.
     let square = ten(&[(0, [-1., -1.]), (1, [-1., 0.]), (3, [0., -1.]), (4, [0., 0.])]);
     let circles = [[0, 1, 3, 4], [0, 1, 4, 3]].map(|circle| ask("delaunay-sorted", &square, &circle));
     assert_eq!(circles, [Sign::Positive; 2]);
@@ -240,13 +240,13 @@ fn counterexamples_of_wrong_signs_stand() {
         assert_eq!(judge::sign(&scene, Question::Orient2d(Plane::Xy), &v([0, 1, 2])), exact);
         assert_eq!(ask("axiolid", &scene, &[0, 1, 2]), said);
     }
-    // Twice the area is 1e-400: no double, and not zero.
+    // Twice the area is 1e-400, which is not zero but no double.
     let underflow = ten(&[(1, [1e-200, 0.0]), (2, [0.0, 1e-200])]);
     assert_eq!(judge::sign(&underflow, Question::Orient2d(Plane::Xy), &v([0, 1, 2])), Positive);
     assert_eq!(["robust", "geometry-predicates"].map(|name| ask(name, &underflow, &[0, 1, 2])), [Zero; 2]);
 }
 
-/// The table of `docs/PEERS.md` is what the tool finds today.
+/// The table of `docs/PEERS.md` is the tool's current output.
 #[test]
 #[ignore = "needs the engines in Rust, built, and fetched data"]
 fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
@@ -287,7 +287,7 @@ fn the_committed_table_of_wrong_answers_is_the_one_that_comes_out() {
     assert!(page.contains(&table), "docs/PEERS.md has another table than this one:\n{table}");
 }
 
-/// The crates break the laws that `docs/LAWS.md` says, and no others.
+/// The crates violate exactly the laws listed in `docs/LAWS.md`.
 #[test]
 #[ignore = "needs the engines in Rust, built"]
 fn the_committed_table_of_laws_is_the_one_that_comes_out() {

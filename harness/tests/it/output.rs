@@ -1,4 +1,4 @@
-//! What becomes of an exit code when nobody reads, or nothing can be written.
+//! The exit code when stdout is closed or can't be written.
 #![cfg(target_os = "linux")]
 
 use std::fs::File;
@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 use crate::common::{SUITE, at, run, tool, write};
 
-/// A run with a finding, and two files of expectations: the gate is red by the first and green by the second.
+/// A run with a finding, and two files of expectations: the gate fails with the first and passes with the second.
 struct Gate {
     _folder: tempfile::TempDir,
     red: Vec<String>,
@@ -34,7 +34,7 @@ fn gate(args: &[String], stdout: impl Into<Stdio>) -> Output {
     tool(&args).stdout(stdout).stderr(Stdio::piped()).spawn().unwrap().wait_with_output().unwrap()
 }
 
-/// A pipe that nobody will read.
+/// A pipe without a reader.
 fn closed() -> std::io::PipeWriter {
     let (reader, writer) = std::io::pipe().unwrap();
     drop(reader);

@@ -1,4 +1,4 @@
-//! Own points: `ask`, `new`, `run --answers`, and suites by path wherever a suite can be named.
+//! The user's own points: `ask`, `new`, `run --answers`, and suites by path in every command.
 
 use std::io::Write as _;
 use std::process::Stdio;
@@ -8,7 +8,7 @@ use tempfile::tempdir;
 
 #[test]
 fn typed_points_are_answered_by_every_backend() {
-    // Right of the line through (1, 0) and (2, 0) by less than doubles can tell after rounding.
+    // The point is right of the line through (1, 0) and (2, 0) by less than the rounding error of doubles.
     let args = ["ask", "orient2d", "0.5,0x1.0000000000001p-1", "12,12", "24,24", "-b", "exact,naive,sos", "--format"];
     let told = expect(100, &[&args[..], &["csv"]].concat());
     let lines: Vec<&str> = told.stdout.lines().collect();
@@ -62,7 +62,7 @@ fn points_come_from_stdin_and_files() {
 fn a_backend_that_breaks_is_not_a_success() {
     let asked = expect(100, &["ask", "orient2d", "0,0", "1,0", "0,1", "-b", "exact,fault:panics"]);
     assert!(asked.stderr.contains("1 backends gave no answer and did not decline"), "{}", asked.stderr);
-    // Declining is no failure.
+    // Declining is not a failure.
     expect(0, &["ask", "incircle", "0x1p1000,0", "1,0", "0,1", "0,0", "-b", "exact,tolerance"]);
 }
 
@@ -95,7 +95,7 @@ fn what_cannot_be_asked_is_said_in_a_line() {
     assert!(expect(0, &["ask", "orient2d", "--round", "0.1,0", "1,0", "0,1", "-b", "exact"]).stdout.contains("  +  "));
 }
 
-/// The scene is not written down anywhere, so the file of its points is all that a reader can correct.
+/// A message about points of a file names the file, because the scene itself is in no file.
 #[test]
 fn what_is_wrong_with_points_of_a_file_names_the_file() {
     let folder = tempdir().unwrap();
@@ -147,7 +147,7 @@ fn a_new_suite_runs_as_it_is() {
         let ran = expect(0, &["run", &file, "-b", "exact,sos", "--out", &out]);
         assert!(ran.stdout.contains(" rows: 2 ok, 0 expected, 0 unexpected"), "{task}: {}", ran.stdout);
         assert_eq!(column(&read(&out, "summary.csv"), "task"), [task, task]);
-        // The generator in its comments runs as well.
+        // The generator in the comments works too.
         let made: Vec<&str> = text.lines().skip_while(|line| *line != "# [[generate]]").collect();
         let made: Vec<&str> = made.iter().map_while(|line| line.strip_prefix("# ")).collect();
         let generated = write(&folder, &format!("{task}-made.toml"), &format!("title = \"t\"\n{}\n", made.join("\n")));
@@ -188,7 +188,7 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     let folder = tempdir().unwrap();
     let [plain, full, apart] = ["plain", "full", "apart"].map(|name| at(&folder, name));
     let filter = "kettner-a1$|three-cells|tilings/bricks$|cubes/twins";
-    // Contradictions between answers would move them to another class in the summary.
+    // Contradictions between answers would change their class in the summary.
     let scenes = ["run", "-f", filter, "--permutations", "0", "-b", "exact,sos,naive", "--out"];
     run(&[&scenes[..], &[&plain]].concat());
     let told = run(&[&scenes[..], &[&full, "--answers"]].concat());
@@ -198,7 +198,7 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     let answers = read(&full, "answers.csv");
     assert_eq!(answers, read(&apart, "answers.csv"), "in a process of its own");
     assert_eq!(read(&plain, "summary.csv"), read(&full, "summary.csv"), "to write them changes no row");
-    // As many as were asked, and as many of each class as are counted.
+    // There are as many answers as queries, and as many of each class as the summary counts.
     let summary = read(&full, "summary.csv");
     let of_signs = |csv: &str| {
         let head = csv.lines().next().unwrap().to_owned();
@@ -207,7 +207,7 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     };
     let asked: usize = column(&of_signs(&summary), "queries").iter().map(|n| n.parse::<usize>().unwrap()).sum();
     assert_eq!(answers.lines().count() - 1, asked);
-    // Answers have commas.
+    // Answers contain commas.
     let mut rows = csv::Reader::from_reader(answers.as_bytes());
     let classes: Vec<String> = rows.records().map(|row| row.unwrap()[9].to_owned()).collect();
     let classes = |name: &str| classes.iter().filter(|class| *class == name).count();
@@ -218,7 +218,7 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     assert!(column(&answers, "stage").iter().any(|stage| stage == "float"), "{answers}");
 }
 
-/// A row is what was asked, what was answered, what is true and what that is called, in the order of the queries.
+/// A row has the query, the answer, the truth and the class, in the order of the queries.
 #[test]
 fn each_answer_is_the_answer_to_its_query() {
     let folder = tempdir().unwrap();
@@ -237,7 +237,7 @@ fn each_answer_is_the_answer_to_its_query() {
         "exact,1,1 2 3,0,0,agree",
         "exact,2,1 2 4,+,+,agree",
         "sos,0,0 1 2,-,-,agree",
-        // Which side is the judge's word.
+        // The judge decides the side of the broken tie.
         rows[4].as_str(),
         "sos,2,1 2 4,+,+,agree",
         "naive,0,0 1 2,0,-,overreach",

@@ -1,4 +1,4 @@
-//! Data of one's own from end to end: what the errors advise works, and what is rounded is shown.
+//! The user's own data from end to end: the advice in error messages works, and rounding is reported.
 
 use crate::common::{at, column, expect, read, write};
 use tempfile::{TempDir, tempdir};
@@ -86,7 +86,7 @@ fn what_is_rounded_is_a_row_and_a_line_of_the_report() {
         table.contains("| rounded | orient2d | 1 |") || table.contains("| rounded | a | orient2d | 1 |"),
         "{table}"
     );
-    // Nothing was changed, nothing is said.
+    // If reading changed nothing, there is no note.
     write(&folder, "p.csv", "0,0\n1,0\n0,1\n");
     let clean = at(&folder, "clean");
     expect(0, &["run", &plain, "-b", "exact", "--out", &clean]);
@@ -108,7 +108,7 @@ fn generated_scenes_are_written_out_as_a_suite() {
     let (before, after) =
         (["families", "classics", "intervals"].map(|suite| ids(suite, filter)).concat(), ids(&suite, "."));
     assert!(before.len() >= 3 && before.len() == after.len(), "{before:?} {after:?}");
-    // Where the id is another one, the suite says so.
+    // If the id of a scene changes, the suite says so.
     for (before, after) in before.iter().zip(&after) {
         let told = text.contains(&format!("# Its id is {after} here, and was {before}.\n"));
         assert_eq!(told, before != after, "{before} {after}");
@@ -116,7 +116,7 @@ fn generated_scenes_are_written_out_as_a_suite() {
     assert_eq!(before.iter().zip(&after).filter(|(before, after)| before != after).count(), 1);
 }
 
-/// The name of a file is that of a suite, and stands in tables and terminals.
+/// The name of a file is the name of its suite, and is printed in tables and terminals.
 #[test]
 #[cfg(unix)]
 fn a_file_whose_name_has_control_characters_is_no_suite() {
@@ -124,7 +124,7 @@ fn a_file_whose_name_has_control_characters_is_no_suite() {
     let told = expect(104, &["corpus", "verify", &write(&folder, "a\u{1b}[0mb.toml", crate::common::SUITE)]).stderr;
     assert!(told.contains("the suite's name `a\\u{1b}[0mb` has control characters; rename the file"), "{told}");
     assert!(!told.contains('\u{1b}'), "{told:?}");
-    // What else XML forbids is no control character, and is replaced.
+    // Other characters that XML forbids are not control characters and are replaced.
     let suite = write(&folder, "\u{FFFE}.toml", crate::common::SUITE);
     let (run, junit) = (at(&folder, "run"), at(&folder, "junit.xml"));
     expect(0, &["run", &suite, "-b", "exact", "--out", &run]);

@@ -1,4 +1,4 @@
-//! Suites named by a path, found again from anywhere, and the files that `solve` writes.
+//! Suites given by path are found from any folder, and `solve` writes its files.
 
 use std::path::Path;
 
@@ -25,7 +25,7 @@ fn suites_by_path_are_found_from_another_folder() {
     assert_eq!(replay.code, 0, "{}", replay.stderr);
     assert!(replay.stdout.contains("mine/wrong-once"), "{}", replay.stdout);
 
-    // As if it had been interrupted before the last row.
+    // Make a run that was interrupted before the last row.
     let state = unsealed(&out, "state.json").replace("\"complete\"", "\"interrupted\"");
     std::fs::write(home.path().join("run/state.json"), state).unwrap();
     let resumed = within(elsewhere.path(), &["run", "--resume", &out]);
@@ -100,7 +100,7 @@ fn a_task_is_solved_on_files_without_a_suite() {
     }
 }
 
-/// What the operating system refuses is named with the file and with what to do.
+/// Errors of the operating system name the file and a cure.
 #[test]
 fn files_that_are_none_are_named_with_a_cure() {
     let folder = tempdir().unwrap();

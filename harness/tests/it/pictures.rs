@@ -1,4 +1,4 @@
-//! Pixel maps: which colour is drawn for which answer, and what counts as wrong.
+//! Pixel maps: the colour of each answer, and which answers count as wrong.
 
 use std::collections::BTreeSet;
 
@@ -23,7 +23,8 @@ fn decode(path: &str) -> (usize, Vec<Colour>) {
     (usize::try_from(info.width).unwrap(), bytes[..info.buffer_size()].as_chunks().0.to_vec())
 }
 
-/// One pixel of each colour, as README and `map --help` name them. Above the diagonal a point is left of the line.
+/// Checks one pixel of each colour, as README and `map --help` name them. A point above the diagonal is left of the
+/// line.
 #[test]
 fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
     let folder = tempdir().unwrap();
@@ -41,15 +42,15 @@ fn left_is_blue_right_is_red_the_line_is_yellow_and_wrong_is_dark() {
     assert_eq!(colours(&exact), BTreeSet::from([BLUE, RED, YELLOW]));
     assert!(caption.starts_with("exact") && caption.contains(" 0 differ from the exact sign, 0 wrong"), "{caption}");
 
-    // Ties are broken as promised: another colour than the exact one, and not a dark one.
+    // Ties are broken as the backend promises, so their colour differs from the exact one but is not dark.
     let (caption, sos) = picture("sos");
     assert_eq!(colours(&sos), BTreeSet::from([BLUE, RED]));
     assert!(caption.contains(" 256 differ from the exact sign, 0 wrong"), "{caption}");
-    // All of it is within the band.
+    // All points are within the band.
     let (caption, tolerance) = picture("tolerance");
     assert_eq!(colours(&tolerance), BTreeSet::from([YELLOW]));
     assert!(caption.contains(" 65280 differ from the exact sign, 0 wrong"), "{caption}");
-    // The same answers without a promise.
+    // The same answers without a promise are wrong.
     let (caption, epsilon) = picture("epsilon:1e-10");
     assert_eq!(colours(&epsilon), BTreeSet::from([YELLOW, DARK_YELLOW]));
     assert!(caption.contains(" 65280 differ from the exact sign, 65280 wrong"), "{caption}");
@@ -83,7 +84,7 @@ fn what_cannot_be_drawn_is_said_before_anything_is_written() {
     }
 }
 
-/// Scenes of one name in two suites have a picture each, whatever the name.
+/// Scenes with the same name in two suites have separate pictures.
 #[test]
 fn pictures_of_a_run_go_by_scenes_and_not_by_names() {
     let folder = tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! A plan of work: its parts, their balance, and what is refused.
+//! A plan of work: its parts, their balance, and refusals.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,7 +12,7 @@ use crate::merge::files;
 const PARTS: u32 = 7;
 const BACKENDS: [&str; 2] = ["-b", "exact,naive"];
 
-/// Three scenes, two of which a plan can be changed by.
+/// A suite of three scenes; `x` changes one of them.
 fn suite(folder: &TempDir, x: u32) -> String {
     let scene = |name: &str, x: u32| {
         format!("[[scene]]\nname = \"{name}\"\ntask = \"orient2d\"\npoints = [[0, 0], [{x}, 1], [3, 8]]\n")
@@ -21,7 +21,7 @@ fn suite(folder: &TempDir, x: u32) -> String {
     write(folder, "mine.toml", &text)
 }
 
-/// Makes a plan, for a file without expectations beside it; what was printed.
+/// Makes a plan with an empty file of expectations; returns the output.
 fn plan(folder: &TempDir, words: &[&str], parts: u32, out: &str) -> String {
     let (parts, none) = (parts.to_string(), none(folder));
     expect(
@@ -31,12 +31,12 @@ fn plan(folder: &TempDir, words: &[&str], parts: u32, out: &str) -> String {
     .stdout
 }
 
-/// No expectations: the shipped ones take longer to read than most of these runs.
+/// An empty file of expectations; reading the shipped ones takes longer than most of these runs.
 fn none(folder: &TempDir) -> String {
     write(folder, "none.toml", "")
 }
 
-/// Runs, whatever is found; the folder.
+/// Runs, with findings or without; returns the folder.
 fn go(folder: &TempDir, name: &str, words: &[&str]) -> String {
     let out = at(folder, name);
     let none = none(folder);
@@ -56,7 +56,7 @@ fn assert_same(one: &str, other: &str) {
     assert!(differ.is_empty() && !one.is_empty(), "{differ:?}");
 }
 
-/// How much of the work, in microseconds, each part has in a plan.
+/// The work of each part of a plan, in microseconds.
 fn loads(plan: &str) -> BTreeMap<u64, u64> {
     let plan: serde_json::Value = serde_json::from_str(&std::fs::read_to_string(plan).unwrap()).unwrap();
     let mut loads: BTreeMap<u64, u64> = BTreeMap::new();
@@ -74,7 +74,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     let by_id = at(&folder, "by-id.json");
     let told = plan(&folder, &suites, PARTS, &by_id);
     assert!(told.contains("unknown") && told.contains("7/7 "), "{told}");
-    // Without costs a plan has the parts that `--shard` has by itself.
+    // Without costs, a plan has the same parts as `--shard`.
     let alone = go(&folder, "alone", &[&["--shard", "3/7"][..], &suites, &BACKENDS].concat());
     let planned = part(&folder, &by_id, 3, PARTS);
     assert_eq!(read(&alone, "summary.csv"), read(&planned, "summary.csv"));
@@ -101,15 +101,15 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
         json["hash"].as_str().or(json["plan"].as_str()).unwrap().to_owned()
     };
     assert_eq!(hash(&read(&merged, "env.json")), hash(&std::fs::read_to_string(&weighed).unwrap()));
-    // What was merged can be planned by, as what was measured at once.
+    // A merged run has costs to plan with, like a single run.
     let counted = |folder: &str| column(&read(folder, "costs.csv"), "scene").len();
     assert_eq!(counted(&merged), counted(&whole));
     plan(&folder, &[&suites[..], &["--costs", &merged]].concat(), 2, &at(&folder, "next.json"));
-    // The same parts, one of them by another plan.
+    // The same parts, except that one is from another plan.
     let told =
         expect(2, &[&["shard", "merge", "--out", &at(&folder, "mixed"), &planned][..], &parts[1..]].concat()).stderr;
     assert!(told.contains("made by the plan"), "{told}");
-    // A part that claims a scene of another one, and all parts but one.
+    // A part that claims a scene of another part, and a merge without the last part.
     let places = |part: &str| -> serde_json::Value {
         let plan: serde_json::Value = serde_json::from_str(&read(part, "plan.json")).unwrap();
         plan["whole"]["places"].clone()
@@ -123,7 +123,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     let out = at(&folder, "doubled");
     let told = expect(2, &[&["shard", "merge", "--out", &out][..], &parts].concat()).stderr;
     assert!(told.contains("plan.json: its bytes are not those that the run has written"), "{told}");
-    // Even where its digest is made to fit.
+    // The part is refused even if its digest is forged.
     let state = unsealed(parts[1], "state.json");
     let forged = {
         let mut state: serde_json::Value = serde_json::from_str(&state).unwrap();
@@ -138,7 +138,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     std::fs::write(Path::new(parts[1]).join("state.json"), state).unwrap();
     let told = expect(103, &[&["shard", "merge", "--out", &out][..], &parts[..6]].concat()).stderr;
     assert!(told.contains("these are missing: 7/7") && !Path::new(&out).exists(), "{told}");
-    // All of a plan on one machine.
+    // The whole plan on one machine.
     let at_once = go(&folder, "at-once", &["--plan", &weighed]);
     assert_same(&whole, &at_once);
 }
@@ -154,7 +154,7 @@ fn a_plan_that_does_not_fit_is_refused() {
         assert!(told.contains(why) && !Path::new(&out).exists(), "{told}");
     };
     refused(&file, "1/4", "the plan has 3 parts and not 4; write --shard k/3");
-    // Each of these is one byte.
+    // Each change is one byte.
     let text = std::fs::read_to_string(&file).unwrap();
     let part = text.find("\"part\": 1").or(text.find("\"part\": 3")).unwrap() + "\"part\": ".len();
     let hash = text.find("\"hash\": \"").unwrap() + "\"hash\": \"".len();
@@ -165,13 +165,13 @@ fn a_plan_that_does_not_fit_is_refused() {
         refused(&write(&folder, "changed.json", &changed), "1/3", "changed.json");
     }
     refused(&write(&folder, "no.json", "{}"), "1/3", "it is no plan of work");
-    // Rows would not agree if parts were held against different expectations.
+    // Rows would be inconsistent if parts used different expectations.
     let other = write(&folder, "other.toml", "# none");
     let told = expect(2, &["run", "--plan", &file, "--expected", &other, "--shard", "1/3", "--out", &out]).stderr;
     assert!(told.contains("it was made for other expectations"), "{told}");
     expect(2, &["shard", "plan", &mine, "--out", &file]);
 
-    // One scene is another by now: its part says so, and the others that the file is not the one that was planned.
+    // One scene has changed: its part reports that, and the other parts report that the file has changed.
     suite(&folder, 7);
     let told: Vec<String> = (1..=3)
         .map(|k| {
@@ -192,7 +192,7 @@ fn a_part_of_a_plan_is_resumed_as_it_was_planned() {
     plan(&folder, &[&mine, "--costs", &costs], 2, &file);
     let out = part(&folder, &file, 2, 2);
     let before = files(Path::new(&out));
-    // As if it had been killed before its first scene.
+    // Make a run that was killed before its first scene.
     let mut state: serde_json::Value = serde_json::from_str(&unsealed(&out, "state.json")).unwrap();
     state["outcome"] = "unfinished".into();
     state["digests"] = serde_json::json!({});
@@ -205,7 +205,7 @@ fn a_part_of_a_plan_is_resumed_as_it_was_planned() {
     assert!(told.contains("begun with other expectations"), "{told}");
     expect(0, &["run", "-q", "--resume", &out, "--expected", &none(&folder)]);
     assert_eq!(before, files(Path::new(&out)));
-    // What was measured twice counts once.
+    // A scene measured twice counts once.
     let told = plan(&folder, &[&mine, "--costs", &out], 1, &at(&folder, "again.json"));
     assert!(told.contains(" of 0 unknown"), "{told}");
 }

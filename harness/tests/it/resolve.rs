@@ -1,9 +1,9 @@
-//! `resolve`: meshes that cross themselves, and what cannot be resolved.
+//! `resolve`: meshes that cross themselves, and meshes that can't be resolved.
 
 use crate::common::{at, expect, read, write};
 use tempfile::tempdir;
 
-/// Two cubes of side 2, one of them moved by (1, 0.5, 0.25): what they have in common is 1 by 1.5 by 1.75.
+/// Two cubes of side 2, one moved by (1, 0.5, 0.25); their intersection is 1 by 1.5 by 1.75.
 fn two_cubes() -> String {
     let corner = |from: [f64; 3], at: u8| {
         let [x, y, z] = [0, 1, 2].map(|axis| from[axis] + f64::from(at >> axis & 1) * 2.0);
@@ -30,7 +30,7 @@ fn two_cubes() -> String {
     text
 }
 
-/// Six times the volume of an OFF file of triangles, by its own numbers.
+/// Six times the volume of an OFF file of triangles, computed from its coordinates.
 fn volume(off: &str) -> f64 {
     let mut lines = off.lines().skip(1);
     let row = |line: &str| line.split_ascii_whitespace().map(|x| x.parse::<f64>().unwrap()).collect::<Vec<f64>>();
@@ -54,11 +54,11 @@ fn cubes_that_overlap_become_one_mesh() {
     let out = at(&folder, "one.off");
     let told = expect(0, &["corpus", "resolve", &mesh, "--out", &out]);
     assert!(told.stdout.contains("triangles cut") && told.stdout.contains("does not cross itself"), "{}", told.stdout);
-    // All of it is in doubles: six times 16 less 2.625, and nothing rounds.
+    // All coordinates are doubles, so nothing rounds: the result is six times (16 − 2.625).
     let text = std::fs::read_to_string(&out).unwrap();
     assert_eq!(volume(&two_cubes()), 6.0 * 16.0);
     assert_eq!(volume(&text), 6.0 * 13.375);
-    // Again there is nothing to do, and what was refused is taken.
+    // A second time there is nothing to do, and the task that refused the mesh accepts the result.
     let again = expect(0, &["corpus", "resolve", &out, "--out", &at(&folder, "again.stl")]);
     assert!(again.stdout.contains("\n0 pairs crossed; 0 triangles cut"), "{}", again.stdout);
     let pair = ["solve", "mesh-intersect", "-b", "sos:per-mesh"];

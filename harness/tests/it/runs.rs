@@ -1,9 +1,9 @@
-//! `run`, `replay`, `report` and `bench` from end to end.
+//! `run`, `replay`, `report` and `bench`, end to end.
 
 use crate::common::{SUITE, assert_same_tables, at, column, expect, read, rewrite, run, tool, unsealed, write};
 use tempfile::tempdir;
 
-/// A part of the corpora that has signs, ties, findings and a map.
+/// A part of the corpora with signs, ties, findings and a map.
 const SOME: [&str; 4] = [
     "-f",
     "kettner-[ab]|wide-scaled-orient2d|grid-incircle|tilings/crossing|contacts/(surfaces|polygons)-degen|cubes/slide",
@@ -42,7 +42,7 @@ fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
     let args = ["run", "families", "-f", "incircle|insphere", "-b", "exact,sos,sos:edelsbrunner-mucke", "--out"];
     run(&[&args[..], &[&whole]].concat());
     let mut child = tool(&[&args[..], &[&broken]].concat()).stdout(std::process::Stdio::null()).spawn().unwrap();
-    // Wait until something is done, then interrupt.
+    // Wait until some rows are written, then interrupt.
     let rows =
         || std::fs::read_to_string(folder.path().join("broken/summary.csv")).map_or(0, |text| text.lines().count());
     while rows() < 3 && child.try_wait().unwrap().is_none() {
@@ -59,7 +59,7 @@ fn an_interrupted_run_says_so_and_goes_on_where_it_stopped() {
     assert!(run(&["run", "--resume", &broken]).stderr.contains("nothing to resume"));
 }
 
-/// Samples that take a minute each look at no flag.
+/// Samples that take a minute do not check the interrupt flag.
 #[test]
 #[cfg(unix)]
 fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
@@ -68,7 +68,7 @@ fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
     let args = ["bench", "-f", "families/(grid|near)-orient2d", "-b", "exact", "--sample-ms", "60000", "--out", &out];
     let mut child =
         tool(&args).stdout(std::process::Stdio::null()).stderr(std::process::Stdio::piped()).spawn().unwrap();
-    // The judgement of the first scene is written before it is timed.
+    // The judgement of the first scene is written before the scene is timed.
     let judged = || std::fs::metadata(folder.path().join("bench/judged.csv")).is_ok();
     while !judged() && child.try_wait().unwrap().is_none() {
         std::thread::sleep(std::time::Duration::from_millis(5));
@@ -91,7 +91,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
     run(&[&scenes[..], &["exact,sos,naive", "--out", &many]].concat());
     let plans = read(&one, "precision.csv");
     assert_eq!(plans, read(&many, "precision.csv"));
-    // Small integers are exact in doubles; what spans most exponents is not even in integers.
+    // Small integers are exact in doubles; a scene that spans most exponents is not exact even in integers.
     let choices = |scene: &str| {
         let line = plans.lines().find(|line| line.contains(scene)).unwrap_or_else(|| panic!("{scene}: {plans}"));
         line.splitn(6, ',').last().unwrap_or_default().to_owned()
@@ -99,14 +99,14 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
     assert_eq!(choices("grid-incircle"), "double,,double,");
     assert_eq!(choices("grid-orient3d"), "double,double,,double");
     assert_eq!(choices("wide-scaled-orient2d"), "dyadic,,dyadic,");
-    // Once per scene that was run.
+    // One row per scene.
     let mut scenes = column(&plans, "scene");
     scenes.sort();
     let mut checked = column(&read(&one, "summary.csv"), "scene");
     checked.sort();
     assert_eq!(scenes, checked);
 
-    // A finished scene of a folder that is older than the table gets its plan when the run is resumed.
+    // When an older run folder without the table is resumed, its finished scenes get their precision plans.
     let state = unsealed(&one, "state.json").replace("\"complete\"", "\"interrupted\"");
     let known = format!("\"precision.csv\": {}", plans.len());
     assert!(state.contains(&known), "{state}");
@@ -135,11 +135,11 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
     assert_same_tables(&one, &old, "after resuming");
 }
 
-/// A scene too large for the whole truth says so, and a small one does not.
+/// A scene that is too large for the complete truth is recorded, and a small scene is not.
 #[test]
 fn what_is_held_against_a_part_of_the_truth_is_written_down() {
     let folder = tempdir().unwrap();
-    // Up to 20,000 edges and a bit, all of them are looked at.
+    // Up to a little more than 20,000 edges, all edges are checked.
     for (scene, edges, rows) in [("large", 25_000, 1), ("small", 1000, 0)] {
         let out = at(&folder, scene);
         let text = format!(
@@ -171,7 +171,7 @@ fn a_finding_is_replayed_from_its_id() {
     expect(2, &["replay", "zzz", "--run", &at(&folder, "nowhere")]);
 }
 
-/// What the tool was built from stands beside every run, as far as git is there to tell.
+/// Every run records the source of the tool, if git is available.
 #[test]
 fn a_run_says_what_the_tool_was_built_from() {
     let folder = tempdir().unwrap();
@@ -191,7 +191,7 @@ fn a_run_says_what_the_tool_was_built_from() {
     }
 }
 
-/// A bench keeps the judgement of what it times: that is not a second answer.
+/// A bench keeps the judgements of its scenes; they do not count as second answers.
 #[test]
 fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
     let folder = tempdir().unwrap();
@@ -203,7 +203,7 @@ fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
     expect(0, &[&["bench"][..], &scenes, &quickly, &[&own]].concat());
     let summary = read(&out, "summary.csv");
     let number = |name: &str| column(&summary, name).iter().map(|n| n.parse().unwrap()).collect::<Vec<u64>>();
-    // The union of cubes is judged as a whole: it is one scene, as is the map.
+    // A union of cubes is judged as one answer.
     let rows_of = column(&summary, "backend").into_iter().zip(column(&summary, "task")).zip(number("queries"));
     let asked: u64 = rows_of
         .filter(|((backend, task), _)| backend == "sos" && task != "cube-union")
@@ -211,7 +211,7 @@ fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
         .sum();
     let text = |n: u64| if n < 1000 { n.to_string() } else { format!("{},{:03}", n / 1000, n % 1000) };
     let (rows, ties) = (text(number("queries").len() as u64), text(number("tie_broken").iter().sum()));
-    // In any order, a folder or two of timings, and a folder named twice.
+    // In any order, with one or two folders of timings, and with a folder named twice.
     for (at_report, folders) in [[&out, &bench, &out], [&bench, &out, &bench], [&out, &own, &bench]].iter().enumerate()
     {
         let report = at(&folder, &format!("report-{at_report}"));
@@ -234,7 +234,7 @@ fn a_run_and_a_bench_of_it_have_as_many_answers_as_were_asked() {
     }
 }
 
-/// The two folders can't both be right, so that nothing is reported.
+/// Only one of the two folders can be right, so nothing is reported.
 #[test]
 fn a_report_of_folders_that_disagree_is_an_error_that_names_both() {
     let folder = tempdir().unwrap();
@@ -261,7 +261,7 @@ fn a_report_has_errors_and_timings_on_one_page() {
     run(&[&["run"][..], &scenes, &["--out", &out]].concat());
     expect(0, &[&["bench"][..], &scenes, &["--samples", "3", "--sample-ms", "0", "--out", &bench]].concat());
     let throughput = read(&bench, "throughput.csv");
-    // A scene of signs by two interfaces and one of whole answers, three backends, three samples.
+    // A scene of signs through two interfaces and one of whole answers, three backends, three samples.
     let backends = column(&throughput, "backend");
     assert_eq!(backends.len(), 3 * 3 * 3, "{throughput}");
     assert!(column(&throughput, "ns_per_query").iter().all(|ns| ns.parse::<f64>().unwrap() > 0.0));
@@ -286,7 +286,7 @@ fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
     std::fs::write(&page, "Mine\n<!-- predicament: glance tables -->\n<!-- /predicament -->\n").unwrap();
     expect(0, &["report", &now, "--baseline", &before, "--splice", &page, "--out", &report]);
     let markdown = read(&report, "report.md");
-    // One pair is there as before, one is new, and one is gone.
+    // One pair is unchanged, one is new, and one is gone.
     assert!(markdown.contains("## Beside the earlier run") && markdown.contains("| 1 | 0 | 1 | 1 |"), "{markdown}");
     let spliced = std::fs::read_to_string(&page).unwrap();
     assert!(spliced.starts_with("Mine\n") && spliced.contains("\n| `exact` | "), "{spliced}");
@@ -294,13 +294,13 @@ fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
     let said = expect(2, &["report", &now, "--splice", &page, "--out", &report]).stderr;
     assert!(said.contains("page.md") && said.contains("there is no mark"), "{said}");
     assert_eq!(std::fs::read_to_string(&page).unwrap(), "no marks\n");
-    // A closing mark that was forgotten costs no text.
+    // A missing closing mark must not delete text.
     let forgotten = "<!-- predicament: glance -->\n\nMy long text\n\n<!-- predicament: findings -->\nold\n<!-- /predicament -->\nend\n";
     std::fs::write(&page, forgotten).unwrap();
     let said = expect(2, &["report", &now, "--splice", &page, "--out", &report]).stderr;
     assert!(said.contains("page.md: line 1: ") && said.contains("is not closed before line 5"), "{said}");
     assert_eq!(std::fs::read_to_string(&page).unwrap(), forgotten);
-    // A page whose lines end by CR LF has no others afterwards.
+    // A page with CR LF line ends keeps them everywhere.
     std::fs::write(&page, "Mine\r\n<!-- predicament: glance tables -->\r\n<!-- /predicament -->\r\n").unwrap();
     expect(0, &["report", &now, "--splice", &page, "--out", &report]);
     let spliced = std::fs::read_to_string(&page).unwrap();
@@ -409,9 +409,9 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     expect(0, &[&["study", "compare"][..], &few, &["--out", &compared]].concat());
     let with = page();
     assert!(with.contains("Backends on scenes of each kind") && !with.contains(&command), "{with}");
-    // The decision tree is on the first screen, whether there is a comparison or not.
+    // The decision tree is on the first screen, with or without a comparison.
     assert!([&without, &with].iter().all(|page| page.contains("(which.svg)")), "{with}");
-    // What can't be made has the file that is missing.
+    // A section that can't be made is refused with the name of the missing file.
     let own = at(&folder, "page.md");
     std::fs::write(&own, "<!-- predicament: which laws -->\n<!-- /predicament -->\n").unwrap();
     let why = expect(2, &["report", &out, "--out", &pages, "--splice", &own]).stderr;
@@ -419,7 +419,7 @@ fn a_report_has_the_comparison_in_the_run_s_folder_or_says_how_to_make_it() {
     std::fs::write(&own, "<!-- predicament: which ranking -->\n<!-- /predicament -->\n").unwrap();
     expect(0, &["report", &out, "--out", &pages, "--splice", &own]);
     assert!(std::fs::read_to_string(&own).unwrap().contains("| `naive` |"));
-    // Beside the tables of the run, too, and once where it is named as well.
+    // The comparison may also be next to the tables of the run; a folder named twice appears once.
     std::fs::rename(format!("{compared}/compare.csv"), format!("{out}/compare.csv")).unwrap();
     assert!(page().contains("Backends on scenes of each kind"));
     let named = at(&folder, "named");

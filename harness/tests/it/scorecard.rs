@@ -18,7 +18,7 @@ fn the_page_of_checks_is_what_the_tool_prints() {
     assert!(table.starts_with("check,class,tasks,holds,faults\n"), "{table}");
 }
 
-/// Faults in readers need no scene, so that this takes no time.
+/// Faults in readers need no scene, so this test is fast.
 #[test]
 fn a_check_that_is_off_turns_the_card_red() {
     let only = ["setup", "selftest", "--only", "readers:swaps-axes,readers:obj-from-zero", "--format", "json"];
@@ -69,7 +69,7 @@ fn options_that_would_do_nothing_are_refused() {
     assert!(told.starts_with("readers:swaps-axes "), "{told}");
 }
 
-/// A card of some scenes would call faults missed that others show.
+/// A card of some scenes would report faults as missed that other scenes show.
 #[test]
 #[cfg(target_os = "linux")]
 fn an_interrupted_selftest_says_that_nothing_is_kept() {
@@ -78,7 +78,7 @@ fn an_interrupted_selftest_says_that_nothing_is_kept() {
     let args =
         ["setup", "selftest", "--only", "fault:exact-flushed", "--everything", "--format", "json", "--out", &out];
     let mut child = tool(&args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
-    // Until it listens, the signal would end it.
+    // Until the tool listens, the signal would end it.
     let id = child.id().to_string();
     let listens = || {
         let status = std::fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();

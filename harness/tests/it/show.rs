@@ -1,4 +1,4 @@
-//! `show`: scenes, answers and findings as pictures and as data; `map`: one vertex of a query walks.
+//! `show`: scenes, answers and findings as pictures and as data; `map`: one vertex of a query moves.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use tempfile::tempdir;
 
 use crate::common::{at, column, expect, read, run, write};
 
-/// Of each task a few scenes of the embedded suites: some of them are a single place.
+/// A few scenes of each task from the embedded suites.
 fn scenes() -> BTreeMap<String, Vec<[String; 2]>> {
     let listed = expect(0, &["corpus", "list", "--scenes", "--format", "json"]).stdout;
     let mut scenes: BTreeMap<String, Vec<[String; 2]>> = BTreeMap::new();
@@ -21,14 +21,14 @@ fn scenes() -> BTreeMap<String, Vec<[String; 2]>> {
             }
         }
     }
-    // The one in the middle, and the last.
+    // Take the middle scene and the last.
     for of_task in scenes.values_mut() {
         *of_task = [of_task.len() / 2, of_task.len() - 1].map(|at| of_task[at].clone()).into();
     }
     scenes
 }
 
-/// The layers of a drawing with the number of their parts.
+/// The layers of a drawing, with the number of their parts.
 fn layers(json: &str) -> Vec<(String, u64)> {
     let drawing: Value = serde_json::from_str(json).unwrap();
     let layer = |layer: &Value| (layer["name"].as_str().unwrap().to_owned(), layer["parts"].as_u64().unwrap());
@@ -50,7 +50,7 @@ fn every_task_draws_its_scenes_and_answers() {
                 expect(0, &[&words[..], backend].concat());
                 std::fs::read_to_string(out).unwrap()
             };
-            // A task that takes no ties is answered by a backend that breaks them.
+            // A task that accepts no broken ties is answered by a backend without them.
             let solved = |backend: &&str| {
                 run(&["solve", suite, "-f", &filter, "-b", backend, "--out", &at(&folder, "solved")]).code == 0
             };
@@ -64,7 +64,7 @@ fn every_task_draws_its_scenes_and_answers() {
             assert!(show(&["-b", backend], "found.svg").contains("</svg>"), "{task}");
             break;
         }
-        // What is asked for signs alone, or for numbers, has no shape of its own.
+        // Tasks with only signs or numbers as answers have no drawing of their own.
         let has_shape = !["compare", "orient2d", "orient3d", "incircle", "insphere", "interval", "cube-union"]
             .contains(&task.as_str());
         assert_eq!(differ, has_shape, "{task}: {scenes:?}");
@@ -74,7 +74,7 @@ fn every_task_draws_its_scenes_and_answers() {
 const TRIANGLE: &str =
     "title = \"Mine\"\n[[scene]]\nname = \"hull\"\ntask = \"hull2d\"\npoints = [[0, 0], [8, 0], [0, 8], [1, 1]]\n";
 
-/// The places are those of the suite, by hand: the middle of the box is (4, 4), half of its side 4.
+/// The coordinates are those of the suite: the centre of the box is (4, 4), half of its side is 4.
 #[test]
 fn places_are_where_the_scene_says() {
     let folder = tempdir().unwrap();
@@ -91,12 +91,12 @@ fn places_are_where_the_scene_says() {
         (&corners, &serde_json::json!([0, 1, 2]), &serde_json::json!(4.0))
     );
 
-    // From vertex 3, what is nearer than 2 is drawn: vertex 3 itself is in the middle.
+    // With vertex 3 as the centre, points nearer than 2 are drawn.
     let svg = at(&folder, "near.svg");
     expect(0, &["draw", "scene", &suite, "-f", "hull", "--around", "3", "--radius", "2", "--out", &svg]);
     let svg = std::fs::read_to_string(svg).unwrap();
     assert!(svg.contains("<circle cx=\"380.0\""), "{svg}");
-    // A page with a view needs nothing else.
+    // A page with a view is self-contained.
     let page = at(&folder, "hull.html");
     expect(0, &["draw", "scene", &suite, "-f", "hull", "-b", "exact", "--out", &page]);
     let page = std::fs::read_to_string(page).unwrap();
@@ -142,19 +142,19 @@ fn a_finding_is_shown_with_its_vertices_and_walks() {
         "{lines:?}"
     );
     assert_eq!(std::fs::read_to_string(&out).unwrap().matches("<image").count(), 6);
-    // The page has the same, and the orders of the vertices.
+    // The page has the same picture, and the orders of the vertices.
     let pages = at(&folder, "pages");
     expect(0, &["report", &naive, "--out", &pages]);
     let told = expect(0, &["replay", &id, "--run", &naive]).stdout;
     assert!(told.contains("exact sign"), "{told}");
 }
 
-/// The walk of a point over neighbours is the family that Kettner, Mehlhorn, Pion, Schirra and Yap have drawn.
+/// The moving point gives the family of pictures of Kettner, Mehlhorn, Pion, Schirra and Yap.
 #[test]
 fn a_walk_is_the_picture_of_the_paper() {
     let folder = tempdir().unwrap();
     let step = "1.1102230246251565e-16";
-    // The middle of the family's square of 256 doubles from 0.5 on.
+    // The middle of the family's square of 256 doubles from 0.5.
     let points = "title = \"Mine\"\n[[scene]]\nname = \"middle\"\ntask = \"orient2d\"\nqueries = [[0, 1, 2]]\n\
                   points = [[\"0x1.0000000000080p-1\", \"0x1.0000000000080p-1\"], [12, 12], [24, 24]]\n";
     let suite = write(&folder, "mine.toml", points);

@@ -7,12 +7,13 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{at, expect, run, tool, write};
 
-/// As two scenes of the embedded families, and smaller: what a finding is shrunk to does not go by how large its scene was.
+/// Two families like the embedded ones, but smaller: the size of the shrunk scene does not depend on the size of the
+/// original.
 const SMALL: &str = "title = \"Small\"\n\
     [[generate]]\nfamily = \"near\"\ntask = \"orient3d\"\nn = 800\nseed = 3\nulps = 4\n\
     [[generate]]\nfamily = \"kettner\"\ntask = \"orient2d\"\nn = 600\nseed = 4\n";
 
-/// A run of a suite by naive, and its first finding of a class by a check.
+/// Runs a suite and returns the id of its first finding of a class and check, and the folder.
 fn found(folder: &TempDir, suite: &str, filter: &str, backends: &str, class: &str, check: &str) -> (String, String) {
     let out = at(folder, "run");
     let code = run(&["run", suite, "-f", filter, "-b", backends, "-q", "--out", &out]).code;
@@ -39,17 +40,17 @@ fn a_wrong_sign_among_thousands_is_three_points() {
     assert_eq!((state["after"]["points"].as_u64(), state["end"].as_str()), (Some(3), Some("smallest")), "{state}");
     assert!(state["before"]["points"].as_u64() > Some(1000), "{state}");
     assert!(told.stdout.starts_with("[[scene]]\n"), "{}", told.stdout);
-    // The scene is in the suite, and shows what it is for; the exact backend does not.
+    // The suite has the scene, which shows the finding; the exact backend does not show it.
     let again = at(&folder, "again");
     assert_eq!(run(&["run", &suite, "-b", "naive:first", "-q", "--out", &again]).code, 100);
     let summary = fs::read_to_string(format!("{again}/findings.csv")).unwrap();
     assert!(summary.contains("sign_flip,sign,orient2d(xy; 0 1 2)"), "{summary}");
     expect(0, &["run", &suite, "-b", "exact,sos", "-q", "--out", &at(&folder, "exact")]);
-    // The same finding once more takes its own place.
+    // Shrinking the same finding again replaces its scene.
     let before = fs::read_to_string(&suite).unwrap();
     expect(0, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "two"), "--into", &suite]);
     assert_eq!(fs::read_to_string(&suite).unwrap().matches("[[scene]]").count(), 1);
-    // A scene with its name that is somebody's own is an error of the suite, which stays as it was.
+    // If the user has a scene with its name, that is an error of the suite, which does not change.
     let before = before.replace("source = \"shrunk from", "source = \"seen in").replace("[0.5, 0.5]", "[0.5, 0.25]");
     fs::write(&suite, &before).unwrap();
     let told = expect(104, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "three"), "--into", &suite]);
@@ -71,11 +72,11 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     assert!(told.stderr.contains("--resume"), "{}", told.stderr);
     let before = state(&short);
     assert_eq!((before["end"].as_str(), before["evaluations"].as_u64()), (Some("evaluations"), Some(5)));
-    // Its larger scene gives way to the smallest; what stands beside it, with its comment, does not.
+    // The smallest scene replaces the larger one; other scenes and their comments stay.
     let own = "# mine\n  [[scene]] # by hand\nname = \"own\"\ntask = \"orient2d\"\npoints = [[0, 0], [1, 0], [0, 1]]\nqueries = [[0, 1, 2]]\n\n\
                [[generate]]\nname = \"near\"\nfamily = \"near\"\ntask = \"orient3d\"\nn = 50\nseed = 3\n";
     let larger = fs::read_to_string(&suite).unwrap();
-    // The file is one of an editor on Windows, and stays so.
+    // The file has Windows line ends and keeps them.
     fs::write(&suite, format!("{larger}\n{own}").replace('\n', "\r\n")).unwrap();
     expect(0, &["shrink", "--resume", &short, "--evaluations", "5000", "--into", &suite]);
     let written = fs::read_to_string(&suite).unwrap();
@@ -83,7 +84,7 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     assert_eq!(smallest.replace('\n', "\r\n"), written);
     assert!(smallest.matches("[[scene]]").count() == 2 && smallest.contains(own), "{smallest}");
     assert!(smallest.len() < larger.len() + own.len() && smallest.contains(&id), "{smallest}");
-    // And not the other way around; nor is the same scene added twice under another name.
+    // A larger scene does not replace a smaller one, and the same scene is not added twice under another name.
     let again = at(&folder, "again");
     let told = expect(0, &[&["shrink", &id, "--run", &run_dir, "--out", &again][..], &limit].concat());
     assert!(told.stderr.contains("nothing was added, as it has one that is as small"), "{}", told.stderr);
@@ -93,7 +94,7 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     let told = expect(0, &["shrink", "--resume", &short, "--into", &suite]);
     assert!(told.stderr.contains("nothing was added, as it has this scene in line"), "{}", told.stderr);
     assert_eq!(fs::read_to_string(&suite).unwrap(), named);
-    // What says that it is of another task, or has no limit, is refused.
+    // A state with another task or without a limit is refused.
     let file = format!("{short}/shrink.json");
     let text = fs::read_to_string(&file).unwrap();
     for (from, to, why) in [
@@ -126,7 +127,7 @@ fn a_second_backend_has_to_show_it_and_another_must_not() {
     let small = write(&folder, "small.toml", SMALL);
     let (id, run_dir) = found(&folder, &small, "near.*orient3d", "naive,naive:first,shewchuk", "sign_flip", "sign");
     let out = at(&folder, "both");
-    // Every scene on the way shows what the smallest does.
+    // Every intermediate scene shows the finding.
     let evaluations = if predicament_effort::whole() { "5000" } else { "400" };
     let more = ["-b", "naive:first", "--not-by", "shewchuk,exact", "--evaluations", evaluations];
     let args: Vec<&str> = ["shrink", &id, "--run", &run_dir, "--out", &out].into_iter().chain(more).collect();
@@ -136,7 +137,7 @@ fn a_second_backend_has_to_show_it_and_another_must_not() {
         let name = at(&folder, &backend.replace(':', "-"));
         assert_eq!(run(&["run", &suite, "-b", backend, "-q", "--out", &name]).code, code, "{backend}");
     }
-    // Nothing shows a finding and does not show it.
+    // A backend can't show a finding and not show it.
     let told = expect(2, &["shrink", &id, "--run", &run_dir, "--out", &at(&folder, "none"), "--not-by", "naive"]);
     assert!(told.stderr.contains("does not show the finding"), "{}", told.stderr);
     assert!(!std::path::Path::new(&at(&folder, "none")).exists(), "no empty folder is left");
@@ -169,11 +170,11 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     let scenes = text.matches("[[scene]]").count();
     assert!(scenes >= 2 && text.contains("sign_flip") && text.contains("overreach"), "{text}");
     expect(0, &["corpus", "verify", &suite]);
-    // A run that is complete has that left to do, such as where it was broken off.
+    // A complete run still shrinks its findings, also if it was stopped while shrinking.
     fs::remove_dir_all(format!("{out}/shrunk")).unwrap();
     expect(100, &["run", "--resume", &out, "--shrink", "1"]);
     assert_eq!(fs::read_to_string(&suite).unwrap(), text);
-    // The tests are there: exact bits in Rust, hex floats in C++ and Python.
+    // The tests exist, with exact bits in Rust and hex floats in C++ and Python.
     let one = fs::read_dir(format!("{out}/shrunk")).unwrap().map(|entry| entry.unwrap().path());
     let one = one.into_iter().find(|path| path.is_dir()).unwrap();
     for (file, words) in [
@@ -186,7 +187,7 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
     }
 }
 
-/// Constructed vertices are numbers after those of the points in C++, and what they are is told in both.
+/// In C++, constructed vertices are numbered after the points; both languages explain them.
 #[test]
 fn tests_of_constructed_vertices_have_their_definitions() {
     let folder = tempdir().unwrap();
@@ -206,7 +207,7 @@ fn tests_of_constructed_vertices_have_their_definitions() {
     }
 }
 
-/// The tests that are made run, where there is a Python, and fail for doubles.
+/// The generated tests run if there is Python, and fail for doubles.
 #[test]
 fn the_test_in_python_is_right() {
     let folder = tempdir().unwrap();
@@ -229,6 +230,6 @@ fn the_test_in_python_is_right() {
     assert!(right.status.success(), "{}", String::from_utf8_lossy(&right.stderr));
     let doubles = exact.replace("F(x) for", "float(x) for");
     assert!(!python(&doubles).unwrap().status.success(), "{text}");
-    // The tool itself is there, too.
+    // The tool itself runs.
     assert!(tool(&["--version"]).output().unwrap().status.success());
 }

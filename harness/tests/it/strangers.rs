@@ -1,4 +1,4 @@
-//! Folders of strangers: whatever a folder names, nothing in it is started.
+//! Folders from other people: no program that a folder names is started.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -15,13 +15,13 @@ use crate::common::{SUITE, Told, at, column, expect, read, told, tool, write};
 /// How a folder names a program.
 #[derive(Clone, Copy, Debug)]
 enum Attack {
-    /// By the name of an engine, with a file in the folder and its digest.
+    /// By an engine's name, with the file in the folder and its digest.
     ByPlan,
-    /// By the file itself, in the place of the name of a backend.
+    /// By the file itself, in place of a backend's name.
     ByName,
 }
 
-/// A folder of a run as a stranger makes it: its engine leaves a mark wherever it is started.
+/// A run folder made by an attacker, whose engine creates a file when it is started.
 struct Stranger {
     folder: TempDir,
     backend: String,
@@ -33,7 +33,8 @@ impl Stranger {
         let suite = write(&folder, "mine.toml", SUITE);
         let honest = at(&folder, "honest");
         expect(100, &["run", &suite, "-b", "exact,naive", "--out", &honest]);
-        // Both where the plan says, and where the tool looks for the engines of somebody who is in this folder.
+        // Put the engine where the plan says, which is also where the tool looks for engines if this is the current
+        // folder.
         let evil = folder.path().join("run/engines/evil");
         let mark = at(&folder, "started");
         let touch = format!("[\"touch\", {mark:?}]");
@@ -66,7 +67,7 @@ impl Stranger {
         Stranger { folder, backend }
     }
 
-    /// Calls the tool from a folder, and says whether it has started the engine.
+    /// Calls the tool from a folder; also returns whether the engine was started.
     fn call(&self, from: &str, args: &[&str]) -> (Told, bool) {
         let mut command: Command = tool(args);
         command.current_dir(self.folder.path().join(from)).env_remove("PREDICAMENT_ENGINES");
@@ -83,7 +84,7 @@ fn sha256(file: &str) -> String {
     String::from_utf8(output.stdout).unwrap().split_whitespace().next().unwrap().to_owned()
 }
 
-/// The attack with each command that reads a folder: from elsewhere, and from inside the folder.
+/// Tries the attack with each command that reads a folder, from outside and from inside the folder.
 #[test]
 #[cfg(target_os = "linux")]
 fn no_command_starts_what_a_folder_names() {
@@ -133,7 +134,7 @@ fn no_command_starts_what_a_folder_names() {
     }
 }
 
-/// A run, a shrink and a hunt that were begun are gone on with only with the programs that the user names.
+/// A run, a shrink and a hunt are resumed only with programs that the user names.
 #[test]
 #[cfg(target_os = "linux")]
 fn no_folder_is_gone_on_with_by_its_own_programs() {
@@ -177,14 +178,14 @@ fn no_folder_is_gone_on_with_by_its_own_programs() {
                 assert!(told.code == 2 && told.stderr.contains("--engine"), "{args:?}: {}{}", told.stdout, told.stderr);
             }
         }
-        // Whoever names it has it started: that is what a folder can't do.
+        // If the user names the engine, it is started; a folder can't do that.
         let file = at(&stranger.folder, "run/engines/evil/engine.toml");
         let (told, is_started) = stranger.call(".", &["run", "--resume", &run, "--engine", &format!("evil={file}")]);
         assert!(is_started == matches!(attack, Attack::ByPlan), "{}{}", told.stdout, told.stderr);
     }
 }
 
-/// A suite outside of the folder is told of before it is read.
+/// A note names a suite outside the folder before it is read.
 #[test]
 fn a_suite_that_a_folder_names_is_told_of() {
     let folder = tempdir().unwrap();

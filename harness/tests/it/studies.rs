@@ -37,7 +37,7 @@ fn the_smallest_scenes_read_back_and_still_cross_an_odd_number_of_times() {
     assert_eq!(told.stdout, format!("{}\n{out}\n", read(&out, "parity.md")));
     assert_eq!(column(&read(&out, "parity.csv"), "pairs"), ["900"; 6]);
     let (suite, again) = (format!("{out}/smallest.toml"), at(&folder, "again"));
-    // unexpected findings, as no expectations are given
+    // findings are unexpected, because no expectations are given
     expect(100, &["run", &suite, "-b", "exact,sos,tolerance,tolerance:f32", "--out", &again]);
     let summary = read(&again, "summary.csv");
     let scenes = column(&summary, "scene");
@@ -108,7 +108,7 @@ fn every_planted_tolerance_and_driver_is_found() {
     assert!(found.len() == 2 * (17 + 9) && found.iter().all(|n| n != "0"), "{found:?}");
     let numbers = column(&read(&out, "constants.csv"), "is_published");
     assert!(numbers.len() == 64 && numbers.iter().all(|said| said == "false"), "{numbers:?}");
-    // too few pairs to find anything: then it has to fail
+    // too few pairs to find anything, so the audit has to fail
     expect(100, &["study", "audit", "--planted", "--decisions", "1"]);
 }
 
@@ -123,7 +123,7 @@ fn resolution_leaves_tables_and_plots() {
     assert!(expect(2, &["study", "resolution", "--trials", "0", "--out", &out]).stderr.contains("--trials"));
 }
 
-/// What `stress --suites` writes is what `run` takes.
+/// `run` accepts the suite that `stress --suites` writes.
 #[test]
 fn a_break_point_is_kept_as_a_suite() {
     let folder = tempdir().unwrap();
@@ -138,7 +138,7 @@ fn a_break_point_is_kept_as_a_suite() {
         let suite = format!("{suites}/scale_{position}.toml");
         run(&["run", &suite, "-b", "exact,naive", "--out", &format!("{again}{position}")]);
         let summary = read(&format!("{again}{position}"), "summary.csv");
-        // What underflows to zero is an overreach.
+        // A product that underflows to zero is an overreach.
         let classes = ["sign_flip", "missed_zero", "overreach"].map(|class| column(&summary, class));
         let backends = column(&summary, "backend").into_iter().enumerate();
         backends.map(|(at, backend)| (backend, classes.iter().any(|class| class[at] != "0"))).collect::<Vec<_>>()

@@ -1,4 +1,4 @@
-//! Processes at once that write one output: each succeeds, the output is whole, and an edit is not lost.
+//! Several processes that write one output at once: each succeeds, the output is complete, and no edit is lost.
 
 use std::process::{Child, Stdio};
 
@@ -6,12 +6,12 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{SUITE, at, column, expect, read, told, tool, write};
 
-/// How many: more than there are processors on the machines of CI.
+/// The number of writers: more than the processors of CI machines.
 fn writers() -> usize {
     if predicament_effort::whole() { 10 } else { 4 }
 }
 
-/// Calls of the tool that run at once; each has to end with this code.
+/// Calls the tool several times at once; each call has to end with this code.
 fn at_once(code: i32, calls: &[Vec<String>]) {
     let start = |call: &Vec<String>| -> Child {
         let words: Vec<&str> = call.iter().map(String::as_str).collect();
@@ -28,7 +28,7 @@ fn words(words: &[&str]) -> Vec<String> {
     words.iter().map(|&word| word.to_owned()).collect()
 }
 
-/// What is in a folder, by name; files that are being written and locks are not left.
+/// The files of a folder, by name. No temporary files and locks remain.
 fn files(folder: &str) -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .unwrap()
@@ -82,7 +82,7 @@ fn outputs_are_those_of_one_writer() {
         let names = |files: &[(String, Vec<u8>)]| files.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>();
         assert_eq!(names(&alone_has), names(&together_has), "{out}");
         for ((name, one), (_, other)) in alone_has.iter().zip(&together_has) {
-            // Only the footer of a Parquet file may tell the moment.
+            // Only the footer of a Parquet file may have the time of writing.
             assert!(one == other || name.ends_with(".parquet"), "{out}: {name} differs");
         }
         std::fs::remove_dir_all(alone).unwrap();
@@ -90,7 +90,7 @@ fn outputs_are_those_of_one_writer() {
     }
 }
 
-/// Each writer expects something else: nothing that was told as written is lost.
+/// Each writer adds another expectation, and no reported edit is lost.
 #[test]
 fn no_edit_in_place_is_lost() {
     let folder = tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! The tutorial's files and commands, as they stand in `docs/TUTORIAL.md`.
+//! The files and commands of `docs/TUTORIAL.md`.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use crate::common::tool;
 /// The page.
 const PAGE: &str = include_str!("../../../docs/TUTORIAL.md");
 
-/// Writes the files of a job and runs its commands; gives the number of commands.
+/// Writes the files of a job and runs its commands; returns the number of commands.
 fn follow(job: &str, folder: &Path) -> usize {
     let (mut ran, mut file, mut block) = (0, None, None::<(String, String)>);
     for line in job.lines() {
@@ -33,7 +33,7 @@ fn follow(job: &str, folder: &Path) -> usize {
     ran
 }
 
-/// Runs a line that calls the tool, and insists on its exit code.
+/// Runs a command line of the tool and asserts its exit code.
 fn call(line: &str, folder: &Path) -> bool {
     let (command, code) = line.split_once('#').unwrap_or((line, "0"));
     let code: i32 = code.trim().parse().unwrap_or_else(|_| panic!("{line}: no exit code behind #"));

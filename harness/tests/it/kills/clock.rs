@@ -1,4 +1,4 @@
-//! A clock that goes backwards: nothing that is written down depends on it.
+//! A clock that goes backwards changes no output.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use super::driver::{Bench, Shape, children, differing, files, left, signal, with_out, words_of};
 
-/// The tool at another time, by `faketime`.
+/// The tool at another time, with `faketime`.
 fn at(time: &str, words: &[String]) -> Command {
     let tool = words_of(words);
     let mut command = Command::new("faketime");
@@ -29,7 +29,7 @@ fn a_run_that_is_resumed_years_before_it_began_is_the_same() {
     while rows() < 5 && late.try_wait().unwrap().is_none() {
         std::thread::sleep(Duration::from_micros(200));
     }
-    // The tool; `faketime` waits for its end.
+    // Kill the tool; `faketime` waits for it to end.
     for tool in children(late.id()) {
         signal("KILL", i64::from(tool));
     }
@@ -43,12 +43,12 @@ fn a_run_that_is_resumed_years_before_it_began_is_the_same() {
     assert!(differ.is_empty(), "left: {was}: these files differ: {differ:?}");
 }
 
-/// The only clock that is read is the one that never goes backwards; but for when a run was begun, which nothing goes by.
+/// The code reads only the monotonic clock. The exception is the start time of a run, on which no result depends.
 #[test]
 fn no_code_reads_the_time_of_day() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let mut left = vec![root.join("harness/src")];
-    // Crates stand in groups, each a folder.
+    // Crates are in groups, each in a folder.
     let folders = |of: &Path| {
         std::fs::read_dir(of)
             .unwrap()

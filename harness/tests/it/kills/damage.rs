@@ -1,4 +1,4 @@
-//! Files of a run folder that were cut, grown by garbage, or have a bit flipped.
+//! Files of a run folder that are truncated, extended by garbage, or have a flipped bit.
 
 use std::path::Path;
 use std::time::Duration;
@@ -8,7 +8,7 @@ use predicament_corpus::Random;
 use super::driver::{Bench, Files, OF_THE_MACHINE, Shape, differing, files, left, signal, start, with_out};
 use crate::common::{Told, run};
 
-/// What happens to a file.
+/// The damage to a file.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Damage {
     Cut,
@@ -17,14 +17,15 @@ enum Damage {
     Gone,
 }
 
-/// How many damages are tried: each of all files three times, or a few.
+/// The number of damages tried: three times all files with each damage, or a few.
 fn tries(pairs: usize) -> usize {
     if predicament_effort::whole() { 3 * pairs } else { 3 }
 }
 
 const DAMAGES: [Damage; 4] = [Damage::Cut, Damage::Grown, Damage::Flipped, Damage::Gone];
 
-/// The bytes of a file after it was damaged, if there are any; none if it can't be damaged so.
+/// The bytes of a file after the damage, or `Some(None)` if the file is gone; `None` if it can't be damaged in this
+/// way.
 fn damaged(bytes: &[u8], damage: Damage, random: &mut Random) -> Option<Option<Vec<u8>>> {
     let mut below = |n: usize| usize::try_from(random.integer(0, i64::try_from(n).unwrap() - 1)).unwrap();
     Some(match damage {
@@ -53,13 +54,13 @@ fn lay(folder: &Path, files: &Files) {
     }
 }
 
-/// A refusal names the file, and says what to do.
+/// True if a refusal names the file and a cure.
 fn is_clear(told: &Told, file: &str) -> bool {
     const CURES: [&str; 4] = ["restore", "start a new run", "run --resume", "name another"];
     told.code == 2 && told.stderr.contains(file) && CURES.iter().any(|cure| told.stderr.contains(cure))
 }
 
-/// All files of a folder, with the one that differs from machine to machine.
+/// All files of a folder, including the one that depends on the machine.
 fn all_files(folder: &Path) -> Files {
     let mut all = files(folder);
     all.insert(OF_THE_MACHINE.to_owned(), std::fs::read(folder.join(OF_THE_MACHINE)).unwrap());
@@ -85,7 +86,7 @@ fn damaged_files_of_an_unfinished_run_are_refused_or_gone_on_with() {
     let pairs: Vec<(&String, Damage)> = before.keys().flat_map(|name| DAMAGES.map(|damage| (name, damage))).collect();
     let tries = tries(pairs.len());
     for case in 0..tries {
-        // All of them, one after the other, or a few.
+        // All pairs in turn, or a few at random.
         let pick = if predicament_effort::whole() {
             case % pairs.len()
         } else {
@@ -144,7 +145,7 @@ fn damaged_files_of_a_complete_run_are_refused() {
         if is_clear(&told, name) {
             refused += 1;
         } else {
-            // What is no part of the answers may go unnoticed; what is must not.
+            // Damage may go unnoticed only in files that hold no answers.
             let is_beside = [OF_THE_MACHINE, "run.lock", "state.json"].contains(&name.as_str());
             assert!(is_beside, "{about}: code {}: {}{}", told.code, told.stdout, told.stderr);
             let place = |told: &Told| told.stdout.replace("damaged", "whole Part(1)");

@@ -1,4 +1,4 @@
-//! A disk that is full: the tool says so with the file and the cure, and goes on when there is room.
+//! On a full disk the tool names the file and the cure; with free space again, the run can be resumed.
 
 use std::path::Path;
 use std::process::{Command, Stdio};
@@ -6,7 +6,7 @@ use std::process::{Command, Stdio};
 use super::driver::{Bench, Shape, differing, files, with_out, words_of};
 use crate::common::{expect, told};
 
-/// A shell that runs a script with these words as its arguments.
+/// A shell that runs a script with these arguments.
 #[cfg(unix)]
 fn shell(script: &str, words: &[&str]) -> Command {
     let mut command = Command::new("sh");
@@ -14,19 +14,19 @@ fn shell(script: &str, words: &[&str]) -> Command {
     command
 }
 
-/// The tool and its words, as text.
+/// The tool and its arguments, as text.
 #[cfg(unix)]
 fn text_of(words: &[String]) -> Vec<String> {
     let tool = words_of(words);
     std::iter::once(tool.get_program()).chain(tool.get_args()).map(|word| word.to_string_lossy().into_owned()).collect()
 }
 
-/// The limit of a file's size is there on every Unix, and needs no rights.
+/// A file size limit exists on every Unix and needs no privileges.
 #[test]
 #[cfg(unix)]
 fn files_that_may_not_grow_are_named_and_the_run_goes_on_when_they_may() {
     let bench = Bench::new(&[Shape::Plain]);
-    // In blocks of 512 bytes; some are too small for the plan, others for a table.
+    // The limits are in blocks of 512 bytes; some are too small for the plan, others for a table.
     let limits = if predicament_effort::whole() { vec![0, 1, 2, 4, 8, 12, 16, 24, 32, 64, 128, 256] } else { vec![16] };
     for limit in limits {
         let out = bench.place(&format!("limit {limit}"));
@@ -45,7 +45,7 @@ fn files_that_may_not_grow_are_named_and_the_run_goes_on_when_they_may() {
     }
 }
 
-/// An export and a merge that reach such a limit say so, too.
+/// An export and a merge that reach the limit name the file too.
 #[test]
 #[cfg(unix)]
 fn exports_and_merges_name_the_file_that_may_not_grow() {
@@ -62,7 +62,7 @@ fn exports_and_merges_name_the_file_that_may_not_grow() {
     }
 }
 
-/// A file system of its own, small, in a name space that goes away with the shell; then the same with room.
+/// Uses a small file system of its own, in a namespace that ends with the shell, and then resumes with free space.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_full_disk_is_named_and_the_run_goes_on_when_there_is_room() {

@@ -1,4 +1,4 @@
-//! What is killed and compared: a small run in several shapes, and the ways to go on with it.
+//! The runs that are killed and compared: a small run in several shapes, and the ways to resume it.
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -9,11 +9,11 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{Told, told, tool};
 
-/// The file that may differ: it tells of the machine and of the command line.
+/// The file that may differ, because it has the machine and the command line.
 pub const OF_THE_MACHINE: &str = "env.json";
-/// The file that differs from run to run: how long each scene took.
+/// The file with the times of scenes, which differs from run to run.
 const OF_TIMES: &str = "costs.csv";
-/// The number of parts of a run in parts.
+/// The number of parts of a run that is split.
 pub const PARTS: u32 = 2;
 
 /// The shapes of a run.
@@ -21,17 +21,17 @@ pub const PARTS: u32 = 2;
 pub enum Shape {
     /// In one process.
     Plain,
-    /// Each scene and backend in a process of its own.
+    /// Each scene and backend in a separate process.
     Apart,
     /// A part of a run.
     Part(u32),
 }
 
 impl Shape {
-    /// The words after `predicament`, without the folder.
+    /// The arguments of the run, without the folder.
     pub fn words(self) -> Vec<String> {
-        // Signs, ties, a mesh, a map of a plane; or a picture of single signs, which goes with its rows.
-        // The last two are long enough to be killed in.
+        // Signs, ties, a mesh and a map of a plane; or a picture of single signs, which is written with its rows. The
+        // last two take long enough to be killed.
         let many = "ties/(grid-(4x4|3x3x3)-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
         let some = "ties/(grid-4x4-(compare|orient)|cube)|lecture/(ear|cascade|split)|tilings/bricks$";
         let scenes = match self {
@@ -50,7 +50,7 @@ impl Shape {
         words.into_iter().map(str::to_owned).collect()
     }
 
-    /// The words that go on with it.
+    /// The arguments that resume the run.
     pub fn resume(self, folder: &str) -> Vec<String> {
         let mut words = vec!["run".to_owned(), "--quiet".to_owned(), "--resume".to_owned(), folder.to_owned()];
         words.extend((self == Shape::Apart).then(|| "--isolate=always".to_owned()));
@@ -58,7 +58,7 @@ impl Shape {
     }
 }
 
-/// How many bytes the files of a folder have.
+/// The number of bytes of all files of a folder.
 pub fn size(folder: &Path) -> u64 {
     let mut all = 0;
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
@@ -71,10 +71,10 @@ pub fn size(folder: &Path) -> u64 {
     all
 }
 
-/// The bytes of all files of a folder, by their paths in it.
+/// The bytes of all files of a folder, by path.
 pub type Files = BTreeMap<String, Vec<u8>>;
 
-/// The files that have to be as in an undisturbed run.
+/// The files that have to be the same as in an undisturbed run.
 pub fn files(folder: &Path) -> Files {
     let mut all = Files::new();
     let mut left = vec![folder.to_owned()];
@@ -101,12 +101,12 @@ pub fn differing(one: &Files, other: &Files) -> Vec<String> {
     names
 }
 
-/// The tool with these words.
+/// The tool with these arguments.
 pub fn words_of(words: &[String]) -> Command {
     tool(&words.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
-/// Starts the tool as the first of a group of processes, silently.
+/// Starts the tool without output, as the leader of a process group.
 pub fn start(words: &[String]) -> Child {
     let mut command = words_of(words);
     command.stdout(Stdio::null()).stderr(Stdio::null());
@@ -115,7 +115,7 @@ pub fn start(words: &[String]) -> Child {
     command.spawn().expect("the tool starts")
 }
 
-/// Sends a signal to a process, or to a group of them where the number is below zero. It may have ended before.
+/// Sends a signal to a process, or to a process group if the number is negative. The process may have ended.
 pub fn signal(name: &str, process: i64) {
     let status = Command::new("kill")
         .args([&format!("-{name}"), "--", &process.to_string()])
@@ -125,13 +125,13 @@ pub fn signal(name: &str, process: i64) {
     let _ = status;
 }
 
-/// The processes that this one has started and that are there.
+/// The running child processes of a process.
 pub fn children(of: u32) -> Vec<u32> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir("/proc").into_iter().flatten().flatten() {
         let Some(id) = entry.file_name().to_str().and_then(|name| name.parse().ok()) else { continue };
         let stat = std::fs::read_to_string(entry.path().join("stat")).unwrap_or_default();
-        // After the name in brackets come the state and the parent.
+        // The state and the parent follow the name in brackets.
         let parent = stat.rsplit_once(')').and_then(|(_, rest)| rest.split_whitespace().nth(1)?.parse().ok());
         if parent == Some(of) {
             found.push(id);
@@ -162,7 +162,7 @@ impl Bench {
         bench
     }
 
-    /// The same for a run, and its parts, which are put together once.
+    /// Makes undisturbed runs of a whole run, its parts and more shapes, and merges the parts once.
     pub fn with_parts(more: &[Shape]) -> Bench {
         let parts = (1..=PARTS).map(Shape::Part);
         let shapes: Vec<Shape> = [Shape::Plain].into_iter().chain(parts).chain(more.iter().copied()).collect();
@@ -184,28 +184,28 @@ impl Bench {
         &self.whole[&shape].0
     }
 
-    /// How long it takes undisturbed.
+    /// The time of an undisturbed run.
     pub fn time(&self, shape: Shape) -> Duration {
         self.whole[&shape].1
     }
 
-    /// How many bytes the files of an undisturbed run have.
+    /// The number of bytes of the files of an undisturbed run.
     pub fn size(&self, shape: Shape) -> u64 {
         self.whole(shape).values().map(|bytes| bytes.len() as u64).sum()
     }
 
-    /// The words that merge the undisturbed parts.
+    /// The arguments that merge the undisturbed parts.
     pub fn merge(&self, out: &Path) -> Vec<String> {
         let parts = (1..=PARTS).map(|k| self.place(&format!("whole {:?}", Shape::Part(k))).display().to_string());
         with_out(["merge".to_owned()].into_iter().chain(parts).collect(), out)
     }
 
-    /// Runs the tool to its end.
+    /// Runs the tool until it ends.
     pub fn run(&self, words: &[String]) -> Told {
         told(words_of(words).output().expect("the tool starts"))
     }
 
-    /// Goes on with what is left in a folder, as a script would, until the run is complete or refused.
+    /// Resumes the run in a folder, or starts it if there is no plan, as a script would.
     pub fn go_on(&self, shape: Shape, out: &Path) -> Told {
         let words = if out.join("plan.json").exists() {
             shape.resume(&out.display().to_string())
@@ -215,10 +215,10 @@ impl Bench {
         self.run(&words)
     }
 
-    /// Goes on with what is left in a folder, and says in what state that was and what became of it.
+    /// Resumes the run in a folder; returns the state before and the result.
     ///
     /// # Panics
-    /// If the files are not those of the undisturbed run in the end.
+    /// If the final files differ from those of the undisturbed run.
     pub fn settle(&self, shape: Shape, out: &Path, case: &str) -> (&'static str, &'static str) {
         let was = left(out);
         let told = self.go_on(shape, out);
@@ -232,7 +232,7 @@ impl Bench {
         (was, became)
     }
 
-    /// The same for a merge, which is made again.
+    /// Merges again after a killed merge; returns the state before and the result.
     pub fn settle_merge(&self, out: &Path, case: &str) -> (&'static str, &'static str) {
         if out.exists() {
             assert!(
@@ -252,18 +252,18 @@ impl Bench {
     }
 }
 
-/// Where a merge puts its files before they are all there.
+/// The folder in which a merge collects its files.
 pub fn merging(out: &Path) -> PathBuf {
     out.with_file_name(format!("{}.merging", out.file_name().unwrap().to_str().unwrap()))
 }
 
-/// These words and `--out`.
+/// The arguments with `--out`.
 pub fn with_out(mut words: Vec<String>, out: &Path) -> Vec<String> {
     words.extend(["--out".to_owned(), out.display().to_string()]);
     words
 }
 
-/// What a run that was ended has left.
+/// The state of the folder of an ended run.
 pub fn left(out: &Path) -> &'static str {
     let state = std::fs::read_to_string(out.join("state.json")).unwrap_or_default();
     if !out.join("plan.json").exists() {

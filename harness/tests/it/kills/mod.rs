@@ -1,8 +1,9 @@
-//! Runs that are ended at any moment, and folders that were damaged: what is left is gone on with, byte for byte, or refused.
+//! Runs that are killed at any moment, and folders that were damaged: each is resumed with byte-identical results, or
+//! refused.
 //!
-//! What an undisturbed run leaves is compared file by file, but for `env.json`, which tells of the machine and the command line.
-//! A few of all cases are tried by default, all of them in the nightly. Every case is of a seed, which is printed;
-//! `PREDICAMENT_SEED` chooses another one.
+//! Every file of an undisturbed run is compared except `env.json`, which has the machine and the command line. By
+//! default a few cases are tried, and the nightly job tries all. Every case is derived from a seed, which is printed;
+//! `PREDICAMENT_SEED` sets another seed.
 
 mod clock;
 mod damage;

@@ -1,8 +1,10 @@
-//! Power cuts: what the disk has of a run's folder when the power goes, and whether that is gone on with.
+//! Power cuts: the state of a run's folder on the disk after a power cut, and whether the run can be resumed from it.
 //!
-//! A killed process loses nothing that the kernel has; a power cut loses what the disk was not asked for. `strace` writes down what a run does to its
-//! folder. For a moment of it, folders are made of what was synced for certain and of more or less of the rest, and each is resumed: the result has to be,
-//! byte for byte, that of an undisturbed run (the way of ALICE: Pillai et al., All File Systems Are Not Created Equal, OSDI 2014).
+//! A killed process loses nothing that the kernel has; a power cut loses everything that was not synced. `strace`
+//! records what a run does to its folder. For one moment of the record, folders are made from everything that was
+//! certainly synced and from more or less of the rest. Each folder is resumed, and the result has to be byte-identical
+//! to an undisturbed run. (This is the method of ALICE: Pillai et al., All File Systems Are Not Created Equal, OSDI
+//! 2014.)
 
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -14,7 +16,7 @@ use super::driver::{PARTS, Shape, differing, files, with_out, words_of};
 use super::syscalls::can_trace;
 use crate::common::told;
 
-/// What a call did. Files go by a number, as they have other names later.
+/// The effect of a system call. Files are numbered, because their names change later.
 #[derive(Clone, Debug)]
 enum Event {
     Folder(PathBuf),
@@ -27,18 +29,18 @@ enum Event {
     SyncFolder(PathBuf),
 }
 
-/// What is taken of that which nobody has asked the disk for.
+/// The part of the unsynced changes that reaches the disk.
 #[derive(Clone, Copy, Debug)]
 enum Rest {
     Nothing,
-    /// Names, and no bytes: files are shorter than they were.
+    /// All names and no bytes, so files are shorter than they were.
     Names,
     All,
     /// The first of the names, and a part of the bytes of each file.
     Some,
 }
 
-/// What a run does to its folder.
+/// The changes that a run makes to its folder.
 fn events(words: &[String], out: &Path) -> Vec<Event> {
     const CALLS: &str =
         "openat,write,ftruncate,rename,renameat,renameat2,unlink,unlinkat,mkdir,mkdirat,fsync,fdatasync,fcntl,close";
@@ -50,7 +52,7 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
     let code = command.output().unwrap().status.code();
     assert!(code == Some(0) || code == Some(100), "{code:?}");
     let text = std::fs::read_to_string(log.path()).unwrap();
-    // Files and folders that are open, by their descriptors.
+    // Open files and folders, by descriptor.
     let (mut open, mut folders) = (BTreeMap::new(), BTreeMap::new());
     let (mut numbers, mut events) = (BTreeMap::new(), Vec::new());
     for line in whole_lines(&text) {
@@ -119,7 +121,7 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
     events
 }
 
-/// Gives what is in one place, or in the folder there, its other place.
+/// Renames a file, or all files of a folder.
 fn renamed(places: &mut BTreeMap<PathBuf, usize>, from: &Path, to: &Path) {
     let below = |path: &Path| match path.strip_prefix(from).ok()? {
         rest if rest.as_os_str().is_empty() => Some(to.to_owned()),
@@ -129,7 +131,7 @@ fn renamed(places: &mut BTreeMap<PathBuf, usize>, from: &Path, to: &Path) {
     *places = std::mem::take(places).into_iter().map(|(path, number)| (below(&path).unwrap_or(path), number)).collect();
 }
 
-/// The calls of a log, those that another thread has broken in two put together again.
+/// The calls of a log, with calls that another thread interrupted joined again.
 fn whole_lines(log: &str) -> Vec<String> {
     let (mut begun, mut lines) = (BTreeMap::new(), Vec::new());
     for line in log.lines() {
@@ -146,7 +148,7 @@ fn whole_lines(log: &str) -> Vec<String> {
     lines
 }
 
-/// The texts in quotes among the arguments of a call.
+/// The quoted texts among the arguments of a call.
 fn texts(arguments: &str) -> Vec<Vec<u8>> {
     let (mut texts, mut rest) = (Vec::new(), arguments.bytes());
     while rest.any(|byte| byte == b'"') {
@@ -154,7 +156,7 @@ fn texts(arguments: &str) -> Vec<Vec<u8>> {
         loop {
             match rest.next().expect("the text has an end") {
                 b'"' => break,
-                // All bytes are in hex digits.
+                // All bytes are hex escapes.
                 byte => {
                     assert_eq!([Some(byte), rest.next()], [b'\\', b'x'].map(Some));
                     text.push(16 * digit(rest.next().unwrap()) + digit(rest.next().unwrap()));
@@ -175,11 +177,11 @@ fn digit(byte: u8) -> u8 {
     }
 }
 
-/// Makes the folder that the disk has after these events.
+/// The folders and files on the disk after these events and a power cut.
 fn after_power(events: &[Event], rest: Rest, random: &mut Random) -> (Vec<PathBuf>, BTreeMap<PathBuf, Vec<u8>>) {
     let synced_to = |of: &dyn Fn(&Event) -> bool| events.iter().rposition(of).map_or(0, |at| at + 1);
     let folder_of = |path: &Path| path.parent().unwrap().to_owned();
-    // Names: what comes before the last sync of their folder is there; they reach the disk in their order.
+    // Names before the last sync of their folder are certain; names reach the disk in order.
     let names: Vec<(usize, &Event)> = events
         .iter()
         .enumerate()
@@ -237,7 +239,7 @@ fn after_power(events: &[Event], rest: Rest, random: &mut Random) -> (Vec<PathBu
     (folders, places)
 }
 
-/// What a command that ended well has written is on the disk, with its name.
+/// The output of a successful command is on the disk, with its name.
 #[test]
 fn what_was_said_to_be_written_is_on_the_disk() {
     if !can_trace() {

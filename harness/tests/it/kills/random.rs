@@ -9,12 +9,12 @@ use predicament_corpus::Random;
 
 use super::driver::{Bench, PARTS, Shape, children, merging, signal, size, start, with_out};
 
-/// What is ended, and how.
+/// The process that is ended, with the signal.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 enum Kind {
     /// A run in one process.
     Run(&'static str),
-    /// A run that starts workers, with all of them, as a batch system does.
+    /// A run that starts workers, together with its workers, as a batch system does.
     Group(&'static str),
     /// One of the workers of a run.
     Worker(&'static str),
@@ -26,7 +26,7 @@ enum Kind {
     Merge(&'static str),
 }
 
-/// The kinds, in turn. The first six start no workers, whose processes cost more than all else.
+/// The kinds, in turn. The first six start no workers, because worker processes take most of the time.
 const KINDS: [Kind; 12] = [
     Kind::Run("KILL"),
     Kind::Merge("KILL"),
@@ -42,12 +42,12 @@ const KINDS: [Kind; 12] = [
     Kind::Resume("TERM"),
 ];
 
-/// How many cases: every kind a few times, or a few kinds.
+/// The number of cases: every kind a few times, or a few kinds.
 fn cases() -> u64 {
     if predicament_effort::whole() { 100 } else { 6 }
 }
 
-/// When something is ended: when the files have so many bytes, or after a while, whichever comes first.
+/// The moment of the kill: when the files have this many bytes or after this time, whichever is first.
 #[derive(Clone, Copy, Debug)]
 struct Moment {
     bytes: u64,
@@ -55,7 +55,8 @@ struct Moment {
 }
 
 impl Moment {
-    /// A moment while so many bytes are written: by how many there are, and now and then before there are any, however busy the machine is.
+    /// A random moment while `all` bytes are written. Usually it is a number of bytes, so that it does not depend on
+    /// the machine's load; one time in six it is a time, which may be before the first byte.
     fn of(random: &mut Random, all: u64, time: Duration) -> Moment {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, clippy::cast_precision_loss)]
         let bytes = (all as f64 * random.unit()) as u64;
@@ -74,7 +75,7 @@ pub fn seed() -> u64 {
     word.map_or(1, |word| word.parse().unwrap_or_else(|_| panic!("PREDICAMENT_SEED is `{word}`, which is no number")))
 }
 
-/// Ends a process, or what it has started, when the moment has come, and waits for its end; none if that came before.
+/// Ends a process, or a process that it started, at the moment, and waits for its end; `None` if it ended before.
 fn end(
     mut child: Child,
     moment: Moment,

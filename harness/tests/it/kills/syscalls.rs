@@ -1,4 +1,4 @@
-//! Kills at each call to the system by which a run changes its folder, by `strace`: what no clock hits.
+//! Kills at each system call with which a run changes its folder, by `strace`. Timed kills rarely hit these.
 
 use std::process::{Command, Stdio};
 
@@ -8,7 +8,7 @@ use predicament_corpus::Random;
 /// The calls that change files.
 const CALLS: &str = "write,rename,renameat,renameat2,openat,mkdir,mkdirat,ftruncate,unlink,unlinkat,rmdir";
 
-/// The tool under `strace`, which does something to it at the n-th of each of those calls.
+/// The tool under `strace`, which does `what` to it at the n-th of each of these calls.
 fn traced(words: &[String], what: &str, n: usize) -> Command {
     let tool = words_of(words);
     let mut command = Command::new("strace");
@@ -18,7 +18,7 @@ fn traced(words: &[String], what: &str, n: usize) -> Command {
     command
 }
 
-/// How many there are of the call that there are most of: `strace` counts each by itself.
+/// The number of calls of the most frequent system call; `strace` counts each system call separately.
 fn calls(words: &[String]) -> i64 {
     let log = tempfile::NamedTempFile::new().unwrap();
     let tool = words_of(words);
@@ -28,7 +28,7 @@ fn calls(words: &[String]) -> i64 {
     let code = command.output().unwrap().status.code();
     assert!(code == Some(0) || code == Some(100), "{code:?}");
     let text = std::fs::read_to_string(log.path()).unwrap();
-    // Those of the first thread, by which all files are written.
+    // Count the calls of the first thread, which writes all files.
     let first = text.split_whitespace().next().unwrap_or_default();
     let mut counts = std::collections::BTreeMap::new();
     for call in text.lines().filter_map(|line| line.strip_prefix(first)?.trim().split_once('(')) {
@@ -37,7 +37,7 @@ fn calls(words: &[String]) -> i64 {
     counts.into_values().max().unwrap_or(0)
 }
 
-/// Whether there is `strace`, and it may trace.
+/// True if `strace` exists and may trace.
 pub fn can_trace() -> bool {
     let tried = Command::new("strace").args(["-f", "-q", "-o", "/dev/null", "true"]).output();
     let can = tried.is_ok_and(|output| output.status.success());
@@ -47,7 +47,7 @@ pub fn can_trace() -> bool {
     can
 }
 
-/// A small run on one thread, so that its calls are the same every time.
+/// A small run on one thread, so that its system calls are always the same.
 fn small(out: &std::path::Path) -> Vec<String> {
     let words = [
         "run",
@@ -102,7 +102,7 @@ fn what_is_killed_at_any_call_to_the_system_is_gone_on_with() {
     assert!(hits > 0, "no call was hit");
 }
 
-/// Merges that are killed at calls to the system: the whole is there and complete, or not there.
+/// Kills merges at system calls: the merged run is complete or does not exist.
 pub fn kill_merges(bench: &Bench, seed: u64) {
     if !can_trace() {
         return;

@@ -1,4 +1,4 @@
-//! Other writers that may be killed, and two that want the same place.
+//! Other writers that are killed, and two writers of the same place.
 
 use std::path::Path;
 use std::process::Stdio;
@@ -9,7 +9,7 @@ use tempfile::tempdir;
 use super::driver::{files, signal};
 use crate::common::{SUITE, at, expect, read, run, told, tool, write};
 
-/// A lock is taken by a process, whatever it is about to write.
+/// A process locks the folder before it writes anything.
 #[test]
 fn two_processes_on_one_folder_are_refused_with_a_cure() {
     let folder = tempdir().unwrap();
@@ -34,7 +34,7 @@ fn two_processes_on_one_folder_are_refused_with_a_cure() {
     let refused = expect(2, &[&scene[..], &["--out", &out]].concat());
     assert!(refused.stderr.contains("the folder is not empty; name another"), "{}", refused.stderr);
 
-    // A merge into the same place.
+    // Two merges into the same place.
     let (merged, beside) = (place("both"), place("both.merging"));
     std::fs::create_dir(&beside).unwrap();
     let other = std::fs::File::create(format!("{beside}/run.lock")).unwrap();
@@ -48,13 +48,13 @@ fn two_processes_on_one_folder_are_refused_with_a_cure() {
     assert_eq!(files(Path::new(&merged)), files(Path::new(&whole)));
     assert!(!Path::new(&beside).exists());
 
-    // The lock goes with the process, and the run, of which there is only the plan, is begun.
+    // The lock ends with the process. The folder has only the plan, so the run begins.
     drop(lock);
     expect(0, &["run", "--quiet", "--resume", &out]);
     assert_eq!(files(Path::new(&out)), files(Path::new(&whole)));
 }
 
-/// A run that is resumed has the settings of its plan, whatever its rows depend on.
+/// A resumed run has all settings of its plan on which rows depend.
 #[test]
 fn a_run_that_is_resumed_keeps_its_permutations_and_expectations() {
     let folder = tempdir().unwrap();
@@ -65,7 +65,7 @@ fn a_run_that_is_resumed_keeps_its_permutations_and_expectations() {
     let words =
         ["run", &suite, "-b", "naive", "--permutations", "0", "--expected", &expected, "--quiet", "--out", &whole];
     expect(0, &words);
-    // As it is when nothing is done.
+    // A folder as it is before any work.
     std::fs::create_dir(&out).unwrap();
     std::fs::copy(format!("{whole}/plan.json"), format!("{out}/plan.json")).unwrap();
     expect(0, &["run", "--quiet", "--resume", &out]);
@@ -85,7 +85,7 @@ fn a_run_that_is_resumed_keeps_its_permutations_and_expectations() {
     );
 }
 
-/// A worker that somebody kills is no crash of the backend.
+/// A worker that somebody kills does not count as a crash of the backend.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_worker_that_somebody_has_ended_is_started_again() {
@@ -115,7 +115,7 @@ fn a_worker_that_somebody_has_ended_is_started_again() {
     }
 }
 
-/// A download that is killed leaves no half file, and the next one no litter of it.
+/// A killed download leaves no partial file, and the next download leaves no temporary file.
 #[test]
 #[cfg(unix)]
 fn a_download_that_is_killed_leaves_nothing() {
@@ -160,7 +160,7 @@ fn a_download_that_is_killed_leaves_nothing() {
     assert_eq!(litter(), 0, "it is taken away by the next");
 }
 
-/// A file of the user's is the old one or the new one.
+/// A file of the user's has the old or the new contents, never a part.
 #[test]
 #[cfg(target_os = "linux")]
 fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
@@ -174,7 +174,7 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     let before = std::fs::read_to_string(&page).unwrap();
     let tool = tool(&["report", &out, "--splice", &page, "--out", &report]);
     let mut command = std::process::Command::new("strace");
-    // What is written beside it has a name of its own; all of it is there before it takes the place of the page.
+    // The temporary file has its own name and is complete before it replaces the page.
     command.args(["-f", "-q", "-o", "/dev/null", "-P", &page]);
     command.args(["-e", "trace=/^rename", "-e", "inject=/^rename:error=ENOSPC:when=1+"]);
     command.arg(tool.get_program()).args(tool.get_args()).stdin(Stdio::null());
