@@ -54,7 +54,7 @@ impl Change {
     }
 }
 
-/// One line, without a mark.
+/// Writes one line, without a mark.
 impl std::fmt::Display for Change {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let Change { class, place, then, now, is_worse } = self;

@@ -41,7 +41,7 @@ pub fn start(mut command: Command) -> Result<Child, Failure> {
     Ok(child)
 }
 
-/// How a child ended.
+/// The end of a child process.
 pub enum End {
     Exit(Option<ExitStatus>),
     Limit(Duration),

@@ -22,11 +22,11 @@ predicament_records::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The digest of the answers as users get them, 16 hex digits.
+        /// The digest of the answers as users get them, in 16 hex digits.
         pub digest: String,
     }
 }

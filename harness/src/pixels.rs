@@ -1,4 +1,4 @@
-//! One query as a raster: one of its vertices moves over a square of nearby places, and every backend answers at each
+//! A query as a raster: one of its vertices moves over a square of nearby places, and every backend answers at each
 //! place.
 //!
 //! Kettner, Mehlhorn, Pion, Schirra and Yap have shown the effect of doubles on an orientation in this way. The scene
@@ -150,7 +150,7 @@ fn stepped(x: f64, steps: i64, step: Step) -> f64 {
     }
 }
 
-/// One backend's picture.
+/// The picture of one backend.
 pub struct Tile {
     /// The pixels.
     pub map: PixelMap,

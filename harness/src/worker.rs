@@ -66,13 +66,13 @@ pub struct Found {
     pub maps: Vec<(String, Vec<u8>)>,
 }
 
-/// How a worker ended.
+/// The end of a worker.
 enum Done {
-    /// It wrote rows, or crashed; a crash is a row too.
+    /// The worker wrote rows, or crashed; a crash is a row too.
     Found(Box<Found>),
-    /// It was killed by a signal that no program sends itself; this would be its row.
+    /// The worker was killed by a signal that no program sends itself; this would be its row.
     Killed(Box<Found>),
-    /// It or this process was asked to stop.
+    /// The worker or this process was asked to stop.
     Stopped,
 }
 

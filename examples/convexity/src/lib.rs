@@ -16,7 +16,7 @@ use predicament::tasks::{
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Convexity;
 
-/// What a scene asks: the points of the scene are the corners of a polygon, in order.
+/// The content of a scene: its points are the corners of a polygon, in order.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Polygon {
     corners: usize,
@@ -175,7 +175,7 @@ impl Task for Convexity {
         Ok(vec![path])
     }
 
-    /// What `judge` can report.
+    /// The checks that `judge` can report.
     fn checks(&self) -> &'static [Check] {
         const {
             &[

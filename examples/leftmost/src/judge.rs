@@ -21,7 +21,7 @@ pub fn truth(scene: &Scene, content: &Among, watch: &Watch) -> Result<Vec<Vertex
     Ok(leftmost)
 }
 
-/// What a backend that breaks ties should find: the leftmost of the truth by its tie judge.
+/// The right answer for a backend that breaks ties: the leftmost vertex of the truth, by its tie judge.
 fn perturbed(case: &Case<'_, Leftmost>, asked: &Asked<'_>) -> Vec<Vertex> {
     let Some(ties) = asked.backend.tie_judge() else { return case.truth.clone() };
     let session = Judged::perturbed(case.scene(), ties);
@@ -36,7 +36,7 @@ pub fn judge(case: &Case<'_, Leftmost>, asked: &Asked<'_>, found: &[Vertex], out
         ZeroMeaning::Never => (perturbed(case, asked), true),
         ZeroMeaning::Exact | ZeroMeaning::Band => (case.truth.clone(), false),
     };
-    // Where one of the right vertices was found, another is a matter of zeros; where none was, of signs.
+    // If a right vertex was found, other errors are wrong zeros; if none was found, they are wrong signs.
     let is_zero = !breaks_ties && found.iter().any(|vertex| wanted.contains(vertex));
     for vertex in &case.content.0 {
         let (is, should) = (found.contains(vertex), wanted.contains(vertex));

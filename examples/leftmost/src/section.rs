@@ -19,7 +19,7 @@ predicament::records::table! {
         pub scene_id: String,
         /// The backend's name.
         pub backend: String,
-        /// The vertices that it found, separated by blanks.
+        /// The vertices that the backend found, separated by spaces.
         pub found: String,
         /// The vertices with the smallest x.
         pub truth: String,

@@ -42,7 +42,9 @@ pub struct Args {
     #[arg(long, value_name = "RUN")]
     pub baseline: Vec<PathBuf>,
 
-    /// Put sections into a Markdown page of your own, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION tables` for its tables alone, `which PART` for a part of docs/WHICH.md, made of the studies in RUN/compare, RUN/curves, RUN/stress, RUN/cut, RUN/parity and RUN/parity-space
+    /// Put sections into a Markdown page, between `<!-- predicament: SECTION -->` and `<!-- /predicament -->`; `SECTION
+    /// tables` is only its tables, and `which PART` a part of docs/WHICH.md, made from the studies in RUN/compare,
+    /// RUN/curves, RUN/stress, RUN/cut, RUN/parity and RUN/parity-space
     #[arg(long, value_name = "FILE")]
     pub splice: Vec<PathBuf>,
 }

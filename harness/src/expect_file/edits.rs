@@ -21,7 +21,7 @@ impl Edits {
         self.replace(at..at, text);
     }
 
-    /// The same edits with CR LF line ends, if all lines of this text end with CR LF, as Windows editors write them.
+    /// The edits with CR LF line ends, if all lines of this text end with CR LF, as Windows editors write them.
     pub fn with_line_ends_of(mut self, text: &str) -> Edits {
         if is_crlf(text) {
             self.0.iter_mut().for_each(|(_, with)| *with = to_crlf(with));

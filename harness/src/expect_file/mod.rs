@@ -17,7 +17,7 @@ pub use prune::{Told, prune};
 use table::tables;
 pub use update::update;
 
-/// One `[[expect]]` entry: backends, classes and scenes. Scene names are written as globs that match only themselves.
+/// An `[[expect]]` entry: backends, classes and scenes. Scene names are written as globs that match only themselves.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Entry {
     pub backends: Vec<String>,

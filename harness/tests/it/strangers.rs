@@ -12,12 +12,12 @@ use tempfile::{TempDir, tempdir};
 
 use crate::common::{SUITE, Told, at, column, expect, read, told, tool, write};
 
-/// How a folder names a program.
+/// The way in which a folder names a program.
 #[derive(Clone, Copy, Debug)]
 enum Attack {
-    /// By an engine's name, with the file in the folder and its digest.
+    /// The name of an engine, with the file in the folder and its digest.
     ByPlan,
-    /// By the file itself, in place of a backend's name.
+    /// The file itself, in place of a backend's name.
     ByName,
 }
 

@@ -18,21 +18,21 @@ pub const FRONT: [Column; 4] = [
         Kind::Timestamp,
         true,
         "UTC",
-        "When the run began; none in folders made before it was written down.",
+        "The start of the run; null in older folders, which do not record it.",
     ),
     Column::new(
         "commit",
         Kind::Text,
         true,
         "",
-        "The commit that the tool was built from; none where it was built outside of its repository.",
+        "The commit that the tool was built from; null if it was built outside of its repository.",
     ),
     Column::new(
         "machine",
         Kind::Text,
         false,
         "",
-        "Digest of processor, cores and system: times of two machines are not compared.",
+        "A digest of processor, cores and system; times of different machines are not comparable.",
     ),
 ];
 
@@ -42,38 +42,38 @@ pub const OWN_TABLES: [TableSpec; 2] = [TableSpec::of::<RunRow>(), TableSpec::of
 predicament_records::table! {
     /// `runs`: a run or a bench, from its `plan.json`, `env.json` and `state.json`.
     pub struct RunRow [Clone, PartialEq, Eq, Debug] in "runs" {
-        /// How it ended: `complete`; `unfinished` if it was killed, `interrupted`, `timeout`; `running` if a process
-        /// was writing it during the export.
+        /// The outcome: `complete`; `unfinished` if the run was killed; `interrupted`; `timeout`; `running` if a
+        /// process was writing the folder during the export.
         pub outcome: String,
-        /// What was done: `run` or `bench`.
+        /// The command: `run` or `bench`.
         pub command: String,
-        /// How thorough it was: `quick` or `full`.
+        /// The level: `quick` or `full`.
         pub level: String,
-        /// Which part of the selection it is: `1/1` is all of it.
+        /// The part of the selection; `1/1` is the whole.
         pub shard: String,
-        /// The scenes that were planned.
+        /// The number of planned scenes.
         pub scenes: u64,
-        /// The backends that were planned, separated by commas.
+        /// The planned backends, separated by commas.
         pub backends: String,
-        /// The tool that made the folder, with its version.
+        /// The tool that wrote the folder, with its version.
         pub created_by: String,
-        /// Whether the sources differed from the commit.
+        /// True if the sources differed from the commit.
         pub dirty: Option<bool>,
         /// The machine's name.
         pub node: Option<String>,
         /// The processor's name.
         pub cpu: Option<String>,
-        /// How many threads could run at once.
+        /// The number of threads that can run at once.
         pub cores: Option<u64> ["threads"],
         /// The operating system and architecture.
         pub os: String,
-        /// How the system chose the frequency of the first core.
+        /// The frequency governor of the first core.
         pub governor: Option<String>,
         /// The compiler's version.
         pub rustc: Option<String>,
-        /// The profile that the tool was built with and the flags given to the compiler.
+        /// The build profile of the tool and the compiler flags.
         pub opt_flags: Option<String>,
-        /// Whether debug assertions were compiled in: such times are worthless.
+        /// True if debug assertions were compiled in; then the times are worthless.
         pub debug_assertions: bool,
         /// The command line.
         pub command_line: String,

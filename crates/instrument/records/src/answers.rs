@@ -11,21 +11,21 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The number of the query in its scene, from 0.
         pub query: u64 ["place"],
-        /// The ids of its vertices, separated by blanks.
+        /// The ids of the query's vertices, separated by spaces.
         pub args: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// What it answered.
+        /// The backend's answer.
         pub answer: String,
-        /// What is true without a perturbation or a band.
+        /// The exact answer, without a perturbation or a band.
         pub exact: String,
-        /// The class of the answer by itself, as in `summary.csv`.
+        /// The class of this answer alone, as in `summary.csv`.
         pub class: Class,
-        /// The stage that settled it, asked alone; empty where the task has none.
+        /// The stage that decides this query if it is asked alone; empty if the task has no stages.
         pub stage: String,
     }
 }

@@ -3,7 +3,7 @@
 use crate::{PlannedScene, RowError};
 
 crate::table! {
-    /// `imports.csv`: a scene that is not in every point what its files say: what was rounded, left out or dropped.
+    /// `imports.csv`: a scene that differs from its files, because numbers were rounded, left out or dropped.
     pub struct ImportRow [Clone, PartialEq, Eq, PartialOrd, Ord, Debug, Default] in "imports.csv" {
         /// The suite's name.
         pub suite: String,
@@ -11,17 +11,17 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
-        /// Coordinates that are the nearest doubles of other decimals.
+        /// Coordinates that were rounded from decimals to the nearest doubles.
         pub rounded: u64,
-        /// Third coordinates and measures that were left out.
+        /// Third coordinates and measures (M values) that were left out.
         pub extra_coordinates: u64,
         /// Points that were dropped because they repeat the point before them.
         pub repeated_points: u64,
         /// Rings that were dropped because they have fewer than three points.
         pub degenerate_rings: u64,
-        /// Faces that were dropped because two of their corners are one point.
+        /// Faces that were dropped because two of their corners coincide.
         pub degenerate_faces: u64,
         /// Regions that were dropped because they have no ring.
         pub empty_regions: u64,

@@ -4,7 +4,7 @@ use crate::RowError;
 crate::table! {
     /// `phases.csv`: one timed sample of one phase of a scene.
     ///
-    /// Phases that ask no predicate, such as reading a file or making a grid, are timed once for all backends:
+    /// Phases that call no predicate, such as reading a file or making a grid, are timed once for all backends; their
     /// `backend` is empty.
     pub struct PhaseRow [Clone, PartialEq, Debug] in "phases.csv" {
         /// The suite's name.
@@ -13,25 +13,25 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
-        /// How large the scene is, in what its task counts: the triangles of a mesh.
+        /// The size of the scene, in the unit of its task, such as triangles of a mesh.
         pub size: u64 ["what the task counts"],
-        /// The backend's name, with its parameters; empty where no predicate is asked.
+        /// The backend's name, with its parameters; empty if the phase calls no predicate.
         pub backend: String,
         /// The number of threads.
         pub threads: u64 ["threads"],
         /// The phase: `grid`, `queries`, …
         pub phase: String,
-        /// What is counted: `triangle`, `query`, …
+        /// The unit that is counted: `triangle`, `query`, …
         pub unit: String,
-        /// How many of them there are.
+        /// The number of units.
         pub count: u64,
-        /// The memory of what the phase has made, in bytes; none where that is not known.
+        /// The memory of the phase's result, in bytes; null if unknown.
         pub bytes: Option<u64> ["bytes"],
         /// The number of the sample, from 0.
         pub sample: u64 ["place"],
-        /// Nanoseconds of wall clock for one of them.
+        /// Nanoseconds of wall time per unit.
         pub ns_per_unit: f64 ["ns"],
     }
 

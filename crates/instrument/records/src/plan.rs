@@ -116,7 +116,7 @@ impl From<Shard> for String {
 }
 
 crate::table! {
-    /// `scenes`: a scene that is going to be run on every backend of the plan.
+    /// `scenes`: a scene that the plan runs on every backend.
     pub struct PlannedScene [Clone, PartialEq, Eq, PartialOrd, Ord, Hash, Debug] in "scenes" {
         /// The suite's name.
         pub suite: String,
@@ -124,11 +124,11 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What will be asked.
+        /// The task.
         pub task: String,
-        /// The family of inputs that timings and stage counts go by.
+        /// The family of inputs, by which timings and stage counts are grouped.
         pub family: String,
-        /// How many queries there are.
+        /// The number of queries.
         pub queries: u64,
     }
 }

@@ -43,8 +43,8 @@ pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
 crate::table! {
     /// `summary.csv`: one scene on one backend.
     ///
-    /// The first eight counts are of answers to queries or registered contacts,
-    /// the last five of whole scenes: 0 or the number of checks that failed.
+    /// The first eight counts are numbers of answers to queries or of registered contacts. The last five are about the
+    /// whole scene: 0, or the number of failed checks.
     pub struct SummaryRow [Clone, PartialEq, Eq, Debug] in "summary.csv" {
         /// The suite's name.
         pub suite: String,
@@ -52,39 +52,41 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked: `orient2d`, `polygon-locate`, …
+        /// The task: `orient2d`, `polygon-locate`, …
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// How many queries were asked.
+        /// The number of queries.
         pub queries: u64,
-        /// Answers that are the exact one: class `agree`.
+        /// Answers equal to the exact answer: class `agree`.
         pub agree: u64,
-        /// Exact zeros answered by a sign, which backends that break ties promise: class `tie_broken`.
+        /// Exact zeros answered by a sign, as the contract of tie-breaking backends allows: class `tie_broken`.
         pub tie_broken: u64,
-        /// Zeros for values within the upper tolerance, which backends with a band promise: class `in_band`.
+        /// Zeros for values within the upper tolerance, as the contract of backends with a band allows: class
+        /// `in_band`.
         pub in_band: u64,
-        /// Zeros for values beyond the upper tolerance, and for any value but zero where there is no band: class `overreach`.
+        /// Zeros for values beyond the upper tolerance, or, without a band, for any value except zero: class
+        /// `overreach`.
         pub overreach: u64,
-        /// Degeneracies that the backend promised to report, answered by a sign: class `missed_zero`.
+        /// Signs for degeneracies that the backend's contract says it reports: class `missed_zero`.
         pub missed_zero: u64,
-        /// Answers of the opposite sign: class `sign_flip`.
+        /// Answers with the opposite sign: class `sign_flip`.
         pub sign_flip: u64,
-        /// Axioms violated, as answers contradict each other: class `inconsistent`.
+        /// Violated axioms, where answers contradict each other: class `inconsistent`.
         pub inconsistent: u64,
         /// Answers for which the arithmetic produced a NaN: class `nan`.
         pub nan: u64,
-        /// Checks of the whole scene that failed: class `topology`.
+        /// Failed checks of the whole scene: class `topology`.
         pub topology: u64,
-        /// Checks of the whole scene that failed by the rounding of output coordinates alone: class `rounded`.
+        /// Checks of the whole scene that failed only because output coordinates are rounded: class `rounded`.
         pub rounded: u64,
         /// Panics of the backend: class `panic`.
         pub panic: u64,
-        /// Scenes that took too long: class `timeout`.
+        /// Timeouts: class `timeout`.
         pub timeout: u64,
-        /// Scenes that the backend says it cannot do: class `declined`.
+        /// Scenes that the backend declined: class `declined`.
         pub declined: u64,
-        /// What the gate says: `ok`, `expected`, `unexpected`, `unexpected_pass`.
+        /// The verdict of the gate: `ok`, `expected`, `unexpected`, `unexpected_pass`.
         pub status: Status,
     }
 
@@ -176,12 +178,12 @@ impl SummaryRow {
 }
 
 crate::table! {
-    /// `findings.csv`: one answer worth looking at.
+    /// `findings.csv`: one finding.
     ///
-    /// At most `findings_per_class` rows of `plan.json`
-    /// of each class are kept for each scene and backend; `summary.csv` counts all.
+    /// For each scene, backend and class, at most `findings_per_class` (see `plan.json`) rows are kept; `summary.csv`
+    /// counts all findings.
     pub struct FindingRow [Clone, PartialEq, Debug] in "findings.csv" {
-        /// What `replay`, `shrink` and `show` take.
+        /// The id of the finding, for `replay`, `shrink` and `show`.
         pub finding_id: String,
         /// The suite's name.
         pub suite: String,
@@ -189,26 +191,26 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// What kind of finding: the name of a class, which is a column of `summary.csv`.
+        /// The class of the finding, which is a column of `summary.csv`.
         pub class: Class,
         /// The check that failed: `sign`, `antisymmetry`, `euler`, …
         pub check: String,
-        /// Which query, as the oracle writes it; empty for findings about whole scenes.
+        /// The query, as the oracle writes it; empty for findings about whole scenes.
         pub query: String,
-        /// What the backend answered.
+        /// The backend's answer.
         pub got: String,
-        /// What is true.
+        /// The true answer.
         pub truth: String,
-        /// log2 of |determinant| / permanent, the degeneracy of the query; −inf
-        /// for an exact zero, none where there is no determinant.
+        /// log2 of |determinant| / permanent, the degeneracy of the query; −inf for an exact zero, null if there is no
+        /// determinant.
         pub log2_relative_det: Option<f64> ["powers of two"],
         /// The exact distance from degeneracy in units of L, the scene's largest extent.
         pub distance_over_l: Option<f64> as "distance_over_L" ["L"],
-        /// The rung of the ladder that settled the query; empty where unknown.
+        /// The rung of the ladder that decided the query; empty if unknown.
         pub stage: String,
     }
 
@@ -267,21 +269,21 @@ impl std::fmt::Display for Interface {
 crate::table! {
     /// `throughput.csv`: one timed sample.
     pub struct ThroughputRow [Clone, PartialEq, Debug] in "throughput.csv" {
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The family of inputs: `uniform`, `grid`, `near`, …
         pub family: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// How the backend was asked: one query at a time, in batches, or for the answer to a whole scene.
+        /// The interface that was timed: one query at a time, batches, or the answer to a whole scene.
         pub interface: Interface,
         /// The version of the engine behind the backend.
         pub engine_version: String,
-        /// How many queries the sample timed.
+        /// The number of queries timed in the sample.
         pub queries: u64,
         /// The number of the sample, from 0.
         pub sample: u64 ["place"],
-        /// Nanoseconds of wall clock for one query.
+        /// Nanoseconds of wall time per query.
         pub ns_per_query: f64 ["ns"],
     }
 
@@ -291,11 +293,11 @@ crate::table! {
 }
 
 crate::table! {
-    /// `stages.csv`: how many queries a rung of the ladder settled.
+    /// `stages.csv`: the number of queries that a rung of the ladder decided.
     ///
-    /// Rows with the same first four columns add up.
+    /// The counts of rows with the same first four columns are to be added.
     pub struct StageRow [Clone, PartialEq, Eq, Debug] in "stages.csv" {
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The family of inputs.
         pub family: String,
@@ -303,7 +305,7 @@ crate::table! {
         pub backend: String,
         /// The name of the rung; cheaper rungs come first in the file.
         pub stage: String,
-        /// How many queries it settled.
+        /// The number of queries that this rung decided.
         pub settled: u64,
     }
 
@@ -313,11 +315,10 @@ crate::table! {
 }
 
 crate::table! {
-    /// `precision.csv`: what the coordinates of a scene span, and the arithmetic
-    /// that exact predicates got for it. It depends on the scene alone, not on a backend.
+    /// `precision.csv`: the range of a scene's coordinates, and the arithmetic chosen for each exact predicate. It
+    /// depends only on the scene, not on a backend.
     ///
-    /// The last four columns name an arithmetic, or are empty where the scene has no
-    /// such predicate.
+    /// The last four columns name an arithmetic; a column is empty if the scene has no such predicate.
     pub struct PrecisionRow [Clone, PartialEq, Eq, Debug] in "precision.csv" {
         /// The suite's name.
         pub suite: String,
@@ -325,9 +326,9 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// Every coordinate is a multiple of two to this.
+        /// The exponent of two of which every coordinate is a multiple.
         pub lowest: i32 ["power of two"],
-        /// The bits of the largest difference of two coordinates of an axis, in units of 2^`lowest`.
+        /// The number of bits of the largest coordinate difference along an axis, in units of 2^`lowest`.
         pub bits: i32 ["bits"],
         /// The arithmetic of `orient2d`.
         pub orient2d: String,

@@ -3,7 +3,8 @@
 use crate::{PlannedScene, RowError};
 
 crate::table! {
-    /// `sampled.csv`: a scene and backend where the truth is about a part of the scene only, as all of it takes too long.
+    /// `sampled.csv`: a scene and backend judged by the truth of only a part of the scene, because the whole takes too
+    /// long.
     pub struct SampledRow [Clone, PartialEq, Eq, PartialOrd, Ord, Debug] in "sampled.csv" {
         /// The suite's name.
         pub suite: String,
@@ -11,11 +12,11 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// What the truth is about, in words.
+        /// The part of the scene with a known truth, in words.
         pub truth_of: String,
     }
 

@@ -6,7 +6,7 @@ mod plan;
 use crate::exit;
 use crate::tool::Tool;
 
-/// One run on several machines: plan its parts, merge them
+/// Split a run over several machines: plan its parts, merge them
 #[derive(clap::Args)]
 pub struct Args {
     #[command(subcommand)]

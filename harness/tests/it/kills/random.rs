@@ -16,7 +16,7 @@ enum Kind {
     Run(&'static str),
     /// A run that starts workers, together with its workers, as a batch system does.
     Group(&'static str),
-    /// One of the workers of a run.
+    /// A worker of a run.
     Worker(&'static str),
     /// A part of a run.
     Part(&'static str),

@@ -14,7 +14,7 @@ use csv::{ReaderBuilder, WriterBuilder};
 use crate::{Error, PlannedScene, Row};
 
 crate::table! {
-    /// `costs.csv`: what one scene has cost on one backend.
+    /// `costs.csv`: the cost of one scene on one backend.
     pub struct CostRow [Clone, PartialEq, Eq, Debug] in "costs.csv" {
         /// The suite's name.
         pub suite: String,
@@ -22,17 +22,17 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// What was asked.
+        /// The task.
         pub task: String,
         /// The family of inputs.
         pub family: String,
-        /// The backend's name, with its parameters; `truth` for what all backends share.
+        /// The backend's name, with its parameters; `truth` for the work that all backends share.
         pub backend: String,
-        /// How many queries there were.
+        /// The number of queries.
         pub queries: u64,
-        /// The time that passed.
+        /// The wall time.
         pub wall_us: u64 ["µs"],
-        /// The processor time of all threads; of a process of its own, and of an engine, the time that passed.
+        /// The processor time of all threads; for a separate process or an engine, the wall time.
         pub cpu_us: u64 ["µs"],
     }
 }

@@ -7,15 +7,15 @@
 use std::collections::BTreeMap;
 
 crate::table! {
-    /// `segments.csv`: a table that has grown since the backend or scene before.
+    /// `segments.csv`: the new length of a table that has grown by one scene on one backend.
     pub struct SegmentRow [Clone, PartialEq, Eq, Debug] in "segments.csv" {
-        /// The place of the scene in the whole selection, from 0.
+        /// The position of the scene in the whole selection, from 0.
         pub place: u64 ["place"],
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The table's file.
+        /// The file of the table.
         pub table: String,
-        /// Its length in bytes from here on.
+        /// The length of the table after this scene and backend, in bytes.
         pub bytes: u64 ["bytes"],
     }
 }

@@ -9,7 +9,7 @@ use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table};
 
 predicament_records::table! {
-    /// `contacts.csv`: the pairs of two complexes by their ranks.
+    /// `contacts.csv`: the pairs of simplices of two complexes, by rank.
     pub struct ContactRow [Clone, PartialEq, Eq, Debug] in "contacts.csv" {
         /// The suite's name.
         pub suite: String,
@@ -21,17 +21,17 @@ predicament_records::table! {
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The rank of the first complex' simplices: 0 for vertices, 3 for tetrahedra.
+        /// The rank of the first complex's simplices: 0 for vertices, 3 for tetrahedra.
         pub rank_a: u8 ["dimension"],
-        /// The rank of the second complex' simplices.
+        /// The rank of the second complex's simplices.
         pub rank_b: u8 ["dimension"],
-        /// Pairs whose boxes are within the backend's reach of each other.
+        /// Pairs whose boxes are closer than the backend's reach.
         pub candidates: u64,
-        /// Of these, pairs that had ended: a pair of their faces was registered before.
+        /// Candidate pairs that were skipped, because a pair of their faces was already registered.
         pub ended: u64,
-        /// Pairs that the backend was asked about.
+        /// Candidate pairs on which the backend was queried.
         pub asked: u64,
-        /// Pairs that it registered.
+        /// Pairs that the backend registered.
         pub registered: u64,
     }
 

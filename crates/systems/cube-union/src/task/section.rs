@@ -6,7 +6,7 @@ use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `masses.csv`: what a union of cubes measures.
+    /// `masses.csv`: the measures of a union of cubes.
     pub struct MassRow [Clone, PartialEq, Debug] in "masses.csv" {
         /// The suite's name.
         pub suite: String,
@@ -16,22 +16,22 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// How many cubes.
+        /// The number of cubes.
         pub cubes: u64,
-        /// The volume that was found, in the scene's units, rounded once.
+        /// The volume found by the backend, in the scene's units, rounded once.
         pub volume: f64 ["cubed units"],
         /// The true volume, rounded once.
         pub true_volume: f64 ["cubed units"],
-        /// The area of the boundary that was found.
+        /// The area of the boundary found by the backend.
         pub area: f64 ["squared units"],
-        /// The area of the perturbed union, in the limit for perturbations that go to zero: where
-        /// faces coincide it is not the area of the union itself.
+        /// The area of the perturbed union, in the limit of a perturbation that goes to zero. If faces coincide, it is
+        /// not the area of the union itself.
         pub limit_area: f64 ["squared units"],
-        /// The length of the boundary's edges that was found.
+        /// The total length of the boundary's edges found by the backend.
         pub edge_length: f64 ["units"],
-        /// The length of the edges of the perturbed union, in that limit.
+        /// The total length of the perturbed union's edges, in the same limit.
         pub limit_edge_length: f64 ["units"],
-        /// Corners of cubes that were found on the boundary.
+        /// Corners of cubes that the backend found on the boundary.
         pub corners: u64,
         /// Points where an edge of one cube meets a face of another.
         pub edge_faces: u64,

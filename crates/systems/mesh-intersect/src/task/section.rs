@@ -9,7 +9,8 @@ use super::{MeshIntersect, Overlaid};
 use predicament_tasks::{Asked, Case, Outcome};
 
 predicament_records::table! {
-    /// `mesh_intersect.csv`: what became of the result of an operation on two meshes, without the perturbation and in doubles. All are counts.
+    /// `mesh_intersect.csv`: the result of an operation on two meshes, after the limit of the perturbation and after
+    /// rounding to doubles. All columns are counts.
     pub struct MeshIntersectRow [Clone, PartialEq, Eq, Debug, Default] in "mesh_intersect.csv" {
         /// The suite's name.
         pub suite: String,
@@ -19,39 +20,39 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// `union`, `intersection`, …
+        /// The operation: `union`, `intersection`, …
         pub operation: String,
         /// Triangles of both meshes.
         pub given: u64,
         /// Points where an edge of one mesh passes through a triangle of the other.
         pub points: u64,
-        /// Triangles of the result, as the perturbation has it.
+        /// Triangles of the perturbed result.
         pub perturbed: u64,
-        /// Triangles of its limit.
+        /// Triangles of the result in the limit of a perturbation that goes to zero.
         pub limit: u64,
-        /// Vertices that another one at the same place stands for.
+        /// Vertices of the limit that were merged with another vertex at the same place.
         pub merged: u64,
-        /// Triangles without area.
+        /// Triangles that were dropped because they have no area in the limit.
         pub flat: u64,
-        /// Triangles that an opposite one has cancelled.
+        /// Triangles that were cancelled by an opposite triangle.
         pub cancelled: u64,
-        /// Triangles of which a part faced others.
+        /// Triangles that were replaced by the part that facing triangles do not cover.
         pub covered: u64,
-        /// Triangles of the limit in doubles.
+        /// Triangles of the limit after rounding to doubles.
         pub rounded: u64,
-        /// Vertices that are no doubles.
+        /// Vertices of the limit that are not doubles.
         pub moved: u64,
-        /// Triangles that are gone by rounding.
+        /// Triangles that collapsed by rounding.
         pub collapsed: u64,
-        /// Triangles that turn over where all vertices go to the nearest doubles.
+        /// Triangles that turn over when all vertices are rounded to the nearest doubles.
         pub turned: u64,
-        /// Pairs of triangles that fold onto each other then.
+        /// Pairs of triangles that then fold onto each other.
         pub folded: u64,
-        /// Pairs of triangles that pass through each other then.
+        /// Pairs of triangles that then pass through each other.
         pub crossing: u64,
-        /// Vertices that go to other doubles beside their place, so that there are fewer of these.
+        /// Vertices that were rounded to other doubles than the nearest, to reduce these flaws.
         pub mended: u64,
-        /// Flaws that are left.
+        /// The remaining flaws.
         pub left: u64,
     }
 

@@ -10,7 +10,7 @@ use super::content::ProbeKind;
 use predicament_tasks::{Asked, Case, Class};
 
 predicament_records::table! {
-    /// `mesh_locate.csv`: where the probes of a mesh were found.
+    /// `mesh_locate.csv`: the locations found for the probes of a mesh.
     pub struct MeshLocateRow [Clone, PartialEq, Eq, Debug] in "mesh_locate.csv" {
         /// The suite's name.
         pub suite: String,
@@ -22,21 +22,21 @@ predicament_records::table! {
         pub backend: String,
         /// The number of triangles.
         pub triangles: u64,
-        /// How these probes were chosen: `vertex`, `midpoint`, …
+        /// The kind of probe: `vertex`, `midpoint`, …
         pub kind: String,
-        /// How many probes there were.
+        /// The number of probes.
         pub probes: u64,
-        /// Probes that were found in one region.
+        /// Probes found in one region.
         pub in_region: u64,
-        /// Probes that were found on the mesh.
+        /// Probes found on the mesh.
         pub on_mesh: u64,
-        /// Probes in no region, or in several.
+        /// Probes found in no region, or in several.
         pub contradictions: u64,
-        /// Probes that were left undecided, by zeros within a band.
+        /// Probes left undecided because of zeros within a band.
         pub undecided: u64,
-        /// Probes that were held against all triangles.
+        /// Probes whose truth is known from all triangles.
         pub known: u64,
-        /// Answers that are wrong, or contradict others: the points that are lost.
+        /// Lost probes: answers that are wrong or contradict others.
         pub lost: u64,
     }
 

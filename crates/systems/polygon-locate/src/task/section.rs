@@ -5,7 +5,7 @@ use predicament_report::layout::{backends, rank, run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `locate.csv`: in how many regions of a tiling the probes were found.
+    /// `locate.csv`: the number of regions of a tiling in which the probes were found.
     pub struct LocateRow [Clone, PartialEq, Eq, Debug] in "locate.csv" {
         /// The suite's name.
         pub suite: String,
@@ -15,19 +15,19 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// What the map is like around these probes: `land`, `coast`, `sea`, …
+        /// The kind of map around these probes: `land`, `coast`, `sea`, …
         pub surroundings: String,
-        /// How many probes there were.
+        /// The number of probes.
         pub probes: u64,
         /// Probes found in no region.
         pub in_none: u64,
-        /// Probes found in exactly one.
+        /// Probes found in exactly one region.
         pub in_one: u64,
-        /// Probes found in two or more.
+        /// Probes found in two or more regions.
         pub in_many: u64,
         /// Probes reported to be on a boundary.
         pub on_boundary: u64,
-        /// Probes whose answer no tiling of the plane allows.
+        /// Probes with an answer that is impossible for a tiling of the plane.
         pub violations: u64,
     }
 }

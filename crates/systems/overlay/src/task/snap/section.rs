@@ -5,7 +5,7 @@ use predicament_report::layout::{run_head, run_label};
 use predicament_report::{Block, Cell, Origin, Section, Table, Tone};
 
 predicament_records::table! {
-    /// `snap.csv`: a drawing after it was rounded.
+    /// `snap.csv`: a drawing after rounding.
     pub struct SnapRow [Clone, PartialEq, Debug] in "snap.csv" {
         /// The suite's name.
         pub suite: String,
@@ -15,19 +15,19 @@ predicament_records::table! {
         pub scene_id: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// `naive`, `snap` or `iterated`.
+        /// The rounding method: `naive`, `snap` or `iterated`.
         pub method: String,
         /// The binary logarithm of a pixel's side.
         pub pixel: i32 ["power of two"],
-        /// Hot pixels.
+        /// The number of hot pixels.
         pub hot: u64,
-        /// Points and crossings that share their pixel with one before them.
+        /// Points and crossings in the pixel of an earlier one.
         pub merged: u64,
-        /// Edges of chains, each once.
+        /// Edges of chains, each counted once.
         pub edges: u64,
-        /// Pairs of these edges that cross, or of which one passes over an end of the other.
+        /// Pairs of these edges that cross, or where one passes over an end of the other.
         pub new_crossings: u64,
-        /// The largest distance of a chain's vertex from its segment, in sides of pixels.
+        /// The largest distance of a chain's vertex from its segment, in pixel sides.
         pub drift: f64 ["sides of pixels"],
     }
 
