@@ -20,10 +20,11 @@ use crate::tool::{Tool, each};
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-A hunt is told the task, the backends and the class, and not where to look. It begins with small scenes of the suites and shapes of small \
-whole numbers, derives others from them, and climbs by how near they are to a disagreement. What it finds is shrunk. The folder has \
-finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, by which --resume goes on. \
-The same seed and evaluations give the same finds, on any number of threads. docs/SEARCH.md says how it goes about it.
+A hunt needs a task, backends and a class, but no place to look. It starts with small scenes of the suites and with \
+shapes of small whole numbers, derives other scenes from them, and climbs towards disagreements. Each find is shrunk. \
+The folder has finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, \
+from which --resume continues. The same seed and number of evaluations give the same finds with any number of \
+threads. docs/SEARCH.md explains the method.
 
 Examples:
   predicament hunt orient2d -b naive                             one find of each class and check

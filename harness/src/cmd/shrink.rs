@@ -16,9 +16,9 @@ use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-What the finding does not need is left out: queries, primitives, points (the order of the others stays), constructions, corners of \
-loops; then coordinates become simpler. The folder has shrunk.toml, a suite with the scene, and the same as a test in Rust, C++ and \
-Python. The scene is also printed.
+Everything that the finding does not need is removed: queries, primitives, points (the others keep their order), \
+constructions and corners of loops. Then coordinates are made simpler. The folder has shrunk.toml, a suite with the \
+scene, and the scene as a test in Rust, C++ and Python. The scene is also printed.
 
 Examples:
   predicament shrink 180cf3db2411 --run out/run

@@ -10,11 +10,11 @@ use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-What is solved is a scene of a suite, chosen with -f, or a task on files of yours: `solve TASK FILE…` writes a scene of \
-that task with the files' names in it. Other keys of the scene come from --set, as docs/FORMAT.md describes them.
+The input is a scene of a suite, selected with -f, or a task on your own files: `solve TASK FILE…` makes a scene of \
+that task with the names of the files in it. Set other keys of the scene with --set; docs/FORMAT.md describes them.
 
-The files are in formats that other programs read. They hold doubles; where an answer has vertices, `vertices.json` \
-has each of them exactly, with what it was constructed from.
+The output files have formats that other programs read. They hold doubles. If an answer has vertices, `vertices.json` \
+has each vertex exactly, with the points from which it was constructed.
 
 Examples:
   predicament solve tilings -f '/tiling$' -b exact --out out/tiling        GeoJSON of located points

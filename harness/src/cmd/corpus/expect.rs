@@ -16,10 +16,11 @@ use crate::out::hold;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-`update` makes what nobody expected expected, with a reason that is yours: read the findings first. `prune` \
-takes out what no scene of the run shows any more, and what no scene or backend has the name of; what the run \
-has not put to the test stays: other backends, globs of which a part was run, suites and engines that are elsewhere. Both leave comments and order as they are. An entry without a level is about \
-both, and one run decides: give `prune` a run at the level that you gate.
+`update` adds unexpected findings to the file, with your reason; read the findings first. `prune` removes \
+expectations that no scene of the run shows any more, and expectations that name an unknown scene or backend. \
+Expectations that the run has not tested stay: other backends, globs of which only a part was run, suites and engines \
+that are elsewhere. Both commands keep comments and order. An entry without a level applies to both levels, and one \
+run decides; give `prune` a run of the level that your gate uses.
 
 Examples:
   predicament corpus expect update out/run --expected mine.toml --reason 'differences are rounded' --dry-run

@@ -17,13 +17,15 @@ use predicament_records::replace;
 use crate::exit::{self, Failure};
 
 const EXAMPLES: &str = "\
-The mesh has to be closed: each edge is used by its triangles as often one way as the other. What is left is the surface \
-of what the mesh goes around more often than not at all: parts that overlap become one, parts inside of others and \
-parts that are inside out go, and what crosses, folds onto or touches itself meets in common corners and edges. \
-Decisions are exact; constructed vertices are rounded to doubles, what crosses then is resolved again, and so on.
+The mesh has to be closed: triangles on both sides use each edge equally often in each direction. The result is the \
+surface of the points with a positive winding number. Overlapping parts become one; parts inside other parts and \
+parts that are inside out are removed. Triangles that cross, fold onto or touch each other meet in common corners and \
+edges. Decisions are exact. Constructed vertices are rounded to doubles; if triangles then cross, the mesh is \
+resolved again.
 
-Written is OFF, OBJ, PLY (binary) or STL (ASCII), by the file's name. Results of up to 2,000 triangles are checked in \
-rationals (--check does so for larger ones); what rounding has left is said, and is exit code 100.
+The output is OFF, OBJ, PLY (binary) or STL (ASCII), by the name of the file. Results of up to 2,000 triangles are \
+checked in rationals; --check also checks larger ones. Crossings that remain after rounding are reported, with exit \
+code 100.
 
 Examples:
   predicament corpus resolve part.stl --out part-resolved.off

@@ -14,10 +14,10 @@ use crate::baseline::Change;
 use crate::exit::{self, Failure};
 
 const EXAMPLES: &str = "\
-A scene on a backend has changed if a count of any class or its status has. What is worse and what is better comes \
-first, the worst severity on top: broken, not done, rounded. Times, where both folders have some, are \
-shown with their intervals and decide nothing: `gate --baseline` does that. Code 100 where something that was added, or \
-has become worse, is not as expected, 0 otherwise: what is mended is no failure.
+A pair of scene and backend has changed if its status or the count of a class has changed. Changes for the worse and \
+for the better come first, the worst severity on top: broken, not done, rounded. Times that both folders have are \
+shown with their intervals, but do not change the exit code; `gate --baseline` judges times. The exit code is 100 if \
+a pair that was added or became worse is not as expected, and 0 otherwise. An improvement is never a failure.
 
 Examples:
   predicament data diff out/main out/branch > comment.md

@@ -14,13 +14,14 @@ use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-Each table of the folders becomes one file: summary, findings, throughput and the others, with the rows of all \
-folders and columns in front: run, date, commit, machine. `runs` has a row for each folder, and says how it ended; \
-`scenes` has what was planned. `predicament data schema` tells the columns; docs/DATA.md reads the files by DuckDB, \
-pandas and R, and asks a year of nightly runs when something got slower.
+Each table of the folders becomes one file: summary, findings, throughput and the others. It has the rows of all \
+folders, with four columns in front: run, date, commit, machine. `runs` has a row for each folder, with its outcome; \
+`scenes` has the planned scenes. `predicament data schema` prints the columns. docs/DATA.md shows how to read the \
+files with DuckDB, pandas and R, and how to find out from a year of nightly runs when something became slower.
 
-Files come into their places when all are whole, and replace those of an earlier export. The same folders give the \
-same bytes. A table that was cut off or edited after its run was complete is an error, and so is a run that lost its plan.json. Code 103 if interrupted.
+The files replace those of an earlier export once all of them are complete. The same folders give the same bytes. It \
+is an error if a table was truncated or edited after its run was complete, or if a run has lost its plan.json. The \
+exit code is 103 if interrupted.
 
 Examples:
   predicament data export out/run --out out/data

@@ -17,11 +17,12 @@ use crate::select::Selector;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-A scene of a square number of queries is drawn as it is; with --query, or for a finding, one vertex of one query walks over a square of \
-neighbouring doubles (--step) along two axes (--plane), and the rest of the scene stays what it is.
+A scene with a square number of queries is drawn as it is. With --query, or for a finding, one vertex of one query \
+moves over a square of neighbouring doubles (--step) along two axes (--plane); the rest of the scene does not change.
 
-A .png file has the backends side by side. An .svg file has their names and counts too, the exact signs first, and under each map where it \
-differs from them: pale where the backend's promise allows it, dark where it is wrong.
+A .png file has the backends side by side. An .svg file also has their names and counts, and starts with the exact \
+signs. Under each map it shows where the map differs from them: pale where the backend's contract allows the \
+difference, dark where it is wrong.
 
 Examples:
   predicament draw map -f 'kettner-pixels-a$' --out map.png

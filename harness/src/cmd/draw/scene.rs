@@ -17,14 +17,13 @@ use crate::told::cure;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-What is shown is chosen as for `solve`: a scene of a suite with -f, a task on files of yours, or \
-with --finding what one finding is about. Without -b it is the scene, with -b the answer of that \
-backend, too.
+Select the input as for `solve`: a scene of a suite with -f, or a task on your own files. With --finding it is the \
+scene of one finding. Without -b the scene is drawn; with -b also the answer of that backend.
 
-The name of the file says what is written: .svg is a picture, .html a page with a view that turns \
-and zooms and needs nothing else, .json the same as data (docs/REPORT.md). A picture in space is \
-without perspective. Coordinates are taken from exact ones: with --around they are offsets from \
-that vertex, and --radius magnifies what nearly coincides there.
+The name of the file selects the format: .svg is a picture, .html is a self-contained page with a view that turns and \
+zooms, .json has the same as data (docs/REPORT.md). A picture in space has no perspective. Coordinates are computed \
+from exact ones: with --around they are offsets from that vertex, and --radius magnifies points that nearly coincide \
+there.
 
 Examples:
   predicament draw scene tilings -f '/tiling$' --out tiling.svg

@@ -9,9 +9,9 @@ use crate::planning::tables_with;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
-Every part has to be there once, complete, of the same selection and by the same build of the tool; a part \
-that is missing or does not fit is named, and nothing is written. The tables are byte for byte those of the \
-whole run. Code 100 or 101 where something is not as expected, as `run` has it.
+Every part must be present once and complete, and all must come from the same selection and the same build of the \
+tool. If a part is missing or does not fit, merge names it and writes nothing. The tables are byte-identical to those \
+of the whole run. The exit code is 100 or 101 if something is not as expected, as for `run`.
 
 Examples:
   predicament run --shard 1/2 --out out/1

@@ -14,10 +14,10 @@ use crate::tool::Tool;
 use crate::{expectations, out};
 
 const EXAMPLES: &str = "\
-`run --plan FILE --shard k/N` does a part, on any machine with the same build of the tool, and `merge` puts \
-the parts together. Scenes go by their ids; with --costs they go, the longest first, to the part that has \
-least to do: where a scene was not measured it is estimated by its family or task. A plan that was changed is \
-refused, and so is a scene that has changed since.
+`run --plan FILE --shard k/N` runs a part, on any machine with the same build of the tool, and `merge` combines the \
+parts. Scenes are assigned to parts by their ids. With --costs each scene, longest first, is assigned to the part \
+with the least work; the cost of a scene that was not measured is estimated from its family or task. A plan that was \
+changed is refused, and so is a scene that has changed since the plan was made.
 
 Examples:
   predicament shard plan --shards 7 --out plan.json

@@ -52,27 +52,24 @@ impl Audit {
 
 impl Study for Audit {
     const NAME: &'static str = "audit";
-    const ASKS: &'static str = "Hold the tolerance paper's algorithms to their guarantee by exact distances";
+    const ASKS: &'static str = "Check the tolerance paper's algorithms against their guarantee, by exact distances";
     const HELP: &'static str = "\
-Pairs of simplices are made at the thresholds of the tolerances, with L between 2^-100 and 2^100 \
-(2^-12 and 2^16 for f32). A pair of which no sub-pair is registered is a decision, and is judged \
-by exact distances: registered up to T-, not registered beyond T+, guarded quantities above their \
-bounds, weights in [0, 1]. As a second variant, Algorithms 3 and 8 are those that the paper \
-prints, and the others rest on them.
+Pairs of simplices are made at the thresholds of the tolerances, with L between 2^-100 and 2^100 (2^-12 and 2^16 for \
+f32). A pair without a registered sub-pair is a decision. Exact distances judge it: it must be registered up to T-, \
+and must not be registered beyond T+; guarded quantities must be above their bounds, and weights in [0, 1]. In a \
+second variant, Algorithms 3 and 8 are those that the paper prints, and the other algorithms use them.
 
-Each tolerance that an algorithm reads has pairs of its own besides, a tenth as many, that are \
-asked about whatever their sub-pairs are: a test by itself. And the driver of the hierarchy is \
-held to the guarantee on scenes of one pair, a fiftieth as many.
+Each tolerance that an algorithm reads also has its own pairs, a tenth as many. They are queried whatever their \
+sub-pairs are, so that each test is checked alone. The driver of the hierarchy is checked against the guarantee on \
+scenes of one pair, a fiftieth as many.
 
-All of it is held to the tolerances that the paper publishes, and so are the tolerances themselves. \
-With --planted it is tolerances that are twice or half of what they should be and drivers with a \
-known fault that are audited; each has to be found.
+Everything is checked against the tolerances that the paper publishes, and so are the tolerances themselves. With \
+--planted the study audits tolerances that are twice or half of the correct values, and drivers with a known fault; \
+it has to find each of them.
 
-Written to the folder: audit.csv, reads.csv, hierarchy.csv, constants.csv, audit.md (the tables that \
-are printed).
+Files in the folder: audit.csv, reads.csv, hierarchy.csv, constants.csv, audit.md (the printed tables).
 
-Exit code 100 if an algorithm that is not as printed breaks the guarantee, and with --planted if a \
-fault does not.
+Exit code 100 if an algorithm other than a printed one breaks the guarantee; with --planted, if a fault does not.
 
 Examples:
   predicament study audit

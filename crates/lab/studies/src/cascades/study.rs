@@ -73,30 +73,28 @@ impl Measured {
 
 impl Study for Cascades {
     const NAME: &'static str = "cascades";
-    const ASKS: &'static str =
-        "Combine polygons again and again, and measure what is left: crossings, areas, bits, time";
+    const ASKS: &'static str = "Combine polygons repeatedly, and measure the result: crossings, areas, bits, time";
     const HELP: &'static str = "\
-The result of each Boolean operation is an operand of the next. Cascades: `rotate` unites a square \
-with itself turned, `shave` cuts it by half-planes, `stars` unites stars one by one, `generalise` \
-the regions of a map whose borders were generalised differently.
+The result of each Boolean operation is an operand of the next. Cascades: `rotate` unites a square with rotated \
+copies of itself, `shave` cuts it by half-planes, `stars` unites stars one by one, `generalise` unites the regions of \
+a map whose borders were generalised differently.
 
 Methods:
-  BACKEND            constructed vertices stay what they are, by their definitions; naive and others \
-                     round each of them once
-  BACKEND+round      each becomes the nearest double after each step
+  BACKEND            constructed vertices keep their definitions; naive and similar backends round each of them once
+  BACKEND+round      each constructed vertex is rounded to the nearest double after each step
   BACKEND+snap:BITS  edges and crossings go to pixels by snap rounding (40 bits)
-  BACKEND+contacts   merged where the backend registers contacts, then combined in floating point
-  thick:RADIUS       vertices and edges have radii, and what overlaps is made to coincide (1e-9)
+  BACKEND+contacts   operands are merged where the backend registers contacts, then combined in floating point
+  thick:RADIUS       vertices and edges have radii; overlapping ones are made to coincide (1e-9)
 
-Everything is measured in rationals: crossings that are left in the result, loops turned over, \
-corners turned by rounding, the area against that of `exact`, points on the wrong side, bits.
+Everything is measured in rationals: crossings that remain in the result, loops turned over, corners turned by \
+rounding, the area compared with that of `exact`, points on the wrong side, bits.
 
-Written to the folder: cascades.csv (the measurements), times.csv, cascades.md (the tables that are \
-printed), plots as SVG and PDF, and the operands of each cascade as WKT (`union;POLYGON ((…))`, \
-a step a line), for other programs. All but times are the same whenever it is run.
+Files in the folder: cascades.csv (the measurements), times.csv, cascades.md (the printed tables), plots as SVG and \
+PDF, and the operands of each cascade as WKT for other programs (`union;POLYGON ((…))`, one step per line). \
+Everything except times is the same in every run.
 
-Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or \
-if snap rounding leaves a crossing.
+Exit code 100 if exact or sos has a point on the wrong side, a crossing or a loop turned over, or if snap rounding \
+leaves a crossing.
 
 Examples:
   predicament study cascades --steps 50

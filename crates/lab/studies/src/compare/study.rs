@@ -84,30 +84,33 @@ impl Study for Compare {
     const NAME: &'static str = "compare";
     const ASKS: &'static str = "Compare the philosophies on the same scenes: promises, errors, topology, time, memory";
     const HELP: &'static str = "\
-For each task there are scenes in general position, nearly degenerate ones and degenerate ones, so many of each kind, \
-by consecutive seeds; a family without chance makes one scene, which counts once. Every backend answers all of them, and is \
-judged as `run` judges. Contacts are held against where the simplices meet in rationals. Times are of one scene of each kind, \
-eight times as large, on one thread, the backends in turns; memory is what the process takes more while a backend prepares and \
-answers it, where the system says so (Linux).
+Each task has --scenes scenes of each kind: general position, nearly degenerate, degenerate. Their seeds are \
+consecutive. A family without randomness makes one scene, which counts once. Every backend answers all scenes, and is \
+judged as by `run`. Contacts are compared with the contacts of the simplices in rationals. Times are of one scene of \
+each kind, eight times as large, on one thread, with the backends in turns. Memory is the additional memory of the \
+process while a backend prepares and answers that scene, if the system reports it (Linux).
 
-A ratio of times is a geometric mean over the inputs that the backend and `exact` both answered, and says how many these are. \
-It leaves out inputs whose time barely depends on predicates: where `exact` takes less than 1.1 times its time if it computes \
-each answer twice. Errors are over the backend's own scenes and answers. No third backend changes a number.
+A ratio of times is a geometric mean over the inputs that the backend and `exact` both answered; the number of these \
+inputs is shown. It leaves out inputs whose time barely depends on predicates: those where `exact` takes less than \
+1.1 times its time if it computes each answer twice. Errors are over the backend's own scenes and answers, so no \
+other backend changes a number.
 
 Columns of compare.csv:
-  task, kind, family     the input: task, general, near or degenerate, and what made the scenes
+  task, kind, family     the input: task, general, near or degenerate, and the family of the scenes
   backend                with its parameters
-  measure, unit          what is measured, and in what: shares of scenes asked (right, undecided, rounded, not done, declined), \
-                         per 1000 scenes answered (wrong scenes, topology and its checks), per 10^6 answers (wrong answers and \
-                         each class), shares of queries (stages), times, bytes, bits, and errors of contacts
-  value, low, high       the number and its interval: Wilson's at 95 % for shares, the least and the largest sample for times
-  of                     what it is of: scenes, answers, samples
+  measure, unit          the measure and its unit: shares of scenes queried (right, undecided, rounded, not done, \
+                         declined), per 1000 scenes answered (wrong scenes, topology and its checks), per 10^6 answers \
+                         (wrong answers and each class), shares of queries (stages), times, bytes, bits, and errors of \
+                         contacts
+  value, low, high       the number and its interval: Wilson's at 95 % for shares, the smallest and the largest sample \
+                         for times
+  of                     the base of the number: scenes, answers, samples
 
-Written to the folder: compare.csv, promises.csv (what each backend promises, and whether that is proved), compare.md (the \
-tables that are printed), conditioning.csv and plots of it (wrong answers by how degenerate queries are, each backend's band \
-beside them), error-time plots (errors against time). Each plot is there as PDF, too.
+Files in the folder: compare.csv, promises.csv (what each backend promises, and whether that is proved), compare.md \
+(the printed tables), conditioning.csv and plots of it (wrong answers by degeneracy of queries, with each backend's \
+band), error-time plots (errors against time). Each plot is also written as PDF.
 
-Exit codes: 0 if no backend with a proved promise has answered a question against it, 100 otherwise.
+Exit codes: 0 if no backend with a proved promise has given an answer against it, 100 otherwise.
 
 Examples:
   predicament study compare --out target/compare

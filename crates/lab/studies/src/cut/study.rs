@@ -18,23 +18,23 @@ impl Study for Cut {
     const NAME: &'static str = "cut";
     const ASKS: &'static str = "Cut a lattice of tetrahedra by a surface, and count lost volume, slivers and parts";
     const HELP: &'static str = "\
-A lattice of tetrahedra is cut by a triangulated surface, with nothing but the contacts that a backend \
-registers: vertices of the lattice on the surface, points where its edges pass through it, vertices of \
-the surface in tetrahedra (Algorithm 12). A vertex that edges without a degenerate contact connect \
-to others has its side by the number of points between; one of each connected set is located by a ray \
-(with sos, or with the backend's own broken ties).
+A triangulated surface cuts a lattice of tetrahedra. The cut uses only the contacts that a backend registers: \
+vertices of the lattice on the surface, points where its edges pass through the surface, vertices of the surface in \
+tetrahedra (Algorithm 12). Edges without a degenerate contact connect vertices; the number of points between two \
+connected vertices gives their sides. One vertex of each connected set is located by a ray (with sos, or with the \
+backend's own broken ties).
 
-An edge whose points contradict the sides of its ends makes its tetrahedra inconsistent: they have no \
-pieces, and their volume is lost. A tetrahedron is cut in two pieces or in none, so no volume is there twice. \
-The volume inside is held against the true one, in rationals. A tetrahedron is cut by a plane or two, the \
-surface may have a bend there: what exact contacts are off by is the method, not the contacts. So a sample \
-of the tetrahedra near the surface (--checked) is held one by one to what exact contacts make of them, in \
-rationals: off are those whose share inside differs by more than 2^-44, or that have no pieces.
+If the points on an edge contradict the sides of its ends, its tetrahedra are inconsistent: they have no pieces, and \
+their volume is lost. A tetrahedron is cut in two pieces or in none, so no volume is counted twice. The volume inside \
+is compared with the true volume, in rationals. A tetrahedron is cut by one or two planes, but the surface may bend \
+inside it: the error of exact contacts comes from the method, not from the contacts. Therefore a sample of the \
+tetrahedra near the surface (--checked) is compared one by one with the result of exact contacts, in rationals. A \
+tetrahedron is off if its share inside differs by more than 2^-44, or if it has no pieces.
 
-Written to the folder: cut.csv, cut-times.csv, cut.md. All but times are the same whenever it is run.
+Files in the folder: cut.csv, cut-times.csv, cut.md. Everything except times is the same in every run.
 
-Exit code 100 if a backend whose zeros are exact or never has an inconsistent tetrahedron, or one that is \
-off; with --planted if an exchange is not found.
+Exit code 100 if a backend whose zeros are exact, or that has no zeros, has an inconsistent tetrahedron or one that \
+is off; with --planted, if an exchange is not found.
 
 Examples:
   predicament study cut

@@ -53,15 +53,14 @@ pub struct Surveyed {
 impl Study for Laws {
     const NAME: &'static str = "laws";
     const ASKS: &'static str =
-        "Hold backends to the laws of predicates: antisymmetry, transitivity, Grassmann-Plücker relations";
+        "Check backends against the laws of predicates: antisymmetry, transitivity, Grassmann-Plücker relations";
     const HELP: &'static str = "\
-The scenes have about a dozen vertices: whole small grids with one point twice, of which every \
-tuple is tried, and random ones (small grids, integers, lines, circles and spheres, far from the \
-origin, mixed exponents), of which --tuples are drawn. The laws are in docs/LAWS.md; none of \
-them needs a judge but `equals-exact`.
+The scenes have about a dozen vertices: whole small grids with one point twice, of which every tuple is tested, and \
+random scenes (small grids, integers, lines, circles and spheres, far from the origin, mixed exponents), of which \
+--tuples are drawn. docs/LAWS.md lists the laws; only `equals-exact` needs a judge.
 
-A cell of the table counts violations; with a slash, of how many tuples, where a backend answers about \
-fewer than others. A dash: declined, or not promised. `2p` are two panics.
+A cell of the table is the number of violations. If a backend answers fewer tuples than others, the number of tuples \
+follows after a slash. A dash means declined or not promised. `2p` means two panics.
 
 Exit code 100 if a backend breaks a law, or panics.
 

@@ -73,32 +73,31 @@ pub struct Measured {
 
 impl Study for MeshCascades {
     const NAME: &'static str = "mesh-cascades";
-    const ASKS: &'static str =
-        "Combine meshes again and again, and measure what is left: volume, crossings, points, time";
+    const ASKS: &'static str = "Combine meshes repeatedly, and measure the result: volume, crossings, points, time";
     const HELP: &'static str = "\
-The result of each Boolean operation is an operand of the next. Cascades: `cubes` unites the cubes \
-of a lattice one by one and takes them away again, so that nothing is left after an odd number of \
-steps (1999: a lattice of 10 by 10 by 10); `shuffled` does so in random orders; `shave` cuts a \
-sphere by half-spaces; `copies` unites a sphere with copies of itself.
+The result of each Boolean operation is an operand of the next. Cascades: `cubes` unites the cubes of a lattice one \
+by one and takes them away again, so that nothing remains after an odd number of steps (1999: a lattice of 10 by 10 \
+by 10); `shuffled` does so in random orders; `shave` cuts a sphere by half-spaces; `copies` unites a sphere with \
+copies of itself.
 
-A step is an overlay by the signs of the backend, the limit of its result where the backend moves a \
-mesh by an infinitesimal (vertices at one place, triangles without area and sheets without volume \
-go; by `exact`), and the nearest doubles. Backends that break no ties take zero for positive.
+A step is an overlay with the signs of the backend. If the backend moves a mesh by an infinitesimal, the step then \
+takes the limit of the result, with `exact`: vertices at one place are merged, and triangles without area and sheets \
+without volume are removed. At the end vertices are rounded to the nearest doubles. For backends that do not break \
+ties, zero counts as positive.
 
-Everything is measured in rationals: volume, area and triangles against those that are counted \
-(cubes, shuffled), open sides, triangles without area or through each other, points on the wrong \
-side of the result by all operands. `cleared` is what limits have cleared, `moved` are vertices that \
-were no doubles; `flaws` are triangles that turned over, folded or crossed when these went to the \
-nearest doubles, `left` what was left of that after other doubles were tried. With --rounding \
-resolved, results that cross themselves then are cut where they do and rounded again, 16 times at \
-most, and not for long where crossings become more: `cut` are the triangles that were cut for that, \
-and `left` are the pairs that cross in the end.
+Everything is measured in rationals: volume, area and triangles, compared with the counted values (cubes, shuffled); \
+open sides; triangles without area or through each other; points on the wrong side of the result, by all operands. \
+`cleared` is the number of triangles cleared by limits; `moved` the vertices that were not doubles; `flaws` the \
+triangles that turned over, folded or crossed when these vertices were rounded to the nearest doubles; `left` the \
+flaws that remain after other doubles were tried. With --rounding resolved, a result that then crosses itself is cut \
+at the crossings and rounded again, at most 16 times, and only a few times if the crossings become more. Then `cut` \
+is the number of triangles cut for that, and `left` the pairs that cross in the end.
 
-Written to the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots as SVG and PDF. All but \
-times are the same whenever it is run.
+Files in the folder: mesh-cascades.csv, mesh-cascade-times.csv, mesh-cascades.md, plots as SVG and PDF. Everything \
+except times is the same in every run.
 
-Exit code 100 if sos:per-mesh has anything wrong before rounding has left a flaw. A mesh with such a \
-flaw crosses itself: what comes then is shown, and not promised.
+Exit code 100 if sos:per-mesh has an error before rounding has left a flaw. A mesh with such a flaw crosses itself; \
+later steps are shown, but not guaranteed.
 
 Examples:
   predicament study mesh-cascades -c cubes --steps 1999 -b sos:per-mesh

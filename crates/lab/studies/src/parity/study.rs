@@ -13,19 +13,19 @@ const FINDS: usize = 16;
 
 impl Study for Parity {
     const NAME: &'static str = "parity";
-    const ASKS: &'static str = "Count odd crossings of random polygons after merging, and shrink those found";
+    const ASKS: &'static str = "Count odd crossings of random polygons after merging, and shrink the pairs found";
     const HELP: &'static str = "\
-Two closed curves cross an even number of times. Pairs of random simple polygons, with a few corners \
-far away and a few within some multiples of sigma of each other, are registered by exact, perturbed \
-and tolerant predicates, merged where they are in contact, and their crossings counted, for each rule \
-about where merged points sit. There are three recipes, and pairs for the tolerances of either precision.
+Two closed curves cross an even number of times. The study makes pairs of random simple polygons, with a few corners \
+far away and a few within some multiples of sigma of each other. Exact, perturbed and tolerant predicates register \
+their contacts; the polygons are merged where they are in contact; and their crossings are counted for each rule for \
+the place of merged points. There are three recipes, and pairs for the tolerances of each precision.
 
-Written to the folder: parity.csv and parity.md (the counts), smallest.toml (the smallest pairs found \
-with an odd number of crossings, as a suite that `predicament run` reads; empty of scenes without --shrink).
+Files in the folder: parity.csv and parity.md (the counts), smallest.toml (the smallest pairs found with an odd \
+number of crossings, as a suite that `predicament run` reads; without --shrink it has no scenes).
 
-With `--dimension 3` the pairs are closed surfaces, which cross in closed curves: counted are curves with \
-loose ends and triangles whose boundary pierces the other surface an odd number of times, for four recipes, \
-with parity-space.csv in the place of parity.csv.
+With `--dimension 3` the pairs are closed surfaces, which cross in closed curves. The study counts curves with loose \
+ends, and triangles whose boundary pierces the other surface an odd number of times, for four recipes; \
+parity-space.csv replaces parity.csv.
 
 Examples:
   predicament study parity --out target/parity

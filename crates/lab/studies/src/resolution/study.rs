@@ -42,13 +42,13 @@ impl Study for Resolution {
     const NAME: &'static str = "resolution";
     const ASKS: &'static str = "Measure what tolerances cost: the smallest feature that survives, in units of L";
     const HELP: &'static str = "\
-Each feature (a gap, a tooth through an edge, a cell around a vertex ...) is made in sizes from \
-1e-9 to 0.4, in units of L, and put in random positions. It survives where it is registered as \
-what it is, and nothing more degenerate beside it.
+Each feature (a gap, a tooth through an edge, a cell around a vertex ...) is made in sizes from 1e-9 to 0.4, in units \
+of L, and put in random positions. It survives if its contacts are registered correctly, with nothing more degenerate \
+beside them.
 
-Written to the folder: resolution.csv (share that survives, by size), location.csv (distance along \
-the edge between a crossing and where it is registered, by angle), resolution.md (the tables that \
-are printed), resolution.svg, location.svg, and both as PDF.
+Files in the folder: resolution.csv (the share that survives, by size), location.csv (the distance along the edge \
+between a crossing and its registered place, by angle), resolution.md (the printed tables), resolution.svg, \
+location.svg, and both as PDF.
 
 Examples:
   predicament study resolution --out target/resolution

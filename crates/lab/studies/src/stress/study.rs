@@ -93,27 +93,29 @@ impl Study for Stress {
     const ASKS: &'static str =
         "Turn one knob at a time until backends break: noise, translation, scale, aspect, precision, rotation";
     const HELP: &'static str = "\
-A scene is made for each task, general or degenerate as the knob needs it, and its points are moved as the knob says, as far \
-as the scene stays one of the task (a mesh that is rounded crosses itself): what does not fit is listed with the reason. \
-What is true is found anew for each scene. Some knobs round the scene (translation by 2^k leaves 53 - k bits of the extent, so that \
-general points become degenerate), others do not: `shift` cuts scenes to 24 bits first, and moves them exactly. A backend holds where it answers every scene of a position as it promises; its \
-break point is between the last position where it does and the first where it does not.
+The study makes a scene for each task, general or degenerate as the knob needs it, and moves its points by the knob, \
+as far as the scene stays valid for the task (a rounded mesh crosses itself). Tasks and positions that do not fit are \
+listed with the reason. The truth is computed for each scene. Some knobs round the scene: translation by 2^k leaves \
+53 - k bits of the extent, so that general points become degenerate. Other knobs do not: `shift` first cuts scenes to \
+24 bits and then moves them exactly. A backend holds at a position if it answers every scene there as it promises. \
+Its break point is between the last position where it holds and the first where it does not.
 
-Metamorphic laws need no truth: signs are the same where points are scaled by a power of two, moved by integers or named \
-otherwise, opposite where they are reflected, times the determinant's sign under an integer matrix; and incircle is \
-orient3d of lifted points.
+Metamorphic laws need no truth. Signs stay the same if points are scaled by a power of two, moved by integers or \
+renamed; they are opposite if points are reflected; under an integer matrix they are multiplied by the sign of its \
+determinant; and incircle is orient3d of the lifted points.
 
-Times are of the first scene of each position, on one thread, the backends in turns; the median of --samples, with the least \
-and the largest for an interval.
+Times are of the first scene of each position, on one thread, with the backends in turns: the median of --samples, \
+with the smallest and the largest as an interval.
 
-Written to the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its position), \
-breaks.csv (where each backend breaks, with the scenes at that position, and whether the knob rounds the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the tables that are printed), plots for each \
-knob as SVG and PDF: scenes that are wrong, and the time. With --suites also a suite for each position of each knob, with its points \
-written out: `predicament run` keeps a break point as a regression.
+Files in the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its \
+position), breaks.csv (the break point of each backend, with the scenes at that position, and whether the knob rounds \
+the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the printed tables), plots for \
+each knob as SVG and PDF: wrong scenes, and the time. With --suites it also writes a suite for each position of each \
+knob, with its points; with it `predicament run` keeps a break point as a regression test.
 
-Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, inconsistent) or \
-violates a law, 0 otherwise. Checks of whole scenes that fail are no broken promise: where zeros are a band, signs need not fit \
-each other. They are in the tables.
+Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, \
+inconsistent) or violates a law, 0 otherwise. Failed checks of whole scenes do not break a promise, because signs \
+need not be consistent if zeros are a band; they are in the tables.
 
 Examples:
   predicament study stress --out target/stress

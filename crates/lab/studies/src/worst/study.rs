@@ -40,19 +40,19 @@ impl Study for Worst {
     const NAME: &'static str = "worst";
     const ASKS: &'static str = "Search for the inputs that come nearest to the bounds of the tolerance paper";
     const HELP: &'static str = "\
-By climbing: from a random beginning one thing is changed at a time, and what is no better is
-kept. Two kinds of bounds are climbed towards:
+The search climbs: from a random start it changes one thing at a time, and keeps a change if the value is not lower. \
+It climbs towards two kinds of bounds:
 
-Errors of what Algorithms 1 to 12 compute, in double and in single precision, against rationals \
-(roots are enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation \
-with epsilon; rounding to nearest loses half of that at most, so that half is what can be reached.
+Errors of the results of Algorithms 1 to 12, in double and in single precision, compared with rationals (roots are \
+enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation with epsilon; rounding to nearest \
+loses at most half of that, so half of a bound can be reached.
 
-Guards: quantities that the paper bounds from below where no sub-pair is within its T-, over \
-their bounds, with exact distances.
+Guards: quantities that the paper bounds from below if no sub-pair is within its T-, divided by their bounds, with \
+exact distances.
 
-Written to the folder: errors.csv, guards.csv, worst.md (the tables that are printed).
+Files in the folder: errors.csv, guards.csv, worst.md (the printed tables).
 
-Exit code 100 if an error is beyond its bound or a guarded quantity below its own.
+Exit code 100 if an error exceeds its bound or a guarded quantity is below its bound.
 
 Examples:
   predicament study worst
