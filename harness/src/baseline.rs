@@ -98,7 +98,7 @@ impl Beside {
         let in_common = timings(run).keys().any(|key| then.contains_key(key));
         let not_judged = |why: Option<String>| Beside { times: why.map(Err), ..Beside::default() };
         let timed = match percent {
-            None => not_judged(in_common.then(|| "nobody asked: `--time` does".to_owned())),
+            None => not_judged(in_common.then(|| "not requested: add `--time`".to_owned())),
             Some(_) if !in_common => not_judged(Some("the two have no timing in common".to_owned())),
             Some(percent) => match another_machine(run, baseline) {
                 Some(why) => not_judged(Some(why)),

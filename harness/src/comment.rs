@@ -68,7 +68,7 @@ impl Comment<'_> {
         text.list("Let pass", self.passed.iter().cloned());
         text.list("Expectations that are not met any more", self.unmet.iter().cloned());
         if !self.unmet.is_empty() || !self.unused.never.is_empty() {
-            text.line(&format!("\nTake out what is not met with {}.", code(self.prune)));
+            text.line(&format!("\nRemove unmet expectations with {}.", code(self.prune)));
         }
         let not_run = self.run.not_run().into_iter();
         text.list("Not run", not_run.map(|pair| format!("{}/{} on {}", pair.suite, pair.scene, pair.backend)));
@@ -93,9 +93,9 @@ impl Comment<'_> {
     fn verdict(&self) -> String {
         let why = match self.code {
             exit::OK => return "passed".to_owned(),
-            exit::UNEXPECTED if self.count(Status::Unexpected) > 0 => "findings that nobody expected",
+            exit::UNEXPECTED if self.count(Status::Unexpected) > 0 => "unexpected findings",
             exit::UNEXPECTED => "more findings than in the baseline",
-            exit::UNEXPECTED_PASS => "what was expected did not occur",
+            exit::UNEXPECTED_PASS => "an expected finding did not occur",
             exit::INCOMPLETE => "the run is incomplete",
             exit::SLOWER => "slower than the baseline",
             _ => "not passed",

@@ -97,7 +97,7 @@ impl Saved {
         for name in shown_by.iter().chain(not_by).filter(is_strange) {
             tool.backend(name).map_err(|why| refuse(&why.to_string()))?;
         }
-        Duration::try_from_secs_f64(*limit).map_err(|why| refuse(&format!("`limit` is no time limit: {why}")))?;
+        Duration::try_from_secs_f64(*limit).map_err(|why| refuse(&format!("`limit` is not a time limit: {why}")))?;
         saved.state.check(tool.vocabulary(), task).map_err(|why| refuse(&why.to_string()))?;
         Ok(saved)
     }
@@ -127,7 +127,7 @@ impl Saved {
         let mut text = "title = \"Finds of a hunt\"\n".to_owned();
         if self.state.finds.iter().any(|find| find.class == Class::Inconsistent.name()) {
             text +=
-                "# Laws between predicates are held against answers with plenty of time only: `run --level full`.\n";
+                "# Laws between predicates are checked only in thorough runs: `run --level full`.\n";
         }
         for find in self.state.finds.iter().filter(|find| std::ptr::eq(self.first(find), *find)) {
             text += &format!("\n{}", self.scene(tool, find)?);

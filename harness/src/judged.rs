@@ -66,7 +66,7 @@ impl Judged {
         let rows = run.rows::<JudgedRow>().map_err(Failure::usage)?;
         let digest = |row: &JudgedRow| {
             let digest = u64::from_str_radix(&row.digest, 16);
-            let digest = digest.map_err(|_| Failure::usage(format!("judged.csv: `{}` is no digest", row.digest)))?;
+            let digest = digest.map_err(|_| Failure::usage(format!("judged.csv: `{}` is not a digest", row.digest)))?;
             Ok(((row.scene_id.clone(), row.backend.clone()), digest))
         };
         let digests = rows.iter().map(digest).collect::<Result<_, Failure>>()?;

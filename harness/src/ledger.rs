@@ -148,7 +148,9 @@ impl Ledger {
         }
         for (task, scenes) in &self.wholes {
             let (file, count) = (AnswerRow::FILE, scenes.len());
-            note!("{file} has no lines of {count} scenes of {task}, whose answers are wholes: `solve` writes those");
+            note!(
+                "{file} has no lines of {count} scenes of {task}, whose answers are not per query; `solve` writes them"
+            );
         }
         if !self.left_out.is_empty() {
             let names = self.left_out.join(", ");

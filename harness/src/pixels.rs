@@ -50,7 +50,7 @@ impl Walk<'_> {
             .question()
             .ok_or_else(|| Failure::usage(format!("`{}` asks for no sign; name a query of a predicate", self.query)))?;
         if let Some(bad) = args.iter().find(|v| v.is_constructed() || !scene.has(**v)) {
-            return Err(Failure::usage(format!("{}: {bad} is no input vertex of the scene", self.query)));
+            return Err(Failure::usage(format!("{}: {bad} is not an input vertex of the scene", self.query)));
         }
         scene.has_dimension_for(question.kind()).map_err(|why| Failure::usage(why.to_string()))?;
         has_axes(scene, named_axes(question).iter().chain(&self.axes))?;
@@ -246,8 +246,8 @@ pub fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
     let count = content.queries.len();
     let side = count.isqrt();
     if side == 0 || side * side != count {
-        let message = format!("`{}` has {count} queries, which is no square", loaded.name);
-        return Err(Failure::usage(format!("{message}; choose one with --query, whose last vertex walks then")));
+        let message = format!("`{}` has {count} queries, which is not a square number", loaded.name);
+        return Err(Failure::usage(format!("{message}; choose one with --query; its last vertex then moves")));
     }
     Ok(Raster { scene: loaded.scene.clone(), content: content.clone(), side })
 }

@@ -100,7 +100,7 @@ impl Programs {
         for (name, argument) in names.iter().zip(&arguments) {
             let backend = tool.backend(argument).map_err(Failure::usage)?;
             if backend.name() != *name {
-                let message = format!("it names `{name}`, and that is `{}` now; start anew", backend.name());
+                let message = format!("it names `{name}`, which is now `{}`; start again", backend.name());
                 return Err(refused(recorded.file, &message));
             }
             self.same_version(backend.as_ref(), recorded)?;
@@ -133,7 +133,7 @@ impl Programs {
         let own = folder.join(engine).join(predicament_engines::FILE);
         if is_file(engine) || !own.is_file() {
             let folder = folder.display();
-            return Err(refuse(format!("a program that nobody named is not started: {folder} has no such engine")));
+            return Err(refuse(format!("a program is started only if you name it: {folder} has no such engine")));
         }
         if with.is_some_and(|with| is_within(&folder, with)) {
             return Err(refuse(format!(
@@ -145,7 +145,7 @@ impl Programs {
         let bytes = std::fs::read(&own).map_err(Failure::io(&own))?;
         let is_same = then.is_some_and(|then| hex(&Sha256::digest(&bytes)) == then.sha256);
         if config.name != engine || !is_same && !is_named {
-            return Err(refuse(format!("{} is not the file that it was then", own.display())));
+            return Err(refuse(format!("{} has changed since", own.display())));
         }
         Ok(config)
     }

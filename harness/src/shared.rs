@@ -13,7 +13,7 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
     const MOST: f64 = 1e9;
     let seconds = text.parse().ok().filter(|&seconds: &f64| seconds > 0.0 && seconds <= MOST);
     let limit = seconds.and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
-    limit.ok_or_else(|| format!("`{text}` is no time limit; write seconds such as 30 or 0.5, at most {MOST}"))
+    limit.ok_or_else(|| format!("`{text}` is not a time limit; write seconds such as 30 or 0.5, at most {MOST}"))
 }
 
 /// The maximum number of threads, more than any machine has cores.

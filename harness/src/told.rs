@@ -19,7 +19,7 @@ pub fn lines(told: &Explanation) -> Vec<String> {
         lines.push(format!("{name:<24} {}", cells.join("  ")).trim_end().to_owned());
     }
     if told.permutations.iter().any(|(_, of)| of.iter().any(|sign| *sign != of[0])) {
-        lines.push("of all orders of the vertices, turned back where they are odd:".to_owned());
+        lines.push("for all orders of the vertices, negated for odd orders:".to_owned());
         // Group the orders that begin with the same vertex.
         let grouped = |of: &[Sign]| of.chunks(group(of.len())).map(signs).collect::<Vec<_>>().join(" ");
         lines.extend(told.permutations.iter().map(|(name, of)| format!("{name:<24} {}", grouped(of))));

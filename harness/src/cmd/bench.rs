@@ -82,8 +82,9 @@ pub struct Args {
 /// Parses a precision of the median: a fraction from 0, less than 1.
 fn fraction(text: &str) -> Result<f64, String> {
     let precision = text.parse().ok().filter(|precision| (0.0..1.0).contains(precision));
-    precision
-        .ok_or_else(|| format!("`{text}` is no precision; write a fraction such as 0.05 for 5 %, or 0 for all samples"))
+    precision.ok_or_else(|| {
+        format!("`{text}` is not a precision; write a fraction such as 0.05 for 5 %, or 0 for all samples")
+    })
 }
 
 /// Runs the command.

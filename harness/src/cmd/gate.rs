@@ -79,14 +79,14 @@ pub struct Args {
 /// Parses a threshold for times, in percent.
 fn percent(text: &str) -> Result<f64, String> {
     let percent = text.parse().ok().filter(|percent: &f64| (0.0..=1e6).contains(percent));
-    percent.ok_or_else(|| format!("`{text}` is no threshold; write percent, such as 10"))
+    percent.ok_or_else(|| format!("`{text}` is not a threshold; write percent, such as 10"))
 }
 
 /// Parses a severity of findings.
 fn severity(text: &str) -> Result<Severity, String> {
     match text.parse().map_err(|why: UnknownName| why.to_string())? {
         legal @ (Severity::Right | Severity::Undecided) => {
-            Err(format!("what is `{legal}` is no finding; leave it out"))
+            Err(format!("`{legal}` is not a severity of findings; leave it out"))
         }
         severity => Ok(severity),
     }
@@ -193,7 +193,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         unused.never.iter().for_each(|line| say!("never true: {line}"));
         unmet.iter().for_each(|line| say!("not met: {line}"));
         if !unmet.is_empty() || !unused.never.is_empty() {
-            say!("take out what is not met with: {}", prune(args));
+            say!("remove unmet expectations with: {}", prune(args));
         }
         if let Some(Err(why)) = &beside.times {
             say!("times were not judged: {why}");

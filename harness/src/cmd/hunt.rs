@@ -245,7 +245,7 @@ fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool
         say!("no finds");
     }
     if !known.is_empty() {
-        note!("left out, as they show it already: {}", known.join(", "));
+        note!("left out, because they already show the finding: {}", known.join(", "));
     }
     for (height, peak) in hunt.peaks() {
         if let Some((peak, number)) = peak {
@@ -255,7 +255,7 @@ fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool
         }
     }
     let end =
-        if interrupted { format!("interrupted; `{} hunt --resume` goes on", program()) } else { "done".to_owned() };
+        if interrupted { format!("interrupted; `{} hunt --resume` continues", program()) } else { "done".to_owned() };
     note!(
         "{}: {} finds in {evaluations} evaluations, {generations} generations, {:.1} s; {end}",
         folder.join(SUITE).display(),
@@ -347,7 +347,7 @@ fn resumed(saved: &Saved, tool: &Tool, folder: &Path) -> Result<Vec<Seed>, Failu
         return Ok(seeds);
     }
     Err(Failure::usage(format!(
-        "{}: the suites have changed since the hunt began, so it cannot go on as it would have; begin another",
+        "{}: the suites have changed since the hunt began, so it cannot continue; start a new hunt",
         file.display()
     )))
 }
@@ -374,7 +374,7 @@ fn make(folder: &Path) -> Result<(), Failure> {
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() {
-        let message = format!("{}: there is a hunt in it; go on with --resume, or name another", folder.display());
+        let message = format!("{}: there is a hunt in it; continue with --resume, or name another", folder.display());
         return Err(Failure::usage(message));
     }
     Ok(())

@@ -130,7 +130,8 @@ fn make(folder: &Path) -> Result<(), Failure> {
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() || folder.join(SUITE).exists() {
-        let message = format!("{}: there is a `shrink` in it; go on with --resume, or name another", folder.display());
+        let message =
+            format!("{}: there is a `shrink` in it; continue with --resume, or name another", folder.display());
         return Err(Failure::usage(message));
     }
     Ok(())

@@ -49,6 +49,6 @@ pub fn picture(loaded: &LoadedScene, finding: &FindingRow, backends: &[&dyn Cont
         Step::Ulps(_) => "neighbouring doubles".to_owned(),
         Step::Length(length) => format!("places {length:.1e} apart"),
     };
-    let alt = format!("{query} while {walker} walks over {SIDE} x {SIDE} {places} in {x} and {y}");
+    let alt = format!("{query} while {walker} moves over {SIDE} x {SIDE} {places} in {x} and {y}");
     Some((alt, sheet("red negative, yellow zero, blue positive; dark is wrong", &columns(tiles), ZOOM).ok()?))
 }

@@ -85,7 +85,7 @@ impl Pruned {
             Told::Kept => {}
             Told::Untried => self.untried += 1,
             Told::Nameless => self.by_hand.push(format!(
-                "{place} is no scene that is known, for {class} on {backend}; correct or drop it by hand, or name its suite"
+                "{place} is not a known scene, for {class} on {backend}; correct or drop it by hand, or name its suite"
             )),
             Told::Partly => self.by_hand.push(format!(
                 "{place} matches scenes that show {class} on {backend} and scenes that do not; narrow it by hand"

@@ -47,7 +47,7 @@ fn read(text: &str, table: &Field<'_, '_>) -> Result<TableText, CorpusError> {
     let fields = table.fields(&EXPECT)?;
     let start = text[..table.span().start].rfind('\n').map_or(0, |end| end + 1);
     if !text[start..].trim_start().starts_with("[[") {
-        return Err(table.error("it is no table of its own", "write it as [[expect]], so that it can be edited"));
+        return Err(table.error("it is not a separate table", "write it as [[expect]], so that it can be edited"));
     }
     let list = |key: &'static str| -> Result<ListText, CorpusError> {
         let field = fields.required(key)?;

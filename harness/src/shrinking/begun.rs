@@ -80,8 +80,8 @@ pub fn told(state: &State) -> String {
     let State { before, after, evaluations, .. } = state;
     let end = match state.end.as_deref() {
         Some("smallest") => "nothing smaller was found".to_owned(),
-        Some(end) => format!("the {end} have run out; `{} shrink --resume` goes on with --evaluations", program()),
-        None => format!("interrupted; `{} shrink --resume` goes on", program()),
+        Some(end) => format!("the {end} are used up; `{} shrink --resume` continues with --evaluations", program()),
+        None => format!("interrupted; `{} shrink --resume` continues", program()),
     };
     let Measure { points, pieces, digits } = after;
     format!(

@@ -266,7 +266,7 @@ pub fn open(tool: &Tool, folder: &Path) -> Result<(State, LoadedScene), Failure>
         }
     }
     if let Err(error) = Duration::try_from_secs_f64(state.limit) {
-        return refuse(format!("`limit` is no time limit: {error}"));
+        return refuse(format!("`limit` is not a time limit: {error}"));
     }
     Ok((state, loaded))
 }

@@ -33,7 +33,7 @@ pub fn start<'a>(
     threads: &[usize],
 ) -> Result<Vec<Runner<'a>>, String> {
     let judged = judged.ok_or("there are no judged answers")?;
-    let solver = backend.solver(loaded.task).ok_or("the backend was not told of the task")?;
+    let solver = backend.solver(loaded.task).ok_or("the backend does not know the task")?;
     let content = loaded.content.as_ref();
     let mut runners = Vec::new();
     for &threads in threads {

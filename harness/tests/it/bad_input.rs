@@ -100,7 +100,7 @@ fn usage_is_answered_with_what_there_is() {
     for precision in ["nan", "-1", "-inf", "inf", "1e9", "5", "x"] {
         let option = format!("--precision={precision}");
         let told = run(&["bench", "classics", "-b", "exact", "--samples", "2", &option, "--out", &out]);
-        let said = format!("`{precision}` is no precision; write a fraction such as 0.05");
+        let said = format!("`{precision}` is not a precision; write a fraction such as 0.05");
         assert!(told.code == 2 && told.stderr.contains(&said), "{precision}: {} {}", told.code, told.stderr);
     }
     fails(2, &["corpus", "fetch", "no-such-key"], &["no-such-key", "world-110m"]);

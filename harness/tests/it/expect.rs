@@ -121,7 +121,7 @@ fn what_a_run_has_not_tried_stays() {
     assert!(before.contains("b/wrong-once"), "{before}");
     expect(0, &["gate", &one, "--expected", &known]);
     let told = prune(&one);
-    assert!(told.contains("1 expectations stay, as the run has not put them to the test"), "{told}");
+    assert!(told.contains("1 expectations stay, because the run has not tested them"), "{told}");
     assert!(told.contains("nothing to change"), "{told}");
 
     // Expectations of engines, which may be in any folder, and of globs that were tested only in part stay. Misspelled
@@ -150,10 +150,7 @@ fn what_a_run_has_not_tried_stays() {
     // A name without a suite may belong to a suite that no run knows, so a person decides.
     std::fs::write(&known, entries(&[("lost", "naive", "nan")])).unwrap();
     let told = prune(&go("other", &[&b]));
-    assert!(
-        told.contains("known.toml:2: `lost` is no scene that is known, for nan on naive; correct or drop"),
-        "{told}"
-    );
+    assert!(told.contains("known.toml:2: `lost` is not a known scene, for nan on naive; correct or drop"), "{told}");
 }
 
 #[test]
@@ -195,7 +192,7 @@ fn a_run_or_file_that_says_nothing_is_refused() {
     let inline = "expect = [{ backend = \"sos\", class = \"nan\", scene = \"*\", reason = \"r\" }]\n";
     let told =
         expect(104, &["corpus", "expect", "prune", &run, "--expected", &write(&folder, "inline.toml", inline)]).stderr;
-    assert!(told.contains("inline.toml:1: it is no table of its own; write it as [[expect]]"), "{told}");
+    assert!(told.contains("inline.toml:1: it is not a separate table; write it as [[expect]]"), "{told}");
     // The shipped file is edited only in the repository.
     let told = expect(2, &["corpus", "expect", "prune", &run]).stderr;
     assert!(told.contains("name the file with --expected"), "{told}");

@@ -107,7 +107,7 @@ fn an_unexpected_pass_says_what_to_prune_and_how() {
     let unmet = format!("{known}:9: `mine/pl*` on naive: no nan of mine/plain any more");
     assert!(told.contains(&format!("not met: {unmet}")), "{told}");
     let prune = format!("predicament corpus expect prune '{out}' --expected {known}");
-    assert!(told.contains(&format!("take out what is not met with: {prune}\n")), "{told}");
+    assert!(told.contains(&format!("remove unmet expectations with: {prune}\n")), "{told}");
     assert!(std::fs::read_to_string(&junit).unwrap().contains(&unmet));
     expect(0, &["corpus", "expect", "prune", &out, "--expected", &known]);
     expect(0, &["gate", &out, "--expected", &known]);

@@ -19,7 +19,7 @@ fn the_verdict_comes_first_and_says_what_to_type() {
     };
     let (code, text) = gate(&out, &none, &[]);
     assert_eq!(code, 100);
-    assert!(text.starts_with("## Gate: failed, findings that nobody expected (code 100)\n"), "{text}");
+    assert!(text.starts_with("## Gate: failed, unexpected findings (code 100)\n"), "{text}");
     assert!(text.contains("| 2 | 2 | 3 | 0 | 1 | 0 | 0 | 0 | 0 | 0 |"), "{text}");
     assert!(text.contains("* `unexpected: mine/wrong-once on naive: 1 overreach`"), "{text}");
     let id = column(&read(&out, "findings.csv"), "finding_id").remove(0);

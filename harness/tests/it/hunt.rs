@@ -115,7 +115,7 @@ fn a_changed_hunt_is_refused_with_the_name_of_its_file() {
     refused(&|hunt| hunt["order"]["class"] = "flip".into(), "no class is called `flip`");
     refused(&|hunt| hunt["order"]["task"] = "orient4d".into(), "there is no task `orient4d`");
     refused(&|hunt| hunt["order"]["shown_by"][0] = "naife".into(), "no backend is called `naife`");
-    refused(&|hunt| hunt["order"]["limit"] = (-1.0).into(), "`limit` is no time limit");
+    refused(&|hunt| hunt["order"]["limit"] = (-1.0).into(), "`limit` is not a time limit");
     refused(&|hunt| hunt["order"]["suites"] = ["no-such-suite"].into(), "no-such-suite");
     fs::write(&file, text).unwrap();
     expect(0, &["hunt", "--resume", &out, "--evaluations", "400"]);

@@ -136,7 +136,7 @@ fn time_limits_are_bounded() {
     };
     for limit in ["0", "nan", "inf", "1e19"] {
         let refused = run(limit);
-        assert!(refused.code == 2 && refused.stderr.contains("is no time limit"), "{limit}: {}", refused.stderr);
+        assert!(refused.code == 2 && refused.stderr.contains("is not a time limit"), "{limit}: {}", refused.stderr);
     }
     assert_eq!(run("1e9").code, 0);
 }

@@ -99,7 +99,7 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     let text = fs::read_to_string(&file).unwrap();
     for (from, to, why) in [
         ("\"task\": \"orient2d\"", "\"task\": \"hull3d\"", "is not of the task `hull3d`"),
-        ("\"limit\": 10.0", "\"limit\": -1.0", "`limit` is no time limit"),
+        ("\"limit\": 10.0", "\"limit\": -1.0", "`limit` is not a time limit"),
         ("\"class\": \"sign_flip\"", "\"class\": \"flip\"", "no class is called `flip`"),
         ("\"level\": \"quick\"", "\"level\": \"slow\"", "slow"),
         ("\"naive:first\"", "\"nave\"", "no backend is called `nave`"),

@@ -121,7 +121,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             let pruned = prune(&held.file.display().to_string(), &held.text, &level, told)?;
             pruned.by_hand.iter().for_each(|line| say!("{line}"));
             if pruned.untried > 0 {
-                say!("{} expectations stay, as the run has not put them to the test", pruned.untried);
+                say!("{} expectations stay, because the run has not tested them", pruned.untried);
             }
             let count = pruned.gone;
             finish(of, &held, pruned.edits, |_| {
@@ -178,7 +178,7 @@ fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     let mut run = RunDir::open(&of.run).map_err(Failure::usage)?;
     if !run.is_complete() {
         let cure = match run.outcome {
-            records::Outcome::Timeout => "run it anew with a longer --timeout",
+            records::Outcome::Timeout => "run it again with a longer --timeout",
             _ => "complete it first: `run --resume` does",
         };
         let message = format!("{}: the run is {}; {cure}", of.run.display(), run.outcome.describe());
@@ -221,7 +221,7 @@ fn finish(of: &Of, held: &Held, edits: Edits, what: impl FnOnce(&Expectations) -
     }
     let made = edits.apply(&held.text);
     let expected = Expectations::parse(Path::new(&name), &made).map_err(|error| {
-        Failure::usage(format!("nothing was written, as the result is no file of expectations: {error}"))
+        Failure::usage(format!("nothing was written, because the result is not a valid file of expectations: {error}"))
     })?;
     if of.dry_run {
         say_text!("{}", edits.patch(&name, &held.text));

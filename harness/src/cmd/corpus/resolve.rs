@@ -62,13 +62,13 @@ pub fn run(args: &Args) -> exit::Outcome {
     let given = read(args)?;
     let (mesh, counts) = rounded(&Exact, &given).map_err(|why| Failure::usage(unresolved(&why, &args.mesh)))?;
     if mesh.triangles.is_empty() {
-        let message = format!("{}: nothing is left: the mesh goes around nothing", args.mesh.display());
+        let message = format!("{}: the result is empty: no point has a positive winding number", args.mesh.display());
         return Err(Failure::usage(format!("{message}; turn it over if it is inside out")));
     }
     write(&args.out, format, &mesh)?;
     told(&given, &mesh, &counts, args);
     if counts.left > 0 {
-        note!("{} pairs of triangles still cross: they are nearer to each other than doubles are", counts.left);
+        note!("{} pairs of triangles still cross: they are closer together than neighbouring doubles", counts.left);
         return Ok(exit::UNEXPECTED);
     }
     if args.check || mesh.triangles.len() <= CHECKED {
@@ -126,7 +126,7 @@ fn read(args: &Args) -> Result<Closed, Failure> {
             }
             why => why.to_string(),
         };
-        file(message, "close the mesh: what an open one goes around is not known")
+        file(message, "close the mesh: an open mesh has no inside")
     })?;
     Ok(closed)
 }

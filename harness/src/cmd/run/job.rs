@@ -71,7 +71,7 @@ impl Job {
         }
         if work.expected != expected {
             return Err(refuse(
-                "it was made for other expectations; give the same --expected, or make it anew".to_owned(),
+                "it was made for other expectations; give the same --expected, or make a new plan".to_owned(),
             ));
         }
         let named = args.expected.as_deref().map(expectations::file).transpose()?;
@@ -81,14 +81,14 @@ impl Job {
         let selection = selector.select(tool)?;
         let scenes = selection.of_plan(&plan.scenes, |scene, of| {
             refuse(format!(
-                "scene {}/{}{of} has changed since the plan was made, or is gone; make the plan anew",
+                "scene {}/{}{of} has changed since the plan was made, or is gone; make a new plan",
                 scene.suite, scene.scene
             ))
         })?;
         if let Some((suite, _)) = plan.hashes.iter().find(|(suite, hash)| selection.hashes().get(*suite) != Some(hash))
         {
             let of = selection.of_file(suite);
-            return Err(refuse(format!("the suite `{suite}`{of} has changed since; make the plan anew")));
+            return Err(refuse(format!("the suite `{suite}`{of} has changed since; make a new plan")));
         }
         let recorded = Recorded { file, folder: None, engines: &plan.engines };
         let picked = args.programs.pick(tool, &plan.backends, recorded)?;
