@@ -26,7 +26,7 @@ const QUIET: &str = "quiet";
 #[derive(Parser)]
 #[command(name = "predicament", version, after_help = exit::HELP, propagate_version = true)]
 struct Arguments {
-    /// No notes and no progress on stderr: only errors
+    /// Print only errors on stderr, without notes and progress
     #[arg(short = 'q', long, global = true, id = QUIET)]
     quiet: bool,
 

@@ -126,8 +126,7 @@ impl Saved {
     fn suite(&self, tool: &Tool) -> Result<String, Failure> {
         let mut text = "title = \"Finds of a hunt\"\n".to_owned();
         if self.state.finds.iter().any(|find| find.class == Class::Inconsistent.name()) {
-            text +=
-                "# Laws between predicates are checked only in thorough runs: `run --level full`.\n";
+            text += "# Laws between predicates are checked only in thorough runs: `run --level full`.\n";
         }
         for find in self.state.finds.iter().filter(|find| std::ptr::eq(self.first(find), *find)) {
             text += &format!("\n{}", self.scene(tool, find)?);

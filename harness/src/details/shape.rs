@@ -14,7 +14,7 @@ pub fn view(loaded: &LoadedScene, query: &Query) -> Option<(String, Value)> {
     is_space.then(|| drawing(loaded, query)).flatten().map(|of| (format!("{query}"), of.json()))
 }
 
-/// A picture of a query in the plane that does not ask for a sign.
+/// A picture of a query in the plane, if the query does not ask for a sign.
 pub fn picture(loaded: &LoadedScene, query: &Query) -> Option<(String, String)> {
     if loaded.scene.dimension() == Dimension::Three || query.question().is_some() {
         return None;

@@ -104,7 +104,7 @@ fn the_page_has_the_schema_and_every_column_a_meaning() {
     assert!(told.stderr.contains("there is no `<!-- predicament: schema -->`"), "{}", told.stderr);
 }
 
-/// The night of [`year`], from 0, after which one task of one backend is slower, and that task and backend.
+/// The first slower night of [`year`] (from 0), and the task and backend that become slower.
 const SLOWER: (u64, &str, &str) = (230, "orient3d", "exact");
 
 /// Writes benches of a year, one folder per night, named by its date.

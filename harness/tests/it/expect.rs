@@ -88,7 +88,7 @@ fn an_update_makes_the_gate_green_and_a_prune_takes_it_back() {
     expect(0, &["gate", &run, "--expected", &known]);
 }
 
-/// Expectations, each for scenes, a backend and a class.
+/// The text of expectations, given as scenes, backend and class.
 fn entries(all: &[(&str, &str, &str)]) -> String {
     let entry = |(scene, backend, class): &(&str, &str, &str)| {
         format!("[[expect]]\nscene = \"{scene}\"\nbackend = \"{backend}\"\nclass = \"{class}\"\nreason = \"r\"\n")

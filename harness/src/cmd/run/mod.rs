@@ -99,7 +99,7 @@ pub struct Args {
     pub shrink: Option<usize>,
 }
 
-/// Which scenes and backends run in a separate process.
+/// The scenes and backends that run in a separate process.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
 pub enum Isolate {
     /// Backends that are not built in; with a time limit, also engines and algorithms on whole scenes.

@@ -26,7 +26,7 @@ use crate::tool::Tool;
 use crate::worker::{self, Worker};
 use crate::{interrupt, progress};
 
-/// `Continue` if the run goes on, `Break` if it stops.
+/// `Continue` if the run continues, `Break` if it stops.
 type Flow = ControlFlow<()>;
 
 /// The result of all scenes.
