@@ -104,7 +104,7 @@ pub fn env() -> Env {
     env
 }
 
-/// The environment of [`env`], with the versions of the libraries behind these backends.
+/// The environment of [`env()`], with the versions of the libraries behind these backends.
 pub fn env_of(backends: &[Box<dyn Contestant>]) -> Env {
     let mut env = env();
     env.peers.extend(backends.iter().filter_map(|backend| Some((backend.name(), backend.version()?))));
