@@ -1,5 +1,6 @@
 //! Project rules that the compiler does not check, as tests.
 
+mod links;
 mod truth;
 
 use std::path::{Path, PathBuf};

@@ -7,6 +7,7 @@
 //! cargo can't: `rug` builds GMP, and GMP's configure needs `m4`.
 
 mod advisories;
+mod book;
 mod browser;
 mod ci_page;
 mod command;
@@ -38,10 +39,11 @@ Commands:
   test CRATE...
          format, clippy, docs and the tests of these crates alone, such as `delaunay` (seconds after a change in it)
   nightly
-         heavy tests whole, the engines of crates, the benches with peers, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
+         heavy tests whole, the engines of crates, the benches with peers, cargo package, cargo deny, advisories, the recipes of docs/CI.md, the book, the report in a browser, the page about data, runs in parts by engines, the oldest compiler, ten minutes of each fuzz target
   engines [NAME...]
          install and build the engines of other libraries (CGAL, GEOS, libigl, crates, ...) for `run -b engine:NAME`: by
          apt, pip, npm and cargo, into their folders where the client can
+  book   the pages of docs/ as a site with a search, by mdbook, in target/book; fails if a link leads nowhere
   browser [--accept]
          the report in Chromium: opened, searched, sorted, turned, printed, in light and dark, at three widths, with
          100,000 findings too, compared with pictures of it, and with faults planted; screenshots in target/browser.
@@ -93,6 +95,7 @@ fn main() -> ExitCode {
         "test" if rest.is_empty() => m4::ensure().and_then(|()| steps::test()),
         "test" => m4::ensure().and_then(|()| steps::test_of(&rest)),
         "nightly" => m4::ensure().and_then(|()| steps::nightly()),
+        "book" => book::build(),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "advisories" => advisories::check(&rest),
         "data" => data::check(),

@@ -218,6 +218,7 @@ pub fn nightly() -> Result<(), String> {
         crate::deny::check(),
         crate::advisories::check_if_at_hand(),
         crate::ci_page::check(),
+        crate::book::build_if_at_hand(),
         crate::browser::check(true, false),
         crate::data::check(),
         crate::spread::check(),
