@@ -1,5 +1,6 @@
 //! Links and headings of a Markdown page, as far as this project's pages need them.
 
+#[cfg(test)]
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -16,6 +17,7 @@ pub struct Link {
     pub is_image: bool,
 }
 
+#[cfg(test)]
 impl Link {
     /// The line of the page on which the link begins, from 1.
     pub fn line(&self, page: &str) -> usize {
@@ -129,6 +131,7 @@ fn target(bytes: &[u8], open: usize) -> Option<(Range<usize>, usize)> {
 }
 
 /// The anchors of a page by GitHub's rule: lower case, spaces as hyphens, without punctuation; a repeated one has a number.
+#[cfg(test)]
 pub fn anchors(page: &str) -> Vec<String> {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     let mut anchors = Vec::new();
@@ -167,6 +170,7 @@ fn heading(line: &str) -> Option<String> {
     Some(plain.replace(['`', '*'], ""))
 }
 
+#[cfg(test)]
 fn slug(heading: &str) -> String {
     let kept = heading.chars().filter(|c| c.is_alphanumeric() || matches!(c, ' ' | '-' | '_'));
     kept.map(|c| if c == ' ' { '-' } else { c }).collect::<String>().to_lowercase()

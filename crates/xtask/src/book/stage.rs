@@ -134,11 +134,12 @@ fn between(page: &str, file: &str) -> String {
     up.chain(file[same..].iter().copied()).collect::<Vec<_>>().join("/")
 }
 
-/// The chapters from outside of `docs/`: a page stands below the README of a folder that it is in.
+/// The chapters from outside of `docs/`, README first: a page stands below the README of a folder that it is in.
 fn appendix(chapters: &BTreeSet<(String, String)>) -> String {
     let mut text = "\n# The repository\n\n".to_owned();
     let folder = |path: &str| path.rsplit_once('/').map_or(String::new(), |(folder, _)| format!("{folder}/"));
-    for (path, title) in chapters {
+    let (tops, others): (Vec<_>, Vec<_>) = chapters.iter().partition(|(path, _)| path == "README.md");
+    for (path, title) in tops.into_iter().chain(others) {
         let is_above = |other: &str| {
             let of = folder(other);
             other.ends_with("/README.md") && path.starts_with(&of) && of.len() < folder(path).len()
