@@ -30,6 +30,7 @@ mod out;
 mod adding;
 mod baseline;
 mod child;
+mod citing;
 mod cli;
 mod cmd;
 mod colour;

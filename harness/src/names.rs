@@ -36,6 +36,9 @@ const EARLIER: [(&str, [&str; 2]); 14] = [
     ("show", ["draw", "scene"]),
 ];
 
+/// Short names of commands, which stay.
+const SHORT: [(&str, [&str; 2]); 1] = [("cite", ["setup", "cite"])];
+
 /// Earlier names of options, by command: `--old`, and the words that replace it.
 const OPTIONS: [(&[&str], &str, &[&str]); 8] = [
     (&["report"], "--against", &["--baseline"]),
@@ -96,6 +99,9 @@ pub fn current(mut words: Vec<OsString>, studies: &[Entry]) -> (Vec<OsString>, V
         return (words, notes);
     };
     let name = words[at].to_string_lossy().into_owned();
+    if let Some((_, now)) = SHORT.iter().find(|(short, _)| *short == name) {
+        words.splice(at..=at, now.map(OsString::from));
+    }
     let study = studies.iter().find(|study| study.name == name).map(|study| [STUDY, study.name]);
     if let Some(now) = EARLIER.iter().find(|(old, _)| *old == name).map(|(_, now)| *now).or(study) {
         notes.push(format!("`{name}` is `{}` now", now.join(" ")));
@@ -129,6 +135,7 @@ mod tests {
             ("p -q compare --out out", "p -q study compare --out out", 1),
             ("p selftest --json", "p setup selftest --format json", 2),
             ("p report a --against b", "p report a --baseline b", 1),
+            ("p cite --run a", "p setup cite --run a", 0),
             // A suite may have the name of a command.
             ("p run show", "p run show", 0),
             ("p --help", "p --help", 0),

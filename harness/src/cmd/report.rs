@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use predicament_records::{RunDir, replace};
-use predicament_report::{Section, against, ranking, splice, write_pages};
+use predicament_report::{Section, against, ranking, sources, splice, write_pages};
 use predicament_studies::{compare, stress};
 
+use crate::citing;
 use crate::details::details;
 use crate::exit::{self, Failure};
 use crate::out::hold;
@@ -85,6 +86,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         note!("{warning}");
     }
     compared.extend(tool.sections(&runs).map_err(Failure::usage)?);
+    compared.extend(sources(&citing::sources(&runs, tool).named));
     let (told, missing) = details(&runs, tool)?;
     if missing > 0 {
         note!("{missing} findings are on the page without their points: they can't be asked again alone");

@@ -46,7 +46,7 @@ pub use pixel_sheet::{Column, sheet};
 pub use plot::{
     Bar, Bars, Curve, Curves, Picture, Point, Tradeoff, XAxis, colour_of, curves, histogram, ranges, tradeoff,
 };
-pub use sections::{against, ranking};
+pub use sections::{Source, against, ranking, sources};
 pub use splice::{Part, splice};
 pub use table::{Block, Cell, Headline, Section, Table, Tone};
 pub use web::{Detail, Strip};

@@ -1,5 +1,6 @@
-//! `setup`: the tool itself: its environment, its own test, shell completions, manual pages.
+//! `setup`: the tool itself: its environment, its own test, how to cite it, shell completions, manual pages.
 
+mod cite;
 mod doctor;
 mod selftest;
 mod shell;
@@ -7,7 +8,7 @@ mod shell;
 use crate::exit;
 use crate::tool::Tool;
 
-/// The tool itself: check the environment, test the checks, completions, manual pages
+/// The tool itself: check the environment, test the checks, cite, completions, manual pages
 #[derive(clap::Args)]
 pub struct Args {
     #[command(subcommand)]
@@ -18,6 +19,7 @@ pub struct Args {
 enum Command {
     Doctor(doctor::Args),
     Selftest(selftest::Args),
+    Cite(cite::Args),
     Completions(shell::Completions),
     Man(shell::Man),
 }
@@ -27,6 +29,7 @@ pub fn run(args: Args, tool: &Tool, whole: clap::Command) -> exit::Outcome {
     match args.command {
         Command::Doctor(args) => doctor::run(&args, tool),
         Command::Selftest(args) => selftest::run(args, tool),
+        Command::Cite(args) => cite::run(&args, tool),
         Command::Completions(args) => shell::completions(&args, whole),
         Command::Man(args) => shell::man(&args, whole),
     }

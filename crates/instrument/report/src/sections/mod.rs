@@ -12,6 +12,7 @@ mod not_run;
 mod phases;
 mod precision;
 mod run;
+mod sources;
 mod speed;
 mod stages;
 mod throughput;
@@ -20,6 +21,7 @@ mod ties;
 pub use against::against;
 pub use glance::ranking;
 pub use headlines::headlines;
+pub use sources::{Source, sources};
 
 use crate::groups::Times;
 use crate::layout::{rank, run_head, run_label, some_of};
