@@ -94,7 +94,8 @@ pub fn of(sources: &Sources) -> String {
 /// A comment with a source, its suites and the number of its scenes.
 fn about(source: &Source) -> String {
     let scenes = if source.scenes == 1 { "1 scene".to_owned() } else { format!("{} scenes", source.scenes) };
-    let text = crate::out::one_line(&source.text);
+    // To BibTeX an @ begins an entry, in a comment too.
+    let text = crate::out::one_line(&source.text).replace('@', " at ");
     format!("% {text} ({scenes} of {})\n", source.suites.join(", "))
 }
 
@@ -184,7 +185,7 @@ mod tests {
             source("Kettner, failure A1", false),
             source("Kettner, failure B2", false),
             source("by hand", true),
-            source("{x}\n\\y", false),
+            source("{x}\n\\y@z", false),
         ];
         let silent = BTreeMap::from([("c".to_owned(), 3)]);
         let text = of(&Sources { named, silent, unknown: BTreeMap::from([("d".to_owned(), 1)]) });
@@ -194,7 +195,8 @@ mod tests {
             "% Kettner, failure A1 (2 scenes of a, b)\n% Kettner, failure B2 (2 scenes of a, b)\n@article{kettner-2008,",
             "@misc{a-b-1-100,\n  title = {{A \\& B\\_1, 100 \\%}},\n}\n",
             "@misc{a-b-1-100-2,\n",
-            "@misc{x-y,\n  title = {{(x) \\textbackslash y}},\n}\n",
+            "@misc{x-y-z,\n  title = {{(x) \\textbackslash y@z}},\n}\n",
+            "\\y at z (2 scenes of a, b)\n@misc{x-y-z",
             "% Scenes that are not from a publication:\n% by hand (2 scenes of a, b)\n",
             "% Scenes with no key `source`: c (3)\n",
             "% Scenes with a suite that can't be read or has changed: d (1)\n",
