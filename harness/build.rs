@@ -11,14 +11,17 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 fn main() {
-    println!("cargo::rerun-if-changed=../Cargo.lock");
+    // In the workspace the lock file is that of the workspace; in a package it is the package's own.
+    let lock =
+        ["../Cargo.lock", "Cargo.lock"].into_iter().find(|file| Path::new(file).is_file()).unwrap_or("../Cargo.lock");
+    println!("cargo::rerun-if-changed={lock}");
     let rustc = std::env::var_os("RUSTC").unwrap_or_else(|| "rustc".into());
     let version =
         Command::new(rustc).arg("-V").output().map(|out| String::from_utf8_lossy(&out.stdout).trim().to_owned());
     println!("cargo::rustc-env=PREDICAMENT_RUSTC={}", version.unwrap_or_else(|_| "unknown".to_owned()));
     println!("cargo::rustc-env=PREDICAMENT_FLAGS={}", flags());
     commit();
-    let lock = std::fs::read_to_string("../Cargo.lock").unwrap_or_default();
+    let lock = std::fs::read_to_string(lock).unwrap_or_default();
     let mut lines = lock.lines().skip_while(|line| *line != "name = \"robust\"");
     let version = lines.nth(1).and_then(|line| line.split('"').nth(1)).unwrap_or("unknown");
     println!("cargo::rustc-env=PREDICAMENT_ROBUST={version}");

@@ -1,6 +1,7 @@
 //! Project rules that the compiler does not check, as tests.
 
 mod links;
+mod packages;
 mod truth;
 
 use std::path::{Path, PathBuf};

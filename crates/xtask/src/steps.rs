@@ -198,23 +198,7 @@ pub fn nightly() -> Result<(), String> {
         run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]).and_then(|docs| docs.map_or(Ok(()), Beside::finish)),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
-        // Into a separate folder: packages are compiled as for a user.
-        cargo(
-            "packages",
-            &[
-                "package",
-                "--workspace",
-                "--exclude",
-                "leftmost",
-                "--exclude",
-                "convexity",
-                "--exclude",
-                "mine",
-                "--allow-dirty",
-                "--target-dir",
-                "target/package-check",
-            ],
-        ),
+        packages(),
         crate::deny::check(),
         crate::advisories::check_if_at_hand(),
         crate::ci_page::check(),
@@ -230,7 +214,15 @@ pub fn nightly() -> Result<(), String> {
     if failed.is_empty() { Ok(()) } else { Err(failed.join("\nxtask: ")) }
 }
 
-/// Checks the workspace with the oldest compiler that it promises to support.
+/// Packages what goes to a registry, and compiles each package as somebody else's, in a folder of its own.
+fn packages() -> Result<(), String> {
+    let others = EXAMPLES.into_iter().chain([BENCHES, "predicament-effort", "xtask"]);
+    let excluded: Vec<&str> = others.flat_map(|name| ["--exclude", name]).collect();
+    let package = ["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"];
+    cargo("packages", &[&package[..], &excluded].concat())
+}
+
+/// Checks the workspace by the oldest compiler that it promises to build with.
 fn minimum_version() -> Result<(), String> {
     let version = env!("CARGO_PKG_RUST_VERSION");
     if !answers("rustup", &["run", version, "cargo", "--version"]) {

@@ -140,7 +140,7 @@ mod tests {
         let entries = text.lines().filter(|line| !line.starts_with('%'));
         let entries = entries.collect::<Vec<_>>().join("\n");
         let mut keys = BTreeSet::new();
-        for entry in entries.split('@').skip(1) {
+        for entry in format!("\n{entries}").split("\n@").skip(1) {
             let (kind, rest) = entry.split_once('{')?;
             let (key, _) = rest.split_once(',')?;
             if !kind.chars().all(|c| c.is_ascii_lowercase()) || !keys.insert(key) {
