@@ -1,17 +1,19 @@
-//! The recipes of docs/CI.md: jobs with a token run no foreign code, and installed versions are fixed.
+//! The recipes of docs/CI.md with the files of `ci/`: jobs with a token run no foreign code, and installed versions are
+//! fixed.
 
 use std::process::{Command, Stdio};
 
 use crate::command::{answers, root};
 
-/// A Python program that reads YAML from stdin and checks that it is a table of jobs.
-const PARSE: &str = "import sys, yaml\nof = yaml.safe_load(sys.stdin)\njobs = of.get('jobs', of)\n\
+/// A Python program that reads YAML from stdin and checks that it is a table of jobs, or an action.
+const PARSE: &str = "import sys, yaml\nof = yaml.safe_load(sys.stdin)\n\
+                     jobs = {'action': of['runs']} if 'runs' in of else of.get('jobs', of)\n\
                      assert jobs and all('steps' in job or 'script' in job for job in jobs.values()), 'a job without steps'";
 
 /// Parses each recipe with Python's yaml, or reports that it is missing.
 ///
 /// # Errors
-/// If a recipe is not YAML, or is not a table of jobs.
+/// If a recipe is not YAML, or is neither a table of jobs nor an action.
 pub fn check() -> Result<(), String> {
     println!("\n== recipes of docs/CI.md");
     if !answers("python3", &["-c", "import yaml"]) {
@@ -55,8 +57,35 @@ fn blocks<'p>(page: &'p str, language: &str) -> Vec<&'p str> {
 mod tests {
     use super::*;
 
-    /// The jobs of a recipe as text: each begins with its name.
+    /// Files that the page shows, whole.
+    const FILES: [&str; 2] = ["ci/github/action.yml", "ci/gitlab.yml"];
+
+    fn file(name: &str) -> String {
+        std::fs::read_to_string(root().join(name)).unwrap_or_else(|why| panic!("{name}: {why}"))
+    }
+
+    #[test]
+    fn the_page_shows_each_file_as_it_is() {
+        let page = page().unwrap();
+        for name in FILES {
+            let file = file(name);
+            assert!(file.starts_with(&format!("# {name}: ")), "{name} begins with its name, so that a page names it");
+            assert!(is_shown(&page, &file), "docs/CI.md shows another {name}: copy the file into its block");
+            assert!(!is_shown(&page, &file.replacen("--locked", "", 1)), "{name}");
+        }
+    }
+
+    /// True if a file is a block of a page.
+    fn is_shown(page: &str, file: &str) -> bool {
+        blocks(page, "yaml").contains(&file)
+    }
+
+    /// The jobs of a recipe as text: each begins with its name. An action is one job.
     fn jobs(recipe: &str) -> Vec<String> {
+        if recipe.contains("using: composite") {
+            return vec![recipe.to_owned()];
+        }
+        let (_, recipe) = recipe.split_at(if recipe.starts_with('#') { recipe.find('\n').unwrap_or(0) + 1 } else { 0 });
         let (head, rest) = recipe.split_once("jobs:\n").unwrap_or(("", recipe));
         let indent = rest.len() - rest.trim_start_matches(' ').len();
         let is_name =
@@ -72,16 +101,23 @@ mod tests {
         jobs
     }
 
+    /// The words of a job that runs foreign code: the script, the action, or the command of the action.
+    const RUNS: [&str; 3] = ["gate.sh", "ci/github", "predicament run"];
+
+    /// The words of an installation with a fixed version: a reviewed commit, a reviewed clone, or a version.
+    const FIXED: [&[&str]; 3] =
+        [&["--git \"$REPOSITORY\"", "--rev \"$COMMIT\""], &["--path \"$CLONE/"], &["--version \"=$VERSION\""]];
+
     /// The error of a job, if any.
     fn wrong(job: &str) -> Option<&'static str> {
         let has = |word: &str| job.contains(word);
-        let runs_strangers = has("gate.sh") && !has("branches: [main]");
+        let runs_strangers = RUNS.iter().any(|word| has(word)) && !has("branches: [main]");
         let has_token =
             ["GH_TOKEN", "COMMENT_TOKEN", "comments.sh", "secrets.", ": write"].iter().any(|word| has(word));
         let installs = job.lines().filter(|line| line.contains("cargo install"));
-        let is_loose = |line: &str| {
-            !["--locked", "--git \"$REPOSITORY\"", "--rev \"$COMMIT\""].iter().all(|word| line.contains(word))
-        };
+        let is_fixed = |line: &str| FIXED.iter().any(|words| words.iter().all(|word| line.contains(word)));
+        let is_loose = |line: &str| !line.contains("--locked") || !is_fixed(line);
+        let clones = ["git clone --quiet \"$REPOSITORY\" .predicament ", "checkout --quiet \"$COMMIT\""];
         if runs_strangers && has_token {
             Some("it runs code of strangers and has a token")
         } else if has_token
@@ -96,6 +132,8 @@ mod tests {
             Some("it leaves its token in the checkout")
         } else if installs.into_iter().any(is_loose) {
             Some("it installs what is not fixed")
+        } else if has("uses: ./.predicament/") && !clones.iter().all(|word| has(word)) {
+            Some("it uses an action of a clone that is not fixed")
         } else {
             None
         }
@@ -105,11 +143,11 @@ mod tests {
     fn no_job_runs_strangers_code_beside_a_token_or_a_cache() {
         let page = page().unwrap();
         let jobs: Vec<String> = blocks(&page, "yaml").into_iter().flat_map(jobs).collect();
-        assert_eq!(jobs.len(), 6, "{jobs:#?}");
+        assert_eq!(jobs.len(), 7, "{jobs:#?}");
         for job in &jobs {
             assert_eq!(wrong(job), None, "{job}");
         }
-        assert!(jobs.iter().filter(|job| job.contains("gate.sh")).count() == 4);
+        assert_eq!(jobs.iter().filter(|job| RUNS.iter().any(|word| job.contains(word))).count(), 5);
     }
 
     #[test]
@@ -128,6 +166,18 @@ mod tests {
         ] {
             assert!(wrong(&job(more)).is_some(), "{more}");
         }
+        let action = file("ci/github/action.yml");
+        assert_eq!(wrong(&action), None);
+        for (old, new) in [
+            ("cache/restore", "cache"),
+            ("=$VERSION", "$VERSION"),
+            ("--locked --path", "--path"),
+            ("CLONE: ", "GH_TOKEN: ${{ github.token }}\n        CLONE: "),
+        ] {
+            assert!(action.contains(old) && wrong(&action.replacen(old, new, 1)).is_some(), "{new}");
+        }
+        let uses = "gate:\n    steps:\n      - uses: ./.predicament/ci/github\n";
+        assert!(wrong(uses).is_some(), "a clone of no fixed commit");
         assert!(wrong("comment:\n  script:\n    - sh comments.sh\n    - cargo run\n").is_some());
     }
 
@@ -137,6 +187,78 @@ mod tests {
         if answers("python3", &["-c", "import yaml"]) {
             assert!(parse("jobs: { a: { runs-on: b } }").is_err() && parse("a: [").is_err());
         }
+    }
+
+    /// The scripts of the steps of the action, in their order.
+    fn scripts(action: &str) -> Vec<String> {
+        let mut scripts: Vec<String> = Vec::new();
+        let mut is_open = false;
+        for line in action.lines() {
+            if let Some(text) = line.strip_prefix("      run: ") {
+                is_open = text == "|";
+                scripts.push(if is_open { String::new() } else { text.to_owned() });
+            } else if let (true, Some(text), Some(script)) =
+                (is_open, line.strip_prefix("        "), scripts.last_mut())
+            {
+                *script += &format!("{text}\n");
+            } else {
+                is_open = false;
+            }
+        }
+        scripts
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn the_action_installs_runs_and_ends_as_the_gate_does() {
+        use std::os::unix::fs::PermissionsExt as _;
+
+        let scripts = scripts(&file("ci/github/action.yml"));
+        assert_eq!(scripts.len(), 3, "{scripts:#?}");
+        let folder = std::env::temp_dir().join(format!("predicament-action-{}", std::process::id()));
+        let program = |name: &str, text: &str| {
+            let path = folder.join(name);
+            std::fs::create_dir_all(path.parent().expect("a folder")).unwrap();
+            std::fs::write(&path, format!("#!/bin/sh\necho \"$(basename \"$0\") $*\" >> said\n{text}\n")).unwrap();
+            std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).unwrap();
+        };
+        program("bin/cargo", "");
+        let path = format!("{}/bin:/usr/bin:/bin", folder.display());
+        // As a runner calls it: by `sh -e`, each step by itself.
+        let run = |script: &str, env: &[(&str, &str)]| {
+            let mut sh = Command::new("sh");
+            sh.args(["-e", "-c", script]).current_dir(&folder).env_clear().envs(env.iter().copied());
+            let status = sh.env("PATH", &path).env("HOME", &folder).env("GITHUB_STEP_SUMMARY", "summary").status();
+            let said = std::fs::read_to_string(folder.join("said")).unwrap_or_default();
+            let _ = std::fs::remove_file(folder.join("said"));
+            (status.unwrap().code(), said)
+        };
+        let root = format!("--root {}/.predicament", folder.display());
+        let [install, gate, summary] = [&scripts[0], &scripts[1], &scripts[2]];
+        let said = run(install, &[("CLONE", "clone"), ("VERSION", "0.1.0")]);
+        assert_eq!(said, (Some(0), format!("cargo install --locked --path clone/harness {root}\n")));
+        let said = run(install, &[("CLONE", ""), ("VERSION", "0.1.0")]);
+        assert_eq!(said, (Some(0), format!("cargo install --locked --version =0.1.0 {root} predicament\n")));
+        program(".predicament/bin/predicament", "echo verdict > comment.md; [ \"$1\" = run ] && exit 100; exit 101");
+        assert_eq!(run(install, &[("CLONE", ""), ("VERSION", "0.1.0")]), (Some(0), String::new()), "it is there");
+        assert_eq!(run(summary, &[]).0, Some(0), "there is no comment yet");
+        let given = [("SUITES", "a.toml b"), ("BACKENDS", "exact,sos"), ("EXPECTED", "known.toml")];
+        let written = "--junit junit.xml --summary comment.md";
+        let (code, said) = run(gate, &given);
+        assert_eq!(code, Some(101), "the code is the gate's");
+        let lines = format!(
+            "predicament run a.toml b -b exact,sos --expected known.toml --out out/run\n\
+             predicament gate out/run --expected known.toml {written}\n"
+        );
+        assert_eq!(said, lines);
+        std::fs::create_dir_all(folder.join("out/main")).unwrap();
+        let (_, said) = run(gate, &[("SUITES", "b"), ("BACKENDS", ""), ("EXPECTED", "")]);
+        let lines =
+            format!("predicament run b --out out/run\npredicament gate out/run --baseline out/main {written}\n");
+        assert_eq!(said, lines);
+        assert_eq!(run(summary, &[]).0, Some(0));
+        assert_eq!(std::fs::read_to_string(folder.join("summary")).unwrap(), "verdict\n");
+        std::fs::remove_dir_all(&folder).unwrap();
     }
 
     #[cfg(unix)]
