@@ -91,7 +91,8 @@ fn moved(root: &Path, path: &str, page: &str) -> (String, Vec<String>) {
         }
         text += &page[at..link.whole.start];
         let shown = &page[link.text.clone()];
-        if root.join(&to).is_file() {
+        // The list of chapters is no page of the book.
+        if root.join(&to).is_file() && to != SUMMARY {
             let mark = if link.is_image { "!" } else { "" };
             text += &format!("{mark}[{shown}]({}{anchor})", between(&place(path), &place(&to)));
             files.push(to);
@@ -169,7 +170,7 @@ mod tests {
             ("docs/SUMMARY.md", "# Summary\n\n[Start](README.md)\n- [A](deep/A.md)\n"),
             ("docs/README.md", "[a](deep/A.md#x), [top](../README.md), [here](#y), [host](https://example.org/)\n"),
             ("docs/deep/A.md", "[up](../README.md) [code](../../src/a.rs) [crates](../../crates) [src](../../src)\n"),
-            ("README.md", "# Top\n![p](p.png) [docs](docs/README.md) [no](docs)\n"),
+            ("README.md", "# Top\n![p](p.png) [docs](docs/README.md) [no](docs) [list](docs/SUMMARY.md)\n"),
             ("p.png", "PNG"),
             ("src/a.rs", "fn a() {}\n"),
             ("crates/README.md", "# Crates\n[one](one/README.md)\n"),
@@ -187,7 +188,10 @@ mod tests {
             read("deep/A.md"),
             "[up](../index.md) [code](../repository/src/a.rs) [crates](../repository/crates/index.md) src\n"
         );
-        assert_eq!(read("repository/index.md"), "# Top\n![p](p.png) [docs](../index.md) [no](../index.md)\n");
+        assert_eq!(
+            read("repository/index.md"),
+            "# Top\n![p](p.png) [docs](../index.md) [no](../index.md) list (`docs/SUMMARY.md`)\n"
+        );
         assert_eq!([read("repository/p.png"), read("repository/src/a.rs")], ["PNG", "fn a() {}\n"]);
         assert_eq!(
             read("SUMMARY.md"),
