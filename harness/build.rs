@@ -105,7 +105,7 @@ fn folders(of: &str) -> Vec<String> {
     folders.filter_map(|entry| Some(format!("{of}/{}", entry.file_name().into_string().ok()?))).collect()
 }
 
-/// What git prints, without the end of the line; none if it fails or isn't there.
+/// The output of git, without the end of the line; `None` if git fails or is missing.
 fn git(args: &[&str]) -> Option<String> {
     let output = Command::new("git").args(args).output().ok().filter(|output| output.status.success())?;
     String::from_utf8(output.stdout).ok().map(|text| text.trim_end().to_owned())

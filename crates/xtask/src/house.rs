@@ -2,6 +2,7 @@
 
 mod links;
 mod packages;
+mod prose;
 mod truth;
 
 use std::path::{Path, PathBuf};

@@ -25,9 +25,9 @@
 //! }
 //! ```
 //!
-//! Signs are those of `docs/ENGINES.md`. A predicate that panics is answered by `error`, with the query and the text of the
-//! panic: the tool counts the scene as a panic and starts the engine again. `stdout.rs` says where the output of a library
-//! goes.
+//! Signs are those of `docs/ENGINES.md`. If a predicate panics, the answer is `error`, with the query and the text of
+//! the panic: the tool counts the scene as a panic and restarts the engine. `stdout.rs` redirects the output of a
+//! library.
 
 mod message;
 mod server;

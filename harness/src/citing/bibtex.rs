@@ -51,8 +51,8 @@ fn entry(block: &str) -> &str {
     block.find("\n@").map_or(block, |at| &block[at + 1..])
 }
 
-/// The sources of runs: a paper once, below all sources that name it; a `@misc` for another publication; and a comment for
-/// scenes that are not from a publication.
+/// The sources of runs: a paper once, below all sources that name it; a `@misc` for another publication; and a comment
+/// for scenes that are not from a publication.
 pub fn of(sources: &Sources) -> String {
     let mut of_papers: BTreeMap<&str, Vec<&Source>> = BTreeMap::new();
     let (mut others, mut own) = (Vec::new(), Vec::new());
@@ -135,7 +135,7 @@ fn unique(keys: &mut BTreeSet<String>, key: &str) -> String {
 mod tests {
     use super::*;
 
-    /// What is wrong with a text as BibTeX: keys, and braces that do not match.
+    /// The error of a text as BibTeX: a key, or braces that do not match.
     fn wrong(text: &str) -> Option<String> {
         let entries = text.lines().filter(|line| !line.starts_with('%'));
         let entries = entries.collect::<Vec<_>>().join("\n");

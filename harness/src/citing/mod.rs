@@ -14,7 +14,7 @@ use crate::tool::Tool;
 /// The sources of scenes, and the scenes whose source is unknown.
 #[derive(Default)]
 pub struct Sources {
-    /// What suites name as sources, in the order of the texts.
+    /// The sources that suites name, in the order of the texts.
     pub named: Vec<Source>,
     /// Scenes that have no source, by suite.
     pub silent: BTreeMap<String, u64>,

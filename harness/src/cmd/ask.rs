@@ -84,7 +84,7 @@ fn predicate() -> impl TypedValueParser<Value = PredicateKind> {
 /// The name of the suite that is not written down.
 const ASKED: &str = "ask";
 
-/// What errors call points that are typed or piped in.
+/// The name in errors of points that are typed or piped in.
 const STDIN: &str = "stdin";
 
 /// How answers are printed.

@@ -21,8 +21,8 @@ fn new(folder: &TempDir, language: &str) -> String {
     new.stdout
 }
 
-/// A new engine goes as it says: the two commands that it prints, and those of its page in its own folder. It answers all
-/// five predicates as `naive` does, right and wrong.
+/// A new engine works as it says: the two commands that it prints, and the commands of its page in its own folder. It
+/// answers all five predicates as `naive` does, right and wrong.
 fn goes_as_it_says(language: &str) {
     let folder = tempdir().unwrap();
     let printed = new(&folder, language);

@@ -1,8 +1,8 @@
 //! The columns of a table: their names, types, units and meanings, from the one definition of its row.
 //!
 //! A row is a struct, and its columns are its fields. [`table!`](crate::table) derives from the struct how a line is
-//! written and read, the header, and the schema. `predicament data schema` prints the schema, and files in other formats
-//! contain it.
+//! written and read, the header, and the schema. `predicament data schema` prints the schema, and files in other
+//! formats contain it.
 
 use predicament_predicates::{Class, Status};
 use serde::Serialize;

@@ -130,7 +130,8 @@ fn target(bytes: &[u8], open: usize) -> Option<(Range<usize>, usize)> {
     Some((open + 1..end, close))
 }
 
-/// The anchors of a page by GitHub's rule: lower case, spaces as hyphens, without punctuation; a repeated one has a number.
+/// The anchors of a page by GitHub's rule: lower case, hyphens for spaces, without punctuation. A repeated anchor has a
+/// number.
 #[cfg(test)]
 pub fn anchors(page: &str) -> Vec<String> {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();

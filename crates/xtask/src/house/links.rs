@@ -57,7 +57,7 @@ fn every_link_of_a_page_leads_somewhere() {
     assert!(dead.is_empty(), "links that lead nowhere:\n{}", dead.join("\n"));
 }
 
-/// What is wrong with the list of chapters: a page that it has not exactly once, or a chapter that is no page.
+/// The errors of a list of chapters: a page that is not in it exactly once, or a chapter that is not a page.
 fn unlisted(summary: &str, pages: &[String]) -> Vec<String> {
     let listed: Vec<String> =
         links(summary).iter().filter_map(|link| resolved(SUMMARY, &summary[link.target.clone()])).collect();

@@ -1,4 +1,4 @@
-//! What a registry shows of a package, and what cargo needs to package all of them together.
+//! The metadata of packages, and the rules by which cargo can package all of them together.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -37,7 +37,7 @@ fn is_published(manifest: &str) -> bool {
     !section(manifest, "package").contains(&"publish = false")
 }
 
-/// What is wrong with the metadata of a package; `exists` says whether a file in its folder is there.
+/// The errors in the metadata of a package; `exists` is true for files in its folder.
 fn lacking(manifest: &str, workspace: &str, exists: impl Fn(&str) -> bool) -> Vec<String> {
     let (package, shared) = (section(manifest, "package"), section(workspace, "workspace.package"));
     let of = |key: &str| value(&package, &shared, key);
@@ -70,8 +70,9 @@ fn lacking(manifest: &str, workspace: &str, exists: impl Fn(&str) -> bool) -> Ve
     wrong
 }
 
-/// The packages of the workspace that a package names with a version, with the path of the manifest for each; cargo packages
-/// these first. A dependency of tests that has a path only is left out of packages.
+/// The packages of the workspace that a package names with a version, with the path of the manifest for each.
+///
+/// Cargo packages these first. A dependency of tests that has only a path is left out of packages.
 fn needed<'m>(manifest: &'m str, workspace: &str) -> BTreeSet<&'m str> {
     let shared = section(workspace, "workspace.dependencies");
     let has_version = |line: &str, name: &str| {

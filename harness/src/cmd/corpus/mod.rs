@@ -143,7 +143,7 @@ fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
     Ok(if check && changed > 0 { CORPUS } else { exit::OK })
 }
 
-/// What is in a file, and what it becomes.
+/// The text of a file before and after tidying.
 fn tidied(tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Failure> {
     let extension = file.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     let by_lines = match extension.as_deref() {

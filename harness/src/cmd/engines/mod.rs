@@ -136,7 +136,7 @@ fn step(config: &Config, step: Step) -> Result<String, EngineError> {
     .to_owned())
 }
 
-/// What an engine says of itself, in one line.
+/// The version, the predicates and the meaning of zero of an engine, in one line.
 fn offers(engine: &Engine) -> String {
     let zero = match engine.contract(PredicateKind::Orient2d).zero {
         ZeroMeaning::Exact => "zero is zero",

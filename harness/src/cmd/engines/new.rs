@@ -69,7 +69,7 @@ pub enum Language {
     Node,
 }
 
-/// What an engine of a language begins as.
+/// The files of a new engine of one language.
 struct Template {
     /// The language, for the page.
     language: &'static str,
@@ -79,8 +79,8 @@ struct Template {
     others: &'static [File],
     /// The file or folder of the helper.
     helper: &'static str,
-    /// The files of the helper, which are written as they are. In the repository they are links to those in `engines`; in
-    /// a package they are the files themselves.
+    /// The files of the helper, which are written as they are. In the repository they are links to files of `engines`;
+    /// in a package they are the files themselves.
     helpers: &'static [File],
     /// The part of `engines` to call before the engine runs.
     first: &'static str,

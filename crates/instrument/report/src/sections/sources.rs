@@ -7,7 +7,7 @@ use crate::table::{Block, Cell, Section, Table};
 /// A source that scenes name.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Source {
-    /// What the suites say: the key `source`.
+    /// The text of the key `source`.
     pub text: String,
     /// The suites of its scenes.
     pub suites: Vec<String>,
@@ -17,8 +17,8 @@ pub struct Source {
     pub is_own: bool,
 }
 
-/// The sources of scenes: each publication with its suites, and the scenes of the suites' authors in one row. None if no
-/// scene names a source.
+/// The sources of scenes: each publication with its suites, and the scenes of the suites' authors in one row. `None` if
+/// no scene names a source.
 #[must_use]
 pub fn sources(named: &[Source]) -> Option<Section> {
     if named.is_empty() {
