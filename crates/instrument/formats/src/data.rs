@@ -1,8 +1,9 @@
 //! Data files beside suites: their formats by extension, and their contents.
 
+use crate::csv::{self, Recognised, Wanted};
 use crate::file::{text_of, unpacked};
 use crate::rows::{RowKind, Rows};
-use crate::{CorpusError, Decimals, csv};
+use crate::{CorpusError, Decimals};
 
 /// The format of a data file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -67,5 +68,18 @@ pub fn read_csv_rows(file: &str, bytes: Vec<u8>, kind: &RowKind, decimals: &Deci
         let message = format!("{}s are rows of numbers", kind.name);
         return Err(CorpusError::file(file, message, "name a .csv or .txt file"));
     }
-    csv::read(file, &data.text()?, kind, decimals)
+    csv::read(file, &data.text()?, kind, Wanted::All, decimals)
+}
+
+/// The columns of the coordinates that the header of a CSV file names without doubt, beside others or in another order than that of
+/// points; none where the file is read without them, is no CSV file, or leaves a doubt.
+///
+/// # Errors
+/// [`CorpusError`] where the file is packed and can't be unpacked, is not UTF-8, or has a name that does not tell its format.
+pub fn recognised_columns(file: &str, bytes: Vec<u8>) -> Result<Option<Recognised>, CorpusError> {
+    let data = DataFile::open(file, bytes)?;
+    if data.format != Format::Csv {
+        return Ok(None);
+    }
+    Ok(csv::recognised(&data.text()?))
 }

@@ -76,6 +76,8 @@ impl Decimals {
 pub enum Place<'f> {
     /// A file that `corpus fmt` can rewrite.
     Tidied(&'f str),
+    /// Some columns of such a file, as `--columns` names them.
+    Columns(&'f str, &'f str),
     /// Another data file.
     Data,
 }
@@ -110,8 +112,13 @@ pub fn explain(place: Place<'_>, text: &str, error: &CoordinateError) -> (String
         CoordinateError::Inexact { .. } => {
             let cure = match place {
                 Place::Tidied(file) => {
-                    format!("run `predicament corpus fmt {file}`, or write `round = true` in the scene")
+                    format!(
+                        "run `predicament corpus fmt {file}` and use the file that it writes, or write `round = true` in the scene"
+                    )
                 }
+                Place::Columns(file, columns) => format!(
+                    "run `predicament corpus fmt {file} --columns {columns}` and use the file that it writes, or write `round = true` in the scene"
+                ),
                 Place::Data => "write `round = true` in the scene to read the nearest double".into(),
             };
             (format!("decimal {text} has digits that no double holds"), cure)

@@ -7,6 +7,7 @@
 //! * [`Document`], [`Field`] and [`Fields`]: a TOML file with line numbers.
 //! * [`read_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
 //! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
+//! * [`Columns`], [`recognised_columns`]: the columns of the coordinates in a CSV file.
 //! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.
 //! * [`write_mesh`]: meshes as OFF, OBJ, PLY and STL.
 //! * [`read_bytes`], [`read_suite`]: files, within bounds.
@@ -33,8 +34,8 @@ mod tables;
 
 pub use cache::Cache;
 pub use coordinate::{CoordinateError, is_exact, read as read_coordinate};
-pub use csv::{fmt_csv, skipped};
-pub use data::read_csv_rows;
+pub use csv::{Column, Columns, Recognised, fmt_csv, skipped};
+pub use data::{read_csv_rows, recognised_columns};
 pub use decimals::{Decimals, MOST_COORDINATES, Place, explain, shown};
 pub use document::{Document, Field, Fields};
 pub use error::{CorpusError, ErrorKind, Position};

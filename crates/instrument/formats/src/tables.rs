@@ -24,6 +24,6 @@ impl TableKind {
 }
 
 /// The table `{ path = "…" }` that replaces points.
-pub static POINTS: TableKind = TableKind::new("reference to points", &["path", "fetch"]);
+pub static POINTS: TableKind = TableKind::new("reference to points", &["path", "fetch", "columns"]);
 pub(crate) static MANIFEST: TableKind = TableKind::new("fetch manifest", &["file"]);
 pub(crate) static FILE: TableKind = TableKind::new("file", &["key", "manager", "package", "version", "file", "sha256"]);

@@ -3,9 +3,10 @@
 use predicament_predicates::Dimension;
 
 use super::{ImportNotes, Places, geojson, geometry, mesh, wkt};
+use crate::csv::{self, Columns, Wanted};
 use crate::data::{DataFile, Format};
 use crate::rows::POINT;
-use crate::{CorpusError, Decimals, csv};
+use crate::{CorpusError, Decimals};
 
 /// Points of two or of three coordinates.
 #[derive(Clone, PartialEq, Debug)]
@@ -26,15 +27,37 @@ pub struct ImportedPoints {
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.
 pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedPoints, CorpusError> {
-    let points = read_any(file, bytes, decimals)?;
+    read_columns(file, bytes, None, decimals)
+}
+
+/// The same, where a CSV file may have other columns beside those of the coordinates.
+///
+/// # Errors
+/// [`CorpusError`] as [`read`]; and where columns are named of a file that is no CSV file, or that it does not have.
+pub fn read_columns(
+    file: &str,
+    bytes: Vec<u8>,
+    columns: Option<&Columns>,
+    decimals: &Decimals,
+) -> Result<ImportedPoints, CorpusError> {
+    let points = read_any(file, bytes, columns, decimals)?;
     if points.coordinates.is_empty() {
         return Err(CorpusError::file(file, "the file has no points", "write at least one point"));
     }
     Ok(points)
 }
 
-fn read_any(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedPoints, CorpusError> {
+fn read_any(
+    file: &str,
+    bytes: Vec<u8>,
+    columns: Option<&Columns>,
+    decimals: &Decimals,
+) -> Result<ImportedPoints, CorpusError> {
     let data = DataFile::open(file, bytes)?;
+    if columns.is_some() && data.format != Format::Csv {
+        let cure = "leave the columns out, or convert the data to CSV";
+        return Err(CorpusError::file(file, "only CSV files have columns", cure));
+    }
     let of_geometry = |geometry: geometry::Geometry| {
         let (dimension, coordinates) = geometry.points()?;
         let places = Places::of_points(geometry.positions().map(|position| position.line));
@@ -42,7 +65,7 @@ fn read_any(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedP
     };
     match data.format {
         Format::Csv => {
-            let rows = csv::read(file, &data.text()?, &POINT, decimals)?;
+            let rows = csv::read(file, &data.text()?, &POINT, columns.map_or(Wanted::Points, Wanted::Some), decimals)?;
             let places = Places::of_points(rows.lines.iter().copied());
             let (dimension, coordinates) = rows.points();
             Ok(ImportedPoints { dimension, coordinates, places, notes: ImportNotes::default() })

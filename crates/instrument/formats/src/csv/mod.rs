@@ -1,0 +1,208 @@
+//! CSV files of numbers: read row by row, and made lossless.
+//!
+//! Cells are separated by commas, semicolons, tabs or blanks: the first row shows which. Blank lines and lines
+//! that start with `#` are passed over. The first row is a header if each of its cells starts with a letter
+//! and none is a number. A file may have other columns beside the coordinates if [`Columns`] names those to read.
+//!
+//! The crate `csv` gives the text of cells and not where in the file it is; to rewrite a number and leave all
+//! other bytes as they are takes the place, and so does the line in an error behind comments and blank lines.
+
+mod cells;
+mod columns;
+mod commas;
+mod rewrite;
+
+use std::ops::Range;
+
+use crate::coordinate::{self, CoordinateError};
+use crate::decimals::{Place, explain};
+use crate::lines::{Line, lines};
+use crate::rows::{POINT, RowKind, Rows};
+use crate::{CorpusError, Decimals};
+
+pub use cells::skipped;
+use cells::{Scanner, Separator};
+use columns::{Chosen, listed};
+pub use columns::{Column, Columns, Recognised};
+use commas::Commas;
+pub use rewrite::fmt_csv;
+
+/// Whether a cell of the first row can be the name of a column.
+fn is_name(cell: &str) -> bool {
+    cell.starts_with(|c: char| c.is_alphabetic() || c == '_') && !is_number(cell)
+}
+
+/// Whether a cell is a number, be it one that no double holds.
+fn is_number(cell: &str) -> bool {
+    coordinate::read(cell) != Err(CoordinateError::Malformed)
+}
+
+/// A column of another name among x, y and z, or these in another order, or a column that numbers the rows: what is
+/// read would not be what is meant.
+fn is_misplaced(names: &[&str]) -> bool {
+    const AXES: [&str; 3] = ["x", "y", "z"];
+    const NUMBERS: [&str; 3] = ["id", "fid", "index"];
+    let lower: Vec<String> = names.iter().map(|name| name.to_lowercase()).collect();
+    let is = |name: &String, among: [&str; 3]| among.contains(&name.as_str());
+    let named = lower.iter().any(|name| is(name, AXES));
+    let wrong =
+        lower.iter().zip(AXES).any(|(name, axis)| name != axis) || lower.iter().skip(3).any(|name| is(name, AXES));
+    let numbered = lower.iter().any(|name| is(name, NUMBERS));
+    // Three columns of other names may be a number, a longitude and a latitude.
+    let unnamed = !named && names.len() >= 3;
+    // Latitude before longitude would be a map on its side.
+    const NORTH: [&str; 3] = ["lat", "latitude", "northing"];
+    let turned = lower.first().is_some_and(|name| is(name, NORTH));
+    numbered || unnamed || turned || named && wrong
+}
+
+/// What the first row says about the rows.
+enum Layout {
+    /// All cells are read; the first row may be a header.
+    All { is_header: bool },
+    /// Some columns are read.
+    Some(Chosen),
+}
+
+/// The columns that are asked for.
+#[derive(Clone, Copy)]
+pub(crate) enum Wanted<'c> {
+    /// All, in rows that are no points.
+    All,
+    /// All, in rows that are points.
+    Points,
+    /// Some, of points.
+    Some(&'c Columns),
+}
+
+impl Layout {
+    /// By the first row. An error is a message and its cure.
+    fn of(first: &[&str], wanted: Wanted<'_>, kind: &RowKind) -> Result<Layout, (String, String)> {
+        let is_header = first.iter().all(|cell| is_name(cell));
+        let refused = |cure: String| Err((format!("the columns are {}", listed(first)), cure));
+        match wanted {
+            Wanted::Some(columns) => Chosen::find(columns, first).map(Layout::Some),
+            Wanted::Points if is_header => {
+                let is_read = POINT.widths.contains(&first.len()) && !is_misplaced(first);
+                if is_read { Ok(Layout::All { is_header }) } else { refused(cure(first)) }
+            }
+            Wanted::Points if columns::recognised(first).is_some() => refused(cure(first)),
+            Wanted::All if is_header && is_misplaced(first) => {
+                refused("write the columns x, y and z in this order and no other among them".to_owned())
+            }
+            Wanted::All if is_header && !kind.widths.contains(&first.len()) => {
+                Err((format!("the header has {} columns", first.len()), kind.cure.to_owned()))
+            }
+            Wanted::All | Wanted::Points => Ok(Layout::All { is_header }),
+        }
+    }
+
+    fn is_header(&self) -> bool {
+        match self {
+            Layout::All { is_header } => *is_header,
+            Layout::Some(chosen) => chosen.is_header,
+        }
+    }
+}
+
+/// How to say which columns are x and y: ready to be copied where the header names them without doubt.
+fn cure(first: &[&str]) -> String {
+    let (what, columns, option) = match columns::recognised(first) {
+        Some(found) => ("name those of x and y", found.columns.toml(), found.columns.to_string()),
+        None => ("name those of x and y, or their numbers from 1", "[\"…\", \"…\"]".to_owned(), "…,…".to_owned()),
+    };
+    format!("{what}: `columns = {columns}` beside `path`, or `--columns {option}` on the command line")
+}
+
+/// The columns of points that the first row of a file names without doubt; none where the file is read without them, or where
+/// there is a doubt.
+pub(crate) fn recognised(text: &str) -> Option<Recognised> {
+    let mut scanner = Scanner::default();
+    for Line { body, .. } in lines(text) {
+        let Some(cells) = scanner.cells(body).ok()? else { continue };
+        let first: Vec<&str> = cells.into_iter().map(|cell| &body[cell]).collect();
+        return match Layout::of(&first, Wanted::Points, &POINT) {
+            Ok(_) => None,
+            Err(_) => columns::recognised(&first),
+        };
+    }
+    None
+}
+
+/// The cells of a row that are read, by their places in the line. An error is a message and its cure.
+fn picked(layout: &Layout, cells: Vec<Range<usize>>) -> Result<Vec<Range<usize>>, (String, String)> {
+    let Layout::Some(chosen) = layout else { return Ok(cells) };
+    chosen.check(cells.len())?;
+    Ok(chosen.at.iter().map(|&at| cells[at].clone()).collect())
+}
+
+/// What is wrong with a cell, and the cure, with the name of its column.
+fn wrong(
+    file: &str,
+    layout: &Layout,
+    (place, cell): (usize, &str),
+    separator: Option<Separator>,
+    why: &CoordinateError,
+) -> (String, String) {
+    let Layout::Some(chosen) = layout else {
+        let (message, cure) = explain(Place::Tidied(file), cell, why);
+        return (message, commas_or(separator, cell, why, cure));
+    };
+    let (message, cure) = explain(Place::Columns(file, &chosen.option), cell, why);
+    (format!("{}: {message}", chosen.names[place]), commas_or(separator, cell, why, cure))
+}
+
+fn commas_or(separator: Option<Separator>, cell: &str, why: &CoordinateError, cure: String) -> String {
+    commas::cure(separator, cell).filter(|_| *why == CoordinateError::Malformed).unwrap_or(cure)
+}
+
+/// Reads a CSV file of rows of numbers, one a line.
+///
+/// # Errors
+/// [`CorpusError`] at the line that is wrong.
+pub(crate) fn read(
+    file: &str,
+    text: &str,
+    kind: &RowKind,
+    wanted: Wanted<'_>,
+    decimals: &Decimals,
+) -> Result<Rows, CorpusError> {
+    let (mut scanner, mut commas, mut rows) = (Scanner::default(), Commas::default(), Rows::default());
+    let (mut layout, mut width) = (None, None);
+    for Line { number, body, .. } in lines(text) {
+        let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);
+        let Some(cells) = scanner.cells(body).map_err(error)? else { continue };
+        let layout = match &layout {
+            Some(layout) => layout,
+            None => {
+                let first: Vec<&str> = cells.iter().map(|cell| &body[cell.clone()]).collect();
+                let found = layout.insert(Layout::of(&first, wanted, kind).map_err(error)?);
+                if found.is_header() {
+                    width = matches!(found, Layout::All { .. }).then_some(first.len());
+                    continue;
+                }
+                found
+            }
+        };
+        let cells = picked(layout, cells).map_err(error)?;
+        kind.check(&mut width, rows.lines.len(), cells.len()).map_err(|message| error((message, kind.cure.into())))?;
+        for (place, cell) in cells.into_iter().enumerate() {
+            let cell = &body[cell];
+            let number = commas.number(scanner.separator(), cell, number).map_err(error)?;
+            let x = decimals
+                .read(&number)
+                .map_err(|why| error(wrong(file, layout, (place, cell), scanner.separator(), &why)))?;
+            rows.numbers.push(x);
+        }
+        rows.lines.push(number);
+    }
+    if rows.lines.is_empty() {
+        let RowKind { name, .. } = kind;
+        return Err(CorpusError::file(file, format!("the file has no {name}s"), format!("write one {name} a line")));
+    }
+    rows.width = width.unwrap_or_default();
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests;
