@@ -42,13 +42,15 @@ pub struct Parts {
     pub content: Arc<dyn Content>,
     /// Counts of changes by the importer.
     pub notes: ImportNotes,
+    /// What a user should know of the scene and could not expect, such as points that no query names: each in a line.
+    pub remarks: Vec<String>,
 }
 
 impl Parts {
     /// A scene that no importer changed.
     #[must_use]
     pub fn new(scene: Scene, content: impl Content) -> Parts {
-        Parts { scene, content: Arc::new(content), notes: ImportNotes::default() }
+        Parts { scene, content: Arc::new(content), notes: ImportNotes::default(), remarks: Vec::new() }
     }
 }
 

@@ -4,7 +4,8 @@ use std::path::PathBuf;
 
 use predicament_formats::points::ImportedPoints;
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, Places, points, read_bytes, read_points, text_of,
+    Cache, Columns, CorpusError, Decimals, Entry, Field, ImportNotes, POINTS, Places, points, read_bytes, read_points,
+    text_of,
 };
 use predicament_predicates::{Dimension, Scene, Vertex};
 
@@ -86,7 +87,7 @@ impl Origin {
     }
 }
 
-/// The `points` of a scene: written in the suite, `{ path = "…" }`, or `{ fetch = "…" }`.
+/// The `points` of a scene: written in the suite, `{ path = "…" }`, or `{ fetch = "…" }`, with `columns` of a CSV file.
 #[derive(Clone, Debug)]
 pub struct PointSource {
     file: String,
@@ -97,7 +98,7 @@ pub struct PointSource {
 #[derive(Clone, Debug)]
 enum PointPlace {
     Written(Dimension, Vec<f64>),
-    File { origin: Origin, round: bool },
+    File { origin: Origin, columns: Option<Columns>, round: bool },
 }
 
 impl PointSource {
@@ -112,8 +113,9 @@ impl PointSource {
                 Some(key) => Origin::fetched(context, &key)?,
                 None => Origin::path(context, &table.required("path")?)?,
             };
+            let columns = table.get("columns").map(|field| Columns::read(&field)).transpose()?;
             table.finish()?;
-            PointPlace::File { origin, round: context.round() }
+            PointPlace::File { origin, columns, round: context.round() }
         } else {
             let (dimension, coordinates) = read_points(field)?;
             PointPlace::Written(dimension, coordinates)
@@ -165,10 +167,10 @@ impl PointSource {
                 let (places, notes) = (Places::default(), ImportNotes::default());
                 Ok((ImportedPoints { dimension, coordinates, places, notes }, None))
             }
-            PointPlace::File { origin, round } => {
+            PointPlace::File { origin, columns, round } => {
                 let decimals = Decimals::new(*round);
                 let (file, bytes) = origin.bytes(cache)?;
-                let mut points = points::read(&file, bytes, &decimals)?;
+                let mut points = points::read_columns(&file, bytes, columns.as_ref(), &decimals)?;
                 points.notes.rounded += decimals.rounded();
                 Ok((points, Some(file)))
             }

@@ -77,7 +77,7 @@ impl SceneDef {
     /// [`CorpusError`] if a data file is missing or wrong; for data that is not yet fetched, the error says how to
     /// fetch it. An error at a line of the suite includes the names of the scene's data files.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
-        let (Parts { scene, content, mut notes }, id) = match &self.content {
+        let (Parts { scene, content, mut notes, remarks }, id) = match &self.content {
             Where::Written(written) => written.as_ref().clone(),
             Where::Elsewhere(elsewhere) => {
                 let parts = elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?;
@@ -98,6 +98,7 @@ impl SceneDef {
             scene,
             content,
             notes,
+            remarks,
         })
     }
 

@@ -71,6 +71,7 @@ fn judged(backend: impl Backend + 'static, probes: usize) -> Outcome {
         scene: Scene::from_points2(&POINTS).unwrap(),
         content: Arc::new(MapWithProbes::new(map, (0..probes).map(probe).collect())),
         notes: ImportNotes::default(),
+        remarks: Vec::new(),
     };
     common::judged(&loaded, &predicament_bundle::entry(backend))
 }

@@ -102,7 +102,8 @@ impl Elsewhere for Asked {
         let (mut scene, notes) = self.points.scene(cache)?;
         self.constructed.add_to(&mut scene, &self.file)?;
         let queries = self.plan.queries(&self.file, &scene)?;
-        Ok(Parts { notes, ..Parts::new(scene, SignQueries::new(queries)) })
+        let remarks = self.plan.remark(&scene).into_iter().collect();
+        Ok(Parts { notes, remarks, ..Parts::new(scene, SignQueries::new(queries)) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {

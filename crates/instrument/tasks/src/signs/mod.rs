@@ -18,6 +18,7 @@ mod fixture;
 mod judge;
 mod queries;
 pub use queries::axis;
+mod random;
 mod truth;
 mod write;
 

@@ -1,5 +1,6 @@
 //! The key `queries`: the vertices of the queries.
 
+use super::random::{RandomQueries, vertex};
 use predicament_formats::{CorpusError, Field, Fields};
 use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, UnknownName, Vertex};
 
@@ -18,6 +19,7 @@ pub(super) struct Plan {
 enum Choice {
     Tuples,
     All,
+    Random(RandomQueries),
     Explicit(Vec<(usize, Vec<Vertex>)>),
 }
 
@@ -31,13 +33,14 @@ impl Plan {
         let choice = match field {
             None => Choice::Tuples,
             Some(field) if field.is_array() => Choice::Explicit(explicit(&field, arity)?),
+            Some(field) if field.is_table() => Choice::Random(RandomQueries::read(&field, arity)?),
             Some(field) => match field.str()? {
                 "tuples" => Choice::Tuples,
                 "all" => Choice::All,
                 other => {
                     return Err(field.error(
                         format!("no choice of queries is called `{other}`"),
-                        "write \"tuples\", \"all\" or arrays of indices",
+                        "write \"tuples\", \"all\", { random = 1000 } or arrays of indices",
                     ));
                 }
             },
@@ -59,11 +62,14 @@ impl Plan {
                 let message = "tuples are of points, and the scene has constructed vertices".to_owned();
                 return Err(error(self.line, message, "write `queries`: \"all\", or arrays such as [\"c0\", 0, 1]"));
             }
-            Choice::Tuples if points == 0 || !points.is_multiple_of(arity) => {
-                let message = format!("{points} points don't divide into queries of {arity} for {kind}");
-                return Err(error(self.line, message, "add or remove points, or write `queries`"));
+            Choice::Tuples if points < arity => return Err(error(self.line, too_few(points, kind), "add points")),
+            Choice::Tuples => (0..points - points % arity).map(Vertex::input).collect(),
+            Choice::Random(_) if points + constructed < arity => {
+                return Err(error(self.line, too_few(points + constructed, kind), "add points"));
             }
-            Choice::Tuples => (0..points).map(Vertex::input).collect(),
+            Choice::Random(random) => {
+                random.draw(kind, points + constructed).into_iter().map(|number| vertex(number, points)).collect()
+            }
             Choice::All => {
                 let vertices = points + constructed;
                 let count = combinations(vertices, arity).filter(|count| (1..=MOST_COMBINATIONS).contains(count));
@@ -72,11 +78,7 @@ impl Plan {
                         format!("{vertices} points have none or over {MOST_COMBINATIONS} combinations of {arity}");
                     return Err(error(self.line, message, "write the queries that matter"));
                 }
-                let vertex = |index: usize| match index.checked_sub(points) {
-                    None => Vertex::input(index),
-                    Some(index) => Vertex::constructed(index),
-                };
-                all(vertices, arity).into_iter().map(vertex).collect()
+                all(vertices, arity).into_iter().map(|number| vertex(number, points)).collect()
             }
             Choice::Explicit(queries) => {
                 let mut args = Vec::with_capacity(queries.len() * arity);
@@ -98,6 +100,26 @@ impl Plan {
         };
         Ok(QuerySet::new(self.question, args))
     }
+
+    /// What a user should know of the queries: the points that tuples leave over.
+    pub(super) fn remark(&self, scene: &Scene) -> Option<String> {
+        let (points, arity) = (scene.len(), self.question.kind().arity());
+        let over = points % arity;
+        let is_about = matches!(self.choice, Choice::Tuples) && over > 0;
+        let are = if over == 1 { "is" } else { "are" };
+        is_about.then(|| {
+            format!(
+                "{over} of {points} points {are} in no query, the last: {} takes {arity}; `queries` chooses others",
+                self.question.kind()
+            )
+        })
+    }
+}
+
+/// The error about a scene of fewer vertices than a query takes.
+fn too_few(vertices: usize, kind: PredicateKind) -> String {
+    let points = if vertices == 1 { "point is" } else { "points are" };
+    format!("{vertices} {points} too few: {kind} takes {}", kind.arity())
 }
 
 /// The question that a table asks: its predicate with `plane` or `axis`.

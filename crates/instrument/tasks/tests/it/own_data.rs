@@ -3,11 +3,12 @@
 use std::path::Path;
 
 use predicament_contacts::task::Complexes;
-use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_corpus::{Heading, Level, LoadedScene, Suite};
 use predicament_crossings::task::Segments;
 use predicament_formats::{Cache, CorpusError, ImportNotes, Manifest};
 use predicament_overlay::task::overlay::{Layered, Layers};
 use predicament_polygon_locate::task::MapWithProbes;
+use predicament_tasks::signs::SignQueries;
 use tempfile::TempDir;
 
 fn folder(files: &[(&str, &str)]) -> TempDir {
@@ -280,4 +281,66 @@ fn rounding_is_asked_for_and_counted() {
         refused(&folder, &format!("round = 1\n{inline}")),
         "s.toml:5: `round` is of type integer; write true or false"
     );
+}
+
+/// An ordinary table: other columns, another order, another sign for decimals.
+#[test]
+fn columns_of_a_table_are_the_same_points() {
+    let folder = folder(&[
+        ("p.csv", "7.5,47.25\n8,46.5\n7,46.25\n"),
+        ("towns.csv", "id,lat,lon,name\r\n1,47.25,7.5,\"Bern, BE\"\r\n\r\n2,46.5,8,Thun\r\n3,46.25,7,Sion\r\n"),
+        ("commas.csv", "name;lat;lon\nSt. A;47,25;7,5\nSt. B;46,5;8\nSt. C;46,25;7\n"),
+        ("probes.csv", "id,x,y\n1,0.5,0.5\n"),
+        ("m.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))"),
+    ]);
+    let orient = |points: &str| format!("task = \"orient2d\"\npoints = {{ {points} }}");
+    let plain = load(&folder, &orient("path = \"p.csv\""));
+    for points in [
+        "path = \"towns.csv\", columns = [\"lon\", \"lat\"]",
+        "path = \"towns.csv\", columns = [3, \"lat\"]",
+        "path = \"commas.csv\", columns = [\"lon\", \"lat\"]",
+    ] {
+        let loaded = load(&folder, &orient(points));
+        assert_eq!((loaded.id, loaded.notes.is_clean()), (plain.id.clone(), true), "{points}");
+    }
+    let turned = load(&folder, &orient("path = \"towns.csv\", columns = [\"lat\", \"lon\"]"));
+    assert_ne!(turned.id, plain.id, "the first column is x");
+    let probes = "task = \"polygon-locate\"\nmap = { path = \"m.wkt\" }\nquick_stride = 0\nprobes = { path = \"probes.csv\", columns = [2, 3] }";
+    assert_eq!(load(&folder, probes).count(), 1);
+}
+
+#[test]
+fn random_queries_are_queries_as_if_written() {
+    let folder = folder(&[("p.csv", "0,0\n1,0\n0,1\n1,1\n3,5\n")]);
+    let orient = |queries: &str| format!("task = \"orient2d\"\npoints = {{ path = \"p.csv\" }}\nqueries = {queries}");
+    let loaded = load(&folder, &orient("{ random = 20, seed = 3 }"));
+    assert_eq!((loaded.count(), loaded.remarks.len()), (20, 0));
+    let written = loaded.spelled().unwrap().suite("t", Heading { name: "x", ..Heading::default() });
+    let written = written.split_once("points").unwrap().1;
+    let again = load(&folder, &format!("task = \"orient2d\"\npoints{written}"));
+    assert_eq!(again.id, loaded.id, "an id is of the queries, not of how they are chosen");
+    assert_ne!(load(&folder, &orient("{ random = 20, seed = 4 }")).id, loaded.id);
+    assert_eq!(load(&folder, &orient("{ random = 20 }")).id, load(&folder, &orient("{ random = 20, seed = 0 }")).id);
+    // Constructed vertices are drawn as well.
+    let constructed = "task = \"orient2d\"\npoints = [[0, 0], [3, 3], [0, 1], [0.5, 0]]\n\
+                       constructed = [{ ssi = [[0, 1], [2, 3]] }]\nqueries = { random = 50, seed = 1 }";
+    let queries = &load(&folder, constructed).content::<SignQueries>().unwrap().queries.clone();
+    assert!(queries.flat().iter().any(|vertex| vertex.is_constructed()) && queries.len() == 50);
+}
+
+#[test]
+fn points_that_tuples_leave_over_are_remarked() {
+    let rows = |n: i32| (0..n).map(|k| format!("{k},{}\n", k * k)).collect::<String>();
+    let folder = folder(&[("a.csv", &rows(500)), ("b.csv", &rows(4)), ("c.csv", &rows(6))]);
+    for (file, queries, remarks) in [
+        ("a.csv", 166, &["2 of 500 points are in no query, the last: orient2d takes 3; `queries` chooses others"][..]),
+        ("b.csv", 1, &["1 of 4 points is in no query, the last: orient2d takes 3; `queries` chooses others"]),
+        ("c.csv", 2, &[]),
+    ] {
+        let loaded = load(&folder, &format!("task = \"orient2d\"\npoints = {{ path = \"{file}\" }}"));
+        assert_eq!(
+            (loaded.count(), loaded.remarks.as_slice()),
+            (queries, remarks.iter().map(|r| (*r).to_owned()).collect::<Vec<_>>().as_slice())
+        );
+    }
 }
