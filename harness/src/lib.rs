@@ -34,6 +34,7 @@ mod citing;
 mod cli;
 mod cmd;
 mod colour;
+mod columns;
 mod comment;
 mod conformance;
 mod details;

@@ -3,11 +3,13 @@
 use std::path::Path;
 
 use predicament_corpus::{Level, LoadedScene, Suite};
-use predicament_formats::{CorpusError, Manifest};
+use predicament_formats::{Columns, CorpusError, Manifest};
 use predicament_tasks::AnyTask;
 
+use crate::columns;
 use crate::exit::Failure;
 use crate::select::Selector;
+use crate::shared::tell_remarks;
 use crate::tool::Tool;
 
 /// The part of a command line that selects one scene.
@@ -23,21 +25,37 @@ pub struct OneScene {
     /// For a task on files: take the nearest doubles of decimals that are none
     #[arg(long)]
     pub round: bool,
+
+    /// For a task on files: the columns of x and y (and z) in a CSV file of points, by names in the header or numbers from 1
+    #[arg(long, value_name = "COLUMNS", value_parser = columns::parse)]
+    pub columns: Option<Columns>,
 }
+
+/// The keys of files of points, which may have other columns.
+const OF_POINTS: [&str; 2] = ["points", "probes"];
 
 impl OneScene {
     /// The scene that is selected, or that of a task on files.
     pub fn load(&self, tool: &Tool) -> Result<LoadedScene, Failure> {
         match files(self, tool)? {
-            Some((task, files)) => of_files(self, tool, task, files),
-            None => of_suite(self, tool),
+            Some((task, files)) => {
+                let loaded = of_files(self, tool, task, files)?;
+                loaded.remarks.iter().for_each(|remark| note!("{remark}"));
+                Ok(loaded)
+            }
+            None => {
+                let loaded = of_suite(self, tool)?;
+                tell_remarks(&loaded);
+                Ok(loaded)
+            }
         }
     }
 }
 
 /// The one scene that is selected.
 fn of_suite(args: &OneScene, tool: &Tool) -> Result<LoadedScene, Failure> {
-    if let Some(option) = [("--set", !args.set.is_empty()), ("--round", args.round)].iter().find(|(_, is)| *is) {
+    let of_files = [("--set", !args.set.is_empty()), ("--round", args.round), ("--columns", args.columns.is_some())];
+    if let Some(option) = of_files.iter().find(|(_, is)| *is) {
         let message = format!("{} is for a task on files; write the key in the suite", option.0);
         return Err(Failure::usage(message));
     }
@@ -84,9 +102,17 @@ fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) 
     // A literal string of TOML has no escapes: names with quotes in them need the other kind.
     let quoted = |text: &str| toml::Value::String(text.to_owned()).to_string();
     let mut text = format!("title = \"A file\"\n[[scene]]\nname = \"solved\"\ntask = {}\n", quoted(name));
+    let takes_columns = keys.iter().zip(files).any(|(key, _)| OF_POINTS.contains(key));
+    if args.columns.is_some() && !takes_columns {
+        return Err(Failure::usage(format!(
+            "--columns is for files of points, and {name} is given none; leave it out"
+        )));
+    }
     for (key, file) in keys.iter().zip(files) {
         let path = std::path::absolute(file).map_err(|error| Failure::usage(format!("{file}: {error}")))?;
-        text += &format!("{key} = {{ path = {} }}\n", quoted(&path.display().to_string()));
+        let is_points = OF_POINTS.contains(key);
+        let columns = is_points.then(|| columns::of_file(Path::new(file), args.columns.as_ref())).flatten();
+        text += &format!("{key} = {}\n", columns::table(&path.display().to_string(), columns.as_ref()));
     }
     if args.round {
         text += "round = true\n";

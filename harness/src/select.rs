@@ -13,6 +13,7 @@ use sha2::{Digest, Sha256};
 use crate::exit::{CORPUS, Failure, USAGE};
 use crate::out::program;
 use crate::programs::is_within;
+use crate::shared::tell_remarks;
 use crate::tool::Tool;
 
 /// The reason why a suite is left out if the command line names other suites.
@@ -216,6 +217,7 @@ impl Selection {
         let mut room = Room(KEPT);
         for def in self.defs() {
             let loaded = self.load(def)?;
+            tell_remarks(&loaded);
             seen.insert(def, &loaded)?;
             let plan = planned_scene(&loaded);
             all.push(plan.clone());

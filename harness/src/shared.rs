@@ -2,6 +2,7 @@
 
 use std::time::Duration;
 
+use predicament_corpus::LoadedScene;
 use predicament_records::NotSelected;
 
 use crate::exit::Failure;
@@ -28,6 +29,13 @@ pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
         .num_threads(threads.unwrap_or(0))
         .build_global()
         .map_err(|error| Failure::usage(format!("--threads: {error}")))
+}
+
+/// Prints the remarks about a scene as notes, one a line.
+pub fn tell_remarks(loaded: &LoadedScene) {
+    for remark in &loaded.remarks {
+        note!("{}/{}: {remark}", loaded.suite, loaded.name);
+    }
 }
 
 /// Prints a note about suites that were not selected because their data are missing.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use predicament_corpus::{Level, LoadedScene, Suite};
-use predicament_formats::{CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
+use predicament_formats::{Columns, CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
 use predicament_predicates::{Class, PredicateKind, Query, Question};
 use predicament_tasks::signs::SignQueries;
@@ -13,6 +13,7 @@ use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
 use serde_json::{Map, Value, json};
 
 use crate::colour::{Paint, paint};
+use crate::columns;
 use crate::exit::{self, Failure};
 use crate::interrupt;
 use crate::out::program;
@@ -33,6 +34,7 @@ Examples:
   predicament ask orient2d 0,0 1,0 0.5,0x1p-60
   predicament ask incircle --round 0.1,0 0,0.1 -0.1,0 0,-0.1 -b exact,sos,naive,shewchuk
   predicament ask orient3d --points mesh.off --queries all --format csv > answers.csv
+  predicament ask orient2d --points towns.csv --columns lon,lat --queries random:1000
   predicament ask orient2d --plane yz --points - --format json < points.csv";
 
 /// Ask a question about your own points: every backend's answer, the exact value, the class
@@ -51,7 +53,11 @@ pub struct Args {
     #[arg(long, value_name = "FILE", conflicts_with = "typed")]
     pub points: Option<PathBuf>,
 
-    /// `tuples` (the points in order), `all` combinations, or ids such as `0,1,2 3,1,0`
+    /// The columns of x and y (and z) in a CSV file, by their names in the header or their numbers from 1
+    #[arg(long, value_name = "COLUMNS", value_parser = columns::parse, requires = "points", conflicts_with = "typed")]
+    pub columns: Option<Columns>,
+
+    /// `tuples` (the points in order), `all` combinations, `random:N` or `random:N:SEED`, or ids such as `0,1,2 3,1,0`
     #[arg(long, default_value = "tuples", value_name = "QUERIES")]
     pub queries: String,
 
@@ -86,6 +92,9 @@ const ASKED: &str = "ask";
 
 /// The name in errors of points that are typed or piped in.
 const STDIN: &str = "stdin";
+
+/// Their name to what reads them.
+const STDIN_CSV: &str = "stdin.csv";
 
 /// How answers are printed.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, clap::ValueEnum)]
@@ -245,6 +254,7 @@ fn csv(rows: &[Row], answered: &[(String, Outcome)]) -> Result<(), csv::Error> {
 
 /// The points and the question, as a scene of a suite that is not written down.
 fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
+    let queries = queries(&args.queries)?;
     let points = match &args.points {
         None if args.typed.is_empty() => {
             let message = format!("no points; type some, or name a file with --points: `{} ask --help`", program());
@@ -254,13 +264,16 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
         Some(file) if file.as_os_str() == "-" => {
             let mut bytes = Vec::new();
             std::io::stdin().read_to_end(&mut bytes).map_err(|error| Failure::usage(format!("{STDIN}: {error}")))?;
-            let read = points::read("stdin.csv", bytes, &Decimals::new(args.round)).map_err(for_ask)?;
+            let columns = args.columns.clone().or_else(|| columns::of_bytes(STDIN_CSV, STDIN, bytes.clone()));
+            let decimals = Decimals::new(args.round);
+            let read = points::read_columns(STDIN_CSV, bytes, columns.as_ref(), &decimals).map_err(for_ask)?;
             let rows = read.coordinates.chunks(read.dimension.count()).map(written);
             format!("[{}]", rows.collect::<Vec<_>>().join(",\n"))
         }
         Some(file) => {
             let path = std::path::absolute(file).map_err(Failure::io(file))?;
-            format!("{{ path = {} }}", quoted(&path.display().to_string()))
+            let columns = columns::of_file(file, args.columns.as_ref());
+            columns::table(&path.display().to_string(), columns.as_ref())
         }
     };
     for (option, value, of) in
@@ -271,7 +284,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
         }
     }
     let mut text = format!("title = \"Asked\"\n[[scene]]\nname = \"asked\"\ntask = \"{}\"\n", args.task);
-    text += &format!("points = {points}\nqueries = {}\n", queries(&args.queries)?);
+    text += &format!("points = {points}\nqueries = {queries}\n");
     for (key, value) in [("plane", &args.plane), ("axis", &args.axis)] {
         if let Some(value) = value {
             text += &format!("{key} = {}\n", quoted(value));
@@ -288,7 +301,11 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     };
     let suite = Suite::parse(tool.vocabulary(), ASKED, &text, base, &Manifest::default()).map_err(told)?;
     let cache = Selector::everything().cache()?;
-    suite.scenes[0].load(Level::Quick, &cache).map_err(told)
+    let loaded = suite.scenes[0].load(Level::Quick, &cache).map_err(told)?;
+    for remark in &loaded.remarks {
+        note!("{}", remark.replace("`queries` chooses", "--queries chooses"));
+    }
+    Ok(loaded)
 }
 
 /// An error about data, with the cure of this command: there is no suite to write `round` in.
@@ -301,7 +318,7 @@ fn for_ask(error: CorpusError) -> Failure {
         Some(_) => "add --round to read the nearest doubles".to_owned(),
         None => error.cure.clone(),
     };
-    let file = error.file.replace("stdin.csv", STDIN);
+    let file = error.file.replace(STDIN_CSV, STDIN);
     CorpusError { cure, file, ..error }.into()
 }
 
@@ -346,12 +363,22 @@ fn queries(text: &str) -> Result<String, Failure> {
     if ["tuples", "all"].contains(&text) {
         return Ok(format!("\"{text}\""));
     }
+    if let Some(random) = text.strip_prefix("random:") {
+        let (count, seed) = random.split_once(':').unwrap_or((random, "0"));
+        let is_count = |text: &str| text.parse::<u64>().is_ok();
+        if !is_count(count) || !is_count(seed) {
+            return Err(Failure::usage(format!(
+                "--queries: `{text}` is no choice; write random:N or random:N:SEED, such as random:1000:1"
+            )));
+        }
+        return Ok(format!("{{ random = {count}, seed = {seed} }}"));
+    }
     let queries = text.split(|c: char| c == ';' || c.is_whitespace()).filter(|query| !query.is_empty());
     let query = |query: &str| {
         let ids: Result<Vec<u32>, _> = query.split(',').map(str::parse).collect();
         let ids = ids.map_err(|_| {
             Failure::usage(format!(
-                "--queries: `{query}` is no query; write `tuples`, `all` or ids such as `0,1,2 3,1,0`"
+                "--queries: `{query}` is no query; write `tuples`, `all`, `random:N` or ids such as `0,1,2 3,1,0`"
             ))
         })?;
         Ok(format!("[{}]", ids.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")))

@@ -24,7 +24,8 @@ Examples:
   predicament solve mesh-locate part.stl probes.csv --set quick_stride=0 --out out/inside      regions of points
   predicament solve mesh-intersect part.stl tool.off -b sos:per-mesh --out out/cut      union, intersection, differences
   predicament solve mesh-intersect part.stl part.stl -b sos:per-mesh --set 'moved=[1, 0, 0]' --out out/step
-  predicament solve orient2d survey.csv --set queries=all --round --out out/signs";
+  predicament solve orient2d survey.csv --set queries=all --round --out out/signs
+  predicament solve delaunay2d towns.csv --columns lon,lat --out out/net";
 
 /// Solve one scene, or a task on your own files, under one backend, and write the answer
 #[derive(clap::Args)]

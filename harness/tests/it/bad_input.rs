@@ -165,7 +165,7 @@ fn fmt_cures_what_run_refuses() {
     let suite = write(&folder, "mine.toml", &SUITE.replacen("\"0x1p-1\"", "\"0.1000000000000000001\"", 1));
     expect(104, &["corpus", "verify", &suite]);
     expect(104, &["corpus", "fmt", "--check", &suite]);
-    expect(0, &["corpus", "fmt", &suite]);
+    expect(0, &["corpus", "fmt", "--in-place", &suite]);
     expect(0, &["corpus", "fmt", "--check", &suite]);
     expect(0, &["corpus", "verify", &suite]);
     let text = std::fs::read_to_string(&suite).unwrap();

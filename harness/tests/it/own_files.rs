@@ -18,16 +18,30 @@ fn fmt_does_for_csv_what_the_error_advises() {
     let (suite, points) = (suite(&folder, "s.toml", ""), write(&folder, "p.csv", POINTS));
     let told = expect(104, &["corpus", "verify", &suite]);
     let advice = format!(
-        "p.csv:2: decimal 0.1000000000000000001 has digits that no double holds; run `predicament corpus fmt {points}`, or write"
+        "p.csv:2: decimal 0.1000000000000000001 has digits that no double holds; run `predicament corpus fmt {points}` and use the file that it writes, or"
     );
     assert!(told.stderr.contains(&advice), "{}", told.stderr);
     assert_eq!(expect(104, &["corpus", "fmt", "--check", &points]).stdout, format!("would change: {points}\n"));
     assert_eq!(std::fs::read_to_string(&points).unwrap(), POINTS, "to check is not to change");
-    assert_eq!(expect(0, &["corpus", "fmt", &points]).stdout, format!("changed: {points}\n"));
+    let beside = at(&folder, "p.hex.csv");
+    assert_eq!(expect(0, &["corpus", "fmt", &points]).stdout, format!("written: {beside}\n"));
     let tidy = POINTS.replace("0.1000000000000000001,0.5", "# 0.1000000000000000001\n0x1.999999999999ap-4,0.5");
+    assert_eq!(std::fs::read_to_string(&points).unwrap(), POINTS, "the file itself stays");
+    assert_eq!(std::fs::read_to_string(&beside).unwrap(), tidy);
+    expect(0, &["ask", "orient2d", "--points", &beside, "-b", "exact"]);
+    // What is tidy needs no other file.
+    let told = expect(0, &["corpus", "fmt", &beside]);
+    assert!(
+        told.stdout.is_empty() && told.stderr.contains("p.hex.csv: every decimal is read as it is"),
+        "{}",
+        told.stderr
+    );
+    std::fs::remove_file(&beside).unwrap();
+    assert_eq!(expect(0, &["corpus", "fmt", "--in-place", &points]).stdout, format!("changed: {points}\n"));
     assert_eq!(std::fs::read_to_string(&points).unwrap(), tidy);
     expect(0, &["corpus", "fmt", "--check", &points]);
     expect(0, &["corpus", "verify", &suite]);
+    expect(2, &["corpus", "fmt", "--check", "--in-place", &points]);
     let names: Vec<String> = std::fs::read_dir(folder.path())
         .unwrap()
         .map(|file| file.unwrap().file_name().into_string().unwrap())
@@ -43,10 +57,43 @@ fn fmt_keeps_links_and_permissions() {
     let points = write(&folder, "real.csv", POINTS);
     std::fs::set_permissions(&points, std::fs::Permissions::from_mode(0o640)).unwrap();
     symlink("real.csv", at(&folder, "p.csv")).unwrap();
-    expect(0, &["corpus", "fmt", &at(&folder, "p.csv")]);
+    expect(0, &["corpus", "fmt", "--in-place", &at(&folder, "p.csv")]);
     assert!(std::fs::symlink_metadata(at(&folder, "p.csv")).unwrap().is_symlink());
     assert!(std::fs::read_to_string(&points).unwrap().contains("# 0.1000000000000000001\n"));
     assert_eq!(std::fs::metadata(&points).unwrap().permissions().mode() & 0o777, 0o640);
+}
+
+/// The new suite has the same data, and the same scenes.
+#[test]
+fn a_suite_is_rewritten_beside_itself() {
+    let folder = tempdir().unwrap();
+    write(&folder, "q.csv", "0,0\n12,12\n24,25\n");
+    let text = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"q.csv\" }\n\
+                [[scene]]\nname = \"b\"\ntask = \"orient2d\"\npoints = [[0.1000000000000000001, 0], [1, 0], [0, 1]]\n";
+    let suite = write(&folder, "s.toml", text);
+    expect(104, &["corpus", "verify", &suite]);
+    let beside = at(&folder, "s.hex.toml");
+    assert_eq!(expect(0, &["corpus", "fmt", &suite]).stdout, format!("written: {beside}\n"));
+    assert_eq!(std::fs::read_to_string(&suite).unwrap(), text);
+    expect(0, &["corpus", "verify", &beside]);
+    assert!(
+        expect(2, &["corpus", "fmt", &suite, "--columns", "1,2"]).stderr.contains("only CSV files have columns; leave")
+    );
+}
+
+/// Numbers of rows may have digits that no double holds: they are no coordinates.
+#[test]
+fn fmt_leaves_other_columns_as_they_are() {
+    let folder = tempdir().unwrap();
+    let text = "id,name,lat,lon\n12345678901234567890,a,0.1000000000000000001,1\n";
+    let points = write(&folder, "p.csv", text);
+    let tidy = "id,name,lat,lon\n# 0.1000000000000000001\n12345678901234567890,a,0x1.999999999999ap-4,1\n";
+    for columns in [&[][..], &["--columns", "lon,lat"], &["--columns", "4,3"]] {
+        expect(0, &[&["corpus", "fmt", &points], columns].concat());
+        assert_eq!(read(folder.path().to_str().unwrap(), "p.hex.csv"), tidy, "{columns:?}");
+    }
+    let told = expect(104, &["corpus", "fmt", &points, "--columns", "name,lat"]);
+    assert!(told.stderr.contains("p.csv:2: column `name`: `a` is not a number"), "{}", told.stderr);
 }
 
 #[test]

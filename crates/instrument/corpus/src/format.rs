@@ -18,7 +18,8 @@ pub trait SceneFormat: Send + Sync {
     /// A commented scene to start from, for `predicament corpus new`; empty if there is none.
     ///
     /// Lines that start with `@written ` are for scenes with data in the suite. Lines that start with `@file ` are for
-    /// scenes with data in a file, `{data}`. `{task}` is the task's name.
+    /// scenes with data in a file, `{data}`. `{task}` is the task's name. `{queries}` is the value of that key:
+    /// `"tuples"`, or random queries about many points.
     fn template(&self) -> String {
         String::new()
     }

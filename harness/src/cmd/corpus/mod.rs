@@ -1,21 +1,21 @@
 //! `corpus`: make, list, check, tidy and generate suites, keep their expectations, fetch data.
 
 mod expect;
+mod fmt;
 mod new;
 mod resolve;
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use predicament_corpus::{Heading, LoadedScene, SceneDef, fmt};
-use predicament_formats::{CorpusError, fetch, fmt_csv, read_as_it_is};
-use predicament_records::replace;
+use predicament_corpus::{Heading, LoadedScene, SceneDef};
+use predicament_formats::fetch;
 use predicament_tasks::Watch;
 use serde_json::json;
 
-use crate::exit::{self, CORPUS, Failure};
+use crate::exit::{self, Failure};
 use crate::interrupt;
-use crate::out::{hold, program};
+use crate::out::program;
 use crate::select::Selector;
 use crate::shared::tell_not_selected;
 use crate::tool::Tool;
@@ -24,7 +24,7 @@ const EXAMPLES: &str = "\
 Examples:
   predicament corpus list --scenes
   predicament corpus verify mine.toml
-  predicament corpus fmt mine.toml points.csv         decimals with digits that no double holds become hex floats
+  predicament corpus fmt mine.toml points.csv         decimals with digits that no double holds as hex floats, beside
   predicament corpus gen families -f 'near-orient3d'  generate, and show how degenerate it is
   predicament corpus gen classics -f 'kettner-a1$' --toml > mine.toml   write it out, as a suite to change
   predicament corpus fetch                            real data, into the cache";
@@ -48,15 +48,7 @@ enum Command {
         #[arg(long, value_enum, default_value_t = Format::Text)]
         format: Format,
     },
-    /// Rewrite decimals with digits that no double holds: as hex floats of the nearest doubles, with the decimals as comments
-    Fmt {
-        /// TOML and CSV files, rewritten in place
-        #[arg(required = true)]
-        files: Vec<PathBuf>,
-        /// Change nothing; fail if a file would change
-        #[arg(long)]
-        check: bool,
-    },
+    Fmt(fmt::Args),
     New(new::Args),
     /// Load every scene: syntax, coordinates, ids, data
     Verify(Selector),
@@ -93,7 +85,7 @@ enum Format {
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
     match args.command {
         Command::List { scenes, format } => list(tool, scenes, format == Format::Json),
-        Command::Fmt { files, check } => format(tool, &files, check),
+        Command::Fmt(args) => fmt::run(&args, tool),
         Command::Verify(selector) => verify(tool, &selector),
         Command::Gen { selector, toml } => generate(tool, &selector, toml),
         Command::Fetch { keys, cache } => fetch_all(tool, &keys, cache),
@@ -123,40 +115,6 @@ fn list(tool: &Tool, scenes: bool, as_json: bool) -> exit::Outcome {
         }
     }
     Ok(exit::OK)
-}
-
-fn format(tool: &Tool, files: &[PathBuf], check: bool) -> exit::Outcome {
-    let mut changed = 0;
-    for file in files {
-        let name = file.display().to_string();
-        let _hold = if check { None } else { Some(hold(file)?) };
-        let (text, tidy) = tidied(tool, file, &name)?;
-        if tidy == text {
-            continue;
-        }
-        changed += 1;
-        if !check {
-            replace(file, tidy.as_bytes()).map_err(Failure::usage)?;
-        }
-        say!("{}: {name}", if check { "would change" } else { "changed" });
-    }
-    Ok(if check && changed > 0 { CORPUS } else { exit::OK })
-}
-
-/// The text of a file before and after tidying.
-fn tidied(tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Failure> {
-    let extension = file.extension().map(|extension| extension.to_string_lossy().to_lowercase());
-    let by_lines = match extension.as_deref() {
-        Some("toml") => false,
-        Some("csv" | "txt") => true,
-        _ => {
-            let cure = "name a .toml, .csv or .txt file; for other data write `round = true` in the scene";
-            return Err(CorpusError::usage(name, "only suites and CSV files can be rewritten", cure).into());
-        }
-    };
-    let text = read_as_it_is(file)?;
-    let tidy = if by_lines { fmt_csv(name, &text)? } else { fmt(tool.vocabulary(), name, &text)? };
-    Ok((text, tidy))
 }
 
 fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {

@@ -43,7 +43,8 @@ impl Columns {
     /// What is wrong with them.
     pub fn new(columns: Vec<Column>) -> Result<Columns, String> {
         if !(2..=3).contains(&columns.len()) {
-            return Err(format!("{} columns for the coordinates of a point", columns.len()));
+            let (count, s) = (columns.len(), if columns.len() == 1 { "" } else { "s" });
+            return Err(format!("{count} column{s} for the coordinates of a point"));
         }
         if let Some(twice) = columns.iter().enumerate().find(|(at, column)| columns[..*at].contains(column)) {
             return Err(format!("the column `{}` twice", shown(&twice.1.to_string())));
@@ -125,7 +126,7 @@ impl fmt::Display for Recognised {
         f.write_str(&read.join(", "))?;
         match self.others.as_slice() {
             [] => Ok(()),
-            [one] => write!(f, "; the column `{one}` is not read"),
+            [one] => write!(f, "; the column {} is not read", listed(std::slice::from_ref(one))),
             others => write!(f, "; the columns {} are not read", listed(others)),
         }
     }
@@ -152,7 +153,8 @@ pub(super) fn recognised(first: &[&str]) -> Option<Recognised> {
 
 /// Names for a message, each of a bounded length.
 pub(super) fn listed<T: AsRef<str>>(names: &[T]) -> String {
-    names.iter().map(|name| shown(name.as_ref())).collect::<Vec<_>>().join(", ")
+    let name = |name: &T| if name.as_ref().is_empty() { "``".to_owned() } else { shown(name.as_ref()) };
+    names.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 
 /// The columns that are read, found in the first row.

@@ -60,7 +60,7 @@ fn errors_name_file_line_and_cure() {
         ),
         ("Northing,Easting\n1,2\n", "p.csv:1: the columns are Northing, Easting; name"),
         ("lon,lat,FID\n1,2,7\n", "p.csv:1: the columns are lon, lat, FID; name"),
-        (",x,y\n0,1,2\n", "p.csv:1: the columns are , x, y; name"),
+        (",x,y\n0,1,2\n", "p.csv:1: the columns are ``, x, y; name"),
         (
             "id,name\n1,2\n",
             "p.csv:1: the columns are id, name; name those of x and y, or their numbers from 1: `columns = [\"…\", \"…\"]`",
@@ -175,7 +175,7 @@ fn errors_about_columns_name_the_column_and_the_cure() {
         assert!(error.starts_with(expected), "{text:?}\n  got      {error}\n  expected {expected}");
     }
     for (named, expected) in [
-        ("lon", "1 columns for the coordinates of a point"),
+        ("lon", "1 column for the coordinates of a point"),
         ("a,b,c,d", "4 columns for the coordinates of a point"),
         ("a,a", "the column `a` twice"),
         ("2,2", "the column `2` twice"),
