@@ -3,7 +3,9 @@
 //! The first byte chooses the format and whether decimals are rounded; the others are the file. For binary PLY and STL
 //! they are the part after a header, since random bytes would hardly ever form a header.
 
-use predicament_formats::{CorpusError, Decimals, Manifest, Position, fmt_csv, geometry, mesh, points, topojson};
+use predicament_formats::{
+    Columns, CorpusError, Decimals, Manifest, Position, fmt_csv, geometry, mesh, points, recognised_columns, topojson,
+};
 
 /// The formats, as the ends of file names.
 const NAMES: [&str; 12] = [
@@ -62,6 +64,12 @@ pub fn check(bytes: &[u8]) {
         return;
     }
     one_line(points::read(name, bytes.to_vec(), &decimals()));
+    // What a header names without doubt is there.
+    if let Some(found) = one_line(recognised_columns(name, bytes.to_vec())).flatten()
+        && let Some(why) = points::read_columns(name, bytes.to_vec(), Some(&found.columns), &decimals()).err()
+    {
+        assert!(!why.message.contains("there is no column"), "{why}");
+    }
     if let Some(geometry) = one_line(geometry::read(name, bytes.to_vec(), &decimals())) {
         one_line(geometry.segments());
         let _ = geometry.edges();
@@ -69,15 +77,23 @@ pub fn check(bytes: &[u8]) {
     }
     check_mesh(name, bytes, &decimals());
     let Ok(text) = std::str::from_utf8(bytes) else { return };
-    if name == "a.csv"
-        && let Some(tidy) = one_line(fmt_csv(name, text))
-    {
-        assert_eq!(fmt_csv(name, &tidy).as_ref(), Ok(&tidy), "rewritten twice");
-        let again = points::read(name, tidy.into_bytes(), &Decimals::new(false));
-        let rounded = points::read(name, bytes.to_vec(), &Decimals::new(true));
-        let bits = |points: points::ImportedPoints| points.coordinates.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
-        assert_eq!(again.ok().map(bits), rounded.ok().map(bits), "rewritten is rounded");
+    if name == "a.csv" {
+        check_rewritten(name, text, None);
+        for columns in ["2,1", "y,x", "1,3,2"] {
+            check_rewritten(name, text, Columns::parse(columns).as_ref().ok());
+        }
     }
+}
+
+/// Rewrites decimals of a CSV file: a second time changes nothing, and the new file is read as the old one with its
+/// decimals rounded.
+fn check_rewritten(name: &str, text: &str, columns: Option<&Columns>) {
+    let Some(tidy) = one_line(fmt_csv(name, text, columns)) else { return };
+    assert_eq!(fmt_csv(name, &tidy, columns).as_ref(), Ok(&tidy), "rewritten twice");
+    let again = points::read_columns(name, tidy.into_bytes(), columns, &Decimals::new(false));
+    let rounded = points::read_columns(name, text.into(), columns, &Decimals::new(true));
+    let bits = |points: points::ImportedPoints| points.coordinates.iter().map(|x| x.to_bits()).collect::<Vec<_>>();
+    assert_eq!(again.ok().map(bits), rounded.ok().map(bits), "rewritten is rounded");
 }
 
 /// Reads a mesh: every error, every point and every face has a position inside the file.

@@ -8,8 +8,8 @@ use std::sync::{LazyLock, atomic::AtomicBool};
 
 use predicament_corpus::{Level, LoadedScene, SceneDef, Suite};
 use predicament_formats::{Cache, Manifest};
-use predicament_triangulate::task::Polygons;
 use predicament_tasks::{AnyTask, Budget, Class, Contestant, Outcome, Watch};
+use predicament_triangulate::task::Polygons;
 
 /// The backends whose promises are checked.
 pub const BACKENDS: [&str; 3] = ["exact", "sos", "tolerance"];
@@ -62,7 +62,8 @@ pub fn first_wrong(def: &SceneDef, backends: &[Box<dyn Contestant>]) -> Option<S
     if loaded.scene.len() > MOST_VERTICES || loaded.count() > MOST_QUERIES {
         return None;
     }
-    let task: &'static dyn AnyTask = predicament_bundle::tasks().iter().copied().find(|task| task.name() == loaded.task)?;
+    let task: &'static dyn AnyTask =
+        predicament_bundle::tasks().iter().copied().find(|task| task.name() == loaded.task)?;
     let never = AtomicBool::new(false);
     let watch = Watch::new(&never, None, &|_| {});
     let content: &dyn Any = loaded.content.as_ref();

@@ -35,7 +35,8 @@ pub fn scenes() -> Vec<(String, String)> {
     for (suite, text) in files() {
         for (number, table) in tables(&text).into_iter().enumerate() {
             let alone = format!("title = \"{suite}\"\n\n{table}");
-            let parsed = Suite::parse(predicament_bundle::vocabulary(), "seed.toml", &alone, None, &Manifest::default());
+            let parsed =
+                Suite::parse(predicament_bundle::vocabulary(), "seed.toml", &alone, None, &Manifest::default());
             if table.starts_with("[[scene]]")
                 && alone.len() <= MOST
                 && parsed.is_ok_and(|suite| !suite.scenes.is_empty())

@@ -22,10 +22,16 @@ pub fn check(bytes: &[u8]) {
     let Ok(text) = std::str::from_utf8(bytes) else { return };
     match kind % KINDS {
         0 => {
-            let parse = |text: &str| Suite::parse(predicament_bundle::vocabulary(), "fuzzed.toml", text, None, &Manifest::default());
+            let parse = |text: &str| {
+                Suite::parse(predicament_bundle::vocabulary(), "fuzzed.toml", text, None, &Manifest::default())
+            };
             let suite = one_line(parse(text), text);
             if let Some(tidy) = one_line(fmt(predicament_bundle::vocabulary(), "fuzzed.toml", text), text) {
-                assert_eq!(fmt(predicament_bundle::vocabulary(), "fuzzed.toml", &tidy).as_ref(), Ok(&tidy), "rewritten twice");
+                assert_eq!(
+                    fmt(predicament_bundle::vocabulary(), "fuzzed.toml", &tidy).as_ref(),
+                    Ok(&tidy),
+                    "rewritten twice"
+                );
                 if suite.is_some() {
                     assert!(parse(&tidy).is_ok(), "rewritten, it is refused: {:?}", parse(&tidy).err());
                 }

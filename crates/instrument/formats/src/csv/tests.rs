@@ -365,10 +365,20 @@ proptest! {
     }
 
     #[test]
-    fn no_text_panics(text in "[0-9xy.,;#\"\r\n\t -]{0,60}|\\PC{0,30}") {
-        let _ = points(&text);
-        if let Ok(tidy) = fmt_csv("p.csv", &text, None) {
-            prop_assert_eq!(&fmt_csv("p.csv", &tidy, None).unwrap(), &tidy);
+    fn no_text_panics(
+        text in "[0-9xy.,;#\"\r\n\t -]{0,60}|\\PC{0,30}|([0-9]{1,2}[.,]?[0-9]{0,20};){1,3}[0-9]\n([0-9]{1,2}[.,]?[0-9]{0,20};){1,3}[0-9]",
+        named in prop::sample::select(&["", "1,2", "y,x", "3,1,2"][..]),
+    ) {
+        let named = Columns::parse(named).ok();
+        let _ = (points(&text), recognised(&text));
+        let wanted = named.as_ref().map_or(Wanted::Points, Wanted::Some);
+        let bits = |text: &str, round| {
+            let rows = read("p.csv", text, &POINT, wanted, &Decimals::new(round));
+            rows.map(|rows| rows.numbers.iter().map(|x| x.to_bits()).collect::<Vec<_>>()).ok()
+        };
+        if let Ok(tidy) = fmt_csv("p.csv", &text, named.as_ref()) {
+            prop_assert_eq!(&fmt_csv("p.csv", &tidy, named.as_ref()).unwrap(), &tidy);
+            prop_assert_eq!(bits(&tidy, false), bits(&text, true), "rewritten is rounded");
         }
     }
 }
