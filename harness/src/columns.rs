@@ -1,4 +1,5 @@
-//! The columns of points in CSV files that a command line names: of the option `--columns`, or of a header that leaves no doubt.
+//! The columns of points in CSV files that a command line names: of the option `--columns`, or of a header that leaves
+//! no doubt.
 
 use std::path::Path;
 
@@ -10,8 +11,8 @@ pub fn parse(text: &str) -> Result<Columns, String> {
         .map_err(|why| format!("{why}; write two or three names or numbers from 1, such as lon,lat or 3,2"))
 }
 
-/// The columns of a file: those of the option, else those that the file's header names without doubt, with a note that says so. None
-/// where the file is read without them. What is wrong with the file shows when it is read.
+/// The columns of a file: those of the option, else those that the file's header names without doubt, with a note that
+/// says so. None where the file is read without them. What is wrong with the file shows when it is read.
 pub fn of_file(file: &Path, option: Option<&Columns>) -> Option<Columns> {
     match option {
         Some(columns) => Some(columns.clone()),

@@ -26,7 +26,8 @@ pub struct OneScene {
     #[arg(long)]
     pub round: bool,
 
-    /// For a task on files: the columns of x and y (and z) in a CSV file of points, by names in the header or numbers from 1
+    /// For a task on files: the columns of x and y (and z) in a CSV file of points, by names in the header or numbers
+    /// from 1
     #[arg(long, value_name = "COLUMNS", value_parser = columns::parse)]
     pub columns: Option<Columns>,
 }

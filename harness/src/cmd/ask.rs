@@ -7,7 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Columns, CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
-use predicament_predicates::{Class, PredicateKind, Query, Question};
+use predicament_predicates::{Class, PredicateKind, Query, Question, Vertex};
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
 use serde_json::{Map, Value, json};
@@ -226,7 +226,16 @@ fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
     }
     if rows.len() <= 3 {
         say!();
-        let vertices: Vec<_> = loaded.scene.vertices().collect();
+        let mut vertices: Vec<Vertex> = Vec::new();
+        for v in rows
+            .iter()
+            .filter_map(|row| row.query.parse::<Query>().ok())
+            .flat_map(|query| query.vertices().collect::<Vec<_>>())
+        {
+            if !vertices.contains(&v) {
+                vertices.push(v);
+            }
+        }
         for line in point_lines(loaded, &vertices) {
             say!("{line}");
         }

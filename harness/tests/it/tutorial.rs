@@ -66,3 +66,38 @@ fn goes((number, commands): (usize, usize)) {
     assert!(job.starts_with(&number.to_string()), "{job}");
     assert_eq!(follow(job, folder.path()), commands, "job {number}");
 }
+
+/// The commands of README with their outputs: `$ predicament …`, and the lines below are what it prints.
+#[test]
+fn readme_shows_what_the_tool_prints() {
+    let readme = include_str!("../../../README.md");
+    let folder = tempfile::tempdir().unwrap();
+    let (_, survey) = PAGE.split_once("```csv\n").unwrap();
+    std::fs::write(folder.path().join("survey.csv"), survey.split("```").next().unwrap()).unwrap();
+    let mut calls = 0;
+    for block in readme.split("```text\n").skip(1).map(|block| block.split("```").next().unwrap()) {
+        for call in block.split("$ predicament ").skip(1) {
+            let (line, printed) = call.split_once('\n').unwrap();
+            let line = line.split(" # ").next().unwrap();
+            let mut output = String::new();
+            for one in line.split("&& predicament ") {
+                let words: Vec<&str> = one.split_whitespace().collect();
+                let told = tool(&words).current_dir(folder.path()).output().unwrap();
+                output += &String::from_utf8(told.stdout).unwrap();
+            }
+            let shown: Vec<&str> = printed.lines().filter(|line| !line.is_empty()).collect();
+            // A line may be left out; what is shown is as it is printed, in its order.
+            let mut lines = output.lines();
+            for shown in &shown {
+                assert!(lines.any(|line| line == *shown), "`{line}` does not print `{shown}`, but\n{output}");
+            }
+            calls += 1;
+            // The reasons are the user's.
+            let file = folder.path().join("expected.toml");
+            if let Ok(text) = std::fs::read_to_string(&file) {
+                std::fs::write(&file, text.replace("reason = \"\"", "reason = \"rounded\"")).unwrap();
+            }
+        }
+    }
+    assert_eq!(calls, 4, "the commands of README");
+}

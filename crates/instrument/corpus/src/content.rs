@@ -42,7 +42,7 @@ pub struct Parts {
     pub content: Arc<dyn Content>,
     /// Counts of changes by the importer.
     pub notes: ImportNotes,
-    /// What a user should know of the scene and could not expect, such as points that no query names: each in a line.
+    /// Remarks that a user would not expect, such as points that no query names, one a line.
     pub remarks: Vec<String>,
 }
 

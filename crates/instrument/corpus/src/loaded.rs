@@ -33,7 +33,7 @@ pub struct LoadedScene {
     pub content: Arc<dyn Content>,
     /// Counts of changes by the importer.
     pub notes: ImportNotes,
-    /// What a user should know of the scene and could not expect, each in a line.
+    /// Remarks that a user would not expect, one a line.
     pub remarks: Vec<String>,
 }
 

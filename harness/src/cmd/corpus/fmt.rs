@@ -38,8 +38,8 @@ pub struct Args {
     #[arg(long, conflicts_with = "check")]
     in_place: bool,
 
-    /// The columns of x and y (and z) in CSV files, by names in the header or numbers from 1; all if left out, or those that the
-    /// header names without doubt
+    /// The columns of x and y (and z) in CSV files, by names in the header or numbers from 1; all if left out, or those
+    /// that the header names without doubt
     #[arg(long, value_name = "COLUMNS", value_parser = columns::parse)]
     columns: Option<Columns>,
 }
@@ -78,7 +78,7 @@ fn beside(file: &Path) -> PathBuf {
     file.with_extension(format!("hex.{extension}"))
 }
 
-/// What is in a file, and what it becomes.
+/// The text of a file before and after tidying.
 fn tidied(args: &Args, tool: &Tool, file: &Path, name: &str) -> Result<(String, String), Failure> {
     let extension = file.extension().map(|extension| extension.to_string_lossy().to_lowercase());
     let by_lines = match extension.as_deref() {

@@ -82,8 +82,8 @@ pub struct Args {
     #[arg(long, conflicts_with_all = ["filter", "only", "without", "everything", "shrink", "out"])]
     pub checks: bool,
 
-    /// The format: text; for the card JSON with one object a line (name, area, verdict, checks, scenes, queries, points,
-    /// pieces); for --checks Markdown or CSV
+    /// The format: text; for the card JSON with one object a line (name, area, verdict, checks, scenes, queries,
+    /// points, pieces); for --checks Markdown or CSV
     #[arg(long, value_enum, default_value_t = Format::Text)]
     pub format: Format,
 

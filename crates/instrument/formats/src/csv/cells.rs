@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-/// What separates the cells of a file.
+/// The separator of cells of a file.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) enum Separator {
     /// A semicolon, a comma or a tab.

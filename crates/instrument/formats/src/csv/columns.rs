@@ -32,7 +32,7 @@ impl fmt::Display for Column {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Columns(Vec<Column>);
 
-/// What to write where columns are named.
+/// The cure for wrong names of columns.
 const WRITE: &str =
     "write two or three columns, each by its name in the header or its number from 1: `columns = [\"lon\", \"lat\"]`";
 
@@ -136,8 +136,8 @@ impl fmt::Display for Recognised {
 const CONVENTIONS: [&[&str]; 5] =
     [&["x", "y", "z"], &["x", "y"], &["lon", "lat"], &["longitude", "latitude"], &["easting", "northing"]];
 
-/// The columns of the coordinates, where the first row names them without doubt: it has the names of one convention, each once, and
-/// no name of another convention.
+/// The columns of the coordinates, where the first row names them without doubt: it has the names of one convention,
+/// each once, and no name of another convention.
 pub(super) fn recognised(first: &[&str]) -> Option<Recognised> {
     let lower: Vec<String> = first.iter().map(|name| name.to_lowercase()).collect();
     let is_meant = |name: &&String| CONVENTIONS.iter().any(|names| names.contains(&name.as_str()));
@@ -190,7 +190,8 @@ impl Chosen {
         Ok(Chosen { names: names.collect(), at, width: first.len(), is_header, option: columns.to_string() })
     }
 
-    /// Refuses a row of another number of cells than the first: a cell is missing, or one was cut. An error is a message and its cure.
+    /// Refuses a row of another number of cells than the first: a cell is missing, or one was cut. An error is a
+    /// message and its cure.
     pub(super) fn check(&self, found: usize) -> Result<(), (String, String)> {
         if found == self.width {
             return Ok(());

@@ -60,7 +60,7 @@ impl Commas {
     }
 }
 
-/// The cure for a cell that is no number because of a decimal comma: in a file with another separator, commas are not read so.
+/// The cure for a cell that is not a number because of a decimal comma.
 pub(super) fn cure(separator: Option<Separator>, cell: &str) -> Option<String> {
     let is_number = |text: &str| coordinate::read(text) != Err(CoordinateError::Malformed);
     let is_cut = separator == Some(Separator::Character(','))

@@ -56,7 +56,7 @@ fn is_misplaced(names: &[&str]) -> bool {
     numbered || unnamed || turned || named && wrong
 }
 
-/// What the first row says about the rows.
+/// The layout of the rows, by the first row.
 enum Layout {
     /// All cells are read; the first row may be a header.
     All { is_header: bool },
@@ -76,7 +76,7 @@ pub(crate) enum Wanted<'c> {
 }
 
 impl Layout {
-    /// By the first row. An error is a message and its cure.
+    /// The layout by the first row. An error is a message and its cure.
     fn of(first: &[&str], wanted: Wanted<'_>, kind: &RowKind) -> Result<Layout, (String, String)> {
         let is_header = first.iter().all(|cell| is_name(cell));
         let refused = |cure: String| Err((format!("the columns are {}", listed(first)), cure));
@@ -114,8 +114,8 @@ fn cure(first: &[&str]) -> String {
     format!("{what}: `columns = {columns}` beside `path`, or `--columns {option}` on the command line")
 }
 
-/// The columns of points that the first row of a file names without doubt; none where the file is read without them, or where
-/// there is a doubt.
+/// The columns of points that the first row of a file names without doubt; none where the file is read without them, or
+/// where there is a doubt.
 pub(crate) fn recognised(text: &str) -> Option<Recognised> {
     let mut scanner = Scanner::default();
     for Line { body, .. } in lines(text) {
@@ -136,7 +136,7 @@ fn picked(layout: &Layout, cells: Vec<Range<usize>>) -> Result<Vec<Range<usize>>
     Ok(chosen.at.iter().map(|&at| cells[at].clone()).collect())
 }
 
-/// What is wrong with a cell, and the cure, with the name of its column.
+/// The error of a cell and the cure, with the name of its column.
 fn wrong(
     file: &str,
     layout: &Layout,

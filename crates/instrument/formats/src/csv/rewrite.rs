@@ -12,7 +12,8 @@ use crate::{CorpusError, hexfloat};
 /// double, and a line that starts with `#`, before its row, keeps what was written. All other bytes stay, so
 /// that a file without such decimals, and a file that was rewritten, come back unchanged.
 ///
-/// Without `columns` it rewrites all columns; of a header that names coordinates beside other columns, those of the coordinates.
+/// Without `columns` it rewrites all columns; of a header that names coordinates beside other columns, those of the
+/// coordinates.
 ///
 /// # Errors
 /// [`CorpusError`] where a cell is no number that a double could be near to, or a column is not there.

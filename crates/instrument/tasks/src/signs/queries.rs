@@ -101,7 +101,7 @@ impl Plan {
         Ok(QuerySet::new(self.question, args))
     }
 
-    /// What a user should know of the queries: the points that tuples leave over.
+    /// The remark on queries by tuples that leave points over.
     pub(super) fn remark(&self, scene: &Scene) -> Option<String> {
         let (points, arity) = (scene.len(), self.question.kind().arity());
         let over = points % arity;

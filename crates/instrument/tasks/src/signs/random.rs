@@ -26,8 +26,8 @@ impl RandomQueries {
 
     /// The vertices of all queries, one query after the other: `arity` different numbers below `vertices` each.
     ///
-    /// The same seed gives the same queries on every machine. Each vertex of a query is drawn from all, until it is one that the
-    /// query does not have: every query is as likely as any.
+    /// The same seed gives the same queries on every machine. Each vertex of a query is drawn from all, until it is one
+    /// that the query does not have: every query is as likely as any.
     ///
     /// # Panics
     /// If there are fewer vertices than a query takes.

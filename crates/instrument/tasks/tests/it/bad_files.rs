@@ -89,7 +89,12 @@ fn what_is_not_there_is_a_usage_error() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let error = library.suite("clasics").unwrap_err();
     assert_eq!(error.kind, ErrorKind::Usage);
-    assert!(error.to_string().starts_with("clasics: no suite has this name; use one of bands, classics"), "{error}");
+    assert!(
+        error
+            .to_string()
+            .starts_with("clasics: no suite has this name; did you mean `classics`? use one of bands, classics"),
+        "{error}"
+    );
     assert_eq!(library.suite("no/such/file.toml").unwrap_err().kind, ErrorKind::Usage);
     assert_eq!(
         Library::from_dir(predicament_bundle::vocabulary(), Path::new("/no/such/folder")).unwrap_err().kind,

@@ -266,7 +266,11 @@ fn its_scenes_are_read_from_suites() {
     for (from, to, message) in [
         ("stride = 2", "stride = 0", "s.toml:6: "),
         ("stride = 2", "axis = \"x\"", "s.toml:6: a scene has no key `axis`"),
-        ("\"to-and-fro\"", "\"to-and-fr\"", "s.toml:9: no family is called `to-and-fr`; use one of "),
+        (
+            "\"to-and-fro\"",
+            "\"to-and-fr\"",
+            "s.toml:9: no family is called `to-and-fr`; did you mean `to-and-fro`? use one of ",
+        ),
         ("n = 256", "n = 256\nheight = 1", "s.toml:12: "),
         ("task = \"left-turns\"\nn", "task = \"compare\"\nn", "use it for left-turns"),
         (

@@ -18,7 +18,7 @@ pub struct Data {
     place: Option<PathBuf>,
 }
 
-/// What decides on the task, by the end of a file's name.
+/// The kind of data, by the extension of the file.
 enum Kind {
     Rows,
     Shapes,

@@ -33,7 +33,7 @@ impl Draw {
     /// The number of random queries.
     const QUERIES: usize = 1000;
 
-    /// By the number of points.
+    /// The choice of queries by the number of points.
     pub fn of(loaded: &LoadedScene) -> Draw {
         if loaded.scene.len() > Draw::MOST_TUPLED { Draw::Random } else { Draw::Tuples }
     }

@@ -96,7 +96,8 @@ fn startable(tool: &Tool, name: &str) -> Result<&'static dyn AnyTask, Failure> {
     Err(Failure::usage(message))
 }
 
-/// The suite of the first fitting task that can read the data, and a line about the data. The suite was read once, with its data.
+/// The suite of the first fitting task that can read the data, and a line about the data. The suite was read once, with
+/// its data.
 fn fitting(
     args: &Args,
     tool: &Tool,
