@@ -43,7 +43,7 @@ fn types_names_and_units_are_those_of_the_fields() {
     assert_eq!(column(ThroughputRow::SCHEMA, "ns_per_query").unit, "ns");
     let page = schema_markdown(&tables());
     assert!(page.contains("### throughput\nOne timed sample.\n"), "{page}");
-    assert!(page.contains("| `bytes` | int64, or null | bytes | The memory of what the phase has made, in bytes;"));
+    assert!(page.contains("| `bytes` | int64, or null | bytes | The memory of the phase's result, in bytes;"));
     let json = schema_json(&[TableSpec::of::<ThroughputRow>()]);
     assert_eq!(json["tables"][0]["columns"][7]["type"], "float64");
     assert_eq!(json["tables"][0]["columns"].as_array().unwrap().len(), ThroughputRow::COLUMNS.len());
