@@ -92,11 +92,8 @@ impl Cutter<'_> {
             }
         }
         let beside = self.mesh.cut_along(&edges)?;
-        let known = self.known_vertices();
-        let ends = beside.iter().flatten().flat_map(|&h| [self.mesh.start(h), self.mesh.end(h)]);
-        let mut new: Vec<MeshVertex> = ends.filter(|v| v.index() >= known).collect();
-        new.sort_unstable();
-        new.dedup();
+        // A vertex of an open mesh may be divided into more fans than the edges of the cut have ends there.
+        let new: Vec<MeshVertex> = self.mesh.vertices().skip(self.known_vertices()).collect();
         self.see_new_vertices(&new);
         self.cover(place, &beside)
     }

@@ -159,6 +159,28 @@ fn lattices_by_planes_through_their_vertices() {
     check(|seed| lattice(1 + u32::try_from(seed % if predicament_effort::whole() { 3 } else { 2 }).unwrap()));
 }
 
+/// Slices triangles of input vertices by three planes of three points each, with exact signs.
+fn cut(points: &[[f64; 3]], faces: &[[u32; 3]], planes: [[[f64; 3]; 3]; 3]) -> Sliced {
+    let all: Vec<[f64; 3]> = points.iter().copied().chain(planes.into_iter().flatten()).collect();
+    let scene = Scene::from_points3(&all).unwrap();
+    let indexed: IndexedFaces = faces.iter().map(|face| face.to_vec()).collect();
+    let mesh = HalfEdgeMesh::new((0..points.len()).map(Vertex::input).collect(), &indexed).unwrap();
+    let supports: Vec<[Vertex; 3]> = faces.iter().map(|f| f.map(|v| Vertex::input(v as usize))).collect();
+    let planes: Vec<[Vertex; 3]> = (0..3).map(|k| [0, 1, 2].map(|i| Vertex::input(points.len() + 3 * k + i))).collect();
+    slice(&mut Exact.prepare(&scene, Off).unwrap(), mesh, &supports, &planes).unwrap()
+}
+
+/// The planes across the three axes at this distance from the origin.
+fn planes_at(distance: f64) -> [[[f64; 3]; 3]; 3] {
+    let plane = [[distance, 0.0, 0.0], [distance, 1.0, 0.0], [distance, 0.0, 1.0]];
+    [0, 1, 2].map(|by| {
+        plane.map(|mut p| {
+            p.rotate_right(by);
+            p
+        })
+    })
+}
+
 /// Tests an open mesh whose faces nearly lie on each other: the border of a part visits one constructed vertex more
 /// than once.
 #[test]
@@ -172,22 +194,7 @@ fn covers_of_borders_that_pass_a_vertex_twice_have_no_corner_twice() {
         [4.0, -0.0, tiny(2.24e-44)],
         [0.0, tiny(4.59e-41), 4.0],
     ];
-    let faces: [[u32; 3]; 4] = [[0, 1, 2], [0, 2, 3], [4, 1, 5], [1, 0, 3]];
-    let planes = [[2.0, 0.0, 0.0], [2.0, 1.0, 0.0], [2.0, 0.0, 1.0]];
-    let turned = |plane: [[f64; 3]; 3], by: usize| {
-        plane.map(|mut p| {
-            p.rotate_right(by);
-            p
-        })
-    };
-    let all: Vec<[f64; 3]> = points.into_iter().chain((0..3).flat_map(|by| turned(planes, by))).collect();
-    let scene = Scene::from_points3(&all).unwrap();
-    let faces: IndexedFaces = faces.iter().map(|face| face.to_vec()).collect();
-    let mesh = HalfEdgeMesh::new((0..points.len()).map(Vertex::input).collect(), &faces).unwrap();
-    let supports: Vec<[Vertex; 3]> =
-        faces.iter().map(|f| [f[0], f[1], f[2]].map(|v| Vertex::input(v as usize))).collect();
-    let planes: Vec<[Vertex; 3]> = (0..3).map(|k| [0, 1, 2].map(|i| Vertex::input(points.len() + 3 * k + i))).collect();
-    let sliced = slice(&mut Exact.prepare(&scene, Off).unwrap(), mesh, &supports, &planes).unwrap();
+    let sliced = cut(&points, &[[0, 1, 2], [0, 2, 3], [4, 1, 5], [1, 0, 3]], planes_at(2.0));
     assert_eq!(sliced.broken, None);
     check_closed(&sliced);
     let mut covers = 0;
@@ -196,6 +203,20 @@ fn covers_of_borders_that_pass_a_vertex_twice_have_no_corner_twice() {
         assert!(part.triangles.iter().all(|[a, b, c]| a != b && b != c && c != a), "{:?}", part.triangles);
     }
     assert!(covers > 0);
+}
+
+/// Two triangles that share a vertex: a plane cuts one of them there, and the other gets a vertex of its own.
+#[test]
+fn a_vertex_of_two_fans_is_divided() {
+    let points = [[1.0, 1.0, 0.0], [-1.0, -1.0, 0.0], [2.0, 0.0, -1.0], [-1.0, -2.0, -2.0], [1.0, 0.0, 2.0]];
+    let sliced = cut(&points, &[[0, 1, 2], [1, 3, 4]], planes_at(0.0));
+    assert_eq!(sliced.broken, None);
+    check_closed(&sliced);
+    let of = |face: u32| {
+        let sources = sliced.parts.iter().flat_map(|part| &part.sources);
+        sources.filter(|&&source| source == Source::Face(face)).count()
+    };
+    assert!(of(0) >= 2 && of(1) >= 2, "{:?}", sliced.parts);
 }
 
 /// A session whose signs come from a hash of the question; it constructs every point.
