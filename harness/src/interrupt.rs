@@ -42,13 +42,26 @@ pub fn listen_for(grace: Duration) {
     });
 }
 
-/// Ends this process and the engines that it has started, in the middle of its work.
+/// Ctrl-C ends the process at once: for commands whose complete files stay and whose other work is worth nothing.
+pub fn leave_at_once() {
+    let installed = ctrlc::set_handler(|| {
+        tell!("\n{}: stopped; files that are complete stay", crate::out::program());
+        leave();
+    });
+    if let Err(error) = installed {
+        tell!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
+    }
+}
+
+/// Ends this process in the middle of its work, with the engines that it has started and without unfinished files.
 pub fn leave() -> ! {
+    predicament_records::abandon_files();
     predicament_engines::end_all();
     std::process::exit(i32::from(crate::exit::INCOMPLETE))
 }
 
-/// Turns a file size limit (`ulimit -f`) into an error that names the file, instead of the end of the process.
+/// A limit of a file's size (`ulimit -f`) becomes an error of the file that reaches it, instead of the end of the
+/// process.
 #[cfg(unix)]
 pub fn outlive_limits() {
     let flag = std::sync::Arc::new(AtomicBool::new(false));

@@ -45,7 +45,7 @@ pub use plan::{
     EngineFile, ExpectedFile, FORMAT, Level, NotSelected, ParseShardError, Plan, PlannedScene, Shard, Whole,
 };
 pub use predicament_predicates::{Class, Severity, Status};
-pub use replace::{Beside, make_folder, replace};
+pub use replace::{Beside, abandon_files, make_folder, replace};
 pub use row_error::RowError;
 pub use rows::{FindingRow, Interface, PrecisionRow, Row, StageRow, SummaryRow, ThroughputRow, is_predicate};
 pub use rows_with_lines::Rows;

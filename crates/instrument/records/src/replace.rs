@@ -8,6 +8,7 @@ use std::collections::BTreeSet;
 use std::fs::{self, File, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use tempfile::{Builder, NamedTempFile};
 
@@ -17,12 +18,42 @@ use crate::Error;
 /// ending.
 const ENDING: &str = ".next";
 
+/// The files under construction of this process.
+static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
+
+fn unfinished() -> MutexGuard<'static, BTreeSet<PathBuf>> {
+    UNFINISHED.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Removes the files under construction of this process, which is about to end. Afterwards other threads wait forever
+/// if they begin or keep a file.
+pub fn abandon_files() {
+    let unfinished = unfinished();
+    for path in unfinished.iter() {
+        // A file that can't be removed is hidden, and the next writer of its folder removes it.
+        let _ = fs::remove_file(path);
+    }
+    std::mem::forget(unfinished);
+}
+
+/// The entry of a file in the list of files under construction.
+#[derive(Debug)]
+struct Entry(PathBuf);
+
+impl Drop for Entry {
+    fn drop(&mut self) {
+        unfinished().remove(&self.0);
+    }
+}
+
 /// A file under construction beside its place. It is removed unless it is kept.
 #[derive(Debug)]
 pub struct Beside {
     file: NamedTempFile,
     place: PathBuf,
     permissions: Option<Permissions>,
+    /// Dropped after the file.
+    entry: Entry,
 }
 
 impl Beside {
@@ -49,11 +80,15 @@ impl Beside {
         // As for any new file, the user's umask limits the permissions.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        let mut unfinished = unfinished();
         let file = builder.tempfile_in(folder).map_err(failed)?;
+        let entry = Entry(file.path().to_owned());
+        unfinished.insert(entry.0.clone());
+        drop(unfinished);
         // The lock tells a sweeping process that the file is in use. Where locks are not supported, sweeping is
         // skipped.
         let _ = file.as_file().lock();
-        Ok(Beside { file, place, permissions })
+        Ok(Beside { file, place, permissions, entry })
     }
 
     /// The file, for writing.
@@ -75,14 +110,19 @@ impl Beside {
     /// # Errors
     /// If the file system refuses one of the files; the error names it, and files before it may be in their places.
     pub fn keep(files: Vec<Beside>) -> Result<(), Error> {
-        for Beside { file, place, permissions } in &files {
+        for Beside { file, place, permissions, .. } in &files {
             let file = file.as_file();
             permissions.clone().map_or(Ok(()), |of| file.set_permissions(of)).map_err(Error::io(place))?;
             file.sync_data().map_err(Error::io(place))?;
         }
         let mut folders = BTreeSet::new();
-        for Beside { file, place, .. } in files {
-            file.persist(&place).map_err(|error| Error::io(&place)(error.error))?;
+        for Beside { file, place, entry, .. } in files {
+            let moved = {
+                let _unfinished = unfinished();
+                file.persist(&place)
+            };
+            moved.map_err(|error| Error::io(&place)(error.error))?;
+            drop(entry);
             folders.insert(folder_of(&place).to_owned());
         }
         folders.iter().try_for_each(|folder| sync_folder(folder))
