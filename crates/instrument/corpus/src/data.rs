@@ -1,6 +1,6 @@
 //! Data that a scene's table refers to: files beside the suite and downloads, and points from either.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use predicament_formats::points::ImportedPoints;
 use predicament_formats::{
@@ -77,6 +77,14 @@ impl Origin {
         read.map_err(|error| error.named_by(file, *line))
     }
 
+    /// The path of a file beside the suite; `None` for a fetched file.
+    fn beside(&self) -> Option<&Path> {
+        match &self.place {
+            OriginPlace::Path(path) => Some(path),
+            OriginPlace::Fetched(_) => None,
+        }
+    }
+
     /// The manifest entry of a fetched file; `None` for a file beside the suite.
     #[must_use]
     pub fn entry(&self) -> Option<&Entry> {
@@ -144,9 +152,16 @@ impl PointSource {
         matches!(self.place, PointPlace::Written(..))
     }
 
-    /// The error about the points as a whole.
+    /// The error about the points as a whole; for points in a file beside the suite, the message names that file.
     #[must_use]
     pub fn error(&self, message: impl Into<String>, cure: impl Into<String>) -> CorpusError {
+        let mut message = message.into();
+        if let PointPlace::File { origin, .. } = &self.place
+            && let Some(path) = origin.beside().map(|path| path.display().to_string())
+            && !message.contains(&path)
+        {
+            message = format!("with {path}: {message}");
+        }
         CorpusError::file(&self.file, message, cure).at_line(self.line)
     }
 

@@ -34,10 +34,20 @@ pub(super) enum Flaw {
 }
 
 impl Flaw {
-    /// The flaw as text, for a mesh with this name.
-    pub fn told(&self, mesh: &str) -> String {
+    /// The first triangle of the flaw.
+    pub fn triangle(&self) -> usize {
         match self {
-            Flaw::Crossing([a, b]) => format!("triangles {a} and {b} of {mesh} pass through each other"),
+            Flaw::Crossing([a, b]) => *a.min(b),
+            Flaw::Side { triangle, .. } => *triangle,
+        }
+    }
+
+    /// The flaw as text, for a mesh and triangles with these names.
+    pub fn told(&self, mesh: &str, name: impl Fn(usize) -> String) -> String {
+        match self {
+            Flaw::Crossing([a, b]) => {
+                format!("triangles {} and {} of {mesh} pass through each other", name(*a), name(*b))
+            }
             Flaw::Side { triangle, is_front, region, place } => {
                 let side = if *is_front { "in front of" } else { "behind" };
                 let there = match place {
@@ -48,7 +58,7 @@ impl Flaw {
                     }
                     Place::On(_) => "another triangle".to_owned(),
                 };
-                format!("{side} triangle {triangle} of {mesh} is {there}, and it should be region {region}")
+                format!("{side} triangle {} of {mesh} is {there}, and it should be region {region}", name(*triangle))
             }
         }
     }

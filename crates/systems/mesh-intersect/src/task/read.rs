@@ -105,7 +105,7 @@ impl Elsewhere for Written {
         let scene =
             Scene::from_points3(&coordinates).map_err(|why| self.error(why.to_string(), "correct the points"))?;
         let [first, second] = <[MaterialMesh; 2]>::try_from(meshes).expect("two operands");
-        self.check(&scene, [&first, &second])?;
+        self.check(&scene, [&first, &second], cache)?;
         Ok(Parts { notes, ..with_meshes(scene, [first, second]) })
     }
 
@@ -124,7 +124,7 @@ impl Written {
     }
 
     /// Checks that each vertex is of one mesh, and each triangle has an area.
-    fn check(&self, scene: &Scene, meshes: [&MaterialMesh; 2]) -> Result<(), CorpusError> {
+    fn check(&self, scene: &Scene, meshes: [&MaterialMesh; 2], cache: &Cache) -> Result<(), CorpusError> {
         let mut of_first = vec![false; scene.len()];
         meshes[0].triangles().as_flattened().iter().for_each(|v| of_first[v.index()] = true);
         if let Some(v) = meshes[1].triangles().as_flattened().iter().find(|v| of_first[v.index()]) {
@@ -141,22 +141,31 @@ impl Written {
         }
         let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
         if self.check.unwrap_or(count <= CHECKED) {
-            for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
-                flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name)))?;
+            for ((mesh, name), operand) in meshes.into_iter().zip(["first", "second"]).zip(&self.operands) {
+                flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name, operand, cache)?))?;
             }
         }
         Ok(())
     }
 
-    fn flawed(&self, flaw: &Flaw, name: &str) -> CorpusError {
+    /// The error about a flaw: of a mesh in a file, in that file.
+    fn flawed(&self, flaw: &Flaw, name: &str, operand: &Operand, cache: &Cache) -> Result<CorpusError, CorpusError> {
         let cure = match flaw {
             Flaw::Crossing(_) => {
-                "cut them where they cross (`resolve` does so), or write `check = false` to take the mesh as it is"
+                "cut them where they cross (`corpus resolve` does so), or write `check = false` to take the mesh as it is"
             }
             Flaw::Side { .. } => {
-                "turn over what is inside out, and join what overlaps (`resolve` does the latter); or write `check = false` to take the mesh as it is"
+                "turn over what is inside out, and join what overlaps (`corpus resolve` does the latter); or write `check = false` to take the mesh as it is"
             }
         };
-        self.error(flaw.told(&format!("the {name} mesh")), cure)
+        let Operand::File(of) = operand else {
+            return Ok(self.error(flaw.told(&format!("the {name} mesh"), |triangle| triangle.to_string()), cure));
+        };
+        let (file, places, faces) = of.places(cache)?;
+        let named = |triangle: usize| match places.face(faces[triangle]) {
+            Some(position) => format!("{triangle} ({position})"),
+            None => triangle.to_string(),
+        };
+        Ok(CorpusError::file(file, flaw.told("the mesh", named), cure).at(places.face(faces[flaw.triangle()])))
     }
 }

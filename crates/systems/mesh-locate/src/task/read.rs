@@ -2,6 +2,7 @@
 //! `tetrahedra`; `probes`, and rules for more.
 
 use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts, PointSource, Source};
+use predicament_formats::mesh::ImportedMesh;
 use predicament_formats::{
     Cache, CorpusError, Entry, Field, Fields, ImportNotes, MOST_COORDINATES, Places, Position, TableKind,
 };
@@ -143,22 +144,32 @@ impl MeshSource {
         MeshFile { origin: self.origin.clone(), round: self.round, cache: cache.clone() }
     }
 
+    /// The file's name, the positions of its faces, and the face of each triangle. The file is read again.
+    ///
+    /// # Errors
+    /// As [`load`](MeshSource::load).
+    pub fn places(&self, cache: &Cache) -> Result<(String, Places, Vec<usize>), CorpusError> {
+        let (file, read, _) = self.file(cache).read()?;
+        let faces = faces_of(&read);
+        Ok((file, read.places, faces))
+    }
+
     /// The mesh, and the changes made by reading.
     pub fn load(&self, cache: &Cache) -> Result<(Surface, ImportNotes), CorpusError> {
         let (file, read, rounded) = self.file(cache).read()?;
-        // The face of each triangle.
-        let faces: Vec<usize> = read
-            .faces
-            .iter()
-            .enumerate()
-            .flat_map(|(face, corners)| std::iter::repeat_n(face, corners.len() - 2))
-            .collect();
+        let faces = faces_of(&read);
         let place = Place { file: &file, line: None, places: &read.places };
         let surface = place.surface(read.points, read.triangles, &faces, self.regions.as_ref(), cache)?;
         let mut notes = read.notes;
         notes.rounded += rounded;
         Ok((surface, notes))
     }
+}
+
+/// The face of each triangle.
+fn faces_of(read: &ImportedMesh) -> Vec<usize> {
+    let triangles = |(face, corners): (usize, &[u32])| std::iter::repeat_n(face, corners.len() - 2);
+    read.faces.iter().enumerate().flat_map(triangles).collect()
 }
 
 impl Elsewhere for Written {
