@@ -10,6 +10,7 @@ use predicament_records::Hold;
 
 use crate::colour::obeyed;
 use crate::failure::Failure;
+use crate::progress::aside;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
 use std::sync::Mutex;
@@ -23,7 +24,8 @@ pub fn print(text: Arguments<'_>) {
     if failed.is_none() {
         let mut stdout = std::io::stdout().lock();
         let text = text.to_string();
-        *failed = stdout.write_all(obeyed(harmless(&text).into_owned()).as_bytes()).and_then(|()| stdout.flush()).err();
+        let text = obeyed(harmless(&text).into_owned());
+        *failed = aside(|| stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush())).err();
     }
 }
 
@@ -63,7 +65,7 @@ macro_rules! say_text {
 
 /// Writes a line to stderr. If stderr is closed or full, the line is lost but the command and its exit code are not.
 pub fn tell(line: Arguments<'_>) {
-    let _ = writeln!(std::io::stderr(), "{}", harmless(&line.to_string()));
+    let _ = aside(|| writeln!(std::io::stderr(), "{}", harmless(&line.to_string())));
 }
 
 /// Prints a line to stderr.

@@ -14,6 +14,7 @@ use crate::exit::{CORPUS, Failure, USAGE};
 use crate::out::program;
 use crate::programs::is_within;
 use crate::shared::tell_remarks;
+use crate::progress;
 use crate::tool::Tool;
 
 /// The reason why a suite is left out if the command line names other suites.
@@ -212,6 +213,7 @@ impl Selection {
 
     /// Loads every selected scene, and returns those of the shard and a description of the whole. A part may be empty.
     pub fn part(&self, shard: Shard) -> Result<(Vec<Planned>, Option<Whole>), Failure> {
+        let _working = progress::working("reading scenes");
         let mut seen = SeenIds::new();
         let (mut planned, mut all, mut places) = (Vec::new(), Vec::new(), Vec::new());
         let mut room = Room(KEPT);

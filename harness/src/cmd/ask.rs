@@ -15,11 +15,11 @@ use serde_json::{Map, Value, json};
 use crate::colour::{Paint, paint};
 use crate::columns;
 use crate::exit::{self, Failure};
-use crate::interrupt;
 use crate::out::program;
 use crate::select::Selector;
 use crate::told::point_lines;
 use crate::tool::Tool;
+use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
 A point is its coordinates with commas between them: decimals that are exactly doubles, or hex floats. The points are \
@@ -109,8 +109,14 @@ pub enum Format {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    interrupt::leave_at_once();
     let backends = tool.pick(&args.backends)?;
+    // Whoever types points into stdin is not disturbed.
+    let is_typed = args.points.as_deref() == Some(Path::new("-"));
+    let reading = (!is_typed).then(|| progress::working("reading points"));
     let loaded = load(args, tool)?;
+    drop(reading);
+    let working = progress::working("computing the truth");
     let quiet = |_: u64| {};
     let watch = Watch::new(interrupt::flag(), None, &quiet);
     let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
@@ -120,6 +126,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let mut broken = 0;
     for backend in &backends {
         let backend: &dyn Contestant = backend.as_ref();
+        working.now(format!("asking {}", backend.name()));
         let outcome = predicament_oracle::run(case.as_ref(), backend, budget, &watch).map_err(stopped)?;
         match outcome.findings.first().filter(|_| outcome.answers.is_empty()) {
             Some(why) => {
@@ -129,7 +136,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             None => answered.push((backend.name(), outcome)),
         }
     }
+    working.now("comparing");
     let rows = rows(&loaded, &answered)?;
+    drop(working);
     match args.format {
         Format::Text => text(&loaded, &rows, &answered),
         Format::Csv => csv(&rows, &answered).map_err(Failure::usage)?,

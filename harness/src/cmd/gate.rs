@@ -18,6 +18,7 @@ use crate::expectations;
 use crate::ledger::describe;
 use crate::out::{one_line, program, word};
 use crate::places::apart;
+use crate::progress;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -103,6 +104,7 @@ pub enum Format {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let _working = progress::working("reading the run");
     let to_stdout = args.summary.as_deref() == Some(Path::new("-"));
     if to_stdout && args.format == Format::Json {
         return Err(Failure::usage("--format json and --summary - both write to stdout; name a file for --summary"));

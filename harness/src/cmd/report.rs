@@ -11,6 +11,7 @@ use crate::details::details;
 use crate::exit::{self, Failure};
 use crate::out::hold;
 use crate::places::apart;
+use crate::progress;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -52,6 +53,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let _working = progress::working("making the report");
     let (mut folders, mut compared) = (Vec::new(), Vec::new());
     for folder in &args.runs {
         let of_studies = studied(folder)?;

@@ -14,11 +14,11 @@ use predicament_tasks::Watch;
 use serde_json::json;
 
 use crate::exit::{self, Failure};
-use crate::interrupt;
 use crate::out::program;
 use crate::select::Selector;
 use crate::shared::tell_not_selected;
 use crate::tool::Tool;
+use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -127,6 +127,7 @@ fn verify(tool: &Tool, selector: &Selector) -> exit::Outcome {
 }
 
 fn generate(tool: &Tool, selector: &Selector, as_suite: bool) -> exit::Outcome {
+    interrupt::leave_at_once();
     let selection = selector.select(tool)?;
     let defs = selection.defs();
     if defs.is_empty() {
@@ -136,7 +137,9 @@ fn generate(tool: &Tool, selector: &Selector, as_suite: bool) -> exit::Outcome {
         say!("title = \"Scenes written out\"");
     }
     let mut names = BTreeSet::new();
+    let working = progress::working("");
     for def in defs {
+        working.now(format!("{}/{}", def.suite, def.name));
         let loaded = selection.load(def)?;
         if as_suite {
             // Names are unique in a suite, and these scenes may be of several.

@@ -15,6 +15,7 @@ use predicament_predicates::Vertex;
 use predicament_records::replace;
 
 use crate::exit::{self, Failure};
+use crate::progress;
 
 const EXAMPLES: &str = "\
 The mesh has to be closed: triangles on both sides use each edge equally often in each direction. The result is the \
@@ -58,6 +59,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
+    let _working = progress::working("resolving the mesh");
     let format = format(&args.out)?;
     let given = read(args)?;
     let (mesh, counts) = rounded(&Exact, &given).map_err(|why| Failure::usage(unresolved(&why, &args.mesh)))?;

@@ -12,6 +12,7 @@ use serde_json::{Value, json};
 
 use crate::baseline::Change;
 use crate::exit::{self, Failure};
+use crate::progress;
 
 const EXAMPLES: &str = "\
 A pair of scene and backend has changed if its status or the count of a class has changed. Changes for the worse and \
@@ -73,6 +74,7 @@ const LINES: usize = 50;
 
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
+    let _working = progress::working("comparing runs");
     let folders = args.folders()?;
     let [before, now] = folders.map(RunDir::open);
     let (before, now) = (before.map_err(Failure::usage)?, now.map_err(Failure::usage)?);

@@ -13,6 +13,7 @@ use crate::exit::{self, Failure};
 use crate::found::{find, load};
 use crate::interrupt;
 use crate::pixels::{Raster, Step, Tile, Walk, axes, columns, exact, square, tile};
+use crate::progress;
 use crate::select::Selector;
 use crate::tool::Tool;
 
@@ -91,6 +92,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
+    let _working = progress::working("drawing the map");
     let is_svg = is_svg(&args.out)?;
     let backends = tool.pick(&args.backends)?;
     let (loaded, query) = what(&args, tool)?;

@@ -9,12 +9,12 @@ use predicament_report::drawing::{Drawing, Look, Role, Window};
 use predicament_tasks::output::Canvas;
 use predicament_tasks::{AnyTask, Purpose};
 
-use crate::child;
 use crate::exit::{self, Failure};
 use crate::found::{find, load};
 use crate::one_scene::OneScene;
 use crate::told::cure;
 use crate::tool::Tool;
+use crate::{child, interrupt, progress};
 
 const EXAMPLES: &str = "\
 Select the input as for `solve`: a scene of a suite with -f, or a task on your own files. With --finding it is the \
@@ -91,12 +91,15 @@ const MOST_PARTS: usize = 200_000;
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     child::end_with_parent();
+    interrupt::leave_at_once();
+    let working = progress::working("reading the scene");
     let kind = kind(&args.out)?;
     let (loaded, query) = what(args, tool)?;
     if let Some(v) = args.around.filter(|&v| !loaded.scene.has(v)) {
         return Err(Failure::usage(format!("--around {v}: `{}` has no such vertex", loaded.name)));
     }
     let task = tool.task(loaded.task);
+    working.now("solving and drawing");
     let mut canvas = Canvas::new(&loaded.scene, args.around).map_err(Failure::usage)?;
     draw(args, tool, task, &loaded, &mut canvas)?;
     if let Some(query) = &query {
@@ -115,6 +118,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         Kind::Json => format!("{}\n", drawing.json()),
     };
     replace(&args.out, text.as_bytes()).map_err(Failure::usage)?;
+    drop(working);
     say!("{}", args.out.display());
     Ok(exit::OK)
 }

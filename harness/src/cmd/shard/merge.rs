@@ -6,6 +6,7 @@ use predicament_records::{Env, Outcome, RunDir, Status, merge};
 
 use crate::exit::{self, Failure};
 use crate::planning::tables_with;
+use crate::progress;
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -34,6 +35,7 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    let _working = progress::working("merging");
     let first = args.parts.first().map(exit::open).transpose()?;
     let tables = first.map_or_else(Vec::new, |run| tables_with(tool, run.plan.answers));
     let run = merge(&args.parts, &args.out, &tables, env).map_err(|why| Failure {
