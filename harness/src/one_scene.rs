@@ -8,6 +8,7 @@ use predicament_tasks::AnyTask;
 
 use crate::columns;
 use crate::exit::Failure;
+use crate::out::word;
 use crate::select::Selector;
 use crate::shared::tell_remarks;
 use crate::tool::Tool;
@@ -49,6 +50,14 @@ impl OneScene {
                 tell_remarks(&loaded);
                 Ok(loaded)
             }
+        }
+    }
+
+    /// The name of a loaded scene in messages: the files of a task on files, else its suite and its name.
+    pub fn named(&self, loaded: &LoadedScene) -> String {
+        match self.selector.suites.split_first() {
+            Some((_, files)) if loaded.suite == SOLVED && !files.is_empty() => files.join(" and "),
+            _ => format!("{}/{}", loaded.suite, loaded.name),
         }
     }
 }
@@ -150,13 +159,44 @@ const SOLVED: &str = "solve";
 fn own(error: CorpusError, task: &str) -> Failure {
     let rounds =
         error.cure.contains("write `round = true`").then(|| "add --round to read the nearest doubles".to_owned());
-    if error.file == SOLVED {
-        let cure = rounds.unwrap_or_else(|| match error.message.contains("can't be read") {
-            true => "name a file that is there".to_owned(),
-            false => format!("{}, with --set KEY=VALUE", error.cure),
-        });
-        return Failure::usage(format!("{task}: {}; {cure}", error.message));
+    let cure = rounds.clone().unwrap_or_else(|| set(&error.cure));
+    if error.file != SOLVED {
+        return CorpusError { cure, ..error }.into();
     }
-    let cure = rounds.unwrap_or_else(|| error.cure.clone());
-    CorpusError { cure, ..error }.into()
+    // A key of the scene, in backticks, is an option here.
+    let cure = match (rounds, error.message.contains("can't be read")) {
+        (Some(cure), _) => cure,
+        (None, true) => "name a file that is there".to_owned(),
+        (None, false) if cure.contains('`') => format!("{cure}, with --set KEY=VALUE"),
+        (None, false) => cure,
+    };
+    Failure::usage(format!("{task}: {}; {cure}", error.message))
+}
+
+/// A cure with options in the place of keys: `add --set check=false` for ``write `check = false` ``.
+fn set(cure: &str) -> String {
+    let Some((before, rest)) = cure.split_once("write `") else { return cure.to_owned() };
+    let Some((key, after)) = rest.split_once('`') else { return cure.to_owned() };
+    match key.split_once(" = ") {
+        Some((key, value)) => format!("{before}add --set {}{}", word(&format!("{key}={value}")), set(after)),
+        None => format!("{before}write `{key}`{}", set(after)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn keys_of_a_cure_become_options() {
+        assert_eq!(
+            set("cut them, or write `check = false` to take it"),
+            "cut them, or add --set check=false to take it"
+        );
+        assert_eq!(
+            set("write `planes`, or write `moved = [1, 0, 0]`"),
+            "write `planes`, or add --set 'moved=[1, 0, 0]'"
+        );
+        assert_eq!(set("write `x"), "write `x");
+    }
 }

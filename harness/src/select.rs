@@ -13,8 +13,8 @@ use sha2::{Digest, Sha256};
 use crate::exit::{CORPUS, Failure, USAGE};
 use crate::out::program;
 use crate::programs::is_within;
-use crate::shared::tell_remarks;
 use crate::progress;
+use crate::shared::tell_remarks;
 use crate::tool::Tool;
 
 /// The reason why a suite is left out if the command line names other suites.

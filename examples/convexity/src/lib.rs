@@ -1,11 +1,10 @@
 //! Convexity: the direction in which a polygon turns at each of its corners.
 
-use std::path::{Path, PathBuf};
-
 use predicament::corpus::{Canon, Content, Context, LoadedScene, Parts, SceneFormat, Source, Spelled, spelled_points};
 use predicament::formats::{CorpusError, Fields, read_points};
 use predicament::judge;
 use predicament::predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex};
+use predicament::tasks::output::{self, Files};
 use predicament::tasks::signs::classify;
 use predicament::tasks::{
     Answer, Asked, Case, Check, Class, Contestant, ExplainError, Explanation, Finding, Halt, How, Outcome, Spoiled,
@@ -168,11 +167,11 @@ impl Task for Convexity {
         Ok(about.with_answers(backends, |backend| backend.answer(self, scene, content).map(turn)))
     }
 
-    fn write(&self, _: &Scene, _: &Polygon, answer: &Turns, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let path = folder.join("turns.csv");
-        let lines = answer.0.iter().enumerate().map(|(corner, turn)| format!("{corner},{turn}\n"));
-        std::fs::write(&path, "corner,turn\n".to_owned() + &lines.collect::<String>())?;
-        Ok(vec![path])
+    fn write(&self, _: &Scene, _: &Polygon, answer: &Turns, files: &mut Files) -> Result<(), output::Error> {
+        files.write("turns.csv", |out| {
+            writeln!(out, "corner,turn")?;
+            answer.0.iter().enumerate().try_for_each(|(corner, turn)| writeln!(out, "{corner},{turn}"))
+        })
     }
 
     /// The checks that `judge` can report.

@@ -1,11 +1,10 @@
 //! The task: the vertices with the smallest x, by the comparisons of any backend.
 
-use std::path::{Path, PathBuf};
-
 use predicament::corpus::LoadedScene;
 use predicament::predicates::{Axis, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament::records::{self, RunDir, TableSpec};
 use predicament::report::Section;
+use predicament::tasks::output::{self, Files};
 use predicament::tasks::{
     Answer, Asked, Case, Check, Class, Contestant, ExplainError, Explanation, Halt, How, Outcome, Spoiled, Stop, Task,
     Watch, digest,
@@ -105,11 +104,11 @@ impl Task for Leftmost {
         Ok(about.with_answers(backends, |backend| backend.answer(self, scene, content).map(|found| says(&found.0))))
     }
 
-    fn write(&self, scene: &Scene, _: &Among, answer: &Found, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let path = folder.join("leftmost.csv");
-        let lines = answer.0.iter().map(|&vertex| format!("{vertex},{:e}\n", scene.coordinate(Axis::X, vertex)));
-        std::fs::write(&path, "vertex,x\n".to_owned() + &lines.collect::<String>())?;
-        Ok(vec![path])
+    fn write(&self, scene: &Scene, _: &Among, answer: &Found, files: &mut Files) -> Result<(), output::Error> {
+        files.write("leftmost.csv", |out| {
+            writeln!(out, "vertex,x")?;
+            answer.0.iter().try_for_each(|&v| writeln!(out, "{v},{:e}", scene.coordinate(Axis::X, v)))
+        })
     }
 
     fn checks(&self) -> &'static [Check] {

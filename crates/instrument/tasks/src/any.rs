@@ -2,14 +2,14 @@
 
 use std::any::Any;
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use predicament_corpus::{LoadedScene, SceneFormat};
 use predicament_predicates::{PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
-use crate::output::Canvas;
+use crate::output::{self, Canvas, Choice, Written};
 use crate::{
     Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob, Outcome,
     Phase, Stop, Task, Turns, Watch,
@@ -46,11 +46,17 @@ pub trait AnyTask: SceneFormat {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, ExplainError>;
 
-    /// Calls [`Task::write`].
+    /// Writes the chosen files of [`Task::write`] into a folder, as [`output::write`].
     ///
     /// # Errors
-    /// The error of the file system.
-    fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>>;
+    /// [`output::Error`].
+    fn write_answer(
+        &self,
+        loaded: &LoadedScene,
+        answer: &dyn Any,
+        folder: &Path,
+        choice: &Choice,
+    ) -> Result<Written, output::Error>;
 
     /// Calls [`Task::draw`], with an answer of the task's type.
     ///
@@ -188,8 +194,15 @@ impl<T: Task> AnyTask for T {
         }
     }
 
-    fn write_answer(&self, loaded: &LoadedScene, answer: &dyn Any, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        self.write(&loaded.scene, content(self, loaded), typed::<T>(answer), folder)
+    fn write_answer(
+        &self,
+        loaded: &LoadedScene,
+        answer: &dyn Any,
+        folder: &Path,
+        choice: &Choice,
+    ) -> Result<Written, output::Error> {
+        let (content, answer) = (content(self, loaded), typed::<T>(answer));
+        output::write(folder, choice, |files| self.write(&loaded.scene, content, answer, files))
     }
 
     fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()> {

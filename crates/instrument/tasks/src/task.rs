@@ -1,7 +1,6 @@
 //! The trait of a task.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
 use predicament_corpus::{Content, LoadedScene, SceneFormat};
 use predicament_predicates::{Declined, PredicateKind, Predicates, Query, QuerySet, Scene, Sign, Vertex};
@@ -9,7 +8,7 @@ use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::Role;
 
-use crate::output::Canvas;
+use crate::output::{self, Canvas, Files};
 use crate::{
     Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Halt, How, Knob, Outcome, Phase, Spoiled, Stop,
     Turns, Watch,
@@ -124,17 +123,18 @@ pub trait Task: SceneFormat + Sized + 'static {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, ExplainError>;
 
-    /// Writes an answer for other programs into an existing folder; returns the files written.
+    /// Offers the files of an answer for other programs. It is called twice, to list the files and to write those that
+    /// the user wants: work for one file belongs into the closure that makes it.
     ///
     /// # Errors
-    /// The error of the file system.
+    /// [`output::Error`] if a file cannot hold the answer, or the file system refuses.
     fn write(
         &self,
         scene: &Scene,
         content: &Self::Content,
         answer: &Self::Answer,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>>;
+        files: &mut Files,
+    ) -> Result<(), output::Error>;
 
     /// Draws a scene, and an answer to it if there is one; by default, only the points.
     ///

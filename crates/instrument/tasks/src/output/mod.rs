@@ -1,20 +1,28 @@
 //! Answers as files for other programs, with exact vertices, and drawings.
 //!
-//! Formats for meshes and maps hold doubles, or decimals that are read as doubles: there a constructed vertex is
-//! rounded to the nearest. Beside them `vertices.json` has the exact coordinates and the definition of every vertex.
+//! A task offers [`Files`], and the user's [`Choice`] says which of them are made. Formats for meshes and maps hold
+//! doubles, or decimals that are read as doubles: there a constructed vertex is rounded to the nearest. Beside them
+//! `vertices.json` has the exact coordinates and the definition of every vertex.
 
 mod canvas;
+mod choice;
+mod error;
+mod files;
 mod placed;
 mod plane;
 mod space;
 mod vertices;
 
 pub use canvas::Canvas;
+pub use choice::Choice;
+pub use error::Error;
+pub use files::{Files, Written, write};
 pub use placed::{Placed, rounded_points};
-pub use plane::plane;
+pub use plane::{collection, plane};
 pub use space::mesh;
-pub use vertices::vertices;
+pub use vertices::{all_vertices, vertices};
 
+use choice::Wanted;
 use predicament_judge::{Points, nearest};
 use predicament_predicates::Vertex;
 

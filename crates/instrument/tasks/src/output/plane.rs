@@ -1,13 +1,14 @@
-//! Polygons in the plane as SVG and GeoJSON.
+//! Polygons in the plane as SVG, GeoJSON and WKT.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use std::cell::LazyCell;
+use std::io::{Result as IoResult, Write};
 
 use predicament_judge::{Points, nearest, rational};
 use predicament_predicates::{Scene, Vertex};
 use serde_json::{Value, json};
 
-use super::{exactly, rounded};
+use super::choice::When;
+use super::{Error, Files, exactly, rounded};
 
 /// The longer side of a picture, in pixels.
 const SIDE: f64 = 960.0;
@@ -15,34 +16,102 @@ const SIDE: f64 = 960.0;
 const MARGIN: f64 = 20.0;
 /// The maximum number of vertices for which a picture has dots on them.
 const DOTTED: usize = 500;
+/// The maximum number of polygons of which a picture is drawn by default: programs that show SVG take long for more.
+const DRAWN: usize = 10_000;
 
-/// Writes `NAME.svg` and `NAME.geojson`: a feature for each polygon, its first ring the outer one. A constructed vertex
-/// is rounded to the nearest doubles in the file, but not in the picture: it shows a crossing between two neighbouring
-/// doubles at its true position. The picture has y upwards, and fills polygons by the even-odd rule.
+/// Offers `NAME.svg` and `NAME.geojson`, and by its format `NAME.wkt`: a feature for each polygon, its first ring the
+/// outer one. A ring of two vertices is a line, a ring of one vertex a point. A constructed vertex is rounded to the
+/// nearest doubles in the file, but not in the picture: it shows a crossing between two neighbouring doubles at its
+/// true position. The picture has y upwards, and fills polygons by the even-odd rule. A picture of more than 10,000
+/// polygons is drawn only by its format.
 ///
 /// # Errors
-/// The error of the file system.
-pub fn plane(scene: &Scene, polygons: &[Vec<Vec<Vertex>>], folder: &Path, name: &str) -> std::io::Result<Vec<PathBuf>> {
-    let points = Points::of(scene);
-    let placed = each(polygons, |v| rounded(&points, v).map(|point| [point[0], point[1]]))?;
-    let bounds = Bounds::of(&placed);
-    let offsets = each(polygons, |v| bounds.offset(&points, v))?;
-    let [svg, geojson] = [".svg", ".geojson"].map(|extension| folder.join(format!("{name}{extension}")));
-    std::fs::write(&svg, picture(&bounds, &offsets))?;
-    std::fs::write(&geojson, features(polygons, &placed))?;
-    Ok(vec![svg, geojson])
+/// [`Error`] if a vertex is not a point; otherwise as [`Files::write`].
+pub fn plane<P>(files: &mut Files, scene: &Scene, name: &str, polygons: P) -> Result<(), Error>
+where
+    P: ExactSizeIterator<Item = Vec<Vec<Vertex>>> + Clone,
+{
+    let [svg, geojson, wkt] = ["svg", "geojson", "wkt"].map(|extension| format!("{name}.{extension}"));
+    let (when, note) = match polygons.len() {
+        0..=DRAWN => (When::Always, None),
+        count => {
+            let why = format!("{svg} would have {count} parts, more than {DRAWN}");
+            (When::Format, Some(format!("{why}, and is not drawn; --format svg draws it")))
+        }
+    };
+    let points = LazyCell::new(|| Points::of(scene));
+    files.offer(&svg, when, note, |out| picture(out, &points, polygons.clone()))?;
+    files.write(&geojson, |out| collection(out, polygons.clone().map(|rings| feature(&points, &rings))))?;
+    files.by_format(&wkt, |out| {
+        polygons.clone().try_for_each(|rings| writeln!(out, "{}", Placed::of(&points, &rings)?.wkt()))
+    })
 }
 
-/// The rings of a polygon.
-type Polygon = Vec<Vec<[f64; 2]>>;
+/// Writes a GeoJSON file with these features.
+///
+/// # Errors
+/// The error of a feature or of the file system.
+pub fn collection(out: &mut dyn Write, features: impl IntoIterator<Item = IoResult<Value>>) -> IoResult<()> {
+    write!(out, "{{\"features\":[")?;
+    for (at, feature) in features.into_iter().enumerate() {
+        let separator = if at == 0 { "" } else { "," };
+        write!(out, "{separator}{}", feature?)?;
+    }
+    writeln!(out, "],\"type\":\"FeatureCollection\"}}")
+}
 
-/// The polygons with a value for each vertex.
-fn each(
-    polygons: &[Vec<Vec<Vertex>>],
-    place: impl Fn(Vertex) -> std::io::Result<[f64; 2]>,
-) -> std::io::Result<Vec<Polygon>> {
-    let ring = |ring: &Vec<Vertex>| ring.iter().map(|&v| place(v)).collect::<std::io::Result<Vec<[f64; 2]>>>();
-    polygons.iter().map(|rings| rings.iter().map(ring).collect()).collect()
+fn feature(points: &Points, rings: &[Vec<Vertex>]) -> IoResult<Value> {
+    let ids: Vec<Vec<String>> = rings.iter().map(|ring| ring.iter().map(ToString::to_string).collect()).collect();
+    Ok(json!({
+        "type": "Feature",
+        "geometry": Placed::of(points, rings)?.geojson(),
+        "properties": { "vertices": ids },
+    }))
+}
+
+/// The rings of a polygon in doubles, or what a degenerate polygon is.
+enum Placed {
+    Point([f64; 2]),
+    Line(Vec<[f64; 2]>),
+    /// Closed rings.
+    Polygon(Vec<Vec<[f64; 2]>>),
+}
+
+impl Placed {
+    fn of(points: &Points, rings: &[Vec<Vertex>]) -> IoResult<Placed> {
+        let place = |&v: &Vertex| rounded(points, v).map(|point| [point[0], point[1]]);
+        let ring = |ring: &Vec<Vertex>| ring.iter().map(place).collect::<IoResult<Vec<[f64; 2]>>>();
+        let mut placed: Vec<Vec<[f64; 2]>> = rings.iter().map(ring).collect::<IoResult<_>>()?;
+        Ok(match placed.as_mut_slice() {
+            [ring] if ring.len() == 1 => Placed::Point(ring[0]),
+            [ring] if ring.len() == 2 => Placed::Line(std::mem::take(ring)),
+            _ => {
+                placed.iter_mut().for_each(|ring| ring.extend(ring.first().copied()));
+                Placed::Polygon(placed)
+            }
+        })
+    }
+
+    fn geojson(&self) -> Value {
+        match self {
+            Placed::Point(point) => json!({ "type": "Point", "coordinates": point }),
+            Placed::Line(line) => json!({ "type": "LineString", "coordinates": line }),
+            Placed::Polygon(rings) => json!({ "type": "Polygon", "coordinates": rings }),
+        }
+    }
+
+    fn wkt(&self) -> String {
+        let place = |[x, y]: &[f64; 2]| format!("{x:?} {y:?}");
+        let path = |path: &Vec<[f64; 2]>| format!("({})", path.iter().map(place).collect::<Vec<_>>().join(", "));
+        match self {
+            Placed::Point(point) => format!("POINT ({})", place(point)),
+            Placed::Line(line) => format!("LINESTRING {}", path(line)),
+            Placed::Polygon(rings) if rings.is_empty() => "POLYGON EMPTY".to_owned(),
+            Placed::Polygon(rings) => {
+                format!("POLYGON ({})", rings.iter().map(path).collect::<Vec<_>>().join(", "))
+            }
+        }
+    }
 }
 
 /// The bounding box of all rounded points.
@@ -54,20 +123,21 @@ struct Bounds {
 }
 
 impl Bounds {
-    fn of(placed: &[Polygon]) -> Bounds {
-        let bound = |axis: usize| {
-            let along = placed.iter().flatten().flatten().map(|point| point[axis]);
-            along.fold(None, |bound, x| {
-                let [low, high] = bound.unwrap_or([x, x]);
-                Some([x.min(low), x.max(high)])
-            })
-        };
-        let [[left, right], [bottom, top]] = [0, 1].map(|axis| bound(axis).unwrap_or([0.0, 1.0]));
-        Bounds { left, top, width: right - left, height: top - bottom }
+    fn of(points: &Points, vertices: impl Iterator<Item = Vertex>) -> IoResult<Bounds> {
+        let mut bound: Option<[[f64; 2]; 2]> = None;
+        for v in vertices {
+            let point = rounded(points, v)?;
+            let place = [point[0], point[1]];
+            let [low, high] = bound.unwrap_or([place; 2]);
+            let least = [0, 1].map(|axis: usize| low[axis].min(place[axis]));
+            bound = Some([least, [0, 1].map(|axis: usize| high[axis].max(place[axis]))]);
+        }
+        let [[left, bottom], [right, top]] = bound.unwrap_or([[0.0; 2], [1.0; 2]]);
+        Ok(Bounds { left, top, width: right - left, height: top - bottom })
     }
 
     /// The distances of a vertex from the left side and from the top, rounded once.
-    fn offset(&self, points: &Points, v: Vertex) -> std::io::Result<[f64; 2]> {
+    fn offset(&self, points: &Points, v: Vertex) -> IoResult<[f64; 2]> {
         if v.construction().is_none() {
             let point = points.scene().point(v);
             return Ok([point[0] - self.left, self.top - point[1]]);
@@ -77,24 +147,12 @@ impl Bounds {
     }
 }
 
-fn features(polygons: &[Vec<Vec<Vertex>>], placed: &[Polygon]) -> String {
-    let closed = |ring: &Vec<[f64; 2]>| ring.iter().chain(ring.first()).copied().collect::<Vec<_>>();
-    let ids = |rings: &Vec<Vec<Vertex>>| -> Vec<Vec<String>> {
-        rings.iter().map(|ring| ring.iter().map(ToString::to_string).collect()).collect()
-    };
-    let feature = |(rings, placed): (&Vec<Vec<Vertex>>, &Polygon)| -> Value {
-        json!({
-            "type": "Feature",
-            "geometry": { "type": "Polygon", "coordinates": placed.iter().map(closed).collect::<Vec<_>>() },
-            "properties": { "vertices": ids(rings) },
-        })
-    };
-    let features: Vec<Value> = polygons.iter().zip(placed).map(feature).collect();
-    format!("{}\n", json!({ "type": "FeatureCollection", "features": features }))
-}
-
-fn picture(bounds: &Bounds, polygons: &[Polygon]) -> String {
-    let all = || polygons.iter().flatten().flatten();
+fn picture(
+    out: &mut dyn Write,
+    points: &Points,
+    polygons: impl Iterator<Item = Vec<Vec<Vertex>>> + Clone,
+) -> IoResult<()> {
+    let bounds = Bounds::of(points, polygons.clone().flatten().flatten())?;
     let extent = bounds.width.max(bounds.height);
     // A crossing can be outside the box by less than a rounding error. A box without an extent, or with an extent
     // beyond all doubles, is drawn as a dot.
@@ -102,34 +160,35 @@ fn picture(bounds: &Bounds, polygons: &[Polygon]) -> String {
     let pixel = |[x, y]: [f64; 2]| [MARGIN + scale(x), MARGIN + scale(y)];
     let [width, height] = [bounds.width, bounds.height].map(|side| scale(side).max(1.0));
     let [width, height] = [width, height].map(|side| side + 2.0 * MARGIN);
-    let mut svg = format!(
+    write!(
+        out,
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
          viewBox=\"0 0 {width:.2} {height:.2}\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n\
          <g fill=\"#9ecae1\" fill-opacity=\"0.5\" fill-rule=\"evenodd\" stroke=\"#08519c\" stroke-width=\"1\" \
          stroke-linejoin=\"round\">\n"
-    );
-    // Writing to a string does not fail.
+    )?;
+    let mut dots: Vec<[f64; 2]> = Vec::new();
     for rings in polygons {
-        svg.push_str("<path d=\"");
+        write!(out, "<path d=\"")?;
         for ring in rings {
-            for (at, &point) in ring.iter().enumerate() {
-                let [x, y] = pixel(point);
-                let _ = write!(svg, "{}{x:.2} {y:.2}", if at == 0 { 'M' } else { 'L' });
+            for (at, v) in ring.into_iter().enumerate() {
+                let offset = bounds.offset(points, v)?;
+                let [x, y] = pixel(offset);
+                write!(out, "{}{x:.2} {y:.2}", if at == 0 { 'M' } else { 'L' })?;
+                dots.push(offset);
             }
-            svg.push('Z');
+            write!(out, "Z")?;
         }
-        svg.push_str("\"/>\n");
+        writeln!(out, "\"/>")?;
     }
-    svg.push_str("</g>\n");
-    let mut dots: Vec<[f64; 2]> = all().copied().collect();
+    writeln!(out, "</g>")?;
     dots.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
     dots.dedup();
     if dots.len() <= DOTTED {
         for point in dots {
             let [x, y] = pixel(point);
-            let _ = writeln!(svg, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3\" fill=\"#08306b\"/>");
+            writeln!(out, "<circle cx=\"{x:.2}\" cy=\"{y:.2}\" r=\"3\" fill=\"#08306b\"/>")?;
         }
     }
-    svg.push_str("</svg>\n");
-    svg
+    writeln!(out, "</svg>")
 }

@@ -1,27 +1,46 @@
 //! Exact vertices as JSON.
 
 use std::collections::BTreeSet;
-use std::io::{BufWriter, Write};
-use std::path::{Path, PathBuf};
+use std::io::Write;
 
 use predicament_judge::{Points, nearest};
 use predicament_predicates::{Scene, Vertex};
 use serde_json::json;
 
-use super::exactly;
+use super::choice::When;
+use super::{Error, Files, exactly};
 
-/// Writes `vertices.json`: an array with an object for each vertex, input vertices first, each once.
+/// The file's name.
+const NAME: &str = "vertices.json";
+
+/// Offers `vertices.json`: an array with an object for each vertex, input vertices first, each once. Without
+/// constructed vertices it is written only on request: the coordinates of input vertices are in the input.
 ///
 /// `vertex` is the id that the answer's other files use, `exact` the coordinates as fractions in lowest terms, and
 /// `nearest` the doubles nearest to them. `constructed_from` is the definition of a constructed vertex, as `LPI(1 9, 2
 /// 5 8)` (null for input vertices). Vertices that define a listed vertex are listed as well.
 ///
 /// # Errors
-/// The error of the file system.
-pub fn vertices(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>, folder: &Path) -> std::io::Result<PathBuf> {
+/// As [`Files::write`].
+pub fn vertices<V>(files: &mut Files, scene: &Scene, vertices: V) -> Result<(), Error>
+where
+    V: IntoIterator<Item = Vertex, IntoIter: Clone>,
+{
+    let vertices = vertices.into_iter();
+    let when = if vertices.clone().any(Vertex::is_constructed) { When::Always } else { When::Named };
+    files.offer(NAME, when, None, |out| list(out, scene, vertices)).map(|_| ())
+}
+
+/// Offers the same file for answers that are in no other file: it is written by default.
+///
+/// # Errors
+/// As [`Files::write`].
+pub fn all_vertices(files: &mut Files, scene: &Scene, vertices: impl IntoIterator<Item = Vertex>) -> Result<(), Error> {
+    files.write(NAME, |out| list(out, scene, vertices))
+}
+
+fn list(out: &mut dyn Write, scene: &Scene, vertices: impl IntoIterator<Item = Vertex>) -> std::io::Result<()> {
     let points = Points::of(scene);
-    let path = folder.join("vertices.json");
-    let mut file = BufWriter::new(std::fs::File::create(&path)?);
     let mut separator = "[\n";
     for v in with_definitions(scene, vertices) {
         let point = exactly(&points, v)?;
@@ -31,12 +50,10 @@ pub fn vertices(scene: &Scene, vertices: impl IntoIterator<Item = Vertex>, folde
             "nearest": point.iter().map(nearest).collect::<Vec<_>>(),
             "constructed_from": scene.construction(v).map(ToString::to_string),
         });
-        write!(file, "{separator}{object}")?;
+        write!(out, "{separator}{object}")?;
         separator = ",\n";
     }
-    writeln!(file, "{}", if separator == "[\n" { "[]" } else { "\n]" })?;
-    file.flush()?;
-    Ok(path)
+    writeln!(out, "{}", if separator == "[\n" { "[]" } else { "\n]" })
 }
 
 /// The vertices and all vertices that define them.

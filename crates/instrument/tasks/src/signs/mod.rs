@@ -22,8 +22,6 @@ mod random;
 mod truth;
 mod write;
 
-use std::path::{Path, PathBuf};
-
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
@@ -35,7 +33,7 @@ pub use degeneracy::{Histogram, degeneracy};
 pub use each_class::classes;
 pub use truth::truth;
 
-use crate::output::Canvas;
+use crate::output::{self, Canvas, Files};
 use crate::{
     Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
     Stop, Task, Turns, Watch, digest,
@@ -236,9 +234,9 @@ impl Task for Signs {
         scene: &Scene,
         content: &SignQueries,
         answer: &Answers,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        write::write(scene, &content.queries, &answer.0, folder)
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        write::write(scene, &content.queries, &answer.0, files)
     }
 
     fn draw(

@@ -1,7 +1,6 @@
 //! An external task: its own key, family and table, on every built-in backend without code there that names it.
 
 use std::any::Any;
-use std::path::{Path, PathBuf};
 use std::sync::atomic::AtomicBool;
 
 use predicament_bundle::Systems;
@@ -14,6 +13,7 @@ use predicament_oracle::run;
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex};
 use predicament_records::{Env, Interface, Outcome as Ended, Plan, Row, RunDir, RunWriter, TableSpec};
 use predicament_report::{Block, Cell, Section, Table, html, markdown};
+use predicament_tasks::output::{self, Choice, Files};
 use predicament_tasks::{
     Answer, AnyCase, AnyTask, Asked, Budget, Case, Class, Contestant, ExplainError, Explanation, Finding, Halt, How,
     Outcome, Purpose, Stop, Task, TaskList, Watch, digest,
@@ -186,10 +186,8 @@ impl Task for LeftTurns {
         Ok(about.with_answers(backends, ask))
     }
 
-    fn write(&self, _: &Scene, _: &Stride, answer: &Count, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let path = folder.join("turns.txt");
-        std::fs::write(&path, format!("{}\n", answer.0))?;
-        Ok(vec![path])
+    fn write(&self, _: &Scene, _: &Stride, answer: &Count, files: &mut Files) -> Result<(), output::Error> {
+        files.write("turns.txt", |out| writeln!(out, "{}", answer.0))
     }
 
     fn tables(&self) -> Vec<TableSpec> {
@@ -368,7 +366,9 @@ fn its_answers_are_written_and_timed() {
     let exact = on("exact");
     let folder = tempfile::tempdir().unwrap();
     let mut files = Vec::new();
-    let write = &mut |answer: &dyn Any| files = LeftTurns.write_answer(&zigzag, answer, folder.path()).unwrap();
+    let write = &mut |answer: &dyn Any| {
+        files = LeftTurns.write_answer(&zigzag, answer, folder.path(), &Choice::default()).unwrap().files;
+    };
     exact.answer_any("left-turns", &zigzag.scene, zigzag.content.as_ref(), Purpose::Files, write).unwrap();
     assert_eq!(files, [folder.path().join("turns.txt")]);
     assert_eq!(std::fs::read_to_string(&files[0]).unwrap(), "2\n");

@@ -17,9 +17,6 @@ mod spoiled;
 mod timed;
 mod topology;
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::pairs::{Contact, Contacts as Registered, Weights, contacts};
 use crate::truth::{Pair, Truth};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -30,13 +27,14 @@ use predicament_predicates::{Declined, Dimension, PredicateKind, Predicates, Que
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
+use std::collections::BTreeMap;
 
 pub use content::Complexes;
 pub use generate::thresholds;
 pub use section::ContactRow;
 
 use pairs::closure;
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -250,19 +248,17 @@ impl Task for Contacts {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// Writes a JSON file of all registered pairs with their weights, and an OBJ file of both complexes.
+    /// Offers a JSON file of all registered pairs with their weights, and an OBJ file of both complexes.
     fn write(
         &self,
         scene: &Scene,
         content: &Complexes,
         answer: &Registered,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let pairs: Vec<serde_json::Value> = answer
-            .registered
-            .iter()
-            .map(|contact| {
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        files.json("contacts.json", || {
+            let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
+            let pair = |contact: &Contact| {
                 let [s, t] = vertices_of(content, [contact.a, contact.b]);
                 serde_json::json!({
                     "a": ids(s),
@@ -270,13 +266,10 @@ impl Task for Contacts {
                     "on_a": &contact.on_a[..s.len()],
                     "on_b": &contact.on_b[..t.len()],
                 })
-            })
-            .collect();
-        let json = folder.join("contacts.json");
-        std::fs::write(&json, format!("{}\n", serde_json::Value::Array(pairs)))?;
-        let obj = folder.join("complexes.obj");
-        std::fs::write(&obj, object_file(scene, content))?;
-        Ok(vec![json, obj])
+            };
+            answer.registered.iter().map(pair).collect()
+        })?;
+        files.write("complexes.obj", |out| out.write_all(object_file(scene, content).as_bytes()))
     }
 
     fn draw(

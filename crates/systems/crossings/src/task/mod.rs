@@ -9,18 +9,19 @@ pub mod content;
 mod judge;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
+use std::collections::BTreeMap;
 
 use crate::algorithm::{Along, crossings};
 use crate::truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene};
+use predicament_judge::{nearest, point};
+use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 pub use content::Segments;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -161,34 +162,48 @@ impl Task for Crossings {
         scene: &Scene,
         content: &Segments,
         answer: &Crossed,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let point = |v| scene.point(v).to_vec();
-        // A crossing of two segments, as the algorithm defines it.
-        let mut scene = scene.clone();
-        let mut crossing = |i: usize, j: &u32| {
-            let lines = [content.0[i], content.0[*j as usize]];
-            scene.construct(Construction::Ssi(lines)).map_err(std::io::Error::other)
-        };
-        let mut segments: Vec<serde_json::Value> = Vec::with_capacity(content.0.len());
-        let mut crossings = Vec::new();
-        for (at, (ends, along)) in content.0.iter().zip(&answer.0).enumerate() {
-            let mut groups = Vec::with_capacity(along.len());
-            for group in along {
-                let vertices = group.iter().map(|j| crossing(at, j)).collect::<Result<Vec<_>, _>>()?;
-                groups.push(vertices.iter().map(ToString::to_string).collect::<Vec<_>>());
-                crossings.extend(vertices);
-            }
-            let ends_at = ends.map(point);
-            segments.push(serde_json::json!({ "ends": ends_at, "crossed_by": along, "crossed_at": groups }));
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        // Each crossing of two segments, as the algorithm defines it, by segment and group.
+        let mut exact = scene.clone();
+        let mut crossings: Vec<Vec<Vec<Vertex>>> = Vec::with_capacity(content.0.len());
+        for (ends, along) in content.0.iter().zip(&answer.0) {
+            let mut crossing = |j: &u32| exact.construct(Construction::Ssi([*ends, content.0[*j as usize]]));
+            let mut group = |group: &Vec<u32>| group.iter().map(&mut crossing).collect::<Result<Vec<_>, _>>();
+            crossings.push(along.iter().map(&mut group).collect::<Result<_, _>>().map_err(std::io::Error::other)?);
         }
-        let path = folder.join("crossings.json");
-        std::fs::write(&path, format!("{}\n", serde_json::Value::Array(segments)))?;
-        // Segments that cross only by wrong signs may be parallel: their lines do not meet in a point.
-        crossings.retain(|&v| predicament_judge::point(&scene, v).is_some());
-        let ends = content.0.iter().flatten().copied();
-        let vertices = output::vertices(&scene, ends.chain(crossings), folder)?;
-        Ok(vec![path, vertices])
+        files.json("crossings.json", || {
+            let segment = |((ends, along), crossings): ((&[Vertex; 2], &Along), &Vec<Vec<Vertex>>)| {
+                let ids = |group: &Vec<Vertex>| group.iter().map(ToString::to_string).collect::<Vec<_>>();
+                serde_json::json!({
+                    "ends": ends.map(|v| scene.point(v).to_vec()),
+                    "crossed_by": along,
+                    "crossed_at": crossings.iter().map(ids).collect::<Vec<_>>(),
+                })
+            };
+            content.0.iter().zip(&answer.0).zip(&crossings).map(segment).collect()
+        })?;
+        // Each crossing once, with its segments. Segments that cross only by wrong signs may be parallel: their lines
+        // do not meet in a point.
+        let mut pairs: BTreeMap<Vertex, [usize; 2]> = BTreeMap::new();
+        for (i, (along, crossings)) in answer.0.iter().zip(&crossings).enumerate() {
+            for (&j, &v) in along.iter().flatten().zip(crossings.iter().flatten()) {
+                pairs.entry(v).or_insert([i, j as usize]);
+            }
+        }
+        files.by_format("crossings.geojson", |out| {
+            let feature = |(v, segments): (&Vertex, &[usize; 2])| {
+                let at: Vec<f64> = point(&exact, *v)?.iter().map(nearest).collect();
+                Some(Ok(serde_json::json!({
+                    "type": "Feature",
+                    "geometry": { "type": "Point", "coordinates": at },
+                    "properties": { "vertex": v.to_string(), "segments": segments },
+                })))
+            };
+            output::collection(out, pairs.iter().filter_map(feature))
+        })?;
+        let points = pairs.keys().copied().filter(|&v| point(&exact, v).is_some());
+        output::vertices(files, &exact, content.0.as_flattened().iter().copied().chain(points))
     }
 
     fn draw(

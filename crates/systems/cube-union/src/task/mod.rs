@@ -10,8 +10,6 @@ mod judge;
 mod section;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Mass, cube_union_by};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -24,7 +22,7 @@ use predicament_report::drawing::{Role, Shape};
 pub use content::Cubes;
 pub use section::MassRow;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -173,22 +171,22 @@ impl Task for CubeUnion {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    fn write(&self, _: &Scene, _: &Cubes, answer: &Union, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    fn write(&self, _: &Scene, _: &Cubes, answer: &Union, files: &mut Files) -> Result<(), output::Error> {
         let Union { mass, exponent } = answer;
         let of = mass.vertices;
-        // Exact: integers times powers of two. A JSON number would round beyond 2^53, so sums are strings.
-        let json = serde_json::json!({
-            "unit_exponent": exponent,
-            "volume": mass.volume.to_string(),
-            "area": mass.area.to_string(),
-            "edge_length": mass.edge_length.to_string(),
-            "corners": of.corners,
-            "edge_faces": of.edge_faces,
-            "three_faces": of.three_faces,
-        });
-        let path = folder.join("union.json");
-        std::fs::write(&path, format!("{json:#}\n"))?;
-        Ok(vec![path])
+        files.write("union.json", |out| {
+            // Exact: integers times powers of two. A JSON number would round beyond 2^53, so sums are strings.
+            let json = serde_json::json!({
+                "unit_exponent": exponent,
+                "volume": mass.volume.to_string(),
+                "area": mass.area.to_string(),
+                "edge_length": mass.edge_length.to_string(),
+                "corners": of.corners,
+                "edge_faces": of.edge_faces,
+                "three_faces": of.three_faces,
+            });
+            writeln!(out, "{json:#}")
+        })
     }
 
     fn draw(&self, scene: &Scene, content: &Cubes, _: Option<&Union>, canvas: &mut Canvas) -> std::io::Result<()> {

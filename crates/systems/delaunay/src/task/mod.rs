@@ -10,8 +10,6 @@ mod generate;
 mod judge;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d, delaunay2d};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -21,7 +19,7 @@ use predicament_report::drawing::Role;
 
 pub use content::Sites;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -176,29 +174,28 @@ impl Task for Delaunay2d {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// Writes SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
-    fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    /// Offers SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
+    fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, files: &mut Files) -> Result<(), output::Error> {
         let found = &answer.0;
+        files.broken(found.broken);
         let mut exact = scene.clone();
         for definition in &found.crossings {
             exact.construct(*definition).map_err(std::io::Error::other)?;
         }
-        let polygons: Vec<Vec<Vec<Vertex>>> = found.triangles.iter().map(|triangle| vec![triangle.to_vec()]).collect();
-        let mut files = output::plane(&exact, &polygons, folder, "triangles")?;
-        let path = folder.join("edges.json");
-        let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let pairs = |pairs: &[[Vertex; 2]]| pairs.iter().map(|pair| ids(pair)).collect::<Vec<_>>();
-        let json = serde_json::json!({
-            "chain": ids(&found.chain),
-            "copies": pairs(&found.copies),
-            "constrained": pairs(&found.constrained),
-            "broken": found.broken.map(Contradiction::rule),
-        });
-        std::fs::write(&path, format!("{json}\n"))?;
-        files.push(path);
+        output::plane(files, &exact, "triangles", found.triangles.iter().map(|triangle| vec![triangle.to_vec()]))?;
+        files.json("edges.json", || {
+            let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
+            let pairs = |pairs: &[[Vertex; 2]]| pairs.iter().map(|pair| ids(pair)).collect::<Vec<_>>();
+            serde_json::json!({
+                "chain": ids(&found.chain),
+                "copies": pairs(&found.copies),
+                "constrained": pairs(&found.constrained),
+                "broken": found.broken.map(Contradiction::rule),
+            })
+        })?;
+        let inputs = (0..scene.len()).map(Vertex::input);
         let crossings = (0..found.crossings.len()).map(Vertex::constructed);
-        files.push(output::vertices(&exact, scene.vertices().chain(crossings), folder)?);
-        Ok(files)
+        output::vertices(files, &exact, inputs.chain(crossings))
     }
 
     fn draw(

@@ -1,7 +1,5 @@
 //! `hull2d`: the convex hull of points of the plane.
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{PlaneMethod, hull2d};
 use crate::checks::plane_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -14,7 +12,7 @@ use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, judge};
 use super::{generate, template};
 use crate::truth::Truth;
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::{
     Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
     Turns, Watch, output,
@@ -152,12 +150,16 @@ impl Task for Hull2d {
         scene: &Scene,
         _: &Cloud<PlaneMethod>,
         answer: &Polygon,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
         let hull = &answer.0.vertices;
-        let mut files = output::plane(scene, &[vec![hull.clone()]], folder, "hull")?;
-        files.push(output::vertices(scene, hull.iter().copied(), folder)?);
-        Ok(files)
+        files.broken(answer.0.broken);
+        if hull.len() < 3 {
+            let what = if hull.len() == 2 { "a line between two points" } else { "one point" };
+            files.note(format!("the hull has no area: it is {what}"));
+        }
+        output::plane(files, scene, "hull", std::iter::once(vec![hull.clone()]))?;
+        output::vertices(files, scene, hull.iter().copied())
     }
 
     fn draw(

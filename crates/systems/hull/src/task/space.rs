@@ -1,8 +1,6 @@
 //! `hull3d`: the convex hull of points of space.
 
-use std::path::{Path, PathBuf};
-
-use crate::algorithm::{SpaceMethod, hull3d};
+use crate::algorithm::{Hull3, SpaceMethod, hull3d};
 use crate::checks::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -14,7 +12,7 @@ use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, judge};
 use super::{generate, template};
 use crate::truth::Truth;
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::{
     Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
     Turns, Watch, output,
@@ -155,11 +153,20 @@ impl Task for Hull3d {
         scene: &Scene,
         _: &Cloud<SpaceMethod>,
         answer: &Surface,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let mut files = output::mesh(scene, &answer.0.faces, folder, "hull")?;
-        files.push(output::vertices(scene, answer.0.vertices.iter().copied(), folder)?);
-        Ok(files)
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        let Hull3 { vertices, faces, broken } = &answer.0;
+        files.broken(*broken);
+        if faces.is_empty() {
+            let what = if vertices.len() == 2 { "a line between two points" } else { "one point" };
+            files.note(format!("the hull has no faces, and no mesh is written: it is {what}, in vertices.json"));
+            return output::all_vertices(files, scene, vertices.iter().copied());
+        }
+        if faces.len() == 2 {
+            files.note("the hull has no volume: it is a polygon, written as two faces back to back");
+        }
+        output::mesh(files, scene, "hull", faces.iter().cloned())?;
+        output::vertices(files, scene, vertices.iter().copied())
     }
 
     fn draw(

@@ -9,8 +9,6 @@ mod generate;
 mod judge;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::cells_at;
 use crate::answer::{Found, Place};
 use crate::truth;
@@ -22,7 +20,7 @@ use rayon::prelude::*;
 
 pub use content::Cells;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -186,12 +184,12 @@ impl Task for Interval {
         Ok(about.with_answers(backends, ask))
     }
 
-    fn write(&self, _: &Scene, content: &Cells, answer: &CellsFound, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let path = folder.join("cells.csv");
-        let lines =
-            content.probes.iter().zip(&answer.0).map(|(probe, cells)| format!("{probe},\"{}\"\n", describe(cells)));
-        std::fs::write(&path, "probe,cells\n".to_owned() + &lines.collect::<String>())?;
-        Ok(vec![path])
+    fn write(&self, _: &Scene, content: &Cells, answer: &CellsFound, files: &mut Files) -> Result<(), output::Error> {
+        files.write("cells.csv", |out| {
+            writeln!(out, "probe,cells")?;
+            let mut lines = content.probes.iter().zip(&answer.0);
+            lines.try_for_each(|(probe, cells)| writeln!(out, "{probe},\"{}\"", describe(cells)))
+        })
     }
 
     fn draw(&self, scene: &Scene, content: &Cells, _: Option<&CellsFound>, canvas: &mut Canvas) -> std::io::Result<()> {

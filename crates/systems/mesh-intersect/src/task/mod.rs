@@ -19,8 +19,6 @@ mod shapes;
 mod spoiled;
 mod spoiled_results;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::overlay::{
     Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
 };
@@ -39,7 +37,7 @@ pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
 pub use settled::{Settled, Unsettled};
 
-use predicament_tasks::output::{Canvas, Placed};
+use predicament_tasks::output::{Canvas, Files, Placed};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
     Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
@@ -276,47 +274,43 @@ impl Task for MeshIntersect {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// Writes a mesh for each operation, in doubles if the result is known without the perturbation, otherwise
+    /// Offers a mesh for each operation, in doubles if the result is known without the perturbation, otherwise
     /// perturbed; also the statistics of rounding, all vertices exactly, and a JSON file of all pieces.
-    fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    fn write(&self, scene: &Scene, _: &TwoMeshes, answer: &Overlaid, files: &mut Files) -> Result<(), output::Error> {
         let placed = Placed::new(
             scene,
             &answer.constructions,
             answer.before,
             answer.rounded.as_ref().or(answer.registered.as_ref()).map(|points| &points[..]),
         )?;
-        let mut files = Vec::new();
+        files.broken(answer.broken);
         if let Some(Ok(settled)) = &answer.settled {
-            files.extend(files::settled(settled, folder)?);
-        }
-        let perturbed = if files.is_empty() { &answer.solids[..] } else { &[] };
-        for (operation, solid) in Operation::ALL.iter().zip(perturbed) {
-            let faces: Vec<Vec<Vertex>> =
-                solid.iter().map(|triangle| triangle.map(|v| placed.place(v)).to_vec()).collect();
-            files.extend(output::mesh(&placed.meshes, &faces, folder, operation.name())?);
+            files::settled(settled, files)?;
+        } else {
+            for (operation, solid) in Operation::ALL.iter().zip(&answer.solids) {
+                let face = |triangle: &[Vertex; 3]| triangle.map(|v| placed.place(v)).to_vec();
+                output::mesh(files, &placed.meshes, operation.name(), solid.iter().map(face))?;
+            }
         }
         let regions = &answer.regions;
-        let piece = |at: usize| {
-            let sides = regions.sides[at].map(|side| regions.pairs[side as usize]);
-            serde_json::json!({
-                "vertices": regions.triangles[at].map(|v| v.to_string()),
-                "mesh": regions.sources[at].mesh + 1,
-                "triangle": regions.sources[at].triangle,
-                "front": sides[0],
-                "behind": sides[1],
-            })
-        };
-        let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
-        let path = folder.join("pieces.json");
-        std::fs::write(
-            &path,
-            format!("{}\n", serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })),
-        )?;
-        files.push(path);
-        if answer.rounded.is_none() {
-            files.push(output::vertices(&placed.exact, regions.triangles.as_flattened().iter().copied(), folder)?);
+        files.json("pieces.json", || {
+            let piece = |at: usize| {
+                let sides = regions.sides[at].map(|side| regions.pairs[side as usize]);
+                serde_json::json!({
+                    "vertices": regions.triangles[at].map(|v| v.to_string()),
+                    "mesh": regions.sources[at].mesh + 1,
+                    "triangle": regions.sources[at].triangle,
+                    "front": sides[0],
+                    "behind": sides[1],
+                })
+            };
+            let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
+            serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })
+        })?;
+        match &answer.rounded {
+            None => output::vertices(files, &placed.exact, regions.triangles.as_flattened().iter().copied()),
+            Some(_) => Ok(()),
         }
-        Ok(files)
     }
 
     fn draw(

@@ -16,8 +16,6 @@ pub mod regions;
 mod section;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Location, Ray, Scratch, locate_all, question_all};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -32,7 +30,7 @@ use predicament_report::drawing::Role;
 pub use content::{Probe, ProbeKind, ProbedMesh};
 pub use section::MeshLocateRow;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
     Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
@@ -273,30 +271,30 @@ impl Task for MeshLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// Writes a CSV file: each probe with its rule, its coordinates, the answer, and the region that it is in or the
+    /// Offers a CSV file: each probe with its rule, its coordinates, the answer, and the region that it is in or the
     /// triangle that it is on.
     fn write(
         &self,
         scene: &Scene,
         content: &ProbedMesh,
         answer: &Located,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let path = folder.join("probes.csv");
-        let mut lines = String::from("vertex,kind,x,y,z,answer,region,triangle\n");
-        for (probe, location) in content.probes.iter().zip(&answer.0) {
-            let [x, y, z] = scene.point3(probe.vertex);
-            let [answer, region, triangle] = match location {
-                Location::In(region) => ["in", &region.to_string(), ""].map(str::to_owned),
-                Location::On(triangle) => ["on", "", &triangle.to_string()].map(str::to_owned),
-                Location::Contradiction => ["contradiction", "", ""].map(str::to_owned),
-                Location::Undecided => ["undecided", "", ""].map(str::to_owned),
-            };
-            let (vertex, kind) = (probe.vertex, probe.kind.name());
-            lines.push_str(&format!("{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle}\n"));
-        }
-        std::fs::write(&path, lines)?;
-        Ok(vec![path])
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        files.write("probes.csv", |out| {
+            writeln!(out, "vertex,kind,x,y,z,answer,region,triangle")?;
+            for (probe, location) in content.probes.iter().zip(&answer.0) {
+                let [x, y, z] = scene.point3(probe.vertex);
+                let [answer, region, triangle] = match location {
+                    Location::In(region) => ["in", &region.to_string(), ""].map(str::to_owned),
+                    Location::On(triangle) => ["on", "", &triangle.to_string()].map(str::to_owned),
+                    Location::Contradiction => ["contradiction", "", ""].map(str::to_owned),
+                    Location::Undecided => ["undecided", "", ""].map(str::to_owned),
+                };
+                let (vertex, kind) = (probe.vertex, probe.kind.name());
+                writeln!(out, "{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle}")?;
+            }
+            Ok(())
+        })
     }
 
     fn draw(

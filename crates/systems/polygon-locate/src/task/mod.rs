@@ -12,8 +12,6 @@ mod read;
 mod section;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Location, Locations, Scratch, locate_all, question_all};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -27,7 +25,7 @@ use predicament_report::drawing::Role;
 pub use content::{MapWithProbes, Probe, ProbeKind};
 pub use section::LocateRow;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Purpose,
     Spoiled, Stop, Task, Turns, Watch, digest,
@@ -216,22 +214,19 @@ impl Task for PolygonLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// Writes GeoJSON: each probe as a point with the regions that it is in and on.
+    /// Offers GeoJSON: each probe as a point with the regions that it is in and on.
     fn write(
         &self,
         scene: &Scene,
         content: &MapWithProbes,
         answer: &Located,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let name = |&region: &u32| content.map.regions()[region as usize].name.as_str();
-        let names = |regions: &[u32]| regions.iter().map(name).map(str::to_owned).collect::<Vec<String>>();
-        let features: Vec<serde_json::Value> = content
-            .probes
-            .iter()
-            .zip(answer.0.iter())
-            .map(|(probe, location)| {
-                serde_json::json!({
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        files.write("probes.geojson", |out| {
+            let name = |&region: &u32| content.map.regions()[region as usize].name.as_str();
+            let names = |regions: &[u32]| regions.iter().map(name).map(str::to_owned).collect::<Vec<String>>();
+            let features = content.probes.iter().zip(answer.0.iter()).map(|(probe, location)| {
+                Ok(serde_json::json!({
                     "type": "Feature",
                     "geometry": { "type": "Point", "coordinates": scene.point(probe.vertex) },
                     "properties": {
@@ -239,13 +234,10 @@ impl Task for PolygonLocate {
                         "inside": names(location.inside),
                         "on": names(location.boundary),
                     },
-                })
-            })
-            .collect();
-        let json = serde_json::json!({ "type": "FeatureCollection", "features": features });
-        let path = folder.join("probes.geojson");
-        std::fs::write(&path, format!("{json}\n"))?;
-        Ok(vec![path])
+                }))
+            });
+            output::collection(out, features)
+        })
     }
 
     fn draw(

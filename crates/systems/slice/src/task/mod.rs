@@ -11,8 +11,6 @@ mod generate;
 mod judge;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Sliced, Source, slice};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
 use predicament_formats::{CorpusError, Fields};
@@ -22,7 +20,7 @@ use predicament_report::drawing::Role;
 pub use content::Solid;
 
 pub use checks::{law, rounded};
-use predicament_tasks::output::{Canvas, Placed};
+use predicament_tasks::output::{Canvas, Files, Placed};
 
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -191,34 +189,34 @@ impl Task for Slice {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// Writes each part as meshes, all vertices exactly, and a JSON file with the origin of each triangle.
-    fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
+    /// Offers each part as meshes, all vertices exactly, and a JSON file with the origin of each triangle.
+    fn write(&self, scene: &Scene, _: &Solid, answer: &Cut, files: &mut Files) -> Result<(), output::Error> {
         let parts = &answer.sliced.parts;
+        files.broken(answer.sliced.broken.map(|(broken, _)| broken));
         let placed = Placed::new(scene, &answer.sliced.constructions, answer.before, answer.rounded.as_deref())?;
-        let mut files = Vec::new();
         for (at, part) in parts.iter().enumerate() {
-            let faces: Vec<Vec<Vertex>> = part.triangles.iter().map(|t| t.map(|v| placed.place(v)).to_vec()).collect();
-            files.extend(output::mesh(&placed.meshes, &faces, folder, &format!("part-{at}"))?);
+            let face = |triangle: &[Vertex; 3]| triangle.map(|v| placed.place(v)).to_vec();
+            output::mesh(files, &placed.meshes, &format!("part-{at}"), part.triangles.iter().map(face))?;
         }
-        let path = folder.join("parts.json");
-        let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
-        let part = |part: &crate::algorithm::Part| {
-            let triangle = |(triangle, source): (&[Vertex; 3], &Source)| serde_json::json!({ "vertices": ids(triangle), "of": name(*source) });
-            let triangles: Vec<serde_json::Value> = part.triangles.iter().zip(&part.sources).map(triangle).collect();
-            let open: Vec<Vec<String>> = part.open.iter().map(|around| ids(around)).collect();
-            serde_json::json!({ "triangles": triangles, "open": open })
-        };
-        let json = serde_json::json!({
-            "parts": parts.iter().map(part).collect::<Vec<_>>(),
-            "broken": answer.sliced.broken.map(|(broken, _)| broken.rule()),
-        });
-        std::fs::write(&path, format!("{json}\n"))?;
-        files.push(path);
-        if answer.rounded.is_none() {
-            let used = parts.iter().flat_map(|part| part.triangles.as_flattened().iter().copied());
-            files.push(output::vertices(&placed.exact, used, folder)?);
+        files.json("parts.json", || {
+            let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
+            let part = |part: &crate::algorithm::Part| {
+                let triangle = |(triangle, source): (&[Vertex; 3], &Source)| serde_json::json!({ "vertices": ids(triangle), "of": name(*source) });
+                let triangles: Vec<serde_json::Value> =
+                    part.triangles.iter().zip(&part.sources).map(triangle).collect();
+                let open: Vec<Vec<String>> = part.open.iter().map(|around| ids(around)).collect();
+                serde_json::json!({ "triangles": triangles, "open": open })
+            };
+            serde_json::json!({
+                "parts": parts.iter().map(part).collect::<Vec<_>>(),
+                "broken": answer.sliced.broken.map(|(broken, _)| broken.rule()),
+            })
+        })?;
+        if answer.rounded.is_some() {
+            return Ok(());
         }
-        Ok(files)
+        let used = parts.iter().flat_map(|part| part.triangles.as_flattened().iter().copied());
+        output::vertices(files, &placed.exact, used)
     }
 
     fn draw(&self, scene: &Scene, content: &Solid, answer: Option<&Cut>, canvas: &mut Canvas) -> std::io::Result<()> {

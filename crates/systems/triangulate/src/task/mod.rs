@@ -11,8 +11,6 @@ mod judge;
 mod shapes;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::{Contradiction, Triangulation, oriented, projection, triangulate};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -23,7 +21,7 @@ use predicament_report::drawing::Role;
 pub use content::Polygons;
 
 pub use checks::RULES;
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -189,28 +187,25 @@ impl Task for Triangulate {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// Writes OFF, OBJ and PLY of faces in space, SVG and GeoJSON in the plane, and all vertices exactly.
+    /// Offers meshes of faces in space, SVG, GeoJSON and WKT in the plane, and all vertices exactly.
     fn write(
         &self,
         scene: &Scene,
         content: &Polygons,
         answer: &Triangulated,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
-        let triangles = || answer.0.iter().flat_map(|found| &found.triangles);
-        let mut files = match scene.dimension() {
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
+        files.broken(answer.0.iter().find_map(|found| found.broken));
+        let triangles: Vec<&[Vertex; 3]> = answer.0.iter().flat_map(|found| &found.triangles).collect();
+        match scene.dimension() {
             Dimension::Two => {
-                let polygons: Vec<Vec<Vec<Vertex>>> = triangles().map(|triangle| vec![triangle.to_vec()]).collect();
-                output::plane(scene, &polygons, folder, "triangles")?
+                output::plane(files, scene, "triangles", triangles.iter().map(|triangle| vec![triangle.to_vec()]))?;
             }
             Dimension::Three => {
-                let faces: Vec<Vec<Vertex>> = triangles().map(|triangle| triangle.to_vec()).collect();
-                output::mesh(scene, &faces, folder, "triangles")?
+                output::mesh(files, scene, "triangles", triangles.iter().map(|triangle| triangle.to_vec()))?;
             }
-        };
-        let corners = content.polygons.iter().flatten().flatten().copied();
-        files.push(output::vertices(scene, corners, folder)?);
-        Ok(files)
+        }
+        output::vertices(files, scene, content.polygons.iter().flatten().flatten().copied())
     }
 
     fn draw(

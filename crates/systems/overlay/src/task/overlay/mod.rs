@@ -10,8 +10,6 @@ mod judge;
 mod shapes;
 mod spoiled;
 
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::overlay::{Contradiction, Edge, Operation, Overlay, Regions, arrange, overlay};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -21,7 +19,7 @@ use predicament_report::drawing::Role;
 pub use content::{Layered, Layers};
 
 pub use checks::RULES;
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -229,42 +227,39 @@ impl Task for Overlay2d {
         Ok(Explanation::default().with_answers(backends, ask))
     }
 
-    /// Writes each result as a picture and GeoJSON, the arrangement as JSON, and all vertices exactly.
+    /// Offers each result as a picture and GeoJSON, the arrangement as JSON, and all vertices exactly.
     fn write(
         &self,
         scene: &Scene,
         content: &Layered,
         answer: &Overlaid,
-        folder: &Path,
-    ) -> std::io::Result<Vec<PathBuf>> {
+        files: &mut Files,
+    ) -> Result<(), output::Error> {
         let arrangement = &answer.overlay.arrangement;
+        files.broken(arrangement.broken);
         let (shown, at) = shown(scene, answer)?;
-        let mut files = Vec::new();
         if content.operands().is_some() {
             let ring = |one: &Vec<Edge>| one.iter().map(|edge| at(edge.from)).collect::<Vec<_>>();
             for (operation, made) in Operation::ALL.into_iter().zip(&answer.regions) {
-                let polygons: Vec<Vec<Vec<Vertex>>> =
-                    made.regions.iter().map(|region| region.loops().map(ring).collect()).collect();
-                files.extend(output::plane(&shown, &polygons, folder, operation.name())?);
+                let polygons = made.regions.iter().map(|region| region.loops().map(ring).collect());
+                output::plane(files, &shown, operation.name(), polygons)?;
             }
         }
-        let subdivision = &arrangement.subdivision;
-        let edge = |(at, piece): (u32, &crate::algorithm::overlay::Piece)| {
-            let vertices = piece.ends.map(|node| arrangement.vertices[node as usize].to_string());
-            let faces = [2 * at, 2 * at + 1].map(|half| subdivision.face(half));
-            serde_json::json!({ "vertices": vertices, "left": faces[0], "right": faces[1] })
-        };
-        let json = serde_json::json!({
-            "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
-            "faces": subdivision.faces().len(),
-            "windings": answer.overlay.windings,
-            "broken": arrangement.broken.map(Contradiction::rule),
-        });
-        let path = folder.join("arrangement.json");
-        std::fs::write(&path, format!("{json}\n"))?;
-        files.push(path);
-        files.push(output::vertices(&shown, arrangement.vertices.iter().map(|&v| at(v)), folder)?);
-        Ok(files)
+        files.json("arrangement.json", || {
+            let subdivision = &arrangement.subdivision;
+            let edge = |(at, piece): (u32, &crate::algorithm::overlay::Piece)| {
+                let vertices = piece.ends.map(|node| arrangement.vertices[node as usize].to_string());
+                let faces = [2 * at, 2 * at + 1].map(|half| subdivision.face(half));
+                serde_json::json!({ "vertices": vertices, "left": faces[0], "right": faces[1] })
+            };
+            serde_json::json!({
+                "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
+                "faces": subdivision.faces().len(),
+                "windings": answer.overlay.windings,
+                "broken": arrangement.broken.map(Contradiction::rule),
+            })
+        })?;
+        output::vertices(files, &shown, arrangement.vertices.iter().map(|&v| at(v)))
     }
 
     fn draw(

@@ -10,9 +10,6 @@ mod judge;
 mod section;
 mod spoiled;
 
-use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
-
 use crate::algorithm::overlay::{self, Arrangement, Edge, arrange};
 use crate::algorithm::snap::{Drawing, Pixel, Snapped, snap};
 use crate::truth::Truth;
@@ -22,12 +19,13 @@ use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Que
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
+use std::collections::BTreeSet;
 
 pub use content::{Drawn, method_name};
 pub use contradiction::Contradiction;
 pub use section::SnapRow;
 
-use predicament_tasks::output::Canvas;
+use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -265,29 +263,31 @@ impl Task for Snap2d {
         Ok(about.with_answers(backends, ask))
     }
 
-    fn write(&self, scene: &Scene, content: &Drawn, answer: &Chains, folder: &Path) -> std::io::Result<Vec<PathBuf>> {
-        let chain = |chain: &Vec<u32>| -> Vec<[f64; 2]> {
-            chain.iter().map(|&at| answer.snapped.centre(at, content.pixel)).collect()
+    fn write(&self, scene: &Scene, content: &Drawn, answer: &Chains, files: &mut Files) -> Result<(), output::Error> {
+        // A line has at least two positions.
+        let line = |chain: &Vec<u32>| -> Vec<[f64; 2]> {
+            let line: Vec<[f64; 2]> = chain.iter().map(|&at| answer.snapped.centre(at, content.pixel)).collect();
+            if line.len() == 1 { line.repeat(2) } else { line }
         };
-        let chains: Vec<Vec<[f64; 2]>> = answer.snapped.chains.iter().map(chain).collect();
-        let features: Vec<serde_json::Value> = chains
-            .iter()
-            .zip(&content.segments)
-            .map(|(chain, [a, b])| {
-                // A line of GeoJSON has at least two positions.
-                let line: Vec<[f64; 2]> = if chain.len() == 1 { chain.repeat(2) } else { chain.clone() };
-                serde_json::json!({
+        let chains = &answer.snapped.chains;
+        files.write("chains.geojson", |out| {
+            let feature = |(chain, [a, b]): (&Vec<u32>, &[Vertex; 2])| {
+                Ok(serde_json::json!({
                     "type": "Feature",
-                    "geometry": { "type": "LineString", "coordinates": line },
+                    "geometry": { "type": "LineString", "coordinates": line(chain) },
                     "properties": { "segment": [a.to_string(), b.to_string()] },
-                })
+                }))
+            };
+            output::collection(out, chains.iter().zip(&content.segments).map(feature))
+        })?;
+        files.by_format("chains.wkt", |out| {
+            let place = |[x, y]: &[f64; 2]| format!("{x:?} {y:?}");
+            chains.iter().try_for_each(|chain| {
+                let places: Vec<String> = line(chain).iter().map(place).collect();
+                writeln!(out, "LINESTRING ({})", places.join(", "))
             })
-            .collect();
-        let path = folder.join("chains.geojson");
-        let text = serde_json::json!({ "type": "FeatureCollection", "features": features });
-        std::fs::write(&path, format!("{text}\n"))?;
-        let vertices = output::vertices(scene, content.segments.iter().flatten().copied(), folder)?;
-        Ok(vec![path, vertices])
+        })?;
+        output::vertices(files, scene, content.segments.as_flattened().iter().copied())
     }
 
     fn draw(
