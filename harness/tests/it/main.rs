@@ -39,6 +39,7 @@ mod runs;
 mod scorecard;
 mod show;
 mod shrink;
+mod silence;
 mod solved;
 mod strangers;
 mod studies;
