@@ -41,6 +41,34 @@ fn whoever_names_rug_names_the_feature_of_gmp() {
     }
 }
 
+/// Packages that a profile compiles below level 3, by the lines of its table.
+fn barely_optimised<'m>(manifest: &'m str, profile: &str) -> Vec<&'m str> {
+    let table = format!("profile.{profile}.package]");
+    let section = manifest.split("\n[").find(|section| section.starts_with(&table)).unwrap_or_default();
+    let lines = section.lines().filter(|line| line.contains("opt-level") && !line.ends_with("= 3"));
+    lines.map(|line| line.split(['.', ' ']).next().unwrap_or_default()).collect()
+}
+
+/// The tool and these crates turn sessions of backends into machine code, which `bench` times. At level 1 a plain
+/// determinant took twenty times as long.
+#[test]
+fn timed_code_is_optimised() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let manifest = std::fs::read_to_string(root.join("Cargo.toml")).expect("the manifest");
+    for profile in ["release", "demo"] {
+        let slow = barely_optimised(&manifest, profile);
+        assert!(slow.contains(&"predicament-report"), "{profile}: {slow:?}");
+        for timed in
+            ["", "-arithmetic", "-controls", "-exact", "-lanes", "-oracle", "-predicates", "-sos", "-tolerance"]
+        {
+            assert!(!slow.contains(&&*format!("predicament{timed}")), "{profile} times predicament{timed}");
+        }
+    }
+    assert!(manifest.contains("[profile.demo.package]\npredicament.opt-level = 3\n"), "the demo's own level is 1");
+    let planted = "[profile.demo.package]\npredicament.opt-level = 1\n";
+    assert_eq!(barely_optimised(&format!("\n{planted}"), "demo"), ["predicament"]);
+}
+
 /// The groups of crates, from the one without imports of other groups to the one that may import all.
 const GROUPS: [&str; 4] = ["kernel", "instrument", "systems", "lab"];
 

@@ -35,11 +35,6 @@ pub fn demo() -> Result<(), String> {
     };
     tool("run the embedded corpora", &["run", "--out", &run])?;
     tool("time the backends", &["bench", "--judged", &run, "--seconds", "30", "--out", &bench])?;
-    let compare = format!("{run}/compare");
-    tool(
-        "compare them on random scenes",
-        &["study", "compare", "--scenes", "1", "--samples", "1", "--trials", "0", "--out", &compare],
-    )?;
     tool("write the report", &["report", &run, &bench, "--out", &report])?;
     println!("\nOpen {report}/report.html");
     Ok(())

@@ -183,7 +183,7 @@ fn a_task_on_a_table_reads_its_columns() {
     let (with, without) = (at(&folder, "with"), at(&folder, "without"));
     expect(0, &["solve", "hull2d", &table, "--columns", "lon,lat", "--out", &with]);
     expect(0, &["solve", "hull2d", &plain, "--out", &without]);
-    assert_eq!(read(&with, "vertices.json"), read(&without, "vertices.json"));
+    assert_eq!(read(&with, "hull.geojson"), read(&without, "hull.geojson"));
     let found = expect(0, &["draw", "scene", "delaunay2d", &table, "--out", &at(&folder, "net.svg")]);
     assert!(found.stderr.contains("x is the column `lon`"), "{}", found.stderr);
     // A map has no columns, its probes have.

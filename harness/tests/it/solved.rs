@@ -168,7 +168,7 @@ fn errors_about_files_name_them() {
         (&["hull2d", &solid], &[&solid]),
         (&["hull3d", &flat], &[&flat]),
         (&["delaunay2d", &solid], &[&solid]),
-        (&["incircle", &flat], &[&flat]),
+        (&["insphere", &flat], &[&flat]),
         (&["orient3d", &two], &[&two]),
         (&["triangulate", &mesh], &[&mesh]),
         (&["overlay2d", &mesh], &[&mesh]),
