@@ -6,8 +6,8 @@ use std::path::Path;
 use crate::command::{Beside, answers, cargo, cargo_command, fresh, root, step, target_directory, words};
 use crate::compiler;
 
-/// The folder of `demo`, beside the build.
-const DEMO: &str = "target/demo";
+/// The folder of `demo`. Cargo has `target/demo`, the build of the profile.
+const DEMO: &str = "target/demo-report";
 /// The folder of the run of `test`.
 const GATE: &str = "target/gate";
 /// The crates that use the tool as a library.
