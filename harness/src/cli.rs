@@ -8,6 +8,7 @@ use std::sync::Arc;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser, Subcommand};
 use predicament_bundle::Systems;
 use predicament_judge::TieJudge;
+use predicament_oracle::roster::Roster;
 use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_studies::{Entry, Ready, Study};
 use predicament_tasks::{self as tasks, Contestant, Task, TaskList};
@@ -80,7 +81,7 @@ pub struct Cli<B, T> {
     guests: Guests,
 }
 
-impl<B: BackendList, T: TaskList> Cli<B, T> {
+impl<B: BackendList, T: Roster> Cli<B, T> {
     /// Adds a backend, which runs by default; `-b` selects it by name.
     #[must_use]
     pub fn backend<N: Backend + 'static>(self, backend: N) -> Cli<(Own<N>, B), T> {
@@ -142,28 +143,32 @@ impl<B: BackendList, T: TaskList> Cli<B, T> {
     #[must_use]
     pub fn main(self) -> ExitCode {
         interrupt::outlive_limits();
-        let tool = Tool::new(self.backends, &self.tasks, self.guests);
-        let command = whole(&tool);
-        let words: Vec<OsString> = std::env::args_os().map(point).collect();
-        if let Some(at) = words.iter().skip(1).position(is_empty) {
-            return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
-        }
-        let (words, renamed) = names::current(words, tool.studies());
-        let matches = layout::laid_out(command.clone()).get_matches_from(words);
-        let asked = Asked::from_matches(&matches, tool.studies()).unwrap_or_else(|error| error.exit());
-        if matches.get_flag(QUIET) {
-            out::be_quiet();
-        }
-        for line in renamed {
-            note!("{line}");
-        }
-        // If the tool panics, it must not exit with the code of `unexpected pass`.
-        let done = predicament_oracle::caught(|| match asked {
-            Asked::Study(study) => cmd::study::run(study.as_ref(), &tool),
-            Asked::Command(asked) => asked.run(&tool, command),
-        });
-        exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
+        main(&Tool::new(self.backends, &self.tasks, self.guests))
     }
+}
+
+/// The rest of [`Cli::main`]: not generic, so that programs with backends of their own do not compile it again.
+fn main(tool: &Tool) -> ExitCode {
+    let command = whole(tool);
+    let words: Vec<OsString> = std::env::args_os().map(point).collect();
+    if let Some(at) = words.iter().skip(1).position(is_empty) {
+        return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
+    }
+    let (words, renamed) = names::current(words, tool.studies());
+    let matches = layout::laid_out(command.clone()).get_matches_from(words);
+    let asked = Asked::from_matches(&matches, tool.studies()).unwrap_or_else(|error| error.exit());
+    if matches.get_flag(QUIET) {
+        out::be_quiet();
+    }
+    for line in renamed {
+        note!("{line}");
+    }
+    // If the tool panics, it must not exit with the code of `unexpected pass`.
+    let done = predicament_oracle::caught(|| match asked {
+        Asked::Study(study) => cmd::study::run(study.as_ref(), tool),
+        Asked::Command(asked) => asked.run(tool, command),
+    });
+    exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
 }
 
 /// The command line, with backends and studies of other crates in its help.

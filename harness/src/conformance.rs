@@ -9,9 +9,10 @@ use predicament_bundle::Systems;
 use predicament_corpus::Level;
 use predicament_judge::TieJudge;
 use predicament_oracle::expect::Expectations;
+use predicament_oracle::roster::Roster;
 use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_records::{RunWriter, Shard};
-use predicament_tasks::{Contestant, Entry, Task, TaskList, Watch};
+use predicament_tasks::{Contestant, Entry, Task, Watch};
 
 use crate::exit::Failure;
 use crate::planning::{budget, env_of, plan, tables};
@@ -52,7 +53,7 @@ pub struct Conformance<B, T = Systems> {
     folder: Option<PathBuf>,
 }
 
-impl<B: Backend + 'static, T: TaskList> Conformance<B, T> {
+impl<B: Backend + 'static, T: Roster> Conformance<B, T> {
     /// Sets the level; the default is quick.
     #[must_use]
     pub fn level(mut self, level: Level) -> Conformance<B, T> {

@@ -77,6 +77,7 @@ pub use predicament_bundle::Systems;
 pub use predicament_corpus::{self as corpus, Level};
 pub use predicament_formats as formats;
 pub use predicament_judge as judge;
+pub use predicament_oracle::roster::Roster;
 pub use predicament_predicates as predicates;
 pub use predicament_records as records;
 pub use predicament_report as report;

@@ -7,11 +7,11 @@ use std::sync::OnceLock;
 use predicament_corpus::{Library, Suite, Vocabulary};
 use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
-use predicament_oracle::roster::{self, BackendError};
+use predicament_oracle::roster::{self, BackendError, Roster};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_studies::Entry as Study;
-use predicament_tasks::{AnyTask, Contestant, TaskList, vocabulary, with_signs};
+use predicament_tasks::{AnyTask, Contestant, vocabulary, with_signs};
 
 use crate::BackendList;
 use crate::exit::Failure;
@@ -70,13 +70,12 @@ pub struct Tool {
 }
 
 impl Tool {
-    pub fn new<B: BackendList, T: TaskList>(backends: B, list: &T, guests: Guests) -> Tool {
+    pub fn new<B: BackendList, T: Roster>(backends: B, list: &T, guests: Guests) -> Tool {
         let tasks = with_signs(list);
         let vocabulary = vocabulary(&tasks);
         let own_backends = backends.names();
         let list = list.clone();
-        let find: Find =
-            Box::new(move |name| backends.find(name, &list).map_or_else(|| roster::backend(name, &list), Ok));
+        let find: Find = Box::new(move |name| backends.find(name, &list).map_or_else(|| list.backend(name), Ok));
         Tool { tasks, vocabulary, own_backends, find, guests, library: OnceLock::new() }
     }
 

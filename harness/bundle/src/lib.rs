@@ -15,7 +15,7 @@ use predicament_hull::task::{Hull2d, Hull3d};
 use predicament_interval::task::Interval;
 use predicament_mesh_intersect::task::MeshIntersect;
 use predicament_mesh_locate::task::MeshLocate;
-use predicament_oracle::roster::{self, BackendError};
+use predicament_oracle::roster::{self, BackendError, Roster};
 use predicament_overlay::task::overlay::Overlay2d;
 use predicament_overlay::task::snap::Snap2d;
 use predicament_polygon_locate::task::PolygonLocate;
@@ -80,6 +80,13 @@ impl TaskList for Systems {
             };
         }
         each_task!(on)
+    }
+}
+
+impl Roster for Systems {
+    // Not generic: this crate compiles the backends, and not each program that calls this method.
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, BackendError> {
+        backend(name)
     }
 }
 

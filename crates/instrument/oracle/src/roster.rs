@@ -14,7 +14,7 @@ use predicament_tolerance::Tolerance;
 
 use predicament_judge::TieJudge;
 use predicament_predicates::Backend;
-use predicament_tasks::{Contestant, Entry, TaskList};
+use predicament_tasks::{Contestant, Entry, Task, TaskList};
 
 use crate::boxed::Boxed;
 use crate::faults;
@@ -171,6 +171,24 @@ pub fn knows(name: &str) -> bool {
         None => visit(name, Nothing).is_ok(),
     }
 }
+
+/// A list of tasks on which built-in backends are found by name.
+///
+/// The crate that calls the default method compiles every backend with every task. A list with its own method compiles
+/// them once, for all programs that use the list.
+pub trait Roster: TaskList {
+    /// The backend with this name, on the tasks that query signs and on the tasks of the list.
+    ///
+    /// # Errors
+    /// [`BackendError`] on one line, with the known names.
+    fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, BackendError> {
+        backend(name, self)
+    }
+}
+
+impl Roster for () {}
+
+impl<T: Task + Clone, Rest: TaskList> Roster for (T, Rest) {}
 
 /// The backend with this name, on the tasks that query signs and on `tasks`.
 ///
