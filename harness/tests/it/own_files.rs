@@ -128,7 +128,7 @@ fn what_is_rounded_is_a_row_and_a_line_of_the_report() {
     let pages = at(&folder, "report");
     expect(0, &["report", &out, "--out", &pages]);
     let page = read(&pages, "report.md");
-    let table = page.split("Changed while they were read").nth(1).expect("the table");
+    let table = page.split("Changed by the reader").nth(1).expect("the table");
     assert!(
         table.contains("| rounded | orient2d | 1 |") || table.contains("| rounded | a | orient2d | 1 |"),
         "{table}"
@@ -139,7 +139,7 @@ fn what_is_rounded_is_a_row_and_a_line_of_the_report() {
     expect(0, &["run", &plain, "-b", "exact", "--out", &clean]);
     assert_eq!(read(&clean, "imports.csv").lines().count(), 1);
     expect(0, &["report", &clean, "--out", &at(&folder, "clean-report")]);
-    assert!(!read(&at(&folder, "clean-report"), "report.md").contains("Changed while they were read"));
+    assert!(!read(&at(&folder, "clean-report"), "report.md").contains("Changed by the reader"));
 }
 
 #[test]

@@ -287,7 +287,10 @@ fn a_report_beside_an_earlier_run_and_in_a_page_of_ones_own() {
     expect(0, &["report", &now, "--baseline", &before, "--splice", &page, "--out", &report]);
     let markdown = read(&report, "report.md");
     // One pair is unchanged, one is new, and one is gone.
-    assert!(markdown.contains("## Beside the earlier run") && markdown.contains("| 1 | 0 | 1 | 1 |"), "{markdown}");
+    assert!(
+        markdown.contains("## Changes since the earlier run") && markdown.contains("| 1 | 0 | 1 | 1 |"),
+        "{markdown}"
+    );
     let spliced = std::fs::read_to_string(&page).unwrap();
     assert!(spliced.starts_with("Mine\n") && spliced.contains("\n| `exact` | "), "{spliced}");
     std::fs::write(&page, "no marks\n").unwrap();

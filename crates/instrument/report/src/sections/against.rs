@@ -60,11 +60,12 @@ pub fn against(runs: &[RunDir], earlier: &[RunDir]) -> Result<Section, Error> {
     }
     Ok(Section {
         id: "against",
-        title: "Beside the earlier run",
-        lead: "A pair is changed if it has other counts of any class, or another status; a scene of other contents is removed and added. It is worse or \
-               better by the worst severity in which the counts differ. A ratio of \
-               times is the geometric mean over the families that were timed in both, with its interval at 95 % from how much families differ. Where 1 is not in the \
-               interval, times differ by more than that. In the plot rings are the earlier run."
+        title: "Changes since the earlier run",
+        lead: "A pair of scene and backend is changed if its status or the count of any class differs. A scene whose \
+               contents changed is listed as removed and added. A change is worse or better by the worst severity \
+               whose counts differ. A ratio of times is the geometric mean over the families that were timed in both \
+               runs; its 95 % interval comes from the spread between families. If the interval excludes 1, times \
+               differ by more than that spread. Rings in the plot are the earlier run."
             .to_owned(),
         blocks,
     })
@@ -140,7 +141,7 @@ fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
             ratios.entry((*task, rank(order, backend), *way)).or_default().push((ns / old).ln());
         }
     }
-    let mut table = Table::new("Times over the earlier ones")
+    let mut table = Table::new("Times relative to the earlier run")
         .words(["task", "backend", "asked"])
         .of(Origin::of("throughput.csv").keys(["task", "backend"]))
         .numbers(["families", "ratio", "from", "to"]);

@@ -54,9 +54,11 @@ pub fn section(runs: &[RunDir]) -> Section {
     Section {
         id: "answers",
         title: "Answers by class",
-        lead: "Each answer is compared with the truth and with what its backend promised. A scene is expected when \
-               all its findings are listed in expected.toml, and unexpected when one is not, or when a listed one did \
-               not occur: that one is mended, and its expectation can be pruned. Wrong answers are overreach, missed_zero, sign_flip, inconsistent and nan; queries are those of scenes that got answers."
+        lead: "Each answer is compared with the truth and with what its backend promised. A scene is expected if \
+               expected.toml lists all its findings. It is unexpected if a finding is not listed, or if a listed \
+               finding did not occur; the latter counts as mended, and its expectation can be pruned. Wrong answers \
+               are overreach, missed_zero, sign_flip, inconsistent and nan. Queries are counted only for scenes that \
+               were answered."
             .to_owned(),
         blocks,
     }
@@ -109,7 +111,7 @@ fn tone_of(status: Status) -> Tone {
 
 fn table(caption: &str, runs: &[RunDir], labels: &[&str], classes: &[Class]) -> Table {
     Table::new(caption)
-        .basis("counts of answers and of failed checks; the last column is wrong answers of a million queries that were answered")
+        .basis("counts of answers and of failed checks; the last column is wrong answers per million answered queries")
         .words(run_head(runs))
         .words(labels.iter().copied())
         .of(Origin::of("summary.csv").keys(labels.iter().copied()))

@@ -18,7 +18,7 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     for (index, run) in runs.iter().enumerate() {
         if let Some(example) = run.findings.iter().map(|finding| &*finding.finding_id).min() {
             let number = if runs.len() > 1 { format!(" of run {}", index + 1) } else { String::new() };
-            blocks.push(Block::Note(format!("To see a finding{number} again:"), Tone::Plain));
+            blocks.push(Block::Note(format!("To repeat a finding{number}:"), Tone::Plain));
             blocks.push(Block::Command(format!("predicament replay {example} --run {}", run.path.display())));
         }
     }
@@ -32,10 +32,10 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
         id: "findings",
         title: "Findings",
         lead: format!(
-            "In a browser all findings can be searched and chosen from, and some show their points, a picture, and the answer of each backend. Tables \
-             have the first {FEW} of each class for each backend; findings.csv has more. The degeneracy is log2 of \
-             |determinant| / permanent: the farther below zero, the nearer the query is to a tie; −∞ is an exact \
-             tie. Distances are in units of L, the largest extent of the scene."
+            "In a browser you can search and select all findings; some show their points, a picture, and the answer \
+             of each backend. Tables show the first {FEW} findings of each class for each backend; findings.csv has \
+             more. The degeneracy is log2 of |determinant| / permanent: lower values are nearer to a tie, and −∞ is \
+             an exact tie. Distances are in units of L, the largest extent of the scene."
         ),
         blocks,
     })

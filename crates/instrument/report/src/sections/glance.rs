@@ -52,9 +52,10 @@ pub fn drawn(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     }
     Ok((!blocks.is_empty()).then(|| Section {
         id: "tradeoff",
-        title: "What being right costs",
-        lead: "Errors over everything that was asked, against time. A line is Wilson's interval at 95 %; never wrong is at the \
-               bottom, up to what may be. A cross is a broken law of a whole scene, a bar what was left undone."
+        title: "The price of being right",
+        lead: "The error rate against time. Errors cover everything that a backend was asked. A line is Wilson's \
+               interval at 95 %. Backends without errors are at the bottom, with the upper end of their interval. A \
+               cross marks a broken law of a whole scene. A bar shows the share that was left undone."
             .to_owned(),
         blocks,
     }))
@@ -108,8 +109,8 @@ fn table(marks: &[Mark]) -> Table {
     let rounded = marks.iter().any(|mark| mark.standing.scenes.rounded > 0);
     let mut table = Table::new("")
         .basis(
-            "right, undecided, wrong and not done are shares of the answers asked for; broken and rounded are shares of the \
-             scenes that were done, left undone of all scenes; in parentheses counts and Wilson's intervals at 95 %",
+            "right, undecided, wrong and not done: shares of all queries; broken and rounded: shares of the answered \
+             scenes; left undone: share of all scenes; in parentheses: counts and Wilson's intervals at 95 %",
         )
         .words(["backend"])
         .of(Origin::of(FILE).keys(["backend"]).only("panel", "all"))
@@ -164,25 +165,26 @@ pub fn time(pace: Option<&Pace>) -> Cell {
     let Some(pace) = pace else { return Cell::from("—").tone(Tone::Muted) };
     let families = format!("{} of {} families", pace.families, pace.of);
     let [low, high] = pace.range.map(|ns| significant(ns / pace.reference, 2));
-    let title = format!("over {families} that both were timed on; shortest to longest samples {low} to {high}");
+    let title = format!("over {families} that both were timed on; shortest to longest sample {low} to {high}");
     let detail = if pace.is_loop { format!("a loop; {families}") } else { families };
     Cell::from(factor(pace.ratio)).detail(detail).title(title)
 }
 
-const LEAD: &str = "Best first: never wrong, then the least wrong, the least undecided or undone, then the fastest. What is said \
-                    about a backend is over everything that it was asked, and does not depend on which others ran.";
+const LEAD: &str = "Best first: never wrong, then least wrong, then least undecided or undone, then fastest. The \
+                    figures of a backend cover everything that it was asked. They do not depend on the other \
+                    backends of the run.";
 
 /// The key to the columns and the plots.
 fn key(marks: &[Mark]) -> String {
-    let mut key = "Answers are queries that are judged one by one: right (ties broken as promised are right), undecided (within \
-                   a tolerance), wrong, or not done (declined, out of time, crashed). Scenes are whole answers: broken is a \
-                   violated law, rounded a law that only the rounding of coordinates violates."
+    let mut key = "Answers are judged query by query: right (including ties broken as promised), undecided (within a \
+                   tolerance), wrong, or not done (declined, out of time, crashed). Scenes are judged as a whole: \
+                   broken means that a law is violated, rounded that only the rounding of coordinates violates it."
         .to_owned();
     if marks.iter().any(|mark| !mark.paces.is_empty()) {
         key += &format!(
-            " A time is the geometric mean of the ratios to {REFERENCE}'s in the same run, over the families of scenes that \
-             both were timed on. Single queries, batches and whole scenes are never mixed. A batch is compared with \
-             {REFERENCE} in vector registers: its ratio is the price of exactness."
+            " A time is a ratio to {REFERENCE}'s time in the same run: the geometric mean over the families of \
+             scenes that both were timed on. Single queries, batches and whole scenes are never mixed. Batches of \
+             {REFERENCE} use vector registers, so the ratio of a batch is the price of exactness."
         );
     }
     key

@@ -32,7 +32,7 @@ fn not_run(runs: &[RunDir]) -> Headline {
     }
     Headline {
         number: thousands(length(missing)),
-        label: "pairs of scene and backend planned and not run",
+        label: "planned pairs of scene and backend that were not run",
         detail: parts.join("; "),
         tone: if missing + broken_off > 0 { Tone::Bad } else { Tone::Good },
     }
@@ -70,7 +70,7 @@ fn price(runs: &[RunDir]) -> Headline {
     const LABEL: &str = "the price of being right";
     let none = |detail: String| Headline { number: "—".to_owned(), label: LABEL, detail, tone: Tone::Muted };
     if runs.iter().flat_map(|run| &run.throughput).all(|row| row.backend != REFERENCE) {
-        return none(format!("{REFERENCE}, which times are compared with, was not timed"));
+        return none(format!("the reference {REFERENCE} was not timed"));
     }
     let times = Times::of(runs);
     let rule = "the cheapest backend that answers everything it was asked, is never wrong and breaks no law";
@@ -80,7 +80,7 @@ fn price(runs: &[RunDir]) -> Headline {
     let nearest = nearest(runs, &times);
     match faultless(runs, &times, Scope::Predicates).first() {
         Some(best) => {
-            let rule = format!("{rule}, of predicates alone; over everything there is none{nearest}");
+            let rule = format!("{rule}, on predicates alone; no backend does so on all tasks{nearest}");
             found(best, "the price of being right about signs", &rule)
         }
         None => none(format!("no backend answers everything it was asked, is never wrong and breaks no law{nearest}")),

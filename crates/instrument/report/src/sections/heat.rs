@@ -46,12 +46,12 @@ pub fn section(runs: &[RunDir]) -> Section {
     let of = if by_scene { "scene" } else { "suite" };
     Section {
         id: "heat",
-        title: "Where something is wrong",
+        title: "Errors by backend",
         lead: format!(
-            "The share of answers that are wrong, by backend and {of}; ✗ and a number are whole scenes with a broken law, ≈ \
-             scenes that are off by rounding alone. Ties broken and values within a tolerance are what a backend promises \
-             and may. A frame is a finding that no expectation lists, a tick an expected one that is gone. An empty cell \
-             was not run. A cell leads to its findings."
+            "The share of wrong answers, by backend and {of}. ✗ and a number count whole scenes with a broken law; ≈ \
+             counts scenes that are off by rounding alone. Broken ties and values within a tolerance are not wrong \
+             if the backend promises them. A frame marks a finding that no expectation lists; a tick marks an \
+             expected finding that did not occur. An empty cell was not run. A cell links to its findings."
         ),
         blocks: vec![Block::table_or(table, "No scene was checked.")],
     }

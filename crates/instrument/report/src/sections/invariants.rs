@@ -42,12 +42,11 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     (!blocks.is_empty()).then(|| Section {
         id: "invariants",
         title: "Broken invariants",
-        lead:
-            "Checks of whole answers that failed, and on how many scenes under each backend; the name is that of the \
-               smallest of them. Below them, how many scenes the backend answered. Laws that only the rounding of \
-               coordinates violates have tables of their own. A check that only failed after the first recorded findings of \
-               a scene is not seen here."
-                .to_owned(),
+        lead: "Failed checks of whole answers: the number of scenes by backend, and the name of the smallest such \
+             scene. The last row has the number of scenes that the backend answered. Laws that only the rounding of \
+             coordinates violates have separate tables. A check is missing here if it failed only after the first \
+             recorded findings of a scene."
+            .to_owned(),
         blocks,
     })
 }

@@ -12,8 +12,8 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     (!blocks.is_empty()).then(|| Section {
         id: "maps",
         title: "Pixel maps",
-        lead: "The sign at each point of a raster: red negative, yellow zero, blue positive; dark where it is wrong, \
-               that is, not what the backend's promise allows."
+        lead: "The sign at each point of a raster: red negative, yellow zero, blue positive. Dark pixels are wrong: \
+               the backend's promise does not allow them."
             .to_owned(),
         blocks,
     })

@@ -48,8 +48,9 @@ pub fn section(runs: &[RunDir]) -> Result<Section, Error> {
 
 /// The table of scenes that are too large for the whole truth, once for all backends.
 fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
-    let mut table =
-        Table::new("Held against the truth of a part").words(run_head(runs)).words(["suite", "scene", "task", "part"]);
+    let mut table = Table::new("Compared with the truth of only a part")
+        .words(run_head(runs))
+        .words(["suite", "scene", "task", "part"]);
     for (index, run) in runs.iter().enumerate() {
         let rows = run.rows::<SampledRow>()?;
         let scenes: BTreeSet<_> = rows.iter().map(|row| [&row.suite, &row.scene, &row.task, &row.truth_of]).collect();
@@ -63,7 +64,7 @@ fn sampled(runs: &[RunDir]) -> Result<Table, Error> {
 
 /// The table of scenes that differ from their files.
 fn imported(runs: &[RunDir]) -> Result<Table, Error> {
-    let mut table = Table::new("Changed while they were read").words(run_head(runs)).words(["suite", "scene", "task"]);
+    let mut table = Table::new("Changed by the reader").words(run_head(runs)).words(["suite", "scene", "task"]);
     table = table.of(Origin::of("imports.csv").keys(["suite", "scene", "task"])).numbers([
         "decimals rounded",
         "third coordinates left out",

@@ -73,9 +73,10 @@ pub fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     Ok(Some(Section {
         id: "phases",
         title: "Phases",
-        lead: "What the parts of an algorithm take, each by itself: the median of the samples, then the smallest and the largest, and \
-               the memory of what the phase makes, for one of what it counts. Phases without a backend ask no predicate. Scenes whose \
-               names differ behind the last dash only, and that differ in size, are a plot for each backend, which has the times on one thread."
+        lead: "Time and memory of each phase of an algorithm, per unit that the phase counts: the median, smallest \
+               and largest sample, and the memory of the phase's result. Phases without a backend do not call \
+               predicates. Scenes of different sizes whose names differ only after the last dash form a series. Each \
+               series has a plot for each backend, with times on one thread."
             .to_owned(),
         blocks,
     }))

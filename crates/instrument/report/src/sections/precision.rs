@@ -47,10 +47,10 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     (!table.is_empty()).then(|| Section {
         id: "precision",
         title: "Precision plans",
-        lead: "Before the first query, the exact backend reads what the coordinates of a scene span: each is a \
-               multiple of two to the lowest bit, and differences have so many bits in these units. Hence the \
-               cheapest arithmetic that makes no error, for each predicate that the scene has. Scenes of a suite \
-               that got the same share a line."
+        lead: "Before the first query, the exact backend determines the range of a scene's coordinates. Each \
+               coordinate is a multiple of 2 to the power of the lowest bit; \"bits\" is the length of the largest \
+               difference in these units. For each predicate of the scene, the backend then chooses the cheapest \
+               arithmetic that makes no error. Scenes of a suite with the same choice share a line."
             .to_owned(),
         blocks: vec![Block::Table(table)],
     })

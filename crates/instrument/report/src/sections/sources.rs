@@ -45,9 +45,9 @@ pub fn sources(named: &[Source]) -> Option<Section> {
     Some(Section {
         id: "sources",
         title: "Sources of the scenes",
-        lead:
-            "Where the scenes are from, as their suites say. `predicament setup cite --run RUN` prints them as BibTeX."
-                .to_owned(),
+        lead: "The sources that the suites name for their scenes. `predicament setup cite --run RUN` prints them as \
+             BibTeX."
+            .to_owned(),
         blocks: vec![Block::Table(table)],
     })
 }

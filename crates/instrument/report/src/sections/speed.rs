@@ -27,11 +27,12 @@ pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error>
         id: "speed",
         title: "Speed against error",
         lead: format!(
-            "A panel for each task that was timed: the time over {REFERENCE}'s, and the rate of wrong answers, or of broken \
-             scenes where answers are judged as a whole. Errors are over everything that the backend was asked, times over \
-             the families that it and {REFERENCE} were both timed on. A line is Wilson's interval at 95 % of what is wrong; \
-             what was never wrong stands on the shelf at the bottom. A cross is a broken law of a whole scene, a bar what \
-             was left undone. figures.csv, beside this page, has the same figures in full."
+            "A panel for each timed task: the time relative to {REFERENCE}, and the rate of wrong answers, or of \
+             broken scenes if answers are judged as a whole. Errors cover everything that the backend was asked. \
+             Times cover the families that the backend and {REFERENCE} were both timed on. A line is Wilson's \
+             interval at 95 % of the error rate; backends without errors are on the shelf at the bottom. A cross \
+             marks a broken law of a whole scene. A bar shows the share that was left undone. figures.csv, beside \
+             this page, has the same figures in full."
         ),
         blocks,
     }))

@@ -67,8 +67,9 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
     (!blocks.is_empty()).then(|| Section {
         id: "stages",
         title: "Stages",
-        lead: "A query climbs a backend's ladder, cheapest rung first, until one can settle it: the exact backend's from \
-               left to right, then the others. Stages that only differ by a number share a column; the deepest one stands beside the share."
+        lead: "A query climbs a backend's ladder, cheapest rung first, until a rung can settle it. Columns are the \
+               rungs of the exact backend from left to right, then the rungs of other backends. Stages that differ \
+               only by a number share a column; the deepest stage is beside the share."
             .to_owned(),
         blocks,
     })

@@ -50,11 +50,11 @@ pub fn section(runs: &[RunDir]) -> Option<Section> {
         id: "throughput",
         title: "Throughput",
         lead: format!(
-            "Nanoseconds per query: the median of the samples (of several scenes of a family the geometric mean of their \
-             medians), then the smallest and largest sample, and the median as a multiple of {REFERENCE}'s in the same \
-             run, where it was timed on as many scenes. Only verified answers are timed. Asked is how: one query at a \
-             time (single), in slices (batch; a loop where the backend has no batches of its own), or for the answer to a \
-             whole scene."
+            "Nanoseconds per query: the median of the samples, then the smallest and largest sample. A family with \
+             several scenes shows the geometric mean of their medians. The median is also given as a multiple of \
+             {REFERENCE}'s in the same run, if both were timed on equally many scenes. Only verified answers are \
+             timed. \"asked\" is the interface: single queries, batches (\"loop\" if the backend does not have its \
+             own batches), or the answer to a whole scene."
         ),
         blocks: vec![Block::Table(table), versions],
     })

@@ -52,7 +52,7 @@ impl Ties {
 /// The section, or `None` if no tie was broken.
 pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error> {
     let order = backends(runs);
-    let mut table = Table::new("Answers that are ties, and time over that of exact on the same families")
+    let mut table = Table::new("Ties, and time relative to exact on the same families")
         .words(["task", "backend"])
         .of(Origin::of("summary.csv").keys(["task", "backend"]))
         .numbers(["queries", "ties", "share"])
@@ -60,7 +60,7 @@ pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error>
         .numbers(["deepest term"])
         .of(Origin::of("throughput.csv").keys(["task", "backend"]))
         .numbers([format!("time / {UNPERTURBED}")]);
-    let mut depths = Table::new("The term that decided, counting every question that an algorithm or a law asked")
+    let mut depths = Table::new("The deciding term, over all queries of algorithms and laws")
         .words(["task", "backend"])
         .of(Origin::of("stages.csv").keys(["task", "backend"]))
         .numbers(PLACE_NAMES.map(|place| format!("term {place}")))
@@ -100,25 +100,24 @@ pub fn section(runs: &[RunDir], times: &Times) -> Result<Option<Section>, Error>
         (order.get(backend).copied().unwrap_or_default().to_owned(), places.map(approximately).to_vec())
     });
     let bars = Bars {
-        x: "place of the term that decided".to_owned(),
+        x: "position of the deciding term".to_owned(),
         y: "questions".to_owned(),
         places: PLACE_NAMES.map(str::to_owned).to_vec(),
         series: series.collect(),
     };
     let mut blocks = vec![Block::Table(table)];
     if let Some(picture) = histogram(&bars)? {
-        let alt = "How many questions the first, second, … term of the perturbation decided, over all tasks";
+        let alt = "Number of queries that the first, second, … term of the perturbation decided, over all tasks";
         blocks.push(Block::Plot { picture, file: "ties.svg".into(), alt: alt.into() });
     }
     blocks.push(Block::Table(depths));
     Ok(Some(Section {
         id: "ties",
         title: "Ties",
-        lead:
-            "Where the exact answer is zero, a symbolic perturbation looks at its terms, the largest first, until one \
-               is not zero. Time over exact is the geometric mean of the ratios of times in one run, over the families of \
-               the task that both were timed on."
-                .to_owned(),
+        lead: "If the exact answer is zero, a symbolic perturbation evaluates its terms, largest first, until a term \
+             is not zero. The time relative to exact is the geometric mean of the ratios in one run, over the \
+             families of the task that both were timed on."
+            .to_owned(),
         blocks,
     }))
 }

@@ -17,7 +17,7 @@ fn a_run_beside_itself_has_changed_in_nothing() {
     let pairs: usize = runs().iter().map(|run| run.summary.len()).sum();
     assert!(page.contains(&format!("| {pairs} | 0 | 0 | 0 |")), "{page}");
     assert!(!page.contains("### Changed"), "{page}");
-    assert!(page.contains("### Times over the earlier ones"), "{page}");
+    assert!(page.contains("### Times relative to the earlier run"), "{page}");
     assert!(page.lines().filter(|line| line.contains("1.0×")).count() > 2, "{page}");
 }
 
