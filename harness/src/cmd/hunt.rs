@@ -297,7 +297,7 @@ fn begun(
     possible(args, &shown_by, &not_by)?;
     let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
     if nothing {
-        let message = format!("no small scene of {task} is in these suites; name others with --from");
+        let message = format!("these suites have no small scene of {task} to start from; name others with --from");
         return Err(Failure::usage(message));
     }
     let order = Order {

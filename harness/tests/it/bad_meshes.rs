@@ -270,7 +270,7 @@ fn files_that_are_none_are_refused_where_they_are_wrong() {
         let unknown = file(format, &with_last(&[2, 0, 9]));
         let (index, owner) =
             (9 + usize::from(format == Obj), if of_face(format).is_empty() { "" } else { " of face 3" });
-        let said = format!("`{index}`{owner} is none of the 4 vertices; indices count from");
+        let said = format!("`{index}`{owner} is not one of the 4 vertices; indices count from");
         refuse("an unknown vertex", format, &unknown, unknown.at_face(3) + &said);
         let repeated = file(format, &with_last(&[2, 0, 2]));
         let said = format!("{}a face that names a vertex twice; divide it", of_face(format));
@@ -308,9 +308,15 @@ fn files_that_are_none_are_refused_where_they_are_wrong() {
     for (format, from, to, expected) in [
         (Off, "4 4 0", "4 5 0", "m.off:10: the file ends after 4 of its 5 faces; correct"),
         (Off, "4 4 0", "5 3 0", "m.off:7: a vertex of 4 numbers, and the first has 3; correct the counts"),
-        (Off, "4 4 0", "4 3 0", "m.off:10: more follows the 3 faces; correct"),
+        (Off, "4 4 0", "4 3 0", "m.off:10: there is extra text after the 3 faces; correct"),
         (PlyText, "face 4", "face 5", "m.ply:17: the file ends after 4 of its 5 elements `face`; correct"),
-        (PlyText, "face 4", "face 3", "m.ply:17: more follows the elements that the header counts; correct"),
+        (
+            PlyText,
+            "face 4",
+            "face 3",
+            "m.ply:17: there is extra text after the elements that the header counts; \
+                   correct",
+        ),
         (PlyText, "vertex 4", "vertex 4000", "m.ply:3: 4000 elements `vertex` don't fit into"),
     ] {
         let mut wrong = file(format, &tetrahedron());

@@ -234,7 +234,7 @@ fn an_engine_in_python_by_path_is_found_again() {
     let refused = in_folder(&["run", &suite, "-b", "engine:mine", "--out", &at(&folder, "named")]);
     let said = String::from_utf8(refused.stderr).unwrap();
     assert!(
-        refused.status.code() == Some(2) && said.contains("is called `naive-python`; call it as its folder"),
+        refused.status.code() == Some(2) && said.contains("is called `naive-python`; give it the name of its folder"),
         "{said}"
     );
 }

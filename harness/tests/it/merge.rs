@@ -107,14 +107,14 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
         parts
     };
     let told = merge(&parts[1..6], &out, 103);
-    assert!(told.contains("of the 7 parts these are missing: 1/7, 7/7"), "{told}");
+    assert!(told.contains("of the 7 parts, these are missing: 1/7, 7/7"), "{told}");
     let again = of(&folder, QUICK, "again", Some(3), &[]);
     let told = merge(&with(4, &again), &out, 2);
     assert!(told.contains("part 3/7 is") && told.contains("part3 already"), "{told}");
     let whole = of(&folder, QUICK, "whole", None, &[]);
-    assert!(merge(&with(2, &whole), &out, 2).contains("a whole run, and no part of one"));
+    assert!(merge(&with(2, &whole), &out, 2).contains("it is a whole run, not a part"));
     let filtered = of(&folder, QUICK, "filtered", Some(3), &["-f", "ties/"]);
-    assert!(merge(&with(2, &filtered), &out, 2).contains("other scenes, or other contents of the same"));
+    assert!(merge(&with(2, &filtered), &out, 2).contains("other scenes, or scenes with other contents"));
     let full = of(&folder, QUICK, "full", Some(3), &["--level", "full", "-f", "lecture/ear"]);
     assert!(merge(&with(2, &full), &out, 2).contains("level full and not quick"));
     let answers = of(&folder, QUICK, "answers", Some(3), &["--answers"]);
@@ -124,11 +124,11 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let state = Path::new(&again).join("state.json");
     let text = unsealed(&again, "state.json");
     std::fs::write(&state, text.replace("\"complete\"", "\"unfinished\"")).unwrap();
-    assert!(merge(&with(2, &again), &out, 103).contains("part 3/7 is not complete; `run --resume` goes on with it"));
+    assert!(merge(&with(2, &again), &out, 103).contains("part 3/7 is not complete; `run --resume` completes it"));
     std::fs::write(&state, text.replace("\"complete\"", "\"timeout\"")).unwrap();
     let told = merge(&with(2, &again), &out, 103);
     assert!(
-        told.contains("part 3/7 ran out of time; run it anew in another folder, with a longer --timeout"),
+        told.contains("part 3/7 ran out of time; run it again in another folder, with a longer --timeout"),
         "{told}"
     );
     std::fs::write(&state, &text).unwrap();
@@ -136,7 +136,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     let machine = unsealed(&again, "env.json");
     std::fs::write(&env, machine.replace("\"peers\": {", "\"peers\": {\n\"engine:mine\": \"2\",")).unwrap();
     let told = merge(&with(2, &again), &out, 2);
-    assert!(told.contains("another version than in") && told.contains("engine:mine is `2` and not unknown"), "{told}");
+    assert!(told.contains("a version differs from") && told.contains("engine:mine is `2` and not unknown"), "{told}");
     std::fs::write(&env, machine).unwrap();
     let segments = Path::new(&again).join("segments.csv");
     let rows = std::fs::read_to_string(&segments).unwrap();
@@ -159,7 +159,7 @@ fn what_does_not_fit_is_named_and_nothing_is_written() {
     }
     for parts in [with(2, &again), with(0, &again)] {
         let told = merge(&parts, &out, 103);
-        assert!(told.contains("the run was ended before it had begun; `run --resume` begins it"), "{told}");
+        assert!(told.contains("the run ended before its first result; `run --resume` starts it"), "{told}");
     }
     expect(103, &["gate", &again]);
     expect(103, &["gate", &parts[0], "--baseline", &again]);
@@ -243,5 +243,5 @@ fn a_single_part_is_merged_into_the_same() {
     assert_eq!(files(Path::new(&part)), files(Path::new(&out)));
     expect(0, &["gate", &out]);
     // A single part given twice is refused.
-    assert!(merge(&[part.clone(), part], &at(&folder, "two"), 2).contains("a whole run, and no part of one"));
+    assert!(merge(&[part.clone(), part], &at(&folder, "two"), 2).contains("it is a whole run, not a part"));
 }

@@ -77,7 +77,8 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
         (of("probes = [[\"a\", 1, 1]]"), "s.toml:7: `a` is not a number; write a decimal or a hex float".into()),
         (of("probes = { path = \"p.csv\" }"), "s.toml:7: with p.csv: `probes` have 2 coordinates each, and meshes are in".into()),
         (of("random = 100000000"), "s.toml:2: a mesh with 100000036 probes: a scene has at most 268435456".into()),
-        ("mesh = { path = \"p.csv\" }".into(), "p.csv: the file is no mesh; name a .off, .obj, .ply or .stl file".into()),
+        ("mesh = { path = \"p.csv\" }".into(), "p.csv: the file is not a mesh; name a .off, .obj, .ply or .stl \
+          file".into()),
     ];
     write(&folder, "p.csv", "1,1\n");
     let out = at(&folder, "out");

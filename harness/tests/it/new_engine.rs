@@ -182,7 +182,8 @@ fn a_folder_that_is_there_is_not_touched() {
 fn names_and_languages_that_are_none_are_refused() {
     let folder = tempdir().unwrap();
     let long = "x".repeat(65);
-    let rule = "is no name of an engine; use up to 64 letters, digits, `-`, `_` and `.`, a letter or digit first";
+    let rule = "is not a valid name of an engine; use up to 64 letters, digits, `-`, `_` and `.`, a letter or digit \
+                first";
     for (name, said) in [
         ("../mine", rule),
         ("a/b", rule),

@@ -119,13 +119,18 @@ fn data_that_do_not_fit_make_no_suite() {
     write(&folder, "p.dat", "0,0\n");
     let file = at(&folder, "mine.toml");
     for (data, more, said) in [
-        ("odd.csv", &[][..], "odd.csv:1: the columns are id, a, b; name those of x and y, or their numbers from 1"),
+        (
+            "odd.csv",
+            &[][..],
+            "odd.csv:1: the columns are id, a, b; name the columns of x and y, or give their \
+          numbers from 1",
+        ),
         ("odd.csv", &["--columns", "a,c"], "odd.csv:1: there is no column `c`: the columns are id, a, b"),
         ("bad.csv", &[], "bad.csv:2: column `lat`: `x` is not a number"),
         ("two.csv", &[], "two.csv: 2 points are too few: orient2d takes 3; add points"),
         ("flat.csv", &["--task", "orient3d"], "flat.csv: orient3d takes points of 3, not of 2 coordinates; give"),
         ("m.off", &[], "m.off:"),
-        ("p.dat", &[], "p.dat: the file's name doesn't tell its format"),
+        ("p.dat", &[], "p.dat: the file name does not show its format"),
     ] {
         let refused = expect(104, &[&["corpus", "new", &file, "--points", data], more].concat());
         assert!(refused.stderr.contains(said) && refused.stdout.is_empty(), "{data}: {}", refused.stderr);

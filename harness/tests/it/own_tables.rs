@@ -91,8 +91,8 @@ fn latitude_before_longitude_is_read_by_name() {
         write(&folder, "s.toml", &format!("title = \"t\"\n{scene}"))
     };
     let refused = expect(104, &["run", &suite(""), "-b", "exact", "--out", &at(&folder, "run")]).stderr;
-    let cure =
-        "t.csv:1: the columns are lat, lon; name those of x and y: `columns = [\"lon\", \"lat\"]` beside `path`, or";
+    let cure = "t.csv:1: the columns are lat, lon; name the columns of x and y: `columns = [\"lon\", \"lat\"]` beside \
+         `path`, or";
     assert!(refused.contains(cure), "{refused}");
     expect(0, &["run", &suite(", columns = [\"lon\", \"lat\"]"), "-b", "exact", "--out", &at(&folder, "run")]);
 }
@@ -105,13 +105,13 @@ fn what_is_wrong_with_a_table_is_one_line_with_its_column() {
             "id,a,b\n1,2,3\n",
             &[][..],
             104,
-            "t.csv:1: the columns are id, a, b; name those of x and y, or their numbers from 1: `columns =",
+            "t.csv:1: the columns are id, a, b; name the columns of x and y, or give their numbers from 1: `columns =",
         ),
         (
             "id,lon,lat,x\n1,2,3,4\n",
             &[],
             104,
-            "t.csv:1: the columns are id, lon, lat, x; name those of x and y, or their",
+            "t.csv:1: the columns are id, lon, lat, x; name the columns of x and y, or their",
         ),
         (
             "id,lon,lat\n1,2,3\n",
@@ -240,14 +240,15 @@ fn points_that_are_left_over_are_a_note() {
     assert_eq!(asked.stdout.lines().count(), 1 + 166);
     assert_eq!(
         asked.stderr,
-        "predicament: 2 of 500 points are in no query, the last: orient2d takes 3; --queries chooses others\n"
+        "predicament: 2 of 500 points are not in a query, at the end: orient2d takes 3 points; --queries selects \
+         others\n"
     );
     assert_eq!(ask(&[&path, "-q"]).stderr, "");
     assert_eq!(ask(&[&path, "--queries", "random:10"]).stderr, "");
     let scene = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"plain.csv\" }\n";
     let suite = write(&folder, "mine.toml", scene);
-    let note =
-        "predicament: mine/a: 2 of 500 points are in no query, the last: orient2d takes 3; `queries` chooses others\n";
+    let note = "predicament: mine/a: 2 of 500 points are not in a query, at the end: orient2d takes 3 points; `queries` \
+         selects others\n";
     let out = at(&folder, "run");
     for args in [&["corpus", "verify", &suite][..], &["run", &suite, "-b", "exact", "--out", &out]] {
         let told = expect(0, args);

@@ -107,11 +107,11 @@ fn files_that_are_none_are_named_with_a_cure() {
     let file = write(&folder, "file", "");
     let (missing, out) = (at(&folder, "missing"), at(&folder, "out"));
     let cases: [(&[&str], &str, &str); 7] = [
-        (&["run", "--plan", &missing, "--shard", "1/2", "--out", &out], &missing, "name what is there"),
+        (&["run", "--plan", &missing, "--shard", "1/2", "--out", &out], &missing, "name an existing path"),
         (&["run", "lecture", "--out", &file], &file, "name another place"),
         (&["hunt", "orient2d", "-b", "naive", "--out", &file], &file, "name another place"),
         (&["report", &file, "--out", &out], &file, "name another place"),
-        (&["data", "export", &missing, "--out", &out], &missing, "name what is there"),
+        (&["data", "export", &missing, "--out", &out], &missing, "name an existing path"),
         (&["setup", "selftest", "--out", &file, "--only", "fault:sos-swapped-term"], &file, "name another place"),
         (&["gate", &missing], &missing, "name another folder"),
     ];

@@ -122,7 +122,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     std::fs::write(&file, claims.to_string()).unwrap();
     let out = at(&folder, "doubled");
     let told = expect(2, &[&["shard", "merge", "--out", &out][..], &parts].concat()).stderr;
-    assert!(told.contains("plan.json: its bytes are not those that the run has written"), "{told}");
+    assert!(told.contains("plan.json: its content differs from what the run wrote"), "{told}");
     // The part is refused even if its digest is forged.
     let state = unsealed(parts[1], "state.json");
     let forged = {
@@ -133,7 +133,7 @@ fn parts_by_a_plan_are_the_whole_with_costs_and_without() {
     };
     std::fs::write(Path::new(parts[1]).join("state.json"), forged).unwrap();
     let told = expect(2, &[&["shard", "merge", "--out", &out][..], &parts].concat()).stderr;
-    assert!(told.contains("of the whole is in another part, too"), "{told}");
+    assert!(told.contains("of the whole is also in another part"), "{told}");
     std::fs::write(&file, text).unwrap();
     std::fs::write(Path::new(parts[1]).join("state.json"), state).unwrap();
     let told = expect(103, &[&["shard", "merge", "--out", &out][..], &parts[..6]].concat()).stderr;
@@ -164,7 +164,7 @@ fn a_plan_that_does_not_fit_is_refused() {
         assert_ne!(changed, text);
         refused(&write(&folder, "changed.json", &changed), "1/3", "changed.json");
     }
-    refused(&write(&folder, "no.json", "{}"), "1/3", "it is no plan of work");
+    refused(&write(&folder, "no.json", "{}"), "1/3", "it is not a work plan");
     // Rows would be inconsistent if parts used different expectations.
     let other = write(&folder, "other.toml", "# none");
     let told = expect(2, &["run", "--plan", &file, "--expected", &other, "--shard", "1/3", "--out", &out]).stderr;
@@ -220,5 +220,5 @@ fn costs_that_are_not_there_are_an_error() {
     assert_eq!(column(&costs, "backend"), ["truth", "exact"].repeat(column(&costs, "scene").len() / 2));
     std::fs::write(Path::new(&out).join("costs.csv"), costs.replace(",exact,", ",exact,many")).unwrap();
     let told = expect(2, &["shard", "plan", "lecture", "--costs", &out]).stderr;
-    assert!(told.contains("costs.csv:3: it is no row of costs"), "{told}");
+    assert!(told.contains("costs.csv:3: it is not a row of costs"), "{told}");
 }

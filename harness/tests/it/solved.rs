@@ -65,7 +65,7 @@ fn only_files_that_are_asked_for_are_written() {
         (&["--only", "parts", "--format", "off,json"], "--format: no named part has the format `off`; the parts that"),
         (
             &["--only", "parts,part-0", "--format", "ply"],
-            "--only: part `parts` has none of the named formats; it has json\n",
+            "--only: part `parts` does not have any of the named formats; it has json\n",
         ),
     ] {
         let (written, told) = solved(2, &[&slice, words].concat());

@@ -20,7 +20,7 @@ pub struct BadEpsilon(pub f64);
 
 impl std::fmt::Display for BadEpsilon {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} is no epsilon; it must be finite and not negative", self.0)
+        write!(f, "{} is not a valid epsilon; it must be finite and not negative", self.0)
     }
 }
 

@@ -247,7 +247,7 @@ impl Vocabulary {
             }
             return Err(field.error(format!("no family is called `{name}`"), use_one_of(name, &known)));
         }
-        let message = format!("family {name} generates nothing for {}", task.name());
+        let message = format!("family {name} does not generate scenes for {}", task.name());
         Err(field.error(message, format!("use it for {}", others.join(", "))))
     }
 }

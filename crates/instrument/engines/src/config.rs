@@ -157,7 +157,7 @@ fn name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     if is_name(name) {
         return Ok(name.to_owned());
     }
-    Err(field.error(format!("`{}` is no name of an engine", shown(name)), NAME_RULE))
+    Err(field.error(format!("`{}` is not a valid name of an engine", shown(name)), NAME_RULE))
 }
 
 /// Reads a line of text; empty if the key is missing.
@@ -199,7 +199,7 @@ fn environment(fields: &Fields<'_, '_>) -> Result<BTreeMap<String, String>, Corp
     let variable = |value: Field<'_, '_>| {
         let (key, text) = (value.key(), value.string()?);
         if key.is_empty() || key.contains(['=', '\0']) {
-            let message = format!("`{}` is no name of a variable", shown(key));
+            let message = format!("`{}` is not a valid name of a variable", shown(key));
             return Err(value.error(message, "write a name without `=`, as in { OMP_NUM_THREADS = \"1\" }"));
         }
         if text.contains('\0') {
@@ -282,7 +282,7 @@ mod tests {
         for place in [file.as_path(), folder.path()] {
             let error = Config::read(place).unwrap_err().to_string();
             assert!(
-                error.ends_with("it is no regular file of at most 1048576 bytes; name the engine.toml of an engine"),
+                error.ends_with("it is not a regular file of at most 1048576 bytes; name the engine.toml of an engine"),
                 "{error}"
             );
         }
@@ -305,8 +305,8 @@ mod tests {
             ("name = \"a\"\nrun = \"b\"\n", "F:2: `run` is of type string; write a command as an array of words"),
             ("name = \"a\"\nrun = [\"b\",\n3]\n", "F:3: `run` is of type integer; write a string"),
             ("name = \"a\"\nrun = [\"b\\u0000\"]\n", "F:2: a word with a NUL; remove"),
-            ("name = \"a b\"\nrun = [\"c\"]\n", "F:1: `a b` is no name of an engine; use up to 64 letters"),
-            ("name = \"..\"\nrun = [\"c\"]\n", "F:1: `..` is no name of an engine; use"),
+            ("name = \"a b\"\nrun = [\"c\"]\n", "F:1: `a b` is not a valid name of an engine; use up to 64 letters"),
+            ("name = \"..\"\nrun = [\"c\"]\n", "F:1: `..` is not a valid name of an engine; use"),
             ("run = [\"c\"]\nname = 7\n", "F:2: `name` is of type integer; write a string"),
             (&long_name, "F:1: `xxx"),
             (&long_about, "F:3: `about` is longer than 200 characters, or has a line break or the like; write one"),
@@ -322,11 +322,11 @@ mod tests {
             ("name = \"a\"\nrun = [\"c\"]\nenvironment = 1\n", "F:3: `environment` is of type integer; write a table"),
             (
                 "name = \"a\"\nrun = [\"c\"]\n[environment]\nB = \"1\"\n\"\" = \"2\"\n",
-                "F:5: `` is no name of a variable; write a name without `=`",
+                "F:5: `` is not a valid name of a variable; write a name without `=`",
             ),
             (
                 "name = \"a\"\nrun = [\"c\"]\n[environment]\n\"A=B\" = \"2\"\n",
-                "F:4: `A=B` is no name of a variable; write a name without `=`",
+                "F:4: `A=B` is not a valid name of a variable; write a name without `=`",
             ),
             ("name = \"a\"\nrun = [\"c\"]\nenvironment = { A = 1 }\n", "F:3: `A` is of type integer; write a string"),
             ("name = \"a\"\nrun = [\"c\"]\nenvironment = { A = \"\\u0000\" }\n", "F:3: the variable `A` has a NUL"),

@@ -64,12 +64,12 @@ impl std::fmt::Display for EngineError {
             }
             EngineError::NotAFile { file } => write!(
                 f,
-                "{}: it is no regular file of at most {MOST_OF_FILE} bytes; name the engine.toml of an engine",
+                "{}: it is not a regular file of at most {MOST_OF_FILE} bytes; name the engine.toml of an engine",
                 file.display()
             ),
             EngineError::Config(error) => error.fmt(f),
             EngineError::OtherName { file, called } => {
-                write!(f, "{}: the engine is called `{called}`; call it as its folder", file.display())
+                write!(f, "{}: the engine is called `{called}`; give it the name of its folder", file.display())
             }
             EngineError::Unknown { name, folder, known } => {
                 write!(f, "no engine is called `{name}` in {}; ", folder.display())?;
@@ -272,19 +272,19 @@ impl std::fmt::Display for ProtocolError {
                 )
             }
             ProtocolError::TooLong { size, most } => {
-                write!(f, "an answer of {size} bytes, where at most {most} were asked for")
+                write!(f, "an answer of {size} bytes; at most {most} are allowed")
             }
             ProtocolError::CutOff => f.write_str("a message whose last entry is cut off"),
             ProtocolError::TooManyEntries => write!(f, "a message of more than {MOST_ENTRIES} entries"),
-            ProtocolError::BadKey => f.write_str("a message with a key that is no ASCII word"),
+            ProtocolError::BadKey => f.write_str("a message with a key that is not an ASCII word"),
             ProtocolError::NoType => f.write_str("a message that does not begin with its `type`"),
             ProtocolError::TooLongToSend { size, most } => {
-                write!(f, "a message of {size} bytes; the protocol has up to {most}")
+                write!(f, "a message of {size} bytes; the protocol allows {most}")
             }
             ProtocolError::LongKey(key) => write!(f, "the key `{key}` is too long"),
             ProtocolError::Missing { message, key } => write!(f, "a message `{message}` without `{key}`"),
             ProtocolError::NotANumber { message, key, text } => {
-                write!(f, "`{key}` of `{message}` is `{text}`, which is no number")
+                write!(f, "`{key}` of `{message}` is `{text}`, which is not a number")
             }
             ProtocolError::GreetingDeclined(reason) => f.write_str(reason),
             ProtocolError::GreetedBy(kind) => write!(f, "`hello` was answered by `{kind}`"),
@@ -292,7 +292,7 @@ impl std::fmt::Display for ProtocolError {
                 write!(f, "it speaks protocol {engine}, and the tool {tool}; rebuild the engine")
             }
             ProtocolError::UnknownPredicate(name) => {
-                write!(f, "it offers `{name}`, which is no predicate of the protocol")
+                write!(f, "it offers `{name}`, which is not a predicate of the protocol")
             }
             ProtocolError::NoPredicate => f.write_str("it offers no predicate"),
             ProtocolError::UnknownZero(zero) => write!(f, "its zero is `{zero}`; it has to be exact or never"),
@@ -313,7 +313,7 @@ impl std::fmt::Display for ProtocolError {
             }
             ProtocolError::NoId(kind) => write!(f, "an answer `{}` without the `id` of its question", printable(kind)),
             ProtocolError::Unasked(kind) => {
-                write!(f, "it wrote more than the answer to the message before: a message `{}`", printable(kind))
+                write!(f, "it sent an extra message `{}`, without a question", printable(kind))
             }
         }
     }

@@ -266,7 +266,7 @@ mod tests {
             let bytes = Message::new("signs").with("signs", signs).encode().unwrap();
             let mut from = Counted(&bytes, 0);
             let read = Message::read(&mut from, Bound::answer(7)).map_err(|error| error.to_string());
-            let said = format!("an answer of {} bytes, where at most {most} were asked for", most + 1);
+            let said = format!("an answer of {} bytes; at most {most} are allowed", most + 1);
             assert_eq!((read.is_ok(), from.1), (fits, if fits { bytes.len() } else { 4 }));
             assert!(fits || read == Err(said));
         }
@@ -296,7 +296,7 @@ mod tests {
             (&[2, 0, 0, 0, 9, b't'], "a message whose last entry is cut off"),
             (&[7, 0, 0, 0, 1, b'x', 1, 0, 0, 0, 7], "a message that does not begin with its `type`"),
             (&[0, 0, 0, 0], "a message that does not begin with its `type`"),
-            (&[6, 0, 0, 0, 1, 0xff, 0, 0, 0, 0], "a message with a key that is no ASCII word"),
+            (&[6, 0, 0, 0, 1, 0xff, 0, 0, 0, 0], "a message with a key that is not an ASCII word"),
             (&[9, 0, 0, 0, 4, b't', b'y'], "a message that ends after 3 of its 9 bytes"),
         ] {
             assert_eq!(read(bytes), Err(said.to_owned()));

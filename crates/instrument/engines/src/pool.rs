@@ -123,7 +123,7 @@ impl Pool {
         let mut state = self.state.lock().unwrap_or_else(PoisonError::into_inner);
         loop {
             if let (PATIENCE.., Some(last)) = &state.broken {
-                let message = format!("given up, as it broke {PATIENCE} times in a row, last by {last}");
+                let message = format!("given up after {PATIENCE} failures in a row; the last: {last}");
                 return Err(Broken { message, ..last.clone() });
             }
             if !state.busy.contains(&scene) {

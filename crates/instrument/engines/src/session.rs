@@ -66,7 +66,7 @@ impl<'s> Session<'s> {
         #[allow(clippy::cast_possible_truncation)]
         let single = |x: &f64| f64::from(*x as f32) == *x;
         if shared.hello.single && !scene.coordinates().iter().all(single) {
-            return Err(Declined::scene("coordinates that are no singles"));
+            return Err(Declined::scene("coordinates that are not singles"));
         }
         let points: Vec<u8> = scene.coordinates().iter().flat_map(|x| x.to_le_bytes()).collect();
         let dimension = match scene.dimension() {

@@ -63,7 +63,11 @@ pub fn export(
     watch: &mut dyn Watch,
 ) -> Result<Option<Exported>, Error> {
     if RunFolder::is_one(out) {
-        return Err(Error::new(out, "it is a run folder, of which no file is written over; name another"));
+        return Err(Error::new(
+            out,
+            "it is a run folder, and an export never overwrites its files; name another \
+                                    folder",
+        ));
     }
     let copies = Copies::of(runs)?;
     let mut tables = Tables { format, places: Places::new(out)?, known, open: BTreeMap::new(), notes: Vec::new() };
@@ -150,8 +154,7 @@ impl Tables<'_> {
                 pushed.map_err(|error| Error::at(&path, line, error.to_string()))
             })?;
             if left_out > 0 {
-                let note =
-                    format!("{}: {left_out} bytes of a scene that was not finished were left out", path.display());
+                let note = format!("{}: {left_out} bytes of an unfinished scene were left out", path.display());
                 self.notes.push(note);
             }
         }
@@ -174,7 +177,7 @@ impl Tables<'_> {
             if schema.is_empty() {
                 let text = |name: &&str| Typed { name: (*name).to_owned(), kind: Kind::Text, is_optional: false };
                 typed.extend(columns.iter().map(text));
-                self.notes.push(format!("{file}: this tool has no schema of it, so its columns are text"));
+                self.notes.push(format!("{file}: this tool does not have a schema for it, so its columns are text"));
             }
             let name = format!("{}.{}", file.strip_suffix(".csv").unwrap_or(file), self.format.ending());
             let (made, place) = (self.places.start(&name)?, self.places.place(&name));

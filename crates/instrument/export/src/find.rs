@@ -43,7 +43,7 @@ pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
             let before = found.runs.len();
             found.below(folder, "")?;
             if found.runs.len() == before {
-                return Err(Error::new(folder, "neither a run folder nor one with run folders in it"));
+                return Err(Error::new(folder, "it is not a run folder and does not contain run folders"));
             }
         }
     }
@@ -51,7 +51,7 @@ pub fn find(folders: &[PathBuf]) -> Result<Runs, Error> {
     for Found { run, path, .. } in &found.runs {
         if let Some(other) = named.insert(run, path) {
             let message = format!(
-                "the run would be called `{run}`, as that in {}; name the folder that holds both",
+                "the name of the run would be `{run}`, the same as for {}; name the folder that contains both",
                 other.display()
             );
             return Err(Error::new(path, message));
@@ -67,8 +67,8 @@ fn whole(folder: &Path) -> Result<(), Error> {
     if !RunFolder::has_lost_plan(folder)? {
         return Ok(());
     }
-    let message = "there is no such file, and the folder has what a run has written; restore it from a copy, or export \
-                   without the folder";
+    let message = "the file is missing, but the folder has tables of a run; restore the file from a copy, or leave \
+                   the folder out";
     Err(Error::new(&folder.join("plan.json"), message))
 }
 

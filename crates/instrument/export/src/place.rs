@@ -44,7 +44,8 @@ impl Places {
             let path = entry.map_err(Error::io(&self.folder))?.path();
             let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
             if name.ends_with(&format!(".{ending}")) && self.files.iter().all(|(own, _)| *own != name) {
-                let message = "this export has no such table, and the file would look like one of it; remove it, or name another folder";
+                let message = "this export does not have this table, so the file would look like a part of it; \
+                               remove the file, or name another folder";
                 return Err(Error::new(&path, message));
             }
         }

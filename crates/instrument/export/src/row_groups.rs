@@ -71,7 +71,7 @@ impl RowGroups {
         let mut group = self.writer.next_row_group()?;
         for kept in &mut self.columns {
             let mut column =
-                group.next_column()?.ok_or_else(|| ParquetError::General("a column too few".to_owned()))?;
+                group.next_column()?.ok_or_else(|| ParquetError::General("a column is missing".to_owned()))?;
             let levels = kept.levels.as_deref();
             match (column.untyped(), &mut kept.values) {
                 (ColumnWriter::ByteArrayColumnWriter(writer), Values::Text(text, ends)) => {

@@ -47,7 +47,7 @@ impl DataFile {
         let format = format.ok_or_else(|| {
             let known = EXTENSIONS.map(|(extension, _)| extension).join(", ");
             let cure = format!("name a file with one of {known}, perhaps packed as .gz");
-            CorpusError::file(file, "the file's name doesn't tell its format", cure)
+            CorpusError::file(file, "the file name does not show its format", cure)
         })?;
         Ok(DataFile { file: file.to_owned(), format, bytes })
     }

@@ -232,7 +232,11 @@ impl<'d, 't> Field<'d, 't> {
         }
         let text = self.str()?;
         text.parse().ok().filter(|vertex: &Vertex| vertex.is_constructed()).ok_or_else(|| {
-            self.error(format!("`{text}` is no vertex"), "write a point's index, or \"c0\" for the first construction")
+            self.error(
+                format!("`{text}` is not a vertex"),
+                "write a point's index, or \"c0\" for the first \
+                                construction",
+            )
         })
     }
 

@@ -35,7 +35,7 @@ impl fmt::Display for Refusal {
             Refusal::Io(error) if error.kind() == io::ErrorKind::NotFound => f.write_str("there is no such file"),
             Refusal::Io(error) => write!(f, "{}", error.kind()),
             Refusal::Folder => f.write_str("it is a folder"),
-            Refusal::Irregular => f.write_str("it is no regular file but a pipe, a device or the like"),
+            Refusal::Irregular => f.write_str("it is not a regular file (a pipe or a device)"),
             Refusal::TooLarge { most } => write!(f, "it has more than {most} bytes"),
         }
     }

@@ -130,7 +130,7 @@ fn plain_name(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     if is_plain(&name) {
         Ok(name)
     } else {
-        Err(field.error(format!("`{name}` is no plain name"), "use letters, digits, . _ - +"))
+        Err(field.error(format!("`{name}` is not a plain name"), "use letters, digits, . _ - +"))
     }
 }
 
@@ -143,7 +143,7 @@ fn package(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     if parts.len() <= most && parts.iter().all(|part| is_plain(part)) {
         Ok(name)
     } else {
-        Err(field.error(format!("`{name}` is no package name"), "write the name in the registry"))
+        Err(field.error(format!("`{name}` is not a package name"), "write the name in the registry"))
     }
 }
 
@@ -153,7 +153,7 @@ fn path(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     if path.split('/').all(is_plain) {
         Ok(path)
     } else {
-        Err(field.error(format!("`{path}` is no path in a package"), "write names joined by /, without . and .."))
+        Err(field.error(format!("`{path}` is not a path in a package"), "write names joined by /, without . and .."))
     }
 }
 
@@ -162,6 +162,6 @@ fn sha256(field: &Field<'_, '_>) -> Result<String, CorpusError> {
     if text.len() == 64 && text.bytes().all(|b| b.is_ascii_digit() || (b'a'..=b'f').contains(&b)) {
         Ok(text)
     } else {
-        Err(field.error(format!("`{text}` is no SHA-256"), "write 64 lower-case hex digits"))
+        Err(field.error(format!("`{text}` is not a SHA-256"), "write 64 lower-case hex digits"))
     }
 }

@@ -46,9 +46,9 @@ impl RowKind {
         } else if found == before {
             Ok(())
         } else if index == 0 {
-            Err(format!("{name} {index} has {found} {numbers}, the columns are {before}"))
+            Err(format!("{name} {index} has {found} {numbers}, but there are {before} columns"))
         } else {
-            Err(format!("{name} {index} has {found} {numbers}, the {name}s before it {before}"))
+            Err(format!("{name} {index} has {found} {numbers}, but earlier {name}s have {before}"))
         }
     }
 }

@@ -179,39 +179,61 @@ impl Fault {
     #[must_use]
     pub const fn what(self) -> &'static str {
         match self {
-            Fault::SosSwappedTerm => "the sign of the third term of every list swapped",
-            Fault::SosBatchFlipped => "ties of orientations have the opposite sign in batches, not in single calls",
+            Fault::SosSwappedTerm => "the sign of the third term of every list is reversed",
+            Fault::SosBatchFlipped => "ties of orientations have the opposite sign in batches, but not in single calls",
             Fault::SosLateSwappedTerm => {
-                "the sign of the first term of every list swapped for the second half of the vertices"
+                "the sign of the first term of every list is reversed for the second half of the vertices"
             }
-            Fault::SosDroppedParity => "ties sorted by vertex, the parity of sorting forgotten",
-            Fault::SosPlaceAsIdentity => "perturbed by place in the argument list, not by identity",
-            Fault::SosDroppedLastParity => "the parity of sorting forgotten where the last term decides",
-            Fault::SosFirstOrderOnly => "only terms that move one coordinate are looked at",
-            Fault::SosFirstOrderThenParity => "those, and what they leave open goes by the order of the vertices",
-            Fault::SosCollidingLift => "points moved by eps^(2^i) lifted again, one term kept of equal powers",
-            Fault::SosMixedOrders => "coordinates perturbed in another order for circles and spheres than for the rest",
-            Fault::SosCircularTies => "ties of comparisons broken in a circle of three vertices",
-            Fault::ExactHalvedFilter => "the floating-point filter's bound halved",
-            Fault::ExactTightFilter => "the floating-point filter's bound two percent too small",
-            Fault::ExactRelativeFilter => "the filter's bound relative to the determinant, so that nothing is below it",
-            Fault::ExactStaleBound => "the static bound of the first half of the vertices used for all",
-            Fault::ExactNan => "determinants that are not a number in floating point called zero",
-            Fault::ExactOneLimb => "integers of one limb used where differences need two",
-            Fault::ExactUnguarded => "adaptive floating point used where it underflows or overflows",
-            Fault::ExactFlushed => "determinants below the smallest normal double called zero",
-            Fault::ExactRoundedVertex => "constructed vertices rounded to doubles, exact from there on",
-            Fault::ToleranceNarrow => "the band a third of what it should be",
-            Fault::ToleranceWide => "the band twice what it should be",
-            Fault::CompareGreaterOnTies => "equal coordinates compare as greater, both ways round",
+            Fault::SosDroppedParity => "ties are sorted by vertex without the parity of the sort",
+            Fault::SosPlaceAsIdentity => {
+                "vertices are perturbed by their position in the argument list, not by \
+                                          identity"
+            }
+            Fault::SosDroppedLastParity => "the parity of the sort is dropped where the last term decides",
+            Fault::SosFirstOrderOnly => "only terms that move one coordinate are used; other ties are answered zero",
+            Fault::SosFirstOrderThenParity => {
+                "only terms that move one coordinate are used; other ties follow the \
+                                               order of the vertices"
+            }
+            Fault::SosCollidingLift => {
+                "points moved by eps^(2^i) are lifted again, and only one term of each power \
+                                        is kept"
+            }
+            Fault::SosMixedOrders => {
+                "circles and spheres perturb the coordinates in another order than the other \
+                                      predicates"
+            }
+            Fault::SosCircularTies => "ties of comparisons are broken cyclically over three vertices",
+            Fault::ExactHalvedFilter => "the bound of the floating-point filter is halved",
+            Fault::ExactTightFilter => "the bound of the floating-point filter is two percent too small",
+            Fault::ExactRelativeFilter => {
+                "the filter's bound is relative to the determinant, so that every \
+                                           determinant passes"
+            }
+            Fault::ExactStaleBound => "the static bound of the first half of the vertices is used for all",
+            Fault::ExactNan => "floating-point determinants that are NaN are answered as zero",
+            Fault::ExactOneLimb => "integers of one limb are used where differences need two",
+            Fault::ExactUnguarded => "adaptive floating point is used where it underflows or overflows",
+            Fault::ExactFlushed => "determinants below the smallest normal double are answered as zero",
+            Fault::ExactRoundedVertex => "constructed vertices are rounded to doubles; later steps are exact",
+            Fault::ToleranceNarrow => "the band is a third of its promised width",
+            Fault::ToleranceWide => "the band is twice its promised width",
+            Fault::CompareGreaterOnTies => "equal coordinates compare as greater, in both orders",
             Fault::ContactsEndlessEdge => "a vertex on an edge's line counts as on the edge",
             Fault::ContactsOneSided => {
-                "edges meet where the second crosses the first's line, in space triangles where an edge crosses their plane"
+                "two edges meet if the second crosses the line of the first; in space an edge meets a triangle if it \
+                 crosses its plane"
             }
-            Fault::ToleranceNarrowContacts => "vertices registered within half the tolerance only",
-            Fault::ToleranceWideContacts => "vertices registered within twice the tolerance",
-            Fault::ToleranceAsPrinted => "the interpolation weight of an edge's point with the printed sign",
-            Fault::ToleranceMirroredWeight => "that sign in the weight alone, what is registered is right",
+            Fault::ToleranceNarrowContacts => "vertices are registered only within half the tolerance",
+            Fault::ToleranceWideContacts => "vertices are registered within twice the tolerance",
+            Fault::ToleranceAsPrinted => {
+                "the interpolation weight of an edge's point has the sign that the paper \
+                                          prints"
+            }
+            Fault::ToleranceMirroredWeight => {
+                "only the weight has the sign that the paper prints; the registered \
+                                               pairs are right"
+            }
             Fault::Misscaled(misscaled) => misscaled.what,
         }
     }

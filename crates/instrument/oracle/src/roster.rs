@@ -94,7 +94,7 @@ impl std::fmt::Display for BackendError {
                 write!(f, "`{name}`: write a number of stages from 1 to {}", Partial::STAGES)
             }
             BackendError::NoNumber { name, eps } => {
-                write!(f, "`{name}`: `{eps}` is no number; write e.g. epsilon:1e-10")
+                write!(f, "`{name}`: `{eps}` is not a number; write e.g. epsilon:1e-10")
             }
             BackendError::Epsilon { name, why } => write!(f, "`{name}`: {why}"),
             BackendError::UnknownFault { fault } => {

@@ -74,7 +74,8 @@ impl Costs {
             let rows = CostRow::read(folder.as_ref())?;
             if rows.is_empty() {
                 let message = format!(
-                    "it has no {}: it is no run, a bench, or of a version that measured no costs; name a folder of `run` or `merge`",
+                    "{} is missing: the folder is a bench, is not a run, or is from a version that did not measure \
+                     costs; name a folder that `run` or `merge` wrote",
                     CostRow::FILE
                 );
                 return Err(Error::new(folder.as_ref(), message));

@@ -60,15 +60,13 @@ impl Error {
 #[must_use]
 pub fn with_cure(error: &std::io::Error) -> String {
     let cure = match error.kind() {
-        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room, and go on: what was done before is kept",
-        ErrorKind::FileTooLarge => "raise the limit of a file's size, and go on: what was done before is kept",
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "free some space and resume: finished work is kept",
+        ErrorKind::FileTooLarge => "raise the file size limit and resume: finished work is kept",
         ErrorKind::ReadOnlyFilesystem => "make it writable, or name another place",
-        ErrorKind::NotFound => "name what is there, or make it",
-        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => {
-            "there is a file where a folder has to be; name another place"
-        }
+        ErrorKind::NotFound => "name an existing path, or create it",
+        ErrorKind::AlreadyExists | ErrorKind::NotADirectory => "a file is in the place of a folder; name another place",
         ErrorKind::IsADirectory => "it is a folder; name a file",
-        ErrorKind::PermissionDenied => "name another place, or have the right to it",
+        ErrorKind::PermissionDenied => "name another place, or get permission to use it",
         _ => return error.to_string(),
     };
     format!("{error}; {cure}")

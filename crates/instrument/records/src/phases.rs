@@ -37,7 +37,7 @@ crate::table! {
 
     fn check(&self) -> Result<(), RowError> {
         if self.count == 0 || self.threads == 0 {
-            return Err(RowError::Contradiction("a phase of no units, or on no threads"));
+            return Err(RowError::Contradiction("a phase with 0 units or 0 threads"));
         }
         RowError::check_time("ns_per_unit", self.ns_per_unit)
     }

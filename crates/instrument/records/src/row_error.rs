@@ -51,7 +51,7 @@ impl RowError {
 impl std::fmt::Display for RowError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            RowError::Count(count) => write!(f, "a count of {count}: no run counts so far; restore the file"),
+            RowError::Count(count) => write!(f, "the count {count} is larger than any run can reach; restore the file"),
             RowError::Number { column, value, wanted } => write!(f, "{column} is {value}, which is not {wanted}"),
             RowError::Empty { column } => write!(f, "{column} is empty"),
             RowError::Contradiction(what) => f.write_str(what),

@@ -38,7 +38,7 @@ pub trait Row: Serialize + DeserializeOwned {
 /// The maximum count: no run reaches it, and sums of counts stay far below 2^64.
 pub(crate) const MOST: u64 = 1 << 48;
 /// The message about a larger count.
-pub(crate) const NO_COUNT: &str = "no run counts so far; restore the file";
+pub(crate) const NO_COUNT: &str = "the count is larger than any run can reach; restore the file";
 
 crate::table! {
     /// `summary.csv`: one scene on one backend.

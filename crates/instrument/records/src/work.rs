@@ -127,7 +127,7 @@ impl WorkPlan {
         let bytes = std::fs::read(path).map_err(Error::io(path))?;
         let work: WorkPlan = serde_json::from_slice(&bytes).map_err(|error| {
             let error = Error::json(path)(error);
-            Error { message: format!("it is no plan of work: {}; `plan --out` writes one", error.message), ..error }
+            Error { message: format!("it is not a work plan: {}; `plan --out` writes one", error.message), ..error }
         })?;
         if work.work_format > FORMAT {
             let message = format!("it has format {}, and this tool reads formats up to {FORMAT}", work.work_format);
@@ -138,7 +138,7 @@ impl WorkPlan {
         if work.sealed() != work.hash || work.text().as_bytes() != bytes || !fits {
             return Err(Error::new(
                 path,
-                "it was changed since `plan` wrote it: its hash is another one; make it anew",
+                "it was changed after `plan` wrote it: its hash does not match; make it again",
             ));
         }
         Ok(work)

@@ -98,7 +98,7 @@ impl Subject<'_> {
                 Some(Sign::Positive) => "    assert!(sign > 0.0);",
                 Some(Sign::Negative) => "    assert!(sign < 0.0);",
                 Some(Sign::Zero) => "    assert!(sign == 0.0);",
-                None => "    println!(\"{sign:?}\"); // contradicts the others, or what is promised",
+                None => "    println!(\"{sign:?}\"); // contradicts the other answers or the backend's promise",
             };
             let _ = writeln!(text, "{assert}");
         }
@@ -123,7 +123,7 @@ impl Subject<'_> {
             let _ = writeln!(text, "        const double sign = {}({});", call.function, names.join(", "));
             let _ = match truth(call) {
                 Some(relation) => writeln!(text, "        assert(sign {relation} 0);"),
-                None => writeln!(text, "        (void)sign; // contradicts the others, or what is promised"),
+                None => writeln!(text, "        (void)sign; // contradicts the other answers or the backend's promise"),
             };
             let _ = writeln!(text, "    }}");
         }
@@ -152,7 +152,7 @@ impl Subject<'_> {
             let _ = writeln!(text, "    sign = {}({})", call.function, names.join(", "));
             let _ = match truth(call) {
                 Some(relation) => writeln!(text, "    assert sign {relation} 0"),
-                None => writeln!(text, "    print(sign)  # contradicts the others, or what is promised"),
+                None => writeln!(text, "    print(sign)  # contradicts the other answers or the backend's promise"),
             };
         }
         if calls.is_empty() {

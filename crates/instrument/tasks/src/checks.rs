@@ -72,20 +72,20 @@ impl std::fmt::Display for Check {
 /// Checks of every task: a refusal, or the end of the backend.
 pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Panic, "panic", "the backend does not panic"),
-    Check::new(Class::Panic, "crashed", "its process ends when it is told to, and not before"),
-    Check::new(Class::Panic, "out of memory", "its process has memory enough"),
+    Check::new(Class::Panic, "crashed", "its process ends when the tool ends it, not before"),
+    Check::new(Class::Panic, "out of memory", "its process has enough memory"),
     Check::new(Class::Panic, "start", "an engine can be started"),
-    Check::new(Class::Panic, "protocol", "an engine keeps to the protocol"),
+    Check::new(Class::Panic, "protocol", "an engine follows the protocol"),
     Check::new(Class::Panic, "engine error", "an engine reports no error"),
     Check::new(Class::Timeout, "time limit", "it answers within the time limit"),
-    Check::new(Class::Timeout, "silence", "an engine is not silent for longer than it may be"),
-    Check::new(Class::Declined, "prepare", "it takes the scene"),
-    Check::new(Class::Declined, "supports", "it has the predicates that the task asks"),
-    Check::new(Class::Declined, "construct", "it constructs the vertices that come up"),
+    Check::new(Class::Timeout, "silence", "an engine answers within its silence limit"),
+    Check::new(Class::Declined, "prepare", "it accepts the scene"),
+    Check::new(Class::Declined, "supports", "it offers the predicates that the task uses"),
+    Check::new(Class::Declined, "construct", "it constructs the vertices that the task needs"),
     Check::new(Class::Declined, "batch", "an engine answers each batch"),
     Check::new(Class::Declined, "query", "an engine answers each query"),
     Check::new(Class::Declined, "certificate", "a library is certain of its answer"),
-    Check::new(Class::Declined, "coordinates", "a library takes the coordinates"),
+    Check::new(Class::Declined, "coordinates", "a library accepts the coordinates"),
 ];
 
 /// True if the task, or the list for every task, declares a finding of this class and name. A task without a list

@@ -47,7 +47,7 @@ impl std::fmt::Display for AnswerError {
             AnswerError::Refused(refusal) => refusal.fmt(f),
             AnswerError::Stopped => f.write_str("stopped"),
             AnswerError::OwnClock => {
-                f.write_str("it times its predicates by its own clock, which does not see the algorithm")
+                f.write_str("it times its predicates with its own clock, which does not cover the algorithm")
             }
             AnswerError::Threads(reason) => f.write_str(reason),
         }

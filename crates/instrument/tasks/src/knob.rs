@@ -13,7 +13,7 @@ pub enum Knob {
     Shift,
     /// General scenes, times 2^k.
     Scale,
-    /// General scenes, the last coordinate times 2^-k.
+    /// General scenes, with the last coordinate multiplied by 2^-k.
     Aspect,
     /// General scenes with k times as many primitives.
     Size,
@@ -60,15 +60,21 @@ impl Knob {
     #[must_use]
     pub const fn about(self) -> &'static str {
         match self {
-            Knob::Noise => "Degenerate scenes, each coordinate moved at random by up to so much of the extent.",
-            Knob::Translation => "General scenes, moved away from the origin; their coordinates are rounded there.",
-            Knob::Shift => "General scenes, cut to 24 bits at every position, then moved away from the origin exactly.",
-            Knob::Scale => "General scenes, times a power of two.",
-            Knob::Aspect => "General scenes, the last coordinate times 2^-k.",
-            Knob::Size => "General scenes of more primitives.",
-            Knob::Precision => "General scenes, coordinates rounded.",
-            Knob::Pythagorean => "Degenerate scenes of integers, turned by the angle of a Pythagorean triangle.",
-            Knob::Turn => "Degenerate scenes, turned by sixteenths of a right angle.",
+            Knob::Noise => {
+                "Degenerate scenes, with each coordinate moved randomly by up to this fraction of the \
+                            extent."
+            }
+            Knob::Translation => "General scenes, moved away from the origin; their coordinates are rounded.",
+            Knob::Shift => {
+                "General scenes, with coordinates rounded to 24 bits at every position, then moved away \
+                            from the origin without rounding."
+            }
+            Knob::Scale => "General scenes, scaled by a power of two.",
+            Knob::Aspect => "General scenes, with the last coordinate multiplied by 2^-k.",
+            Knob::Size => "General scenes with more primitives.",
+            Knob::Precision => "General scenes, with coordinates rounded.",
+            Knob::Pythagorean => "Degenerate scenes of integers, rotated by the angle of a Pythagorean triangle.",
+            Knob::Turn => "Degenerate scenes, rotated by sixteenths of a right angle.",
         }
     }
 
@@ -77,10 +83,10 @@ impl Knob {
     pub const fn unit(self) -> &'static str {
         match self {
             Knob::Noise => "log2 of the noise over the extent (none: -1075)",
-            Knob::Translation | Knob::Shift => "log2 of the way over the extent",
+            Knob::Translation | Knob::Shift => "log2 of the distance over the extent",
             Knob::Scale | Knob::Aspect => "log2 of the factor",
-            Knob::Size => "times as many",
-            Knob::Precision => "bits lost of 53",
+            Knob::Size => "number of primitives, as a multiple",
+            Knob::Precision => "bits removed of 53",
             Knob::Pythagorean => "times",
             Knob::Turn => "sixteenths of a right angle",
         }

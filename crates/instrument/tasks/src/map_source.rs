@@ -48,7 +48,7 @@ impl MapSource {
         let loops = ["points", "loops", "regions"].into_iter().find_map(|key| fields.get(key));
         match loops {
             Some(_) if fields.get("map").is_none() => Ok(MapSource::Loops(MapLoops::read(context, fields)?)),
-            Some(loops) => Err(loops.error("a map from two places", "keep `map`, or `points` and `loops`")),
+            Some(loops) => Err(loops.error("a map with two sources", "keep `map`, or `points` and `loops`")),
             None => {
                 let map = fields.required("map");
                 let map = map.map_err(|missing| fields.lacking(NEEDED, missing))?;
@@ -82,15 +82,19 @@ impl MapSource {
             }
             (None, None, None, Some(polygons)) => {
                 if let Some(key) = table.get("ids").or_else(|| table.get("regions")) {
-                    return Err(key.error("some of written polygons", "write only the polygons that are wanted"));
+                    return Err(key.error(
+                        "`ids` and `regions` select from files, not from `polygons`",
+                        "remove the \
+                                          key, and write only the polygons that you want",
+                    ));
                 }
                 MapSource::Written(read_polygons(&polygons)?)
             }
             (None, None, None, None) => {
-                let missing = map.error("a map from nowhere", format!("write {ONE}"));
+                let missing = map.error("a map without a source", format!("write {ONE}"));
                 return Err(table.lacking(ONE, missing));
             }
-            _ => return Err(map.error("a map from more than one place", format!("keep {ONE}"))),
+            _ => return Err(map.error("a map with more than one source", format!("keep {ONE}"))),
         };
         table.finish()?;
         Ok(source)
@@ -157,7 +161,7 @@ impl Selected {
             (Some(ids), None) => {
                 let begin = ids.string()?;
                 if begin.is_empty() {
-                    return Err(ids.error("every id begins with nothing", "write how ids begin, or leave `ids` out"));
+                    return Err(ids.error("`ids` is empty", "write how ids begin, or leave `ids` out"));
                 }
                 Ok(Selected::Ids { begin, file: ids.file().to_owned(), line: ids.line() })
             }
@@ -172,7 +176,7 @@ impl Selected {
                     numbers.push((value, line));
                 }
                 if numbers.is_empty() {
-                    return Err(regions.error("none of the regions", format!("write {NUMBERS}")));
+                    return Err(regions.error("`regions` is empty", format!("write {NUMBERS}")));
                 }
                 Ok(Selected::Numbers { numbers, file: regions.file().to_owned() })
             }
@@ -192,7 +196,7 @@ impl Selected {
                     is_kept
                 })?;
                 if kept == 0 {
-                    let message = format!("of {seen} regions none has an id that begins with `{begin}`");
+                    let message = format!("no id of the {seen} regions begins with `{begin}`");
                     return Err(CorpusError::file(file, message, "correct `ids`").at_line(*line));
                 }
                 Ok(found)

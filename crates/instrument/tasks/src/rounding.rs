@@ -95,10 +95,10 @@ impl<const D: usize> Rounding<D> {
         let class = if holds_exactly && self.is_within() { Class::Rounded } else { Class::Topology };
         let far = match &self.worst {
             None => "no vertex is rounded".to_owned(),
-            Some((v, None)) => format!("{v} is nowhere, exactly"),
-            Some((v, Some(off))) => format!("{v} is {} off its place, farthest of all; bound {BOUND} ulp", told(off)),
+            Some((v, None)) => format!("{v} is not a point, exactly"),
+            Some((v, Some(off))) => format!("{v} has the largest error, {}; bound {BOUND} ulp", told(off)),
         };
-        let more = if holds_exactly { "" } else { "; violated with vertices in their places, too" };
+        let more = if holds_exactly { "" } else { "; also violated with vertices at their exact positions" };
         (class, format!("{far}{more}"))
     }
 }
@@ -212,7 +212,7 @@ mod tests {
             assert_eq!(rounding.class(true).0, class, "{steps}");
             assert_eq!(rounding.class(false).0, Class::Topology, "what is wrong exactly is not rounded");
         }
-        assert_eq!(at(1.0).class(true).1, "c0 is 0.92 ulp off its place, farthest of all; bound 4 ulp");
+        assert_eq!(at(1.0).class(true).1, "c0 has the largest error, 0.92 ulp; bound 4 ulp");
         assert_eq!(at(0.0).exact, [[(1, 3), (1, 3)].map(Rational::from)]);
     }
 
@@ -224,7 +224,7 @@ mod tests {
         let third = [1.0 / 3.0; 2];
         let rounding = Rounding::new(&scene, [(v, third), (parallel, [5.0, 5.0]), (a, [0.0, 0.0])]);
         assert!(!rounding.is_within());
-        assert_eq!(rounding.class(true), (Class::Topology, format!("{parallel} is nowhere, exactly")));
+        assert_eq!(rounding.class(true), (Class::Topology, format!("{parallel} is not a point, exactly")));
         assert_eq!(rounding.exact.len(), 3);
     }
 

@@ -44,7 +44,9 @@ pub fn run_spoiled(
 /// The backend as a solver of the task of a scene.
 fn solver<'a>(contestant: &'a dyn Contestant, case: &dyn AnyCase) -> &'a dyn crate::Solver {
     let task = case.task().name();
-    contestant.solver(task).unwrap_or_else(|| panic!("{} was not told of the task {task}", contestant.name()))
+    contestant
+        .solver(task)
+        .unwrap_or_else(|| panic!("{} does not have a solver for the task {task}", contestant.name()))
 }
 
 /// The result of `work`, or the reason why a backend broke off in it: a panic, or a failed process behind it.

@@ -213,7 +213,7 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// The positions of a knob at which `stress` keeps scenes of the task valid.
     fn turns(&self, knob: Knob) -> Turns {
         let _ = knob;
-        Turns::Nowhere("the task does not say how far")
+        Turns::Nowhere("the task does not declare a limit")
     }
 
     /// The checks that its judge can report, each with its meaning: a finding outside this list is a mistake. An empty

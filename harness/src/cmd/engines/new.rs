@@ -165,7 +165,7 @@ impl Template {
 pub fn run(args: &Args) -> exit::Outcome {
     let Args { name, language, out } = args;
     if !is_name(name) {
-        return Err(Failure::usage(format!("`{name}` is no name of an engine; {NAME_RULE}")));
+        return Err(Failure::usage(format!("`{name}` is not a valid name of an engine; {NAME_RULE}")));
     }
     if let Some(short) = name.strip_suffix(".toml") {
         return Err(Failure::usage(format!("-b would take the engine `{name}` for a file; name it `{short}`")));

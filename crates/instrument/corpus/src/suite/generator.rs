@@ -106,7 +106,7 @@ fn amount(fields: &Fields<'_, '_>, recipe: &Recipe) -> Result<[usize; 2], Corpus
             return Ok(usize::try_from(n).unwrap_or(usize::MAX));
         }
         let message = format!(
-            "`{key}` is {n}: a scene of about {} coordinates, and there may be {MOST_COORDINATES}",
+            "`{key}` is {n}: a scene of about {} coordinates; the maximum is {MOST_COORDINATES}",
             recipe.coordinates(n)
         );
         let cure = match most(recipe) {

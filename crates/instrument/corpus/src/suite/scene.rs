@@ -166,7 +166,7 @@ pub(super) fn check_name(field: &Field<'_, '_>, name: &str) -> Result<(), Corpus
     } else if name.chars().nth(LONGEST_NAME).is_some() {
         format!("the name `{}` has more than {LONGEST_NAME} characters", shown(name))
     } else if name.starts_with(['=', '+', '-', '@']) {
-        format!("the name `{}` begins as a formula does, and tables of runs go into spreadsheets", shown(name))
+        format!("the name `{}` begins like a formula, and tables of runs are opened in spreadsheets", shown(name))
     } else {
         return Ok(());
     };

@@ -195,7 +195,7 @@ fn what_no_task_knows_is_refused() {
         ),
         (
             "[[generate]]\nfamily = \"row\"\ntask = \"second\"\nn = 1\n",
-            "s.toml:3: family row generates nothing for second; use it for first",
+            "s.toml:3: family row does not generate scenes for second; use it for first",
         ),
         ("[[generate]]\nfamily = \"row\"\ntask = \"first\"\nn = 1\nplace = 1\n", "s.toml:6: "),
         ("[[generate]]\nfamily = \"single\"\ntask = \"first\"\nplace = 1\nn = 1\n", "s.toml:6: "),

@@ -119,7 +119,7 @@ fn what_an_engine_declines_is_declined() {
     let scene = scene();
     let declined = |way: &str| engine(way).unwrap().prepare(&scene, Off).map(|_| ()).unwrap_err().to_string();
     assert_eq!(declined("decline scene"), "scene declined: not today");
-    assert_eq!(declined("single"), "scene declined: coordinates that are no singles");
+    assert_eq!(declined("single"), "scene declined: coordinates that are not singles");
     let mut constructed = scene.clone();
     constructed.construct(Construction::Ssi([v([0, 1]), v([2, 3])])).unwrap();
     assert!(engine("").unwrap().prepare(&constructed, Off).is_err());
@@ -141,8 +141,8 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
         ("abort on batch", Class::Panic, "crashed", "the process was ended by signal 6 (abort)"),
         ("forgets", Class::Panic, "protocol", "an answer `signs` without the `id` of its question"),
         ("crumbs", Class::Panic, "protocol", "a message of more than 64 entries"),
-        ("many entries", Class::Panic, "protocol", "an answer of 1073676302 bytes, where at most 65540 were asked for"),
-        ("long value", Class::Panic, "protocol", "an answer of 1073676312 bytes, where at most 65540 were asked for"),
+        ("many entries", Class::Panic, "protocol", "an answer of 1073676302 bytes; at most 65540 are allowed"),
+        ("long value", Class::Panic, "protocol", "an answer of 1073676312 bytes; at most 65540 are allowed"),
         ("silent on batch", Class::Timeout, "silence", "no answer to `batch` within 1s"),
         (
             "garbage on batch",
@@ -181,7 +181,7 @@ fn an_answer_to_another_question_is_no_answer() {
     let scene = scene();
     // Detected by the question's number.
     for (way, said) in [
-        ("twice", "protocol: it wrote more than the answer to the message before: a message `signs`"),
+        ("twice", "protocol: it sent an extra message `signs`, without a question"),
         ("again", "protocol: an answer to question `3`, where question 4 was asked"),
     ] {
         let engine = engine(way).unwrap();
@@ -192,7 +192,7 @@ fn an_answer_to_another_question_is_no_answer() {
         assert_eq!(breaks(&session), said, "{way}");
     }
     // Detected by the greeting after it.
-    let said = "protocol: it wrote more than the answer to the message before: a message `signs`";
+    let said = "protocol: it sent an extra message `signs`, without a question";
     let once = engine("without id, twice").unwrap();
     assert_eq!(breaks(&once.prepare(&scene, Off).unwrap()), said);
     let late = engine("without id, again").unwrap();
@@ -227,7 +227,7 @@ fn an_engine_that_always_breaks_is_given_up() {
     }
     let thrown = catch_unwind(AssertUnwindSafe(|| engine.prepare(&scene, Off).map(|_| ()))).unwrap_err();
     let broken = thrown.downcast::<Broken>().unwrap_or_else(|_| panic!("another panic"));
-    assert!(broken.message.starts_with("given up, as it broke 5 times in a row, last by crashed: "), "{broken}");
+    assert!(broken.message.starts_with("given up after 5 failures in a row; the last: crashed: "), "{broken}");
 }
 
 #[test]
@@ -240,7 +240,7 @@ fn so_is_one_that_always_answers_nonsense() {
     for _ in 0..5 {
         assert!(broken().ends_with("was answered by the byte 9"));
     }
-    assert!(broken().starts_with("given up, as it broke 5 times in a row"));
+    assert!(broken().starts_with("given up after 5 failures in a row"));
 }
 
 /// An error about an engine without its prefix, the engine and its file.
@@ -301,7 +301,7 @@ fn a_nan_is_a_zero_that_says_so() {
 fn an_engine_that_does_not_greet_is_refused_at_once() {
     for (way, said) in [
         ("old", "protocol: it speaks protocol 0, and the tool 1; rebuild the engine"),
-        ("odd", "protocol: it offers `sidedness`, which is no predicate of the protocol"),
+        ("odd", "protocol: it offers `sidedness`, which is not a predicate of the protocol"),
         ("silent on hello", "silence: no answer to `hello` within 1s"),
         ("crash on hello", "crashed: the process ended with code 3; stderr: about to end / this is the reason"),
         ("decline hello", "protocol: not today"),

@@ -33,7 +33,7 @@ fn a_table_that_is_not_as_it_was_written_is_refused() {
     let path = run.join("kinds.csv");
     let text = fs::read_to_string(&path).unwrap();
     for (broken, why) in [
-        (text[..text.len() - 5].to_owned(), "kinds.csv: 184 bytes are left of the 189 that the run had written"),
+        (text[..text.len() - 5].to_owned(), "kinds.csv: 184 bytes are left of the 189 that the run wrote"),
         (format!("{text}x"), "kinds.csv: 1 bytes were added after the run was complete"),
         (
             text.replace("0.30000000000000004", "0.30000000000000005"),
@@ -95,11 +95,11 @@ fn folders_that_would_be_mistaken_are_refused() {
     let [a, b, out] = ["a/run", "b/run", "out"].map(|name| folder.path().join(name));
     write_run(&a, DAY, &kinds());
     write_run(&b, DAY, &kinds());
-    refuse(&[&a, &b], &out, "the run would be called `run`");
+    refuse(&[&a, &b], &out, "the name of the run would be `run`");
     exported(&[folder.path()], Format::Parquet, &out).unwrap();
     // A file of another export would look like a table of this one.
     fs::write(out.join("answers.parquet"), "old").unwrap();
-    refuse(&[&a], &out, "answers.parquet: this export has no such table");
+    refuse(&[&a], &out, "answers.parquet: this export does not have this table");
     fs::remove_file(out.join("answers.parquet")).unwrap();
     // Files left by a killed export are removed.
     fs::write(out.join(".answers.parquet.1.next"), "half").unwrap();
@@ -109,7 +109,7 @@ fn folders_that_would_be_mistaken_are_refused() {
     refuse(
         &[&folder.path().join("out")],
         &folder.path().join("other"),
-        "neither a run folder nor one with run folders in it",
+        "it is not a run folder and does not contain run folders",
     );
     refuse(&[&folder.path().join("nowhere")], &folder.path().join("other"), "nowhere");
 }
@@ -128,7 +128,7 @@ fn a_run_that_lost_its_plan_is_not_passed_over() {
     fs::write(all.join("else/summary.csv"), "a,b\n1,2\n").unwrap();
     assert_eq!(find(std::slice::from_ref(&all)).unwrap().others, [csv, all.join("else")]);
     fs::remove_file(lost.join("plan.json")).unwrap();
-    let why = "lost/plan.json: there is no such file, and the folder has what a run has written; restore it";
+    let why = "lost/plan.json: the file is missing, but the folder has tables of a run; restore the file";
     refuse(&[&all], &out, why);
     refuse(&[&lost], &out, why);
     fs::remove_file(lost.join("state.json")).unwrap();

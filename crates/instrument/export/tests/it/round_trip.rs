@@ -137,11 +137,7 @@ fn runs_that_are_not_complete_are_marked() {
     drop(running);
     let outcome = |run: &str, outcome: &str| (run.to_owned(), outcome.to_owned());
     assert_eq!(told.incomplete, [outcome("killed", "unfinished"), outcome("running", "running")]);
-    assert!(
-        told.notes[0].ends_with("kinds.csv: 9 bytes of a scene that was not finished were left out"),
-        "{:?}",
-        told.notes
-    );
+    assert!(told.notes[0].ends_with("kinds.csv: 9 bytes of an unfinished scene were left out"), "{:?}", told.notes);
     let (names, rows) = read(&out.join("runs.parquet"));
     let place = names.iter().position(|name| name == "outcome").unwrap();
     let outcomes: Vec<&Option<Cell>> = rows.iter().map(|row| &row[place]).collect();

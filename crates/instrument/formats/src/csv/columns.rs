@@ -177,8 +177,7 @@ impl Chosen {
     pub(super) fn find(columns: &Columns, first: &[&str]) -> Result<Chosen, (String, String)> {
         let at = columns.0.iter().map(|column| place(column, first)).collect::<Result<Vec<usize>, _>>()?;
         if let Some(twice) = (1..at.len()).find(|&second| at[..second].contains(&at[second])) {
-            let message =
-                format!("`{}` is a column that another of the columns names", shown(&columns.0[twice].to_string()));
+            let message = format!("`{}` names a column that is already named", shown(&columns.0[twice].to_string()));
             return Err((message, "name each column once".to_owned()));
         }
         let by_name = columns.0.iter().any(|column| matches!(column, Column::Name(_)));
@@ -200,7 +199,8 @@ impl Chosen {
         let lacks = self.at.iter().zip(&self.names).find(|(at, _)| **at >= found);
         let lacks = lacks.map_or_else(String::new, |(_, name)| format!(": {name} is missing"));
         let message = format!("the row has {found} cells, {first} has {}{lacks}", self.width);
-        let cure = format!("give every row {} cells; write a cell with a separator in it in double quotes", self.width);
+        let cure =
+            format!("give every row {} cells; put a cell that contains a separator in double quotes", self.width);
         Err((message, cure))
     }
 }
@@ -208,7 +208,7 @@ impl Chosen {
 /// The place of a column in the first row, from 0.
 fn place(column: &Column, first: &[&str]) -> Result<usize, (String, String)> {
     let is_header = !first.iter().any(|cell| is_number(cell));
-    let has = if is_header { "the columns are" } else { "the first row is no header:" };
+    let has = if is_header { "the columns are" } else { "the first row is not a header:" };
     match column {
         Column::Number(number) if (1..=first.len()).contains(number) => Ok(number - 1),
         Column::Number(number) => {

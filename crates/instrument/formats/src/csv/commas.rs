@@ -33,7 +33,7 @@ impl Commas {
         let (has_comma, has_point) = (cell.contains(','), cell.contains('.'));
         if has_comma && has_point {
             let message = format!("`{}` has a comma and a point", shown(cell));
-            return Err((message, "write no sign between thousands, and one sign before the decimals".to_owned()));
+            return Err((message, "remove thousands separators, and use one decimal sign".to_owned()));
         }
         if !has_comma && !has_point {
             return Ok(Cow::Borrowed(cell));
@@ -44,8 +44,8 @@ impl Commas {
         };
         if let Some((text, before)) = other {
             let message = format!(
-                "`{}` has a {sign}, and `{text}` in line {before} has a {other_sign}: a comma may be a decimal comma or \
-                 stand between thousands",
+                "`{}` has a {sign}, and `{text}` in line {before} has a {other_sign}: a comma may be a decimal comma \
+                 or a thousands separator",
                 shown(cell),
             );
             return Err((message, "write all decimals with points, or all with commas".to_owned()));
@@ -69,6 +69,8 @@ pub(super) fn cure(separator: Option<Separator>, cell: &str) -> Option<String> {
     let has_comma =
         separator != Some(Separator::Character(';')) && cell.contains(',') && is_number(&cell.replace(',', "."));
     (is_cut || has_comma).then(|| {
-        "decimal commas are read where `;` separates the cells; write `;` between them, or decimal points".to_owned()
+        "decimal commas are supported only if `;` separates the cells; separate cells by `;`, or write decimal \
+         points"
+            .to_owned()
     })
 }

@@ -88,7 +88,7 @@ impl Layout {
             }
             Wanted::Points if columns::recognised(first).is_some() => refused(cure(first)),
             Wanted::All if is_header && is_misplaced(first) => {
-                refused("write the columns x, y and z in this order and no other among them".to_owned())
+                refused("write the columns x, y and z in this order, without other columns between them".to_owned())
             }
             Wanted::All if is_header && !kind.widths.contains(&first.len()) => {
                 Err((format!("the header has {} columns", first.len()), kind.cure.to_owned()))
@@ -108,8 +108,10 @@ impl Layout {
 /// How to say which columns are x and y: ready to be copied where the header names them without doubt.
 fn cure(first: &[&str]) -> String {
     let (what, columns, option) = match columns::recognised(first) {
-        Some(found) => ("name those of x and y", found.columns.toml(), found.columns.to_string()),
-        None => ("name those of x and y, or their numbers from 1", "[\"…\", \"…\"]".to_owned(), "…,…".to_owned()),
+        Some(found) => ("name the columns of x and y", found.columns.toml(), found.columns.to_string()),
+        None => {
+            ("name the columns of x and y, or give their numbers from 1", "[\"…\", \"…\"]".to_owned(), "…,…".to_owned())
+        }
     };
     format!("{what}: `columns = {columns}` beside `path`, or `--columns {option}` on the command line")
 }

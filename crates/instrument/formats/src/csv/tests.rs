@@ -38,36 +38,38 @@ fn errors_name_file_line_and_cure() {
             "p.csv:4: decimal 0.1000000000000000001 has digits that no double holds; run `predicament corpus fmt p.csv` and use the file that it writes, or write `round = true` in the scene",
         ),
         ("1,2\r\r3,x\r", "p.csv:3: `x` is not a number; write"),
-        ("1,2\n3\n", "p.csv:2: point 1 has 1 coordinates, the points before it 2; give all"),
+        ("1,2\n3\n", "p.csv:2: point 1 has 1 coordinates, but earlier points have 2; give all"),
         ("1,2,\n", "p.csv:1: `` is not a number; write"),
         ("1\n", "p.csv:1: point 0 has 1 coordinates; give all"),
         ("1,2,3,4\n", "p.csv:1: point 0 has 4 coordinates; give all"),
-        ("x,y\n1,2,3\n", "p.csv:2: point 0 has 3 coordinates, the columns are 2; give all"),
+        ("x,y\n1,2,3\n", "p.csv:2: point 0 has 3 coordinates, but there are 2 columns; give all"),
         (
             "x,y,z,d\n1,2,3,4\n",
-            "p.csv:1: the columns are x, y, z, d; name those of x and y: `columns = [\"x\", \"y\", \"z\"]` beside `path`, or \
+            "p.csv:1: the columns are x, y, z, d; name the columns of x and y: `columns = [\"x\", \"y\", \"z\"]` \
+             beside `path`, or \
              `--columns x,y,z` on the command line",
         ),
         (
             "id,x,y\n1,2,3\n",
-            "p.csv:1: the columns are id, x, y; name those of x and y: `columns = [\"x\", \"y\"]` beside",
+            "p.csv:1: the columns are id, x, y; name the columns of x and y: `columns = [\"x\", \"y\"]` beside",
         ),
-        ("y,x\n1,2\n", "p.csv:1: the columns are y, x; name those of x and y: `columns = [\"x\", \"y\"]` beside"),
+        ("y,x\n1,2\n", "p.csv:1: the columns are y, x; name the columns of x and y: `columns = [\"x\", \"y\"]` beside"),
         ("x,y,id\n1,2,7\n", "p.csv:1: the columns are x, y, id; name"),
         (
             "lat,lon\n1,2\n",
-            "p.csv:1: the columns are lat, lon; name those of x and y: `columns = [\"lon\", \"lat\"]` beside",
+            "p.csv:1: the columns are lat, lon; name the columns of x and y: `columns = [\"lon\", \"lat\"]` beside",
         ),
         ("Northing,Easting\n1,2\n", "p.csv:1: the columns are Northing, Easting; name"),
         ("lon,lat,FID\n1,2,7\n", "p.csv:1: the columns are lon, lat, FID; name"),
         (",x,y\n0,1,2\n", "p.csv:1: the columns are ``, x, y; name"),
         (
             "id,name\n1,2\n",
-            "p.csv:1: the columns are id, name; name those of x and y, or their numbers from 1: `columns = [\"…\", \"…\"]`",
+            "p.csv:1: the columns are id, name; name the columns of x and y, or give their numbers from 1: `columns \
+             = [\"…\", \"…\"]`",
         ),
         (
             "id,lon,lat,x,y\n1,2,3,4,5\n",
-            "p.csv:1: the columns are id, lon, lat, x, y; name those of x and y, or their numbers",
+            "p.csv:1: the columns are id, lon, lat, x, y; name the columns of x and y, or give their numbers",
         ),
         ("nan,1\n", "p.csv:1: coordinate `nan` is not finite; remove"),
         ("1,2\nx,y\n", "p.csv:2: `x` is not a number; write"),
@@ -133,11 +135,12 @@ fn errors_about_columns_name_the_column_and_the_cure() {
             "p.csv:1: there is no column `east`: the columns are id, lon, lat, name; name columns of the",
         ),
         ("1,7,47,a\n", "2,5", "p.csv:1: there is no column 5: the first row has 4 cells; choose numbers from 1 to 4"),
-        ("1,7,47,a\n", "lon,2", "p.csv:1: `2` is a column that another of the columns names; name each column once"),
+        ("1,7,47,a\n", "lon,2", "p.csv:1: `2` names a column that is already named; name each column once"),
         (
             "1,7,47,a\n2,8\n",
             "lon,lat",
-            "p.csv:3: the row has 2 cells, the header has 4: column `lat` is missing; give every row 4 cells; write a cell with",
+            "p.csv:3: the row has 2 cells, the header has 4: column `lat` is missing; give every row 4 cells; put a \
+             cell that",
         ),
         ("1,7,47\n", "lon,lat", "p.csv:2: the row has 3 cells, the header has 4; give every row 4 cells"),
         ("1,7,47,Bern, BE\n", "lon,lat", "p.csv:2: the row has 5 cells, the header has 4; give every row 4 cells"),
@@ -160,7 +163,7 @@ fn errors_about_columns_name_the_column_and_the_cure() {
         (
             "1,7,47\n",
             "lon,lat",
-            "p.csv:1: there is no column `lon`: the first row is no header: 1, 7, 47; name the columns by their",
+            "p.csv:1: there is no column `lon`: the first row is not a header: 1, 7, 47; name the columns by their",
         ),
         ("a,a,b\n1,2,3\n", "a,b", "p.csv:1: two columns are called `a`; name the column by its number, from 1"),
         ("1,7\n2\n", "1,2", "p.csv:2: the row has 1 cells, the first row has 2: column 2 is missing; give"),
@@ -232,20 +235,31 @@ fn decimal_commas_are_read_where_they_cannot_be_anything_else() {
     assert_eq!(points("x;y\n\"0,5\";0x1.8p+0\n,5;+5,\n"), Ok((2, vec![0.5, 1.5, 0.5, 5.0])));
     // Points in other columns do not count.
     assert_eq!(of_columns("name;lat;lon\nSt. Imier;47,25;7,5\n", "lon,lat"), Ok((2, vec![7.5, 47.25])));
-    const WHY: &str = ": a comma may be a decimal comma or stand between thousands; write all decimals with points, or all with commas";
+    const WHY: &str = ": a comma may be a decimal comma or a thousands separator; write all decimals with points, or \
+                       all with commas";
     for (text, expected) in [
         ("0,5;1,5\n2.5;3\n", format!("p.csv:2: `2.5` has a point, and `0,5` in line 1 has a comma{WHY}")),
         ("x;y\n1.5;1\n1,5;1\n", format!("p.csv:3: `1,5` has a comma, and `1.5` in line 2 has a point{WHY}")),
-        ("1.234,5;2\n", "p.csv:1: `1.234,5` has a comma and a point; write no sign between thousands".to_owned()),
+        ("1.234,5;2\n", "p.csv:1: `1.234,5` has a comma and a point; remove thousands separators".to_owned()),
         ("1,234,567;2\n", "p.csv:1: `1,234,567` is not a number; write".to_owned()),
         (
             "0,1000000000000000001;2\n",
             "p.csv:1: decimal 0,1000000000000000001 has digits that no double holds; run".to_owned(),
         ),
         ("0x1,8p0;2\n", "p.csv:1: `0x1,8p0` is not a number; write".to_owned()),
-        ("\"0,5\",\"1,5\"\n", "p.csv:1: `0,5` is not a number; decimal commas are read where `;` separates".to_owned()),
-        ("0,5\t1,5\n", "p.csv:1: `5\\t1` is not a number; decimal commas are read where `;` separates".to_owned()),
-        ("0,5 1,5\n", "p.csv:1: `5 1` is not a number; decimal commas are read where `;` separates".to_owned()),
+        (
+            "\"0,5\",\"1,5\"\n",
+            "p.csv:1: `0,5` is not a number; decimal commas are supported only if `;` \
+          separates"
+                .to_owned(),
+        ),
+        (
+            "0,5\t1,5\n",
+            "p.csv:1: `5\\t1` is not a number; decimal commas are supported only if `;` \
+          separates"
+                .to_owned(),
+        ),
+        ("0,5 1,5\n", "p.csv:1: `5 1` is not a number; decimal commas are supported only if `;` separates".to_owned()),
     ] {
         let error = points(text).unwrap_err().to_string();
         assert!(error.starts_with(&expected), "{text:?}\n  got      {error}\n  expected {expected}");

@@ -70,11 +70,11 @@ impl std::fmt::Display for ExportError {
         use ExportError as E;
         match self {
             E::Io(error) => write!(f, "the mesh cannot be written: {error}"),
-            E::NotFinite { vertex } => write!(f, "vertex {vertex} is not finite; no format keeps it"),
+            E::NotFinite { vertex } => write!(f, "vertex {vertex} is not finite; no format can store it"),
             E::NoSuchVertex { face, corner, vertices } => {
                 write!(
                     f,
-                    "face {face} has corner {corner}, which is none of the {vertices} vertices; correct the index"
+                    "face {face} has corner {corner}, which is not one of the {vertices} vertices; correct the index"
                 )
             }
             E::TooFewCorners { face, corners } => {
@@ -91,10 +91,10 @@ impl std::fmt::Display for ExportError {
                 write!(f, "vertex {vertex} is in no face, and STL would lose it; remove it, or write PLY")
             }
             E::OnePlace { vertices: [a, b] } => {
-                write!(f, "vertices {a} and {b} are at one place, and STL would make one of them; write PLY")
+                write!(f, "vertices {a} and {b} have the same coordinates, and STL would merge them; write PLY")
             }
             E::NoSingle { vertex } => {
-                write!(f, "vertex {vertex} has a coordinate that is no single, and binary STL would round it; ")?;
+                write!(f, "vertex {vertex} has a coordinate that is not a single, and binary STL would round it; ")?;
                 f.write_str("write STL in ASCII, or binary PLY")
             }
         }

@@ -99,9 +99,12 @@ impl Geometry {
             let found = if position.height.is_some() { Dimension::Three } else { Dimension::Two };
             let expected = *dimension.get_or_insert(found);
             if found != expected {
-                let message =
-                    format!("a position of {} coordinates, those before it have {}", found.count(), expected.count());
-                return Err(self.error(position.line, message, "give all positions a height, or none"));
+                let message = format!(
+                    "a position of {} coordinates, but earlier positions have {}",
+                    found.count(),
+                    expected.count()
+                );
+                return Err(self.error(position.line, message, "give every position a height, or remove all heights"));
             }
             coordinates.extend(position.at);
             coordinates.extend(position.height);
@@ -118,8 +121,8 @@ impl Geometry {
         for (feature, shape) in self.shapes() {
             let what = match shape {
                 Shape::Line(_) => continue,
-                Shape::Point(_) => "a point is no line",
-                Shape::Polygon(_) => "a polygon is no line",
+                Shape::Point(_) => "a point is not a line",
+                Shape::Polygon(_) => "a polygon is not a line",
             };
             return Err(self.error(feature.line, what, "give lines only: LineString or MultiLineString"));
         }

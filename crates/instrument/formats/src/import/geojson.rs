@@ -106,7 +106,7 @@ pub fn read_member(
 ) -> Result<Geometry, CorpusError> {
     let (mut reader, whole) = Reader::open(file, text, decimals)?;
     if !whole.get().starts_with('{') {
-        return Err(reader.error(whole, &ROOT, "no object", "leave out `member`"));
+        return Err(reader.error(whole, &ROOT, "not an object", "leave out `member`"));
     }
     let members: BTreeMap<String, &RawValue> = reader.parsed(whole)?;
     let Some(rings) = members.get(member) else {
@@ -198,7 +198,7 @@ impl<'r, 't> Reader<'r, 't> {
                     let place = place.index(index);
                     let kind: Kind = self.parsed(feature)?;
                     if kind.kind.as_deref() != Some("Feature") {
-                        return Err(self.error(feature, &place, "no Feature", "list features only"));
+                        return Err(self.error(feature, &place, "not a Feature", "list features only"));
                     }
                     self.feature(feature, &place, keeps)?;
                 }
@@ -258,7 +258,7 @@ impl<'r, 't> Reader<'r, 't> {
         let kind = object.kind.as_deref().unwrap_or_default();
         if kind == "GeometryCollection" {
             if depth == DEEPEST {
-                let message = format!("over {DEEPEST} collections in each other");
+                let message = format!("more than {DEEPEST} nested collections");
                 return Err(self.error(raw, place, &message, "list their members in one"));
             }
             let members = object.geometries.ok_or_else(|| {
@@ -343,7 +343,7 @@ impl<'r, 't> Reader<'r, 't> {
     /// Parses an object; an array of its values, which serde would accept, is refused.
     fn object(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Object<'t>, CorpusError> {
         if !raw.get().starts_with('{') {
-            return Err(self.error(raw, place, "no object", "give an object with a `type`"));
+            return Err(self.error(raw, place, "not an object", "give an object with a `type`"));
         }
         self.parsed(raw)
     }
@@ -351,7 +351,7 @@ impl<'r, 't> Reader<'r, 't> {
     /// The members of an array.
     fn items(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Vec<&'t RawValue>, CorpusError> {
         if !raw.get().starts_with('[') {
-            return Err(self.error(raw, place, "no array", "give an array"));
+            return Err(self.error(raw, place, "not an array", "give an array"));
         }
         self.parsed(raw)
     }

@@ -33,6 +33,6 @@ pub fn read_part(
         (_, Some(_)) => Err(CorpusError::file(file, "only JSON has members", "leave out `member`")),
         (Format::GeoJson, None) => geojson::read(file, &data.text()?, decimals, keeps),
         (Format::Wkt, None) => wkt::read(file, &data.text()?, decimals, keeps),
-        _ => Err(CorpusError::file(file, "the file is no map", "name a .geojson, .json or .wkt file")),
+        _ => Err(CorpusError::file(file, "the file is not a map", "name a .geojson, .json or .wkt file")),
     }
 }

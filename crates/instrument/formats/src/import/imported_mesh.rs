@@ -37,7 +37,7 @@ pub(super) fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
 }
 
 pub(super) fn no_vertex(file: &str, line: usize, word: &str, points: usize, first: &str) -> CorpusError {
-    let message = format!("`{}` is none of the {points} vertices", shown(word));
+    let message = format!("`{}` is not one of the {points} vertices", shown(word));
     CorpusError::file(file, message, format!("indices count from {first}")).at_line(line)
 }
 

@@ -26,7 +26,7 @@ pub(super) fn read_data(data: DataFile, decimals: &Decimals) -> Result<ImportedM
         Format::Ply => ply::read(&file, &data.bytes, decimals),
         Format::Stl => stl::read(&file, data.bytes, decimals),
         Format::Csv | Format::GeoJson | Format::Wkt => {
-            Err(CorpusError::file(&file, "the file is no mesh", "name a .off, .obj, .ply or .stl file"))
+            Err(CorpusError::file(&file, "the file is not a mesh", "name a .off, .obj, .ply or .stl file"))
         }
     }?;
     if 3 * mesh.points.len() > MOST_COORDINATES {
@@ -87,19 +87,19 @@ mod tests {
         for (got, expected) in [
             (off("2 0 0\n0 0 0\n"), "m.off:3: the file ends after 1 of its 2 vertices; correct"),
             (off("1 1 0\n0 0 0\n"), "m.off:3: the file ends after 0 of its 1 faces; correct"),
-            (off("1 0 0\n0 0 0\n0 0 1\n"), "m.off:4: more follows the 0 faces; correct"),
+            (off("1 0 0\n0 0 0\n0 0 1\n"), "m.off:4: there is extra text after the 0 faces; correct"),
             (off("1 0\n0 0 0\n"), "m.off:2: three counts are expected"),
             (read("m.off", "# none\n").unwrap_err().to_string(), "m.off: the file ends before the word OFF; give"),
             (off(""), "m.off:1: the file ends before its counts; give"),
-            (off("1 1 0\n0 0 0\n3 0 0 1\n"), "m.off:4: `1` is none of the 1 vertices; indices count from 0"),
+            (off("1 1 0\n0 0 0\n3 0 0 1\n"), "m.off:4: `1` is not one of the 1 vertices; indices count from 0"),
             (off("1 1 0\n0 0 0\n3 0 0\n"), "m.off:4: a face is the number of its corners, then the corners; give"),
             (off("2 1 0\n0 0 0\n3 0 1 2\n"), "m.off:4: a vertex of 4 numbers, and the first has 3; correct the counts"),
             (off("1 0 0\n0 0\n"), "m.off:3: a vertex of 2 coordinates; write three"),
             (off("1 0 0\n0 0 nan\n"), "m.off:3: coordinate `nan` is not finite; remove"),
             (obj("f 1 2\n"), "m.obj:4: a face of 2 corners; give it three"),
-            (obj("f 1 2 4\n"), "m.obj:4: `4` is none of the 3 vertices; indices count from 1"),
-            (obj("f 0 1 2\n"), "m.obj:4: `0` is none of the 3 vertices"),
-            (obj("f -4 1 2\n"), "m.obj:4: `-4` is none of the 3 vertices"),
+            (obj("f 1 2 4\n"), "m.obj:4: `4` is not one of the 3 vertices; indices count from 1"),
+            (obj("f 0 1 2\n"), "m.obj:4: `0` is not one of the 3 vertices"),
+            (obj("f -4 1 2\n"), "m.obj:4: `-4` is not one of the 3 vertices"),
             (obj("f 1 2 1\n"), "m.obj:4: a face that names a vertex twice; divide it"),
             (obj("l 1 2 2\n"), "m.obj:4: a line that names a vertex twice in a row; name it once"),
             (obj("l 1\n"), "m.obj:4: a line of 1 vertices; give it two"),
@@ -116,8 +116,8 @@ mod tests {
                 super::read("m.off", b"OFF\n\xff".into(), &Decimals::new(false)).unwrap_err().to_string(),
                 "m.off:2: the file is not text in UTF-8; write",
             ),
-            (read("m.3ds", "").unwrap_err().to_string(), "m.3ds: the file's name doesn't tell its format; name"),
-            (read("m.wkt", "").unwrap_err().to_string(), "m.wkt: the file is no mesh; name"),
+            (read("m.3ds", "").unwrap_err().to_string(), "m.3ds: the file name does not show its format; name"),
+            (read("m.wkt", "").unwrap_err().to_string(), "m.wkt: the file is not a mesh; name"),
             (
                 obj("v 0.1000000000000000001 0 0\n"),
                 "m.obj:4: decimal 0.1000000000000000001 has digits that no double holds; write `round = true` in the scene",

@@ -115,7 +115,7 @@ fn take(
             let of = |corner: u32| {
                 let place = usize::try_from(corner).ok().filter(|&place| place < vertices);
                 place.map(Vertex::input).ok_or_else(|| {
-                    let message = format!("`{corner}` of face {index} is none of the {vertices} vertices");
+                    let message = format!("`{corner}` of face {index} is not one of the {vertices} vertices");
                     error(message, "indices count from 0, and vertices come before faces")
                 })
             };
@@ -197,16 +197,20 @@ mod tests {
         let coordinates = [f64::NAN, 0.0, 0.0].map(f64::to_le_bytes);
         let not_a_number = [header.as_bytes(), coordinates.as_flattened()].concat();
         for (got, expected) in [
-            (text(ascii(vertices, "3 0 1 4\n3 3 2 1\n")), "m.ply:18: `4` of face 0 is none of the 4 vertices; indices"),
-            (text(ascii(vertices, "3 0 1 2\n3 3 -2 1\n")), "m.ply:19: `-2` is no index; indices are"),
+            (
+                text(ascii(vertices, "3 0 1 4\n3 3 2 1\n")),
+                "m.ply:18: `4` of face 0 is not one of the 4 vertices; \
+                                   indices",
+            ),
+            (text(ascii(vertices, "3 0 1 2\n3 3 -2 1\n")), "m.ply:19: `-2` is not an index; indices are"),
             (text(ascii(vertices, "3 0 1 2\n3 3 2 3\n")), "m.ply:19: face 1: a face that names a vertex twice; divide"),
             (text(ascii(vertices, "3 0 1 2\n2 3 2\n")), "m.ply:19: face 1: a face of 2 corners; give it three"),
             (text(ascii("0 0 0 1\n1 0 0 2\n1 1 nan 3\n0 1 0 4\n", faces)), "m.ply:16: coordinate `nan` is not finite"),
             (text(ascii("0 0 0 1\n1 0 0\n1 1 0 3\n0 1 0 4\n", faces)), "m.ply:15: the line ends before `red`"),
             (text(ascii("0 0 0 1\n1 0 0 2 9\n1 1 0 3\n0 1 0 4\n", faces)), "m.ply:15: `9` follows the last property"),
-            (text(ascii(vertices, "x 0 1 2\n3 3 2 1\n")), "m.ply:18: `x` is no length of a list"),
+            (text(ascii(vertices, "x 0 1 2\n3 3 2 1\n")), "m.ply:18: `x` is not the length of a list"),
             (text(ascii(vertices, "3 0 1\n3 3 2 1\n")), "m.ply:18: the line ends before `vertex_indices`"),
-            (text(ascii(vertices, "3 0 1 b\n3 3 2 1\n")), "m.ply:18: `b` is no index"),
+            (text(ascii(vertices, "3 0 1 b\n3 3 2 1\n")), "m.ply:18: `b` is not an index"),
             (
                 text(read("m.ply", HEADER.replace("vertex 4", "vertex 99999999999").as_bytes())),
                 "m.ply:4: 99999999999 elements `vertex` don't fit into 0 bytes; correct",
@@ -223,12 +227,12 @@ mod tests {
                 text(read("m.ply", b"ply\nformat ascii 1.0\n")),
                 "m.ply:2: the PLY file is not understood: Unexpected end of file",
             ),
-            (text(ascii(vertices, "")), "m.ply:18: `1.5` is no length of a list"),
+            (text(ascii(vertices, "")), "m.ply:18: `1.5` is not the length of a list"),
             (
                 text(read("m.ply", format!("{HEADER}{vertices}{faces}").as_bytes())),
                 "m.ply:19: the file ends after 0 of its 1 elements `camera`; correct",
             ),
-            (text(ascii(vertices, "3 0 1 2\n3 3 2 1\n7\n")), "m.ply:21: more follows the elements"),
+            (text(ascii(vertices, "3 0 1 2\n3 3 2 1\n7\n")), "m.ply:21: there is extra text after the elements"),
             (
                 text(read("m.ply", &[HEADER.as_bytes(), vertices.as_bytes(), b"3 0 \xff 2\n3 3 2 1\n7\n"].concat())),
                 "m.ply:18: the file is not text in UTF-8; write",
@@ -243,8 +247,8 @@ mod tests {
         for (from, to, expected) in [
             ("double z", "double w", "m.ply:4: the vertices lack one of the numbers x, y and z; give"),
             ("property double z", "property list uchar double z", "m.ply:4: the vertices lack one of"),
-            ("double z", "float x", "m.ply:7: the property `x` is there twice; rename"),
-            ("element camera", "element vertex", "m.ply:11: the element `vertex` is there twice; rename"),
+            ("double z", "float x", "m.ply:7: the property `x` occurs twice; rename"),
+            ("element camera", "element vertex", "m.ply:11: the element `vertex` occurs twice; rename"),
             ("vertex_indices", "corners", "m.ply:9: the faces have no list `vertex_indices` of integers; give"),
             ("uchar int vertex", "uchar float vertex", "m.ply:9: the faces have no list `vertex_indices` of"),
             ("list uchar int", "int", "m.ply:9: the faces have no list"),
@@ -289,7 +293,7 @@ mod tests {
         let start = COUNTED.len();
         let second = start + 48 + 13;
         for (bytes, at, message) in [
-            (file(points, 3, &[0, 2, 4]), second, "`4` of face 1 is none of the 4 vertices; indices count from 0"),
+            (file(points, 3, &[0, 2, 4]), second, "`4` of face 1 is not one of the 4 vertices; indices count from 0"),
             (file(points, 3, &[0, -2, 3]), second, "face 1 has an index below zero; indices count"),
             (file(points, 3, &[0, 2, 2]), second, "face 1: a face that names a vertex twice; divide"),
             (file(points, 2, &[0, 2]), second, "face 1: a face of 2 corners; give it three"),

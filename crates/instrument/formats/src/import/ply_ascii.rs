@@ -56,7 +56,7 @@ impl<'p> Payload<'p> {
         match self.lines.find(|line| !line.body.trim().is_empty()) {
             Some(Line { number, .. }) => Err(self.error(
                 number,
-                "more follows the elements that the header counts".to_owned(),
+                "there is extra text after the elements that the header counts".to_owned(),
                 "correct the counts",
             )),
             None => Ok(()),
@@ -82,7 +82,7 @@ impl<'p> Payload<'p> {
                 }
                 PropertyType::List(..) => {
                     let length: usize = first.parse().map_err(|_| {
-                        let message = format!("`{}` is no length of a list", shown(first));
+                        let message = format!("`{}` is not the length of a list", shown(first));
                         self.error(number, message, "write how many numbers follow")
                     })?;
                     let is_face = kind.name == "face" && is_corners(&property.name);
@@ -91,7 +91,7 @@ impl<'p> Payload<'p> {
                         let word = word()?;
                         if is_face {
                             corners.push(word.parse().map_err(|_| {
-                                let message = format!("`{}` is no index", shown(word));
+                                let message = format!("`{}` is not an index", shown(word));
                                 self.error(number, message, "indices are integers from 0")
                             })?);
                         }

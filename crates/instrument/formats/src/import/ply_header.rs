@@ -71,7 +71,7 @@ fn lines<'h>(file: &str, text: &'h [u8]) -> Result<Vec<(&'h str, usize)>, Corpus
             _ => None,
         };
         if let Some((what, name)) = twice {
-            let message = format!("the {what} `{}` is there twice", shown(name));
+            let message = format!("the {what} `{}` occurs twice", shown(name));
             return Err(CorpusError::file(file, message, "rename one of the two, or remove it").at_line(line));
         }
     }

@@ -60,7 +60,7 @@ pub fn read_polygons(field: &Field<'_, '_>) -> Result<ImportedMap, CorpusError> 
         push(&mut map, None, rings, &mut notes);
     }
     if map.regions().is_empty() {
-        return Err(field.error("polygons without any area to bound", "write a ring of at least three points"));
+        return Err(field.error("polygons without a ring of three points", "write a ring of at least three points"));
     }
     Ok(ImportedMap { points: vertices.into_points(), map, notes })
 }

@@ -129,7 +129,7 @@ fn decode(
                     let delta = |raw: &RawValue| raw.get().parse().unwrap_or(f64::NAN);
                     sum = [sum[0] + delta(x), sum[1] + delta(y)];
                     if sum.iter().any(|s| s.fract() != 0.0 || s.is_nan() || s.abs() > MOST_QUANTA) {
-                        return Err(bad(index, "a quantised position that is no integer below 2^53"));
+                        return Err(bad(index, "a quantised position that is not an integer below 2^53"));
                     }
                     std::array::from_fn(|i| sum[i] * scale[i] + translate[i])
                 }

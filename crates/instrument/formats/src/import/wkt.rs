@@ -223,7 +223,7 @@ impl<'t> Reader<'_, 't> {
                 Ok(())
             }),
             _ if depth == DEEPEST => {
-                Err(self.error(format!("over {DEEPEST} collections in each other"), "list their members in one"))
+                Err(self.error(format!("more than {DEEPEST} nested collections"), "list their members in one"))
             }
             _ => self.list(|reader| reader.geometry(depth + 1, shapes)),
         }

@@ -146,19 +146,23 @@ fn what_a_format_cannot_hold_is_refused_before_anything_is_written() {
         points
     };
     for (got, expected) in [
-        (refused(Off, &with(2, [1.0, f64::NAN, 0.0]), &quadrangle), "vertex 2 is not finite; no format keeps it"),
-        (refused(Obj, &square, &of(&[&[0, 1, 2], &[0, 1, 4]])), "face 1 has corner 4, which is none of the 4 vertices"),
+        (refused(Off, &with(2, [1.0, f64::NAN, 0.0]), &quadrangle), "vertex 2 is not finite; no format can store it"),
+        (
+            refused(Obj, &square, &of(&[&[0, 1, 2], &[0, 1, 4]])),
+            "face 1 has corner 4, which is not one of the 4 \
+            vertices",
+        ),
         (refused(PlyAscii, &square, &of(&[&[0, 1]])), "face 0 has 2 corners; give it three"),
         (refused(PlyBinary, &square, &of(&[&[0, 1, 0]])), "face 0 has vertex 0 twice; divide it"),
         (refused(StlAscii, &square, &quadrangle), "face 0 has 4 corners, and STL has triangles only; divide it"),
         (refused(StlAscii, &square, &of(&[&[0, 1, 2]])), "vertex 3 is in no face, and STL would lose it; remove it"),
         (
             refused(StlBinary, &with(3, [-0.0, 0.0, 0.0]), &triangles),
-            "vertices 0 and 3 are at one place, and STL would make one of them; write PLY",
+            "vertices 0 and 3 have the same coordinates, and STL would merge them; write PLY",
         ),
         (
             refused(StlBinary, &with(1, [0.1, 0.0, 0.0]), &triangles),
-            "vertex 1 has a coordinate that is no single, and binary STL would round it; write STL in ASCII",
+            "vertex 1 has a coordinate that is not a single, and binary STL would round it; write STL in ASCII",
         ),
     ] {
         assert!(got.starts_with(expected), "{got}");

@@ -62,7 +62,8 @@ impl ConversionError {
         match *self {
             E::TooMany => ("the mesh has more than 2^31 - 2 corners".to_owned(), "divide it"),
             E::NoSuchVertex { face: f, corner, vertices } => {
-                let message = format!("face {} has corner {corner}, which is none of the {vertices} vertices", face(f));
+                let message =
+                    format!("face {} has corner {corner}, which is not one of the {vertices} vertices", face(f));
                 (message, "correct the index")
             }
             E::TooFewCorners { face: f, corners } => {

@@ -51,18 +51,23 @@ impl Judging for Real {}
 
 /// The guards of the judging.
 pub const GUARDS: &[Guard] = &[
-    guard("class table", "each promise has its own legal disagreements, and a band both of its edges"),
-    guard("status table", "a finding has to be expected of its scene, backend, level and class, and has to occur then"),
+    guard("class table", "each promise allows its own disagreements, and a band has both of its edges"),
+    guard(
+        "status table",
+        "an expectation matches only its scene, backend, level and class, and fails if the finding \
+           does not occur",
+    ),
     guard(
         "finding ids",
         "findings that differ in scene, backend, class, check or query have different ids, the same in every version",
     ),
     guard(
         "known signs",
-        "orientations, circles and spheres of small integers, and a determinant of 2^-56, have the signs that they have on paper",
+        "orientations, circles and spheres of small integers, and a determinant of 2^-56, have the signs computed by \
+         hand",
     ),
-    guard("known ties", "the first terms of the perturbation have the signs that they have on paper"),
-    guard("honest answers", "what is exact by proof is right about a scene in space, in each plane"),
+    guard("known ties", "the first terms of the perturbation have the signs computed by hand"),
+    guard("honest answers", "the proved backend `exact` is right about a scene in space, in each plane"),
 ];
 
 const fn guard(name: &'static str, means: &'static str) -> Guard {
@@ -282,7 +287,7 @@ macro_rules! faults {
 }
 
 faults! {
-    LegalMissedZero, "missed-zero-legal", "a zero that is missed is called legal", &["class table"], {
+    LegalMissedZero, "missed-zero-legal", "a missed zero is classed as legal", &["class table"], {
         fn class(&self, zero: ZeroMeaning, band: Option<Band>, answer: Sign, determinant: f64) -> Class {
             match Real.class(zero, band, answer, determinant) {
                 Class::MissedZero => Class::Agree,
@@ -290,7 +295,7 @@ faults! {
             }
         }
     }
-    BandForAll, "band-for-all", "zeros of backends without a band are held to one of 10^-9", &["class table"], {
+    BandForAll, "band-for-all", "zeros of backends without a band are judged with a band of 10^-9", &["class table"], {
         fn class(&self, zero: ZeroMeaning, band: Option<Band>, answer: Sign, determinant: f64) -> Class {
             match Real.class(zero, band, answer, determinant) {
                 Class::Overreach if band.is_none() && determinant.abs() <= 1e-9 => Class::InBand,
@@ -304,7 +309,7 @@ faults! {
             Real.status(&expected, row, found)
         }
     }
-    AnyClass, "any-class", "an expectation of one class covers findings of all", &["status table"], {
+    AnyClass, "any-class", "an expectation of one class matches findings of all classes", &["status table"], {
         fn status(&self, expected: &str, row: [&str; 4], found: &[Class]) -> Status {
             match Real.status(expected, row, found) {
                 Status::Unexpected if Real.status(expected, row, &[]) == Status::UnexpectedPass => Status::Expected,
@@ -312,12 +317,12 @@ faults! {
             }
         }
     }
-    AnyLevel, "any-level", "an expectation of one level holds at all", &["status table"], {
+    AnyLevel, "any-level", "an expectation of one level matches all levels", &["status table"], {
         fn status(&self, expected: &str, row: [&str; 4], found: &[Class]) -> Status {
             Real.status(&expected.replace("level = \"full\"\n", ""), row, found)
         }
     }
-    NoPass, "unexpected-pass-ignored", "an expectation that does not come true is no failure", &["status table"], {
+    NoPass, "unexpected-pass-ignored", "an expectation that does not occur is not a failure", &["status table"], {
         fn status(&self, expected: &str, row: [&str; 4], found: &[Class]) -> Status {
             match Real.status(expected, row, found) {
                 Status::UnexpectedPass => Status::Ok,
@@ -325,17 +330,18 @@ faults! {
             }
         }
     }
-    IdWithoutQuery, "id-without-query", "the id of a finding leaves the query out", &["finding ids"], {
+    IdWithoutQuery, "id-without-query", "the id of a finding omits the query", &["finding ids"], {
         fn id(&self, scene: &str, backend: &str, finding: &Finding) -> String {
             Real.id(scene, backend, &Finding { queries: Vec::new(), ..finding.clone() })
         }
     }
-    IdWithoutBackend, "id-without-backend", "the id of a finding leaves the backend out", &["finding ids"], {
+    IdWithoutBackend, "id-without-backend", "the id of a finding omits the backend", &["finding ids"], {
         fn id(&self, scene: &str, _: &str, finding: &Finding) -> String {
             Real.id(scene, "", finding)
         }
     }
-    OtherPlane, "other-plane", "the truth of the plane of y and z is that of z and x", &["known signs", "honest answers"], {
+    OtherPlane, "other-plane", "the truth in the plane yz is computed in the plane zx", &["known signs", "honest \
+                 answers"], {
         fn truth(&self, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
             let question = match question {
                 Question::Orient2d(Plane::Yz) => Question::Orient2d(Plane::Zx),
@@ -357,7 +363,7 @@ faults! {
             if question == Question::Orient3d { -sign } else { sign }
         }
     }
-    TiesByOrder, "ties-by-order", "all ties are said to be positive", &["known ties"], {
+    TiesByOrder, "ties-by-order", "the judge calls all ties positive", &["known ties"], {
         fn perturbed(&self, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
             match Real.truth(scene, question, args) {
                 Sign::Zero => Sign::Positive,
@@ -365,7 +371,7 @@ faults! {
             }
         }
     }
-    LargerIndexFirst, "larger-index-first", "a larger index is said to move by more", &["known ties"], {
+    LargerIndexFirst, "larger-index-first", "the judge moves larger indices by more", &["known ties"], {
         fn perturbed(&self, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
             match Real.truth(scene, question, args) {
                 Sign::Zero => -Real.perturbed(scene, question, args),

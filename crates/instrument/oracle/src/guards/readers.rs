@@ -80,15 +80,15 @@ impl Reading for Real {}
 
 /// The guards of the readers.
 pub const GUARDS: &[Guard] = &[
-    guard("hex floats", "a double written digit by digit from its bits is read as it was"),
-    guard("decimals", "a decimal is read if a double is printed so, and refused if none is"),
-    guard("written points", "points written as CSV are read as they were, all of them, each coordinate in its place"),
-    guard("written meshes", "faces written as OFF, OBJ, PLY and STL, in both forms, have the corners that they had"),
-    guard("written rings", "rings written as GeoJSON and WKT have the corners that they had, each once"),
-    guard("written lines", "lines written as GeoJSON and WKT have the segments that they had, and none between them"),
+    guard("hex floats", "a double written digit by digit from its bits is read back unchanged"),
+    guard("decimals", "a decimal is read if a double prints as it, and refused otherwise"),
+    guard("written points", "points written as CSV are all read back, with each coordinate in its place"),
+    guard("written meshes", "faces written as OFF, OBJ, PLY and STL, in ASCII and binary, keep their corners"),
+    guard("written rings", "rings written as GeoJSON and WKT keep their corners, each once"),
+    guard("written lines", "lines written as GeoJSON and WKT keep their segments, without segments between lines"),
     guard(
         "content ids",
-        "the id of a known scene is the same in every version, and differs if a bit or the order does; -0 is 0",
+        "the id of a known scene is the same in every version; it changes with a bit or the order; -0 counts as 0",
     ),
 ];
 
@@ -382,7 +382,7 @@ faults! {
             Real.coordinate(text).map(as_single)
         }
     }
-    TakesNearest, "takes-nearest", "a decimal that no double is printed as is taken for the nearest double", &["decimals"], {
+    TakesNearest, "takes-nearest", "a decimal that is not the print of a double is read as the nearest double", &["decimals"], {
         fn coordinate(&self, text: &str) -> Option<f64> {
             Real.coordinate(text).or_else(|| text.parse().ok().filter(|x: &f64| x.is_finite()))
         }
@@ -408,7 +408,7 @@ faults! {
             text.lines().filter_map(|line| line.strip_prefix("f ")).map(face).collect()
         }
     }
-    StlByteOrder, "stl-byte-order", "binary STL is read from the big end", &["written meshes"], {
+    StlByteOrder, "stl-byte-order", "binary STL is read as big-endian", &["written meshes"], {
         fn faces(&self, file: &str, bytes: &[u8]) -> Option<Faces> {
             let mut bytes = bytes.to_vec();
             if file.ends_with(".stl") && !bytes.starts_with(b"solid") {
@@ -419,14 +419,15 @@ faults! {
             Real.faces(file, &bytes)
         }
     }
-    TurnsFaces, "turns-faces", "the corners of faces are read backwards", &["written meshes"], {
+    TurnsFaces, "turns-faces", "the corners of faces are read in reverse", &["written meshes"], {
         fn faces(&self, file: &str, bytes: &[u8]) -> Option<Faces> {
             let mut faces = Real.faces(file, bytes)?;
             faces.iter_mut().for_each(|face| face.reverse());
             Some(faces)
         }
     }
-    KeepsClosingPoint, "keeps-closing-point", "the place that closes a ring is one of its corners", &["written rings"], {
+    KeepsClosingPoint, "keeps-closing-point", "the repeated last point of a ring becomes a corner", &["written \
+                        rings"], {
         fn rings(&self, file: &str, bytes: &[u8]) -> Option<Chains> {
             Some(Real.rings(file, bytes)?.iter().map(|ring| closed(ring)).collect())
         }
@@ -450,7 +451,7 @@ faults! {
             Some(segments.iter().cloned().chain(joints).collect())
         }
     }
-    IdOfSingles, "id-of-singles", "the id of a scene is that of its coordinates as singles", &["content ids"], {
+    IdOfSingles, "id-of-singles", "the id of a scene is computed from its coordinates as singles", &["content ids"], {
         fn id(&self, points: &[[f64; 2]]) -> Option<String> {
             let singles: Vec<[f64; 2]> = points.iter().map(|point| point.map(as_single)).collect();
             Real.id(&singles)

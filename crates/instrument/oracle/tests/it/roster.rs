@@ -16,7 +16,7 @@ fn every_backend_has_the_name_it_is_picked_by() {
 fn mistakes_are_answered_with_what_there_is() {
     let error = |name: &str| backend(name, &()).err().unwrap().to_string();
     assert!(error("exat").contains("sos:edelsbrunner-mucke"));
-    assert!(error("epsilon:tiny").contains("`tiny` is no number"));
+    assert!(error("epsilon:tiny").contains("`tiny` is not a number"));
     assert!(error("epsilon:-1").contains("epsilon:-1"));
     assert!(error("epsilon:nan").contains("epsilon:nan"));
     for stages in ["0", "7", "x"] {

@@ -63,7 +63,7 @@ impl CostRow {
         let mut reader = ReaderBuilder::new().from_reader(&bytes[..whole_lines(&bytes)]);
         let failed = |error: csv::Error| {
             let line = error.position().map(csv::Position::line);
-            Error { path: path.clone(), line, message: format!("it is no row of costs: {error}") }
+            Error { path: path.clone(), line, message: format!("it is not a row of costs: {error}") }
         };
         if *reader.headers().map_err(failed)? != *CostRow::COLUMNS {
             let message = format!("the columns must be {}", CostRow::COLUMNS.join(","));

@@ -81,7 +81,7 @@ impl CsvFile {
             return Ok(());
         }
         let cure = "its rows are lost; start a new run, and leave its folder alone";
-        Err(Error::new(&self.path, format!("somebody has changed it while the run was writing it: {cure}")))
+        Err(Error::new(&self.path, format!("another program changed it while the run was writing it: {cure}")))
     }
 
     /// Removes the bytes beyond this length. Nothing can be appended after that.
@@ -97,12 +97,18 @@ impl CsvFile {
 }
 
 /// The message about a file that is not as the run has left it.
-pub(super) const CHANGED: &str =
-    "its bytes are not those that the run has written, by state.json; restore the two from a copy, or start a new run";
+pub(super) const CHANGED: &str = "its content differs from what the run wrote, according to state.json; restore both files from a copy, or start \
+     a new run";
 
 fn shortened(path: &Path, found: u64, length: u64) -> Error {
-    let cure = "restore the two from a copy, or start a new run";
-    Error::new(path, format!("{found} bytes are left of the {length} that the run had written, by state.json; {cure}"))
+    let cure = "restore both files from a copy, or start a new run";
+    Error::new(
+        path,
+        format!(
+            "{found} bytes are left of the {length} that the run wrote, according to state.json; \
+                              {cure}"
+        ),
+    )
 }
 
 /// A table as text.
@@ -185,7 +191,8 @@ impl Extent {
             Extent::All(length) | Extent::First(length) if found < length => Err(shortened(path, found, length)),
             Extent::All(length) if found > length => {
                 let message = format!(
-                    "{} bytes were added after the run was complete, by state.json; restore the two from a copy",
+                    "{} bytes were added after the run was complete, according to state.json; restore both files \
+                     from a copy",
                     found - length
                 );
                 Err(Error::new(path, message))
@@ -205,7 +212,7 @@ pub(super) fn read(path: &Path, extent: Extent, written: Option<&String>) -> Res
         Extent::All(_) => {}
         Extent::First(length) => {
             if found > length {
-                let message = format!("{} bytes of a scene that was not finished were left out", found - length);
+                let message = format!("{} bytes of an unfinished scene were left out", found - length);
                 warning = Some(Error::new(path, message).to_string());
             }
             bytes.truncate(usize::try_from(length).unwrap_or(usize::MAX));

@@ -200,8 +200,8 @@ const NAMED: usize = 100;
 /// The error about a part that is not complete.
 fn not_complete(run: &RunDir) -> NotMerged {
     let why = match run.outcome {
-        Outcome::Timeout => "ran out of time; run it anew in another folder, with a longer --timeout",
-        _ => "is not complete; `run --resume` goes on with it",
+        Outcome::Timeout => "ran out of time; run it again in another folder, with a longer --timeout",
+        _ => "is not complete; `run --resume` completes it",
     };
     NotMerged { error: Error::new(&run.path, format!("part {} {why}", run.plan.shard)), is_incomplete: true }
 }
@@ -216,26 +216,26 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         let refuse = |message: String| Err(NotMerged::from(Error::new(&run.path, message)));
         let shard = run.plan.shard;
         if run.plan.timed {
-            return refuse("a bench: its times belong to one machine and are not merged".to_owned());
+            return refuse("it is a bench: its times belong to one machine and cannot be merged".to_owned());
         }
         if shard == Shard::WHOLE {
-            return refuse("a whole run, and no part of one".to_owned());
+            return refuse("it is a whole run, not a part".to_owned());
         }
         if run.plan.whole.is_none() {
-            return refuse("it was made before parts could be merged; run it anew".to_owned());
+            return refuse("a version of the tool that cannot merge parts made it; run it again".to_owned());
         }
         if !run.is_complete() {
             return Err(not_complete(run));
         }
         if let Some(difference) = difference(&first.plan, &run.plan) {
-            return refuse(format!("another plan than that of {}: {difference}", first.path.display()));
+            return refuse(format!("its plan differs from the plan of {}: {difference}", first.path.display()));
         }
         let build = |run: &RunDir| (run.env.package_version.clone(), run.env.commit.clone(), run.env.dirty);
         if build(run) != build(first) {
-            return refuse(format!("another build of the tool than that of {}", first.path.display()));
+            return refuse(format!("its build of the tool differs from the build of {}", first.path.display()));
         }
         if let Some(difference) = other_version(&first.env, &run.env) {
-            return refuse(format!("another version than in {}: {difference}; run it anew", first.path.display()));
+            return refuse(format!("a version differs from {}: {difference}; run it again", first.path.display()));
         }
         if let Some(other) = seen.insert(shard.index(), run) {
             return refuse(format!("part {shard} is {} already", other.path.display()));
@@ -251,7 +251,7 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         let more = (count as usize - seen.len()).saturating_sub(NAMED);
         let more = if more > 0 { format!(" and {more} more") } else { String::new() };
         let missing = missing.join(", ");
-        let error = Error::new(&first.path, format!("of the {count} parts these are missing: {missing}{more}"));
+        let error = Error::new(&first.path, format!("of the {count} parts, these are missing: {missing}{more}"));
         return Err(NotMerged { error, is_incomplete: true });
     }
     let mut scenes: BTreeMap<u64, PlannedScene> = BTreeMap::new();
@@ -259,7 +259,7 @@ fn whole(runs: &[RunDir]) -> Result<Plan, NotMerged> {
         let places = run.plan.whole.iter().flat_map(|whole| &whole.places);
         for (place, scene) in places.zip(&run.plan.scenes) {
             if scenes.insert(*place, scene.clone()).is_some() {
-                return Err(Error::new(&run.path, format!("scene {place} of the whole is in another part, too")).into());
+                return Err(Error::new(&run.path, format!("scene {place} of the whole is also in another part")).into());
             }
         }
     }
@@ -301,11 +301,11 @@ fn difference(one: &Plan, other: &Plan) -> Option<String> {
     } else if one.suites != other.suites {
         Some(format!("suites {} and not {}", other.suites.join(", "), one.suites.join(", ")))
     } else if digest(one) != digest(other) {
-        Some("other scenes, or other contents of the same".to_owned())
+        Some("other scenes, or scenes with other contents".to_owned())
     } else if work(one) != work(other) {
         Some(format!("{} and not {}", work(other), work(one)))
     } else if expected(one) != expected(other) {
-        Some("held against other expectations".to_owned())
+        Some("compared with other expectations".to_owned())
     } else {
         let rest = |plan: &Plan| Plan {
             scenes: Vec::new(),

@@ -177,8 +177,8 @@ fn drop_stages(
     run.stages.retain(|row| left.contains(&group(row)));
     if let Some(first) = mixed.first() {
         run.warnings.push(format!(
-            "{}: stages of {} groups, first {first}, are partly those of another folder and can't be told apart; they \
-             are left out",
+            "{}: stages of {} groups, first {first}, partly repeat another folder and can't be separated; they are \
+             left out",
             run.path.join(StageRow::FILE).display(),
             mixed.len()
         ));
@@ -233,6 +233,6 @@ fn by_key(table: &Text) -> BTreeMap<Vec<String>, Vec<&StringRecord>> {
 
 /// The error about two folders that contradict each other about one scene.
 fn disagree(run: &RunDir, before: &RunDir, file: &str, what: &str) -> Error {
-    let cure = "report one of the two; `bench --judged RUN` times what a run has judged";
+    let cure = "report one of the two; `bench --judged RUN` times the answers that a run has judged";
     Error::new(&run.path.join(file), format!("{what} than in {}; {cure}", before.path.join(file).display()))
 }

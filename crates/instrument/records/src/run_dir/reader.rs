@@ -289,7 +289,7 @@ fn read_others(
         files.extend(name.to_str().filter(|file| file.ends_with(".csv")).map(str::to_owned));
     }
     if let Some(strange) = files.iter().find(|file| file.contains(['/', '\\'])) {
-        return Err(Error::new(folder, format!("state.json names `{strange}`, which is no table of the folder")));
+        return Err(Error::new(folder, format!("state.json names `{strange}`, which is not a table of the folder")));
     }
     // Times are read separately: `CostRow::read`.
     files.remove(CostRow::FILE);

@@ -17,7 +17,7 @@ pub(super) fn read_regular(path: &Path) -> Result<Vec<u8>, Error> {
     if metadata.is_file() {
         fs::read(path).map_err(Error::io(path))
     } else {
-        Err(Error::new(path, "it is no regular file but a folder, a pipe, a device or the like"))
+        Err(Error::new(path, "it is not a regular file (a folder, a pipe or a device)"))
     }
 }
 

@@ -41,7 +41,7 @@ pub(super) fn of_json<T: DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<
         _ => {
             return Err(Error::new(
                 path,
-                format!("its bytes are not those that the run has written, by its seal; {CURE}"),
+                format!("its content differs from what the run wrote, according to its seal; {CURE}"),
             ));
         }
     };
@@ -93,7 +93,7 @@ mod tests {
         let text = String::from_utf8(written.clone()).unwrap();
         for moved in [text.replace('\n', "\r\n"), text.replacen("{\n", "{ ", 1)] {
             let error = of_json::<serde_json::Value>(&path, moved.as_bytes()).expect_err("it is not as it was written");
-            assert!(error.to_string().contains("by its seal"), "{error}");
+            assert!(error.to_string().contains("its seal"), "{error}");
         }
         // The seal is the digest of the file without the seal's line. The file without that line is as valid as before
         // seals existed.

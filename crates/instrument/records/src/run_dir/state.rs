@@ -71,11 +71,11 @@ impl State {
         let path = folder.join(State::FILE);
         if State::is_missing(folder) {
             let message = if !folder.join(super::PLAN).exists() {
-                "there is no such file: the folder is not that of a run".to_owned()
+                "there is no such file: the folder is not a run folder".to_owned()
             } else if let Some(table) = State::lost(folder)? {
                 format!("there is no such file, and {table} has rows; restore it from a copy, or start a new run")
             } else {
-                "there is no such file: the run was ended before it had begun; `run --resume` begins it".to_owned()
+                "there is no such file: the run ended before its first result; `run --resume` starts it".to_owned()
             };
             return Err(Error::new(&path, message));
         }
@@ -109,7 +109,8 @@ impl State {
             for name in names {
                 if name != super::PLAN && !tables.clone().any(|table| table == name) && !is_there(name) {
                     let message = format!(
-                        "`{of}` tells of {name:?}, and the run has no such file; restore it from a copy, or start a new run"
+                        "`{of}` lists {name:?}, but the run does not have this file; restore it from a copy, or \
+                         start a new run"
                     );
                     return Err(Error::new(&folder.join(State::FILE), message));
                 }

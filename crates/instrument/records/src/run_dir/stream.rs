@@ -96,7 +96,7 @@ impl RunFolder {
         }
         match files.iter().find(|file| file.contains(['/', '\\'])) {
             Some(strange) => {
-                Err(Error::new(&self.path, format!("state.json names `{strange}`, which is no table of the folder")))
+                Err(Error::new(&self.path, format!("state.json names `{strange}`, which is not a table of the folder")))
             }
             None => Ok(files),
         }
@@ -117,7 +117,7 @@ impl RunFolder {
     ) -> Result<u64, Error> {
         let path = self.path.join(file);
         if !fs::metadata(&path).map_err(Error::io(&path))?.is_file() {
-            return Err(Error::new(&path, "it is no regular file but a folder, a pipe, a device or the like"));
+            return Err(Error::new(&path, "it is not a regular file (a folder, a pipe or a device)"));
         }
         let mut open = File::open(&path).map_err(Error::io(&path))?;
         let found = open.metadata().map_err(Error::io(&path))?.len();

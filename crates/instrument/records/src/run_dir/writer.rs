@@ -287,8 +287,7 @@ impl Pace {
 /// state was lost.
 fn clear(folder: &Path) -> Result<(), Error> {
     if let Some(table) = State::lost(folder)? {
-        let message =
-            "it has rows, and there is no state.json that tells of them; restore that from a copy, or start a new run";
+        let message = "it has rows, but state.json is missing; restore state.json from a copy, or start a new run";
         return Err(Error::new(&folder.join(table), message));
     }
     tables(folder)?.into_iter().try_for_each(|path| fs::remove_file(&path).map_err(Error::io(&path)))

@@ -20,7 +20,14 @@ fn counts_that_no_run_can_have_are_refused() {
     ] {
         let folder = tempdir().unwrap();
         let error = RunDir::open(copy(&folder, "run", &[(file, from, to)])).unwrap_err().to_string();
-        assert!(error.contains(said) && error.ends_with("no run counts so far; restore the file"), "{error}");
+        assert!(
+            error.contains(said)
+                && error.ends_with(
+                    "the count is larger than any run can reach; restore the \
+                                                         file"
+                ),
+            "{error}"
+        );
     }
 }
 
@@ -31,7 +38,7 @@ fn tables_outside_of_the_folder_are_not_read() {
     let run = copy(&folder, "run", &[change]);
     std::fs::write(folder.path().join("other.csv"), "a,b\n").unwrap();
     let error = RunDir::open(run).unwrap_err().to_string();
-    assert!(error.ends_with("state.json names `../other.csv`, which is no table of the folder"), "{error}");
+    assert!(error.ends_with("state.json names `../other.csv`, which is not a table of the folder"), "{error}");
 }
 
 #[test]
@@ -47,9 +54,6 @@ fn pipes_are_not_waited_for() {
         let _ = std::fs::remove_file(&place);
         assert!(std::process::Command::new("mkfifo").arg(&place).status().unwrap().success());
         let error = RunDir::open(run).unwrap_err();
-        assert_eq!(
-            (error.path, &*error.message),
-            (place, "it is no regular file but a folder, a pipe, a device or the like")
-        );
+        assert_eq!((error.path, &*error.message), (place, "it is not a regular file (a folder, a pipe or a device)"));
     }
 }

@@ -136,7 +136,7 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     fs::write(folder.path().join("findings.csv"), "half").unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
     assert!(
-        error.contains("state.json: there is no such file") && error.contains("`run --resume` begins it"),
+        error.contains("state.json: there is no such file") && error.contains("`run --resume` starts it"),
         "{error}"
     );
     let (mut writer, done) = resume(folder.path()).unwrap();

@@ -296,7 +296,7 @@ fn a_line_that_was_cut_off_is_left_out_and_reported() {
         file.write_all(rest).unwrap();
         let run = RunDir::open(folder.path()).unwrap();
         assert_eq!(run.findings, [finding()]);
-        let said = format!("findings.csv: {} bytes of a scene that was not finished were left out", rest.len());
+        let said = format!("findings.csv: {} bytes of an unfinished scene were left out", rest.len());
         assert!(run.warnings[0].contains(&said), "{:?}", run.warnings);
     }
 }
@@ -318,7 +318,10 @@ fn a_complete_run_has_no_cut_lines() {
     append(folder.path(), "stages.csv", "orient2d,near,exact,filter,1");
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
     assert!(
-        error.contains("stages.csv: 28 bytes were added after the run was complete, by state.json; restore the two"),
+        error.contains(
+            "stages.csv: 28 bytes were added after the run was complete, according to state.json; restore \
+                        both files"
+        ),
         "{error}"
     );
 }
@@ -372,7 +375,7 @@ fn a_complete_run_that_lost_lines_is_refused() {
     let (kept, lost) = text.trim_end().rsplit_once('\n').unwrap();
     std::fs::write(&path, format!("{kept}\n")).unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
-    let said = format!("{} bytes are left of the {} that the run had written", text.len() - lost.len() - 1, text.len());
+    let said = format!("{} bytes are left of the {} that the run wrote", text.len() - lost.len() - 1, text.len());
     assert!(error.contains(&said), "{error}");
 }
 
@@ -391,7 +394,10 @@ fn a_complete_run_that_was_edited_is_refused() {
     std::fs::write(&path, edited).unwrap();
     let error = RunDir::open(folder.path()).unwrap_err().to_string();
     assert!(
-        error.contains("summary.csv: its bytes are not those that the run has written, by state.json; restore the two"),
+        error.contains(
+            "summary.csv: its content differs from what the run wrote, according to state.json; restore \
+                        both files"
+        ),
         "{error}"
     );
 }

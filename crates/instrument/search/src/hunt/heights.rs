@@ -29,16 +29,17 @@ pub struct Height {
 
 /// The measures of signs, in this order.
 const OF_SIGNS: [Height; 4] = [
-    Height { name: "degenerate", what: "-log2(|det| / permanent) of the most degenerate query that is no tie" },
+    Height { name: "degenerate", what: "-log2(|det| / permanent) of the most degenerate query that is not a tie" },
     Height {
         name: "rounding",
-        what: "what rounding carries a plain double determinant to the wrong side, in u times the permanent",
+        what: "how far rounding carries a plain double determinant to the wrong side, in units of u times the \
+               permanent",
     },
     Height {
         name: "shortcut",
-        what: "-log2(|det| / permanent) of the most degenerate query that no last stage settled",
+        what: "-log2(|det| / permanent) of the most degenerate query that a backend settled before its last stage",
     },
-    Height { name: "ties", what: "ties among the first vertices, of the predicate and those of fewer dimensions" },
+    Height { name: "ties", what: "ties among the first vertices, of the predicate and of turns in the first plane" },
 ];
 /// The index of the measure that is climbed without a backend.
 pub(super) const ROUNDING: usize = 1;
@@ -46,9 +47,9 @@ pub(super) const ROUNDING: usize = 1;
 /// The measures of other tasks, in this order.
 const OF_OTHERS: [Height; 4] = [
     Height { name: "near", what: "-log2 of the least distance of a point to a point or a line, over the extent" },
-    Height { name: "ties", what: "points on points and lines" },
-    Height { name: "within promises", what: "answers that are no exact ones, and legal" },
-    Height { name: "unwanted", what: "findings other than those that are hunted" },
+    Height { name: "ties", what: "number of points on other points or on lines" },
+    Height { name: "within promises", what: "answers that differ from the exact answer but are legal" },
+    Height { name: "unwanted", what: "findings of other classes and checks than the wanted ones" },
 ];
 
 /// The measures of a task's scenes.

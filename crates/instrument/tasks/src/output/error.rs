@@ -121,7 +121,7 @@ impl std::fmt::Display for Error {
                 write!(f, "no named part has the format `{name}`; the parts that have it are {}", listed(known))
             }
             Error::NoFile { name, known, .. } => {
-                write!(f, "part `{name}` has none of the named formats; it has {}", listed(known))
+                write!(f, "part `{name}` does not have any of the named formats; it has {}", listed(known))
             }
         }
     }

@@ -43,5 +43,5 @@ fn rounded(points: &Points, v: Vertex) -> std::io::Result<Vec<f64>> {
 /// If its lines and planes do not meet in a single point.
 fn exactly(points: &Points, v: Vertex) -> std::io::Result<Vec<rug::Rational>> {
     let point = points.point(v).map(std::borrow::Cow::into_owned);
-    point.ok_or_else(|| std::io::Error::other(format!("{v} is no point, and in the answer")))
+    point.ok_or_else(|| std::io::Error::other(format!("the answer has the vertex {v}, which is not a point")))
 }

@@ -5,13 +5,13 @@ use predicament_laws::axioms::Law;
 use crate::{Check, Class};
 
 pub(super) const CHECKS: &[Check] = &[
-    Check::new(Class::SignFlip, "sign", "no sign is the opposite of the exact one"),
-    Check::new(Class::Overreach, "sign", "no zero is answered beyond what the backend may call zero"),
-    Check::new(Class::MissedZero, "sign", "no sign is answered to what the backend has to call zero"),
-    Check::new(Class::Nan, "sign", "no zero stands for a NaN"),
-    Check::new(Class::Inconsistent, "never zero", "where ties are broken no answer is zero"),
+    Check::new(Class::SignFlip, "sign", "no answer has the sign opposite to the exact sign"),
+    Check::new(Class::Overreach, "sign", "the answer is zero only where the backend's promise allows zero"),
+    Check::new(Class::MissedZero, "sign", "the answer is zero wherever the backend's promise requires zero"),
+    Check::new(Class::Nan, "sign", "a NaN is not answered as zero"),
+    Check::new(Class::Inconsistent, "never zero", "a backend that breaks ties never answers zero"),
     Check::new(Class::SignFlip, "perturbed sign", "a broken tie has the sign of the perturbed determinant"),
-    Check::new(Class::Inconsistent, Law::Antisymmetry.name(), "a sign changes with each exchange of two arguments"),
+    Check::new(Class::Inconsistent, Law::Antisymmetry.name(), "the sign changes if two arguments are exchanged"),
     Check::new(Class::Inconsistent, Law::Transitivity.name(), "comparisons along an axis are an order"),
     Check::new(
         Class::Inconsistent,
@@ -21,7 +21,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check::new(
         Class::Inconsistent,
         Law::MixedGrassmannPlucker.name(),
-        "so do those with points at infinity, between different predicates",
+        "the three-term relations between different predicates, with points at infinity, hold",
     )
     .with_time(),
     Check::new(Class::Inconsistent, Law::Place.name(), "an answer is the same alone and anywhere in a batch")
@@ -29,7 +29,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check::new(
         Class::Inconsistent,
         Law::LaterVertices.name(),
-        "an answer is the same without the later half of the vertices",
+        "an answer is the same in a scene without the later half of the vertices",
     )
     .with_time(),
 ];

@@ -91,7 +91,7 @@ fn read_fixture(
             "-1" => Sign::Negative,
             "0" => Sign::Zero,
             "1" => Sign::Positive,
-            other => return Err(error(format!("`{}` is no sign", shown(other)), "a row ends in -1, 0 or 1")),
+            other => return Err(error(format!("`{}` is not a sign", shown(other)), "a row ends in -1, 0 or 1")),
         });
     }
     let scene = Scene::new(dimension, coordinates)

@@ -59,7 +59,7 @@ impl Plan {
         }
         let args = match &self.choice {
             Choice::Tuples if constructed > 0 => {
-                let message = "tuples are of points, and the scene has constructed vertices".to_owned();
+                let message = "tuples consist of points, but the scene has constructed vertices".to_owned();
                 return Err(error(self.line, message, "write `queries`: \"all\", or arrays such as [\"c0\", 0, 1]"));
             }
             Choice::Tuples if points < arity => return Err(error(self.line, too_few(points, kind), "add points")),
@@ -75,8 +75,8 @@ impl Plan {
                 let count = combinations(vertices, arity).filter(|count| (1..=MOST_COMBINATIONS).contains(count));
                 if count.is_none() {
                     let message =
-                        format!("{vertices} points have none or over {MOST_COMBINATIONS} combinations of {arity}");
-                    return Err(error(self.line, message, "write the queries that matter"));
+                        format!("{vertices} points have 0 or more than {MOST_COMBINATIONS} combinations of {arity}");
+                    return Err(error(self.line, message, "list the queries that matter"));
                 }
                 all(vertices, arity).into_iter().map(|number| vertex(number, points)).collect()
             }
@@ -109,7 +109,8 @@ impl Plan {
         let are = if over == 1 { "is" } else { "are" };
         is_about.then(|| {
             format!(
-                "{over} of {points} points {are} in no query, the last: {} takes {arity}; `queries` chooses others",
+                "{over} of {points} points {are} not in a query, at the end: {} takes {arity} points; `queries` \
+                 selects others",
                 self.question.kind()
             )
         })

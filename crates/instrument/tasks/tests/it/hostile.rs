@@ -38,7 +38,8 @@ fn suites() -> Vec<Attack> {
         (
             "n",
             generator("insphere", "family = \"uniform\"\nn = 100000000"),
-            "`n` is 100000000: a scene of about 1500000000 coordinates, and there may be 268435456; choose at most 17895697",
+            "`n` is 100000000: a scene of about 1500000000 coordinates; the maximum is 268435456; choose at most \
+             17895697",
         ),
         (
             "n_full",
@@ -93,7 +94,7 @@ fn suites() -> Vec<Attack> {
         (
             "all",
             scene("insphere", &format!("queries = \"all\"\npoints = [{}]", many.replace(", 0]", ", 0, 0]"))),
-            "200 points have none or over 1000000 combinations of 5; write the queries that matter",
+            "200 points have 0 or more than 1000000 combinations of 5; list the queries that matter",
         ),
         (
             "a long number",
@@ -172,7 +173,7 @@ fn data() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ("long-exponent.geojson", json(&format!("[[1e{}, 0]]", "9".repeat(9000))), "is beyond the largest double"),
         ("nul.geojson", b"{\"type\": \"Point\", \0".to_vec(), ":1: not GeoJSON"),
         ("cut.geojson", b"{\"type\": \"MultiPoint\", \"coordinates\": [[0, 0], [1".to_vec(), "the file ends early"),
-        ("deep.wkt", "GEOMETRYCOLLECTION(".repeat(1 << 18).into(), "over 32 collections in each other"),
+        ("deep.wkt", "GEOMETRYCOLLECTION(".repeat(1 << 18).into(), "more than 32 nested collections"),
         ("parentheses.wkt", format!("POLYGON{}", "(".repeat(1 << 20)).into(), "`(` where a number should be"),
         ("long.wkt", format!("POINT ({long} 0)").into(), "a number of 10001 bytes"),
         ("word.wkt", "X".repeat(1 << 20).into(), "no geometry is called `XXX"),
@@ -189,7 +190,7 @@ fn data() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         (
             "index.obj",
             b"v 0 0 0\nf 1 -9223372036854775808 1\n".to_vec(),
-            ":2: `-9223372036854775808` is none of the 1 vertices",
+            ":2: `-9223372036854775808` is not one of the 1 vertices",
         ),
         ("counts.ply", ply("ascii", "18446744073709551615", XYZ), "elements `vertex` don't fit into 0 bytes"),
         (
@@ -205,7 +206,7 @@ fn data() -> Vec<(&'static str, Vec<u8>, &'static str)> {
         ("list.ply", long_list, "at byte 168: the file ends after 0 of its 1 elements `face`; correct"),
         ("counts.stl", stl, "a binary file of 84 bytes, and its 4294967295 triangles take 214748364834"),
         ("endless.stl", b"solid\n".repeat(1 << 18), ":2: `solid` is out of place"),
-        ("unknown.xyz", b"0 0\n".to_vec(), "the file's name doesn't tell its format"),
+        ("unknown.xyz", b"0 0\n".to_vec(), "the file name does not show its format"),
     ]
 }
 
@@ -267,7 +268,7 @@ fn pipes_devices_and_folders_are_not_opened() {
     {
         std::os::unix::fs::symlink(to, at(link)).unwrap();
     }
-    let irregular = "it is no regular file but a pipe, a device or the like";
+    let irregular = "it is not a regular file (a pipe or a device)";
     let mut attacks =
         vec![(at("pipe.toml"), irregular), (at("zero.toml"), irregular), (at("folder.toml"), "it is a folder")];
     for (file, expected) in [

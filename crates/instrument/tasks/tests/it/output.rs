@@ -229,7 +229,7 @@ fn formats_and_parts_choose_files() {
         (&["off", ""], &[], "the answer has no format ``; it has json, off, stl"),
         (&["off"], &["unions"], "the answer has no part `unions`; it has union, vertices"),
         (&["off"], &["vertices"], "no named part has the format `off`; the parts that have it are union"),
-        (&["off"], &["union", "vertices"], "part `vertices` has none of the named formats; it has json"),
+        (&["off"], &["union", "vertices"], "part `vertices` does not have any of the named formats; it has json"),
     ] {
         let (folder, made) = written(&only(formats, parts), four);
         assert_eq!(made.unwrap_err().to_string(), expected);

@@ -98,7 +98,7 @@ fn roads_are_segments() {
     assert_eq!((json.scene.len(), json.content::<Segments>().unwrap().0.len()), (6, 4));
     assert_eq!((json.notes.repeated_points, text.notes.repeated_points), (1, 0));
     for (file, expected) in [
-        ("points.wkt", "points.wkt:1: a point is no line; give lines only: LineString or MultiLineString"),
+        ("points.wkt", "points.wkt:1: a point is not a line; give lines only: LineString or MultiLineString"),
         ("empty.wkt", "empty.wkt: the file has no segments; give it a line of two points or more"),
     ] {
         assert_eq!(refused(&folder, &format!("task = \"crossings\"\nsegments = {{ path = \"{file}\" }}")), expected);
@@ -138,10 +138,10 @@ fn a_map_is_the_same_in_every_format() {
     assert_eq!(borders[0].content::<Complexes>().unwrap().b.edges().len(), 9, "the shared border is there once");
     assert!(borders.iter().all(|map| map.id == borders[0].id));
     for (map, expected) in [
-        ("polygons = []", "s.toml:6: polygons without any area to bound; write a ring of at least three points"),
+        ("polygons = []", "s.toml:6: polygons without a ring of three points; write a ring of at least three points"),
         (
             "polygons = [[[[0, 0], [1, 0]]]]",
-            "s.toml:6: polygons without any area to bound; write a ring of at least three points",
+            "s.toml:6: polygons without a ring of three points; write a ring of at least three points",
         ),
         ("polygons = [[[[0, 0], [1, 0], [0, 1, 2]]]]", "s.toml:6: a point of 3 coordinates; write two"),
         (
@@ -154,7 +154,7 @@ fn a_map_is_the_same_in_every_format() {
         ),
         (
             "path = \"m.wkt\", polygons = []",
-            "s.toml:6: a map from more than one place; keep one of `path`, `topojson`, `fetch` and `polygons`",
+            "s.toml:6: a map with more than one source; keep one of `path`, `topojson`, `fetch` and `polygons`",
         ),
     ] {
         let got = refused(&folder, &format!("task = \"polygon-locate\"\nmap = {{ {map} }}"));
@@ -192,7 +192,7 @@ fn some_regions_of_a_file_are_a_map() {
     for (map, expected) in [
         (
             "path = \"m.geojson\", ids = \"07\"",
-            "s.toml:6: with m.geojson: of 3 regions none has an id that begins with `07`; correct `ids`",
+            "s.toml:6: with m.geojson: no id of the 3 regions begins with `07`; correct `ids`",
         ),
         (
             "path = \"m.wkt\", regions = [1, 3]",
@@ -201,12 +201,9 @@ fn some_regions_of_a_file_are_a_map() {
         ("path = \"m.wkt\", regions = [1, 1]", "s.toml:6: regions out of order; write each once, the smallest first"),
         (
             "path = \"m.wkt\", regions = []",
-            "s.toml:6: none of the regions; write an array of the numbers of regions, from 0 in the file's order",
+            "s.toml:6: `regions` is empty; write an array of the numbers of regions, from 0 in the file's order",
         ),
-        (
-            "path = \"m.wkt\", ids = \"\"",
-            "s.toml:6: every id begins with nothing; write how ids begin, or leave `ids` out",
-        ),
+        ("path = \"m.wkt\", ids = \"\"", "s.toml:6: `ids` is empty; write how ids begin, or leave `ids` out"),
         (
             "path = \"m.wkt\", ids = \"0\", regions = [0]",
             "s.toml:6: regions by ids and by numbers; keep one of the two",
@@ -214,7 +211,8 @@ fn some_regions_of_a_file_are_a_map() {
         ("path = \"m.wkt\", member = \"clip\"", "m.wkt: only JSON has members; leave out `member`"),
         (
             "polygons = [[[[0, 0], [4, 0], [4, 4]]]], regions = [0]",
-            "s.toml:6: some of written polygons; write only the polygons that are wanted",
+            "s.toml:6: `ids` and `regions` select from files, not from `polygons`; remove the key, and write only \
+             the polygons that you want",
         ),
     ] {
         assert_eq!(refused(&folder, &format!("task = \"overlay2d\"\nfirst = {{ {map} }}")), expected);
@@ -333,8 +331,18 @@ fn points_that_tuples_leave_over_are_remarked() {
     let rows = |n: i32| (0..n).map(|k| format!("{k},{}\n", k * k)).collect::<String>();
     let folder = folder(&[("a.csv", &rows(500)), ("b.csv", &rows(4)), ("c.csv", &rows(6))]);
     for (file, queries, remarks) in [
-        ("a.csv", 166, &["2 of 500 points are in no query, the last: orient2d takes 3; `queries` chooses others"][..]),
-        ("b.csv", 1, &["1 of 4 points is in no query, the last: orient2d takes 3; `queries` chooses others"]),
+        (
+            "a.csv",
+            166,
+            &["2 of 500 points are not in a query, at the end: orient2d takes 3 points; `queries` selects \
+          others"][..],
+        ),
+        (
+            "b.csv",
+            1,
+            &["1 of 4 points is not in a query, at the end: orient2d takes 3 points; `queries` selects \
+          others"],
+        ),
         ("c.csv", 2, &[]),
     ] {
         let loaded = load(&folder, &format!("task = \"orient2d\"\npoints = {{ path = \"{file}\" }}"));

@@ -235,7 +235,7 @@ fn loops_that_are_none_are_refused_at_their_line() {
         ("loops = [[0, 1, 1, 2]]", "s.toml:6: the corner 1 is repeated at once"),
         ("loops = [[0, 1, 2, 0]]", "s.toml:6: the corner 0 is repeated at once"),
         ("loops = [[0, 1, 2]]\nregions = [0, 1]", "s.toml:7: 2 regions for 1 loops"),
-        ("loops = [[0, 1, 2]]\nmap = { polygons = [] }", "s.toml:5: a map from two places"),
+        ("loops = [[0, 1, 2]]\nmap = { polygons = [] }", "s.toml:5: a map with two sources"),
         ("loops = [[0, 1, 2]]\nprobes = [[0, 1, 2]]", "s.toml:7: `probes` have 3 coordinates each"),
     ] {
         let found = refused(keys);

@@ -81,8 +81,8 @@ fn a_member_is_an_array_of_rings() {
     for (text, name, expected) in [
         (text, "second", "m.json:3: second[0][2]: decimal 0.1000000000000000001 has digits that no double holds"),
         (text, "third", "m.json:1: the object has no member `third`; use one of `first`, `rule`, `second`"),
-        (text, "rule", "m.json:1: rule: no array; give an array"),
-        ("[[[0, 0], [4, 0], [4, 4]]]", "first", "m.json:1: no object; leave out `member`"),
+        (text, "rule", "m.json:1: rule: not an array; give an array"),
+        ("[[[0, 0], [4, 0], [4, 4]]]", "first", "m.json:1: not an object; leave out `member`"),
     ] {
         let error = member(text, name).unwrap_err().to_string();
         assert!(error.starts_with(expected), "{error}");
@@ -101,7 +101,8 @@ fn positions_are_points_in_their_order() {
     let error = mixed.points().unwrap_err().to_string();
     assert_eq!(
         error,
-        "m.geojson:2: a position of 2 coordinates, those before it have 3; give all positions a height, or none"
+        "m.geojson:2: a position of 2 coordinates, but earlier positions have 3; give every position a height, or \
+         remove all heights"
     );
 }
 
@@ -115,7 +116,7 @@ fn lines_are_edges() {
     assert_eq!(found.edges, [[0, 1], [1, 2], [1, 0]].map(|edge| edge.map(Vertex::input)));
     assert_eq!((found.notes.repeated_points, found.notes.extra_coordinates), (1, 4));
     let error = of(SQUARES).unwrap().segments().unwrap_err().to_string();
-    assert_eq!(error, "m.geojson:2: a polygon is no line; give lines only: LineString or MultiLineString");
+    assert_eq!(error, "m.geojson:2: a polygon is not a line; give lines only: LineString or MultiLineString");
     let all = of(SQUARES).unwrap().edges();
     assert_eq!((all.vertices.len(), all.edges.len()), (0, 14));
     let points = of(r#"{"type": "MultiPoint", "coordinates": [[1, 2], [1, 2]]}"#).unwrap().edges();
@@ -132,7 +133,7 @@ fn errors_stay_short() {
             "geometries[0].geometries[0]",
         ),
         (format!("{{\"type\": \"{long}\"}}"), "no geometry is of type `xxx"),
-        (format!("{{\"type\": \"Point\", \"coordinates\": \"{long}\"}}"), "coordinates: no array; give an array"),
+        (format!("{{\"type\": \"Point\", \"coordinates\": \"{long}\"}}"), "coordinates: not an array; give an array"),
         (format!("{{\"type\": \"Point\", \"coordinates\": [0, 0], \"properties\": \"{long}\"}}"), "not GeoJSON: "),
     ] {
         let error = of(&text).map(drop).unwrap_err().to_string();
@@ -180,7 +181,7 @@ fn errors_say_where() {
         (changed("\"MultiPolygon\"", "\"MultiLineString\""), "m.geojson:5: "),
         (
             changed("\"type\": \"Feature\", \"id\"", "\"id\""),
-            "m.geojson:4: features[1]: no Feature; list features only",
+            "m.geojson:4: features[1]: not a Feature; list features only",
         ),
         (
             changed("\"FeatureCollection\"", "\"Topology\""),
@@ -190,9 +191,13 @@ fn errors_say_where() {
         (changed("\"type\": \"FeatureCollection\", ", ""), "m.geojson:1: an object without a type; use one of"),
         (changed("null}\n]}", "null"), "m.geojson:8: not GeoJSON: EOF"),
         (changed("null}\n]}", "null}\n]} x"), "m.geojson:9: not GeoJSON: trailing"),
-        (changed("[[[4, 0]", "[[7, [4, 0]"), "m.geojson:5: features[1].geometry.coordinates[0][0][0]: no array; give"),
+        (
+            changed("[[[4, 0]", "[[7, [4, 0]"),
+            "m.geojson:5: features[1].geometry.coordinates[0][0][0]: not an array; \
+                  give",
+        ),
         (of("").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: EOF while parsing a value; the file ends early"),
-        (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: [0]: no array; give"),
+        (of("[\"Point\", null, null, null, [1, 2]]").unwrap_err().to_string(), "m.geojson:1: [0]: not an array; give"),
         (of("[\n[[1, 2], [3, \"4\"]]]").unwrap_err().to_string(), "m.geojson:2: [0][1]: "),
         (of("\u{0}").unwrap_err().to_string(), "m.geojson:1: not GeoJSON: expected value; give"),
         (
@@ -232,7 +237,7 @@ fn depth_is_bounded() {
     };
     assert!(nested(DEEPEST).is_ok());
     let error = nested(DEEPEST + 1).unwrap_err().to_string();
-    assert!(error.contains("over 32 collections in each other; list"), "{error}");
+    assert!(error.contains("more than 32 nested collections; list"), "{error}");
     for deep in ["[".repeat(100_000), "{\"a\":".repeat(100_000), nested_arrays(100_000)] {
         let error = of(&deep).unwrap_err().to_string();
         assert!(error.starts_with("m.geojson:1: ") && error.len() < 300, "{error}");

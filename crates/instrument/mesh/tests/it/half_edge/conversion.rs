@@ -62,8 +62,8 @@ fn what_is_no_manifold_is_refused_by_edge_and_vertex() {
     let refused = |vertices, faces: &[&[u32]]| mesh(vertices, faces).expect_err("refused").to_string();
     for (got, expected) in [
         (refused(4, &[&[0, 1, 2], &[0, 1]]), "face 1 has 2 corners; give it three, or remove it"),
-        (refused(3, &[&[0, 1, 3]]), "face 0 has corner 3, which is none of the 3 vertices; correct the index"),
-        (refused(3, &[&[9, 1, 2]]), "face 0 has corner 9, which is none of the 3 vertices; correct the index"),
+        (refused(3, &[&[0, 1, 3]]), "face 0 has corner 3, which is not one of the 3 vertices; correct the index"),
+        (refused(3, &[&[9, 1, 2]]), "face 0 has corner 9, which is not one of the 3 vertices; correct the index"),
         (refused(4, &[&[0, 1, 2, 1]]), "face 0 has vertex 1 twice; divide it, or remove it"),
         (refused(3, &[&[1, 1, 2]]), "face 0 has vertex 1 twice; divide it, or remove it"),
         (

@@ -48,17 +48,10 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             "random vertices among five times as many uniform points as queries",
             scattered::read,
         ),
-        family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, all arithmetic short", |task, fields| {
+        family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, few bits", |task, fields| {
             by_query(task, fields, plain::grid)
         }),
-        family(
-            "near",
-            "near",
-            ALL,
-            &["ulps"],
-            "moved by at most so many ulps off a line, plane, circle or sphere",
-            near::read,
-        ),
+        family("near", "near", ALL, &["ulps"], "at most `ulps` ulps off a line, plane, circle or sphere", near::read),
         family(
             "kettner",
             "kettner",
@@ -163,7 +156,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             "ssi-near",
             FLAT,
             &["ulps", "halvings"],
-            "two lines' meeting points at most so many ulps beside a tie",
+            "two lines' meeting points at most `ulps` ulps off a tie",
             |task, fields| constructed::near(task, fields, &[Kind::Ssi]),
         ),
         family(
@@ -187,7 +180,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             "lpi-near",
             SOLID,
             &["ulps", "halvings"],
-            "meeting points of lines and planes at most so many ulps beside a tie",
+            "meeting points of lines and planes at most `ulps` ulps off a tie",
             |task, fields| constructed::near(task, fields, &[Kind::Lpi]),
         ),
         family(
@@ -211,7 +204,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             "tpi-near",
             SOLID,
             &["ulps", "halvings"],
-            "three planes' meeting points at most so many ulps beside a tie",
+            "three planes' meeting points at most `ulps` ulps off a tie",
             |task, fields| constructed::near(task, fields, &[Kind::Tpi]),
         ),
         family(
@@ -235,7 +228,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             "lpi-tpi-near",
             SOLID,
             &["ulps", "halvings"],
-            "both kinds of meeting points in space at most so many ulps beside a tie",
+            "both kinds of meeting points in space at most `ulps` ulps off a tie",
             |task, fields| constructed::near(task, fields, &[Kind::Lpi, Kind::Tpi]),
         ),
         family(
