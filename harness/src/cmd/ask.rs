@@ -321,7 +321,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     let cache = Selector::everything().cache()?;
     let loaded = suite.scenes[0].load(Level::Quick, &cache).map_err(told)?;
     for remark in &loaded.remarks {
-        note!("{}", remark.replace("`queries` chooses", "--queries chooses"));
+        note!("{}", remark.replace("`queries` selects", "--queries selects"));
     }
     Ok(loaded)
 }

@@ -1,7 +1,7 @@
 //! Files that are moved into place together, when all are complete.
 //!
 //! Each file is written beside its place. They move only when all are finished. After an error or an interrupt the
-//! folder still has the files of the earlier export, and none of this one.
+//! folder still has only the files of the earlier export.
 
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};

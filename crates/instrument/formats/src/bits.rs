@@ -41,7 +41,7 @@ pub fn rounded(x: f64, bits: u32) -> f64 {
 /// # Panics
 /// If 2^k is not a normal double.
 pub fn power_of_two(k: i64) -> f64 {
-    assert!((-1022..=HIGHEST).contains(&k), "2^{k} is no normal double");
+    assert!((-1022..=HIGHEST).contains(&k), "2^{k} is not a normal double");
     predicament_arithmetic::power_of_two(i32::try_from(k).expect("eleven bits"))
 }
 

@@ -71,12 +71,11 @@ pub fn read_csv_rows(file: &str, bytes: Vec<u8>, kind: &RowKind, decimals: &Deci
     csv::read(file, &data.text()?, kind, Wanted::All, decimals)
 }
 
-/// The columns of the coordinates that the header of a CSV file names without doubt, beside others or in another order
-/// than that of points; none where the file is read without them, is no CSV file, or leaves a doubt.
+/// The coordinate columns that the header of a CSV file names unambiguously, besides other columns or in another order.
+/// `None` if the file can be read without named columns, is not CSV, or has ambiguous names.
 ///
 /// # Errors
-/// [`CorpusError`] where the file is packed and can't be unpacked, is not UTF-8, or has a name that does not tell its
-/// format.
+/// [`CorpusError`] if the file can't be unpacked, is not UTF-8, or has a name that does not show its format.
 pub fn recognised_columns(file: &str, bytes: Vec<u8>) -> Result<Option<Recognised>, CorpusError> {
     let data = DataFile::open(file, bytes)?;
     if data.format != Format::Csv {

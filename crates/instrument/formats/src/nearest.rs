@@ -1,6 +1,6 @@
-//! The name that was meant by one that is not there.
+//! Suggestions for misspelled names.
 
-/// The most similar of the known names, if it differs by a slip of the hand: a letter or two, or an ending.
+/// The most similar known name, if it differs only by a typing error: a letter or two, or an ending.
 pub fn nearest<'k>(name: &str, known: impl IntoIterator<Item = &'k str>) -> Option<&'k str> {
     let most = name.chars().count().div_ceil(4).min(3);
     let far = |known: &str| {
@@ -10,7 +10,7 @@ pub fn nearest<'k>(name: &str, known: impl IntoIterator<Item = &'k str>) -> Opti
     known.filter(|(far, _)| *far <= most).min_by_key(|(far, _)| *far).map(|(_, known)| known)
 }
 
-/// The cure for a name that is not there: the name that was meant, and all that there are.
+/// The cure for an unknown name: the most similar known name, and all known names.
 #[must_use]
 pub fn use_one_of(name: &str, known: &[&str]) -> String {
     let all = format!("use one of {}", known.join(", "));

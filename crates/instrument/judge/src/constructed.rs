@@ -37,7 +37,7 @@ pub(crate) fn row(scene: &Scene, v: Vertex) -> Option<Row> {
 /// # Panics
 /// If the definition of a constructed vertex gives no point.
 pub(crate) fn certain_row(scene: &Scene, v: Vertex) -> Row {
-    row(scene, v).unwrap_or_else(|| panic!("{v} is no point"))
+    row(scene, v).unwrap_or_else(|| panic!("{v} is not a point"))
 }
 
 /// The points of a scene. Each constructed point is computed once, since many definitions may use it.

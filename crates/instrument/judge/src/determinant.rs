@@ -108,7 +108,7 @@ pub fn is_within(scene: &Scene, question: Question, args: &[Vertex], limit: f64)
 /// As [`sign`].
 #[must_use]
 pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
-    verdict_of(question, args, |v| Cow::Owned(point(scene, v).unwrap_or_else(|| panic!("{v} is no point"))))
+    verdict_of(question, args, |v| Cow::Owned(point(scene, v).unwrap_or_else(|| panic!("{v} is not a point"))))
 }
 
 /// The exact determinant of a query with its permanent, with the coordinates from `point`.

@@ -76,7 +76,7 @@ impl Points {
     pub fn sign(&self, question: Question, args: &[Vertex]) -> Sign {
         sign_of_rows(&self.scene, question, args, |v| match v.construction() {
             None => Cow::Owned(constructed::certain_row(&self.scene, v)),
-            Some(index) => Cow::Borrowed(&self.solved(index, v).unwrap_or_else(|| panic!("{v} is no point")).row),
+            Some(index) => Cow::Borrowed(&self.solved(index, v).unwrap_or_else(|| panic!("{v} is not a point")).row),
         })
     }
 
@@ -86,7 +86,7 @@ impl Points {
     /// As [`sign`](Points::sign).
     #[must_use]
     pub fn verdict(&self, question: Question, args: &[Vertex]) -> Verdict {
-        verdict_of(question, args, |v| self.point(v).unwrap_or_else(|| panic!("{v} is no point")))
+        verdict_of(question, args, |v| self.point(v).unwrap_or_else(|| panic!("{v} is not a point")))
     }
 
     fn solved(&self, index: usize, v: Vertex) -> Option<&Solved> {

@@ -79,7 +79,7 @@ pub struct Unused {
 static FILE: TableKind = TableKind::new("file of expectations", &["expect"]);
 static EXPECT: TableKind = TableKind::new("table [[expect]]", &["scene", "backend", "class", "reason", "level"]);
 
-/// Reads a name or a list of names, none of them empty.
+/// Reads a name or a list of names; empty names and lists are refused.
 fn names<'d, 't>(fields: &Fields<'d, 't>, key: &'static str) -> Result<Vec<Field<'d, 't>>, CorpusError> {
     let field = fields.required(key)?;
     let names = field.one_or_more()?;

@@ -1,4 +1,4 @@
-//! `answers.csv`: every answer of a run, if the run was told to write its answers.
+//! `answers.csv`: every answer of a run, if the run was started with the option to write answers.
 
 use predicament_predicates::Class;
 

@@ -150,7 +150,7 @@ pub struct NotSelected {
     pub reason: String,
 }
 
-/// The whole selection of scenes, of which a plan has one part.
+/// The whole selection of scenes; a plan has one part of it.
 #[derive(Clone, PartialEq, Eq, Debug, Serialize, Deserialize)]
 pub struct Whole {
     /// The number of scenes in all parts together.

@@ -152,7 +152,7 @@ pub trait AnyCase: Send + Sync {
 }
 
 fn content<'a, T: Task>(task: &T, loaded: &'a LoadedScene) -> &'a T::Content {
-    loaded.content().unwrap_or_else(|| panic!("{}/{} is no scene of {}", loaded.suite, loaded.name, task.name()))
+    loaded.content().unwrap_or_else(|| panic!("{}/{} is not a scene of {}", loaded.suite, loaded.name, task.name()))
 }
 
 fn typed<T: Task>(answer: &dyn Any) -> &T::Answer {

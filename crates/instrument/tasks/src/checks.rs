@@ -13,7 +13,7 @@ pub struct Check {
     pub class: Class,
     /// Its name in findings.
     pub name: &'static str,
-    /// The property that holds if the check finds nothing, in one line.
+    /// The property that the check tests, in one line.
     pub means: &'static str,
     /// True if it runs only with plenty of time: see [`Budget::thorough`](crate::Budget::thorough).
     pub thorough: bool,

@@ -134,7 +134,7 @@ pub const SHIFTED_BITS: i32 = 24;
 /// The positions at which a knob rounds the coordinates of a scene.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum RoundsScene {
-    /// At none of its positions.
+    /// Not at any position.
     Never,
     /// At each position except rest.
     Always,

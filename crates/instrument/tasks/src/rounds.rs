@@ -61,7 +61,7 @@ impl Rounds {
         total
     }
 
-    /// A digest of the answers in the scene's order; that of no answers, if rounds differed.
+    /// A digest of the answers in the scene's order; if rounds differed, the digest of an empty list.
     #[must_use]
     pub fn digest(&self) -> u64 {
         if self.differ { !self.answers.digest() } else { self.answers.digest() }

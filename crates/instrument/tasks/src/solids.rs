@@ -161,7 +161,7 @@ pub fn fold(n: usize, _: &mut Random) -> Shape {
     prism(&polygon)
 }
 
-/// Nested cubes, of which every second one is a hole.
+/// Nested cubes; every second cube is a hole.
 pub fn shells(n: usize, _: &mut Random) -> Shape {
     let shells = count(n / 6).max(1);
     let mut shape = Shape::default();

@@ -102,8 +102,8 @@ impl SceneDef {
         })
     }
 
-    /// Adds the names of the scene's data files to an error about the suite that names none of them: a table's
-    /// statement about points may be wrong because of the file that has them.
+    /// Adds the names of the scene's data files to an error about the suite that does not name them: the cause
+    /// may be in the data file, not in the suite.
     fn with_data(&self, error: CorpusError, cache: &Cache) -> CorpusError {
         let mut names: Vec<String> = self.data.iter().map(|data| data.shown(cache)).collect();
         names.dedup();

@@ -1,4 +1,4 @@
-//! The cells of a row: what separates them, quotes, and lines that are no rows.
+//! The cells of a row: separators, quotes, and lines to skip.
 
 use std::ops::Range;
 
@@ -18,7 +18,7 @@ impl Separator {
         [';', ',', '\t'].iter().find(|c| has(c)).map_or(Separator::Blanks, |&c| Separator::Character(c))
     }
 
-    /// Where the cells of a row are, without blanks and quotes around them.
+    /// The positions of a row's cells, without the blanks and quotes around them.
     fn cells(self, row: &str) -> Vec<Range<usize>> {
         match self {
             Separator::Character(c) => split(row, c).map(|cell| bare(row, cell)).collect(),
@@ -30,7 +30,7 @@ impl Separator {
     }
 }
 
-/// The parts of a row between separators that are not in quotes.
+/// The parts of a row between separators; separators in quotes do not count.
 fn split(row: &str, separator: char) -> impl Iterator<Item = Range<usize>> {
     let mut quoted = false;
     let mut ends = row.char_indices().filter(move |&(_, c)| {
@@ -62,20 +62,20 @@ fn bare(row: &str, cell: Range<usize>) -> Range<usize> {
     }
 }
 
-/// Whether a line of a data file is blank or a comment.
+/// True if a line of a data file is blank or a comment.
 #[must_use]
 pub fn skipped(line: &str) -> bool {
     line.trim().is_empty() || line.trim_start().starts_with('#')
 }
 
-/// Goes through the lines of a file in their order. The first row decides on the separator.
+/// Splits the lines of a file into cells, in their order. The first row determines the separator.
 #[derive(Default)]
 pub(super) struct Scanner {
     separator: Option<Separator>,
 }
 
 impl Scanner {
-    /// The cells of a line; none of a line that is blank or a comment. An error is a message and its cure.
+    /// The cells of a line; `None` for a blank line or a comment. An error is a message and its cure.
     pub(super) fn cells(&mut self, line: &str) -> Result<Option<Vec<Range<usize>>>, (String, String)> {
         if skipped(line) {
             return Ok(None);
@@ -87,7 +87,7 @@ impl Scanner {
         Ok(Some(self.separator.get_or_insert_with(|| Separator::of(line)).cells(line)))
     }
 
-    /// The separator, once a row was seen.
+    /// The separator; `None` before the first row.
     pub(super) fn separator(&self) -> Option<Separator> {
         self.separator
     }

@@ -1,4 +1,4 @@
-//! Which columns of a CSV file hold the coordinates.
+//! The choice of the columns of a CSV file that hold the coordinates.
 
 use std::fmt;
 
@@ -40,7 +40,7 @@ impl Columns {
     /// Two or three columns that differ.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// A message that describes the wrong column.
     pub fn new(columns: Vec<Column>) -> Result<Columns, String> {
         if !(2..=3).contains(&columns.len()) {
             let (count, s) = (columns.len(), if columns.len() == 1 { "" } else { "s" });
@@ -55,10 +55,10 @@ impl Columns {
         Ok(Columns(columns))
     }
 
-    /// Columns as a command line has them: `lon,lat` or `3,2`.
+    /// Parses columns in the form of the command line: `lon,lat` or `3,2`.
     ///
     /// # Errors
-    /// What is wrong with them.
+    /// A message that describes the wrong column.
     pub fn parse(text: &str) -> Result<Columns, String> {
         let column = |name: &str| match name.parse() {
             Ok(0) => Err("columns are numbered from 1".to_owned()),
@@ -102,14 +102,14 @@ impl Columns {
     }
 }
 
-/// The columns as a command line has them: `lon,lat`.
+/// Writes the columns in the form of the command line: `lon,lat`.
 impl fmt::Display for Columns {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0.iter().map(Column::to_string).collect::<Vec<_>>().join(","))
     }
 }
 
-/// Columns that a header names without doubt, beside others.
+/// The coordinate columns that a header names by a known convention, and the other columns.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Recognised {
     /// The columns of the coordinates.
@@ -118,7 +118,7 @@ pub struct Recognised {
     pub others: Vec<String>,
 }
 
-/// One line: which columns are read, and which are not.
+/// Writes one line that lists the columns that are read and the columns that are not.
 impl fmt::Display for Recognised {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let of = |(axis, column): (&str, &Column)| format!("{axis} is the column `{column}`");
@@ -136,8 +136,8 @@ impl fmt::Display for Recognised {
 const CONVENTIONS: [&[&str]; 5] =
     [&["x", "y", "z"], &["x", "y"], &["lon", "lat"], &["longitude", "latitude"], &["easting", "northing"]];
 
-/// The columns of the coordinates, where the first row names them without doubt: it has the names of one convention,
-/// each once, and no name of another convention.
+/// The columns of the coordinates, if the first row names them unambiguously: it has all names of one convention, each
+/// once, and does not have a name of another convention.
 pub(super) fn recognised(first: &[&str]) -> Option<Recognised> {
     let lower: Vec<String> = first.iter().map(|name| name.to_lowercase()).collect();
     let is_meant = |name: &&String| CONVENTIONS.iter().any(|names| names.contains(&name.as_str()));
@@ -157,18 +157,18 @@ pub(super) fn listed<T: AsRef<str>>(names: &[T]) -> String {
     names.iter().map(name).collect::<Vec<_>>().join(", ")
 }
 
-/// The columns that are read, found in the first row.
+/// The columns to read, with their positions in the first row.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Chosen {
-    /// Their places, from 0.
+    /// The positions of the columns, from 0.
     pub(super) at: Vec<usize>,
-    /// Their names for messages.
+    /// The names of the columns for messages.
     pub(super) names: Vec<String>,
-    /// The number of cells of the first row: every row has as many.
+    /// The number of cells of the first row; every row must have the same number.
     pub(super) width: usize,
-    /// Whether the first row is a header.
+    /// True if the first row is a header.
     pub(super) is_header: bool,
-    /// The columns as a command line has them.
+    /// The columns in the form of the command line.
     pub(super) option: String,
 }
 
@@ -189,7 +189,7 @@ impl Chosen {
         Ok(Chosen { names: names.collect(), at, width: first.len(), is_header, option: columns.to_string() })
     }
 
-    /// Refuses a row of another number of cells than the first: a cell is missing, or one was cut. An error is a
+    /// Refuses a row whose number of cells differs from the first row's: a cell is missing, or was split. An error is a
     /// message and its cure.
     pub(super) fn check(&self, found: usize) -> Result<(), (String, String)> {
         if found == self.width {
@@ -205,7 +205,7 @@ impl Chosen {
     }
 }
 
-/// The place of a column in the first row, from 0.
+/// The position of a column in the first row, from 0.
 fn place(column: &Column, first: &[&str]) -> Result<usize, (String, String)> {
     let is_header = !first.iter().any(|cell| is_number(cell));
     let has = if is_header { "the columns are" } else { "the first row is not a header:" };

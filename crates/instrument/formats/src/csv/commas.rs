@@ -1,7 +1,7 @@
 //! Decimal commas: `0,5` in a file whose cells are separated by semicolons.
 //!
-//! A comma may also stand between thousands. It is a decimal comma where no number of the file has a point: then the
-//! file has no other sign for decimals. Hex floats have points of their own and do not count.
+//! A comma may also separate thousands. It counts as a decimal comma if all decimals of the file use commas: then the
+//! file does not have another decimal sign. The points of hex floats do not count.
 
 use std::borrow::Cow;
 
@@ -10,7 +10,7 @@ use crate::coordinate::{self, CoordinateError};
 use crate::decimals::shown;
 use crate::hexfloat;
 
-/// The signs for decimals that the numbers of a file have used so far.
+/// The decimal signs in the numbers of a file so far.
 #[derive(Default)]
 pub(super) struct Commas {
     /// The first number with a comma, and its line.
@@ -20,7 +20,7 @@ pub(super) struct Commas {
 }
 
 impl Commas {
-    /// A number with a decimal point where it was written with a comma. An error is a message and its cure.
+    /// The text of a number with a decimal comma replaced by a point. An error is a message and its cure.
     pub(super) fn number<'c>(
         &mut self,
         separator: Option<Separator>,
@@ -54,13 +54,13 @@ impl Commas {
         Ok(if has_comma { Cow::Owned(cell.replacen(',', ".", 1)) } else { Cow::Borrowed(cell) })
     }
 
-    /// Whether a number had a decimal comma.
+    /// True if a number had a decimal comma.
     pub(super) fn are_decimal(&self) -> bool {
         self.comma.is_some()
     }
 }
 
-/// The cure for a cell that is not a number because of a decimal comma.
+/// The cure for a cell that is not a number because it has a decimal comma.
 pub(super) fn cure(separator: Option<Separator>, cell: &str) -> Option<String> {
     let is_number = |text: &str| coordinate::read(text) != Err(CoordinateError::Malformed);
     let is_cut = separator == Some(Separator::Character(','))

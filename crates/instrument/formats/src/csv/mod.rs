@@ -1,11 +1,11 @@
 //! CSV files of numbers: read row by row, and made lossless.
 //!
-//! Cells are separated by commas, semicolons, tabs or blanks: the first row shows which. Blank lines and lines
-//! that start with `#` are passed over. The first row is a header if each of its cells starts with a letter
-//! and none is a number. A file may have other columns beside the coordinates if [`Columns`] names those to read.
+//! Commas, semicolons, tabs or blanks separate cells; the first row determines which. Blank lines and lines that start
+//! with `#` are skipped. The first row is a header if each of its cells starts with a letter and is not a number. A file
+//! may have other columns besides the coordinates if [`Columns`] names the columns to read.
 //!
-//! The crate `csv` gives the text of cells and not where in the file it is; to rewrite a number and leave all
-//! other bytes as they are takes the place, and so does the line in an error behind comments and blank lines.
+//! The crate `csv` returns the text of cells, but not their positions in the file. The positions are needed to rewrite
+//! a number without changing other bytes, and to report the right line after comments and blank lines.
 
 mod cells;
 mod columns;
@@ -27,18 +27,18 @@ pub use columns::{Column, Columns, Recognised};
 use commas::Commas;
 pub use rewrite::fmt_csv;
 
-/// Whether a cell of the first row can be the name of a column.
+/// True if a cell of the first row can be the name of a column.
 fn is_name(cell: &str) -> bool {
     cell.starts_with(|c: char| c.is_alphabetic() || c == '_') && !is_number(cell)
 }
 
-/// Whether a cell is a number, be it one that no double holds.
+/// True if a cell is a number, even if it is not a double.
 fn is_number(cell: &str) -> bool {
     coordinate::read(cell) != Err(CoordinateError::Malformed)
 }
 
-/// A column of another name among x, y and z, or these in another order, or a column that numbers the rows: what is
-/// read would not be what is meant.
+/// True if reading the columns in their order would likely read wrong coordinates: another column is among x, y and z,
+/// their order differs, or a column numbers the rows.
 fn is_misplaced(names: &[&str]) -> bool {
     const AXES: [&str; 3] = ["x", "y", "z"];
     const NUMBERS: [&str; 3] = ["id", "fid", "index"];
@@ -64,14 +64,14 @@ enum Layout {
     Some(Chosen),
 }
 
-/// The columns that are asked for.
+/// The requested columns.
 #[derive(Clone, Copy)]
 pub(crate) enum Wanted<'c> {
-    /// All, in rows that are no points.
+    /// All columns, in rows that are not points.
     All,
-    /// All, in rows that are points.
+    /// All columns, in rows that are points.
     Points,
-    /// Some, of points.
+    /// Some columns, in rows that are points.
     Some(&'c Columns),
 }
 
@@ -105,7 +105,8 @@ impl Layout {
     }
 }
 
-/// How to say which columns are x and y: ready to be copied where the header names them without doubt.
+/// The cure for unclear columns: how to name the columns of x and y. If the header names them unambiguously, the text
+/// can be copied as it is.
 fn cure(first: &[&str]) -> String {
     let (what, columns, option) = match columns::recognised(first) {
         Some(found) => ("name the columns of x and y", found.columns.toml(), found.columns.to_string()),
@@ -116,8 +117,8 @@ fn cure(first: &[&str]) -> String {
     format!("{what}: `columns = {columns}` beside `path`, or `--columns {option}` on the command line")
 }
 
-/// The columns of points that the first row of a file names without doubt; none where the file is read without them, or
-/// where there is a doubt.
+/// The columns of points that the first row of a file names unambiguously. `None` if the file can be read without named
+/// columns, or if the names are ambiguous.
 pub(crate) fn recognised(text: &str) -> Option<Recognised> {
     let mut scanner = Scanner::default();
     for Line { body, .. } in lines(text) {
@@ -131,14 +132,14 @@ pub(crate) fn recognised(text: &str) -> Option<Recognised> {
     None
 }
 
-/// The cells of a row that are read, by their places in the line. An error is a message and its cure.
+/// The cells of a row to read, by their positions in the line. An error is a message and its cure.
 fn picked(layout: &Layout, cells: Vec<Range<usize>>) -> Result<Vec<Range<usize>>, (String, String)> {
     let Layout::Some(chosen) = layout else { return Ok(cells) };
     chosen.check(cells.len())?;
     Ok(chosen.at.iter().map(|&at| cells[at].clone()).collect())
 }
 
-/// The error of a cell and the cure, with the name of its column.
+/// The error for a cell and its cure, with the name of the cell's column.
 fn wrong(
     file: &str,
     layout: &Layout,
@@ -158,7 +159,7 @@ fn commas_or(separator: Option<Separator>, cell: &str, why: &CoordinateError, cu
     commas::cure(separator, cell).filter(|_| *why == CoordinateError::Malformed).unwrap_or(cure)
 }
 
-/// Reads a CSV file of rows of numbers, one a line.
+/// Reads a CSV file of rows of numbers, one row per line.
 ///
 /// # Errors
 /// [`CorpusError`] at the line that is wrong.

@@ -1,4 +1,4 @@
-//! Decimals of a CSV file that no double is printed as, rewritten as hex floats.
+//! Rewrites the decimals of a CSV file that are not prints of doubles as hex floats.
 
 use super::cells::Scanner;
 use super::commas::Commas;
@@ -9,14 +9,14 @@ use crate::lines::{Line, lines};
 use crate::{CorpusError, hexfloat};
 
 /// Rewrites the decimals of a CSV file that are not exactly doubles: each becomes the hex float of its nearest
-/// double, and a line that starts with `#`, before its row, keeps what was written. All other bytes stay, so
-/// that a file without such decimals, and a file that was rewritten, come back unchanged.
+/// double, and a comment line before its row keeps the original text. All other bytes stay. So a file without such
+/// decimals, and a file that was already rewritten, are returned unchanged.
 ///
-/// Without `columns` it rewrites all columns; of a header that names coordinates beside other columns, those of the
-/// coordinates.
+/// Without `columns` it rewrites all columns. If the header names coordinate columns besides other columns, it rewrites
+/// only the coordinate columns.
 ///
 /// # Errors
-/// [`CorpusError`] where a cell is no number that a double could be near to, or a column is not there.
+/// [`CorpusError`] if a cell is not a number in the range of doubles, or a column does not exist.
 pub fn fmt_csv(file: &str, text: &str, columns: Option<&Columns>) -> Result<String, CorpusError> {
     let (mark, rest) = text.strip_prefix(BOM).map_or(("", text), |rest| (&text[..BOM.len_utf8()], rest));
     let (mut scanner, mut commas, mut layout) = (Scanner::default(), Commas::default(), None);

@@ -30,10 +30,10 @@ pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedP
     read_columns(file, bytes, None, decimals)
 }
 
-/// The same, where a CSV file may have other columns beside those of the coordinates.
+/// Reads points like [`read`], with the coordinate columns of a CSV file named.
 ///
 /// # Errors
-/// [`CorpusError`] as [`read`]; and where columns are named of a file that is no CSV file, or that it does not have.
+/// [`CorpusError`] as [`read`]; also if columns are named for a file that is not CSV, or that does not have them.
 pub fn read_columns(
     file: &str,
     bytes: Vec<u8>,

@@ -10,7 +10,7 @@ use crate::rational;
 
 type Space = [Integer; 3];
 
-/// A mesh by the coordinates of its triangles, times a power of two that makes integers of all.
+/// A mesh as integer coordinates of its triangles, all scaled by one power of two.
 pub struct InIntegers<'m> {
     materials: &'m Materials<'m>,
     scale: Integer,
@@ -31,7 +31,7 @@ impl<'m> InIntegers<'m> {
 
     /// The place of a point, by a ray in this direction.
     ///
-    /// `None` if the ray touches the border of a triangle or runs in its plane, or if a triangle has no area.
+    /// Returns `None` if the ray touches the border of a triangle or runs in its plane, or if a triangle has no area.
     ///
     /// # Panics
     /// If the direction is zero.
@@ -40,10 +40,10 @@ impl<'m> InIntegers<'m> {
         self.but_for(&[], q, direction)
     }
 
-    /// The place next to a point of these triangles, a small step ahead in this direction, and whether the step leaves
-    /// the first triangle by its front.
+    /// The place next to a point of these triangles, a small step ahead in this direction; true if the step leaves the
+    /// first triangle by its front.
     ///
-    /// `None` if the ray runs in the plane of one of these triangles, touches the border of another triangle, or runs
+    /// Returns `None` if the ray runs in the plane of one of these triangles, touches the border of another triangle, or runs
     /// in the plane of another triangle.
     ///
     /// # Panics

@@ -1,7 +1,7 @@
 //! A fault of lifting: points moved by ε^(2^i) are lifted again, where squares collide.
 //!
-//! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product of different infinitesimals has a power
-//! of its own. A lifted determinant has squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
+//! Franklin and Magalhães move coordinate i by ε^(2^i), so that every product of different infinitesimals has a
+//! different power. A lifted determinant has squares as well, and (ε^(2^i))² is ε^(2^(i+1)), the next coordinate's. The
 //! fault stores each term under its power, first-order terms first; of two terms with the same power, the later
 //! overwrites the earlier.
 //!

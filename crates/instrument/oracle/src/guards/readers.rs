@@ -141,7 +141,7 @@ fn hex_floats(reading: &dyn Reading, facts: &mut Facts) {
     }
     for text in ["0x1.00000000000001p+0", "0x1p+1024", "0x1p-1075", "0x", "1.8p+1"] {
         let got = reading.coordinate(text);
-        facts.hold(got.is_none(), || format!("{text}, which is no double, is read as {got:?}"));
+        facts.hold(got.is_none(), || format!("{text}, which is not a double, is read as {got:?}"));
     }
 }
 
@@ -175,7 +175,7 @@ fn decimals(reading: &dyn Reading, facts: &mut Facts) {
         "inf",
     ] {
         let got = reading.coordinate(text);
-        facts.hold(got.is_none(), || format!("{text}, which is no double, is read as {got:?}"));
+        facts.hold(got.is_none(), || format!("{text}, which is not a double, is read as {got:?}"));
     }
 }
 

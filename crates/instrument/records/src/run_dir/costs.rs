@@ -1,4 +1,4 @@
-//! `costs.csv`: how long each scene took on each backend.
+//! `costs.csv`: the time of each scene on each backend.
 //!
 //! Times differ from run to run, so the file is not compared byte for byte, and `state.json` does not list it. Rows are
 //! appended without a commit: after a kill, the file may have more rows than the state lists. So no digest covers the

@@ -1,4 +1,4 @@
-//! Merging the parts of a run: the result is byte for byte that of one machine.
+//! Merging the parts of a run: the result is byte for byte equal to a run on one machine.
 //!
 //! A part that is missing, repeated, incomplete or of another plan is refused by name. Otherwise a report on a part of
 //! the work would look like a report on all of it.

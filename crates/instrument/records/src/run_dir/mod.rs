@@ -1,17 +1,19 @@
 //! A run on disk: a folder of two JSON files, tables, and a state.
 //!
 //! ```text
-//! plan.json        what is going to be done; written first
-//! env.json         where
-//! state.json       how far it came: see `Outcome`
+//! plan.json        the planned work; written first
+//! env.json         the machine
+//! state.json       the outcome, and the valid length of each table: see `Outcome`
 //! summary.csv findings.csv throughput.csv stages.csv precision.csv
 //! *.csv            tables of single tasks, such as contacts.csv
-//! segments.csv     in a part of a run: which bytes of the tables are of which scene
-//! costs.csv        how long each scene took on each backend; no digest covers it: see `CostRow`
+//! segments.csv     in a part of a run: the bytes of each table that belong to each scene
+//! costs.csv        the time of each scene on each backend; not covered by a digest: see `CostRow`
 //! maps/*.png       pictures for the report, if any
 //! run.lock         locked by the process that writes the folder
-//! ``` If a table is missing and `state.json` does not list it, the folder was made by an older version of the tool.
-//! The table is then read as empty, and started when the run is resumed.
+//! ```
+//!
+//! If a table is missing and `state.json` does not list it, the folder was made by an older version of the tool. The
+//! table is then read as empty, and started when the run is resumed.
 //!
 //! A folder counts as incomplete until the run records its end. JSON files and pictures are complete or absent. A table
 //! counts up to the length in the state, and only with the digest in the state. Each JSON file has a digest of itself,

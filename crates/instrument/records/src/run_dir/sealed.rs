@@ -1,7 +1,7 @@
 //! The JSON files of a run folder, each with the digest of itself.
 //!
-//! `state.json` has the digests of all that must not change. It can't have its own digest. It does not have that of
-//! `env.json` either, as equal runs leave the same `state.json` on every machine. So each JSON file begins with the
+//! `state.json` has the digests of all that must not change. It can't have its own digest. It does not have the digest
+//! of `env.json` either, as equal runs leave the same `state.json` on every machine. So each JSON file begins with the
 //! line `"seal"`, the SHA-256 of the file without that line: `grep -v '^  "seal"' state.json | sha256sum`. Folders of
 //! versions without seals have none.
 

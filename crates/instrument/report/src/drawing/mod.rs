@@ -146,8 +146,8 @@ impl Drawing {
         self.shown().flat_map(|layer| layer.parts.iter().flatten().flatten())
     }
 
-    /// The centre of the bounding box of all points and half of its longest side, which is not 0; for a window, those
-    /// of the window.
+    /// The centre of the bounding box of all points, and half of its longest side, which is not 0; for a window, the
+    /// centre and half side of the window.
     fn extent(&self, window: Window) -> (Offset, f64) {
         if let Window::Around(radius) = window {
             return ([0.0; 3], if radius > 0.0 { radius } else { 1.0 });

@@ -131,7 +131,7 @@ fn changes(mut changed: Vec<Change<'_>>, order: &[&str]) -> Table {
     table
 }
 
-/// The table of times relative to those of earlier runs, by task and backend.
+/// The table of times relative to earlier runs, by task and backend.
 fn times(runs: &[RunDir], earlier: &[RunDir], order: &[&str]) -> Table {
     let [now, before] = [runs, earlier].map(medians);
     let mut ratios: BTreeMap<_, Vec<f64>> = BTreeMap::new();

@@ -60,8 +60,8 @@ pub struct Hunt<'a> {
     state: State,
 }
 
-/// The number of scenes in a generation from each island; the next two constants are those from the curious scenes, and
-/// from seeds and shapes.
+/// The number of scenes in a generation from each island. The next two constants are the numbers of scenes from curious
+/// scenes, and from seeds and shapes.
 const FROM_ISLAND: usize = 6;
 const FROM_CURIOUS: usize = 8;
 const FROM_SEEDS: usize = 6;

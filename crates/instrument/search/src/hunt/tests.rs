@@ -77,7 +77,7 @@ fn the_number_of_threads_changes_nothing_and_a_stop_neither() {
     assert_eq!(one, three);
     let stopped = order.hunt(MANY / 3, State::default());
     assert!(stopped.generations < one.generations);
-    assert_eq!(order.hunt(MANY, stopped), one, "what was stopped goes on as if it had not been");
+    assert_eq!(order.hunt(MANY, stopped), one, "a resumed hunt is equal to one that was not stopped");
 }
 
 /// Some tasks read scenes in another order than they are written: edges that are turned, triangles that occur twice.

@@ -16,14 +16,14 @@ pub struct Choice {
     pub parts: Vec<String>,
 }
 
-/// The request that a file waits for.
+/// The request that causes a file to be written.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum When {
-    /// None: it is written unless others are chosen.
+    /// No request: the file is written unless others are chosen.
     Always,
-    /// Its format or its part.
+    /// The user names the file's format or part.
     Named,
-    /// Its format.
+    /// The user names the file's format.
     Format,
 }
 
@@ -31,7 +31,7 @@ pub(super) enum When {
 pub(super) struct Offer {
     pub(super) name: String,
     pub(super) when: When,
-    /// The remark if the file only waits for its format to be named.
+    /// The remark if the file is written only when its format is named.
     pub(super) note: Option<String>,
 }
 
@@ -95,10 +95,10 @@ impl Choice {
     }
 }
 
-/// How a file meets a choice.
+/// The relation of a file to a choice.
 enum Fit {
     Wanted,
-    /// It only waits for its format to be named.
+    /// The file is written only if its format is named.
     Waiting,
     Other,
 }

@@ -3,7 +3,7 @@
 use predicament_predicates::{Construction, Predicates, Scene, Vertex};
 
 /// The session's rounded positions of the vertices that it constructed after the first `before`; `None` if it keeps
-/// them exactly, or has none.
+/// exact vertices, or did not construct any.
 #[must_use]
 pub fn rounded_points(session: &dyn Predicates, before: usize, count: usize) -> Option<Vec<[f64; 3]>> {
     let vertices = (0..count).map(|at| Vertex::constructed(before + at));

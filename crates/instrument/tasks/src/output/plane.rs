@@ -16,7 +16,7 @@ const SIDE: f64 = 960.0;
 const MARGIN: f64 = 20.0;
 /// The maximum number of vertices for which a picture has dots on them.
 const DOTTED: usize = 500;
-/// The maximum number of polygons of which a picture is drawn by default: programs that show SVG take long for more.
+/// The maximum number of polygons in a picture that is drawn by default: viewers of SVG are slow with more.
 const DRAWN: usize = 10_000;
 
 /// Offers `NAME.svg` and `NAME.geojson`, and by its format `NAME.wkt`: a feature for each polygon, its first ring the

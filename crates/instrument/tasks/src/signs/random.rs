@@ -6,7 +6,7 @@ use predicament_predicates::{PredicateKind, Vertex};
 
 static RANDOM: TableKind = TableKind::new("choice of queries", &["random", "seed"]);
 
-/// The number of random queries, and the seed that decides which they are.
+/// The number of random queries, and the seed that selects them.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(super) struct RandomQueries {
     count: usize,
@@ -26,8 +26,8 @@ impl RandomQueries {
 
     /// The vertices of all queries, one query after the other: `arity` different numbers below `vertices` each.
     ///
-    /// The same seed gives the same queries on every machine. Each vertex of a query is drawn from all, until it is one
-    /// that the query does not have: every query is as likely as any.
+    /// The same seed gives the same queries on every machine. Each vertex is drawn from all vertices, and drawn again if
+    /// the query already has it, so all queries are equally likely.
     ///
     /// # Panics
     /// If there are fewer vertices than a query takes.

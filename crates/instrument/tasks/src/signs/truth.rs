@@ -1,4 +1,4 @@
-//! The exact signs of all queries; those of a sample are computed twice.
+//! The exact signs of all queries, with a sample computed twice.
 
 use predicament_judge as judge;
 use predicament_predicates::{QuerySet, Scene, Sign};
@@ -10,7 +10,7 @@ use crate::{Dispute, Stop, Watch};
 /// The stride of queries that are judged twice, the second time in rationals.
 const TWICE: usize = 1024;
 
-/// The exact signs of all queries; those of an even sample are computed twice.
+/// The exact signs of all queries; an evenly spread sample is computed twice.
 ///
 /// # Errors
 /// [`Stop`] if the watch stops the computation.
