@@ -247,8 +247,8 @@ fn points_that_are_left_over_are_a_note() {
     assert_eq!(ask(&[&path, "--queries", "random:10"]).stderr, "");
     let scene = "title = \"t\"\n[[scene]]\nname = \"a\"\ntask = \"orient2d\"\npoints = { path = \"plain.csv\" }\n";
     let suite = write(&folder, "mine.toml", scene);
-    let note = "predicament: mine/a: 2 of 500 points are not in a query, at the end: orient2d takes 3 points; `queries` \
-         selects others\n";
+    let note = "predicament: mine/a: 2 of 500 points are not in a query, at the end: orient2d takes 3 points; \
+                `queries` selects others\n";
     let out = at(&folder, "run");
     for args in [&["corpus", "verify", &suite][..], &["run", &suite, "-b", "exact", "--out", &out]] {
         let told = expect(0, args);

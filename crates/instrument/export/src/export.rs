@@ -65,8 +65,7 @@ pub fn export(
     if RunFolder::is_one(out) {
         return Err(Error::new(
             out,
-            "it is a run folder, and an export never overwrites its files; name another \
-                                    folder",
+            "it is a run folder, and an export never overwrites its files; name another folder",
         ));
     }
     let copies = Copies::of(runs)?;

@@ -4,8 +4,8 @@
 //! A simplex is a list of vertices. Its *open* simplex is the set of all Σ wᵢ pᵢ with weights wᵢ > 0 that add up to
 //! one, whether or not the points are in general position; the closed simplex allows zero weights. A *sub-pair* of
 //! (s, t) is a pair of non-empty faces of s and of t, other than (s, t) itself. The pair (s, t) is **registered** iff
-//! the open simplices of s and t have a common point, and no sub-pair's open simplices have one. It has **ended** iff a sub-pair
-//! is registered, which is so iff the open simplices of a sub-pair meet.
+//! the open simplices of s and t have a common point, and no sub-pair's open simplices have one. It has **ended** iff a
+//! sub-pair is registered, which is so iff the open simplices of a sub-pair meet.
 //!
 //! So the registered pairs describe the common points of two closed simplices by their carriers of the lowest
 //! dimensions. For example, two edges that share a vertex register one pair: that vertex with itself.

@@ -186,29 +186,24 @@ impl Fault {
             }
             Fault::SosDroppedParity => "ties are sorted by vertex without the parity of the sort",
             Fault::SosPlaceAsIdentity => {
-                "vertices are perturbed by their position in the argument list, not by \
-                                          identity"
+                "vertices are perturbed by their position in the argument list, not by identity"
             }
             Fault::SosDroppedLastParity => "the parity of the sort is dropped where the last term decides",
             Fault::SosFirstOrderOnly => "only terms that move one coordinate are used; other ties are answered zero",
             Fault::SosFirstOrderThenParity => {
-                "only terms that move one coordinate are used; other ties follow the \
-                                               order of the vertices"
+                "only terms that move one coordinate are used; other ties follow the order of the vertices"
             }
             Fault::SosCollidingLift => {
-                "points moved by eps^(2^i) are lifted again, and only one term of each power \
-                                        is kept"
+                "points moved by eps^(2^i) are lifted again, and only one term of each power is kept"
             }
             Fault::SosMixedOrders => {
-                "circles and spheres perturb the coordinates in another order than the other \
-                                      predicates"
+                "circles and spheres perturb the coordinates in another order than the other predicates"
             }
             Fault::SosCircularTies => "ties of comparisons are broken cyclically over three vertices",
             Fault::ExactHalvedFilter => "the bound of the floating-point filter is halved",
             Fault::ExactTightFilter => "the bound of the floating-point filter is two percent too small",
             Fault::ExactRelativeFilter => {
-                "the filter's bound is relative to the determinant, so that every \
-                                           determinant passes"
+                "the filter's bound is relative to the determinant, so that every determinant passes"
             }
             Fault::ExactStaleBound => "the static bound of the first half of the vertices is used for all",
             Fault::ExactNan => "floating-point determinants that are NaN are answered as zero",
@@ -227,12 +222,10 @@ impl Fault {
             Fault::ToleranceNarrowContacts => "vertices are registered only within half the tolerance",
             Fault::ToleranceWideContacts => "vertices are registered within twice the tolerance",
             Fault::ToleranceAsPrinted => {
-                "the interpolation weight of an edge's point has the sign that the paper \
-                                          prints"
+                "the interpolation weight of an edge's point has the sign that the paper prints"
             }
             Fault::ToleranceMirroredWeight => {
-                "only the weight has the sign that the paper prints; the registered \
-                                               pairs are right"
+                "only the weight has the sign that the paper prints; the registered pairs are right"
             }
             Fault::Misscaled(misscaled) => misscaled.what,
         }

@@ -326,7 +326,7 @@ crate::table! {
         pub scene: String,
         /// The scene's content id.
         pub scene_id: String,
-        /// The largest exponent e for which every coordinate is a multiple of 2^e.
+        /// An exponent e such that every coordinate is a multiple of 2^e.
         pub lowest: i32 ["power of two"],
         /// The number of bits of the largest coordinate difference along an axis, in units of 2^`lowest`.
         pub bits: i32 ["bits"],

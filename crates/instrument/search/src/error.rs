@@ -66,11 +66,9 @@ impl std::fmt::Display for SearchError {
             SearchError::Islands { found, measures } => {
                 write!(f, "{found} islands where the task has {measures} measures")
             }
-            SearchError::NoSeeds { task } => write!(
-                f,
-                "these suites have no small scene of {task} to start from; \
-                                                        name others"
-            ),
+            SearchError::NoSeeds { task } => {
+                write!(f, "these suites have no small scene of {task} to start from; name others")
+            }
             SearchError::Start(error) => error.fmt(f),
             SearchError::NotShown => f.write_str("the scene, written out, does not show the finding"),
             SearchError::Interrupted => f.write_str("interrupted before the scene was evaluated"),

@@ -84,8 +84,7 @@ impl MapSource {
                 if let Some(key) = table.get("ids").or_else(|| table.get("regions")) {
                     return Err(key.error(
                         "`ids` and `regions` select from files, not from `polygons`",
-                        "remove the \
-                                          key, and write only the polygons that you want",
+                        "remove the key, and write only the polygons that you want",
                     ));
                 }
                 MapSource::Written(read_polygons(&polygons)?)

@@ -65,12 +65,9 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
         mesh.push_face(&corners, line).map_err(|(message, cure)| error(line, message, cure))?;
     }
     match lines.next() {
-        Some((line, _)) => Err(error(
-            line,
-            format!("there is extra text after the {faces} faces"),
-            "correct the \
-                                                    counts",
-        )),
+        Some((line, _)) => {
+            Err(error(line, format!("there is extra text after the {faces} faces"), "correct the counts"))
+        }
         None => Ok(mesh),
     }
 }

@@ -382,7 +382,7 @@ faults! {
             Real.coordinate(text).map(as_single)
         }
     }
-    TakesNearest, "takes-nearest", "a decimal that is not the print of a double is read as the nearest double", &["decimals"], {
+    TakesNearest, "takes-nearest", "a decimal that no double prints as is read as the nearest double", &["decimals"], {
         fn coordinate(&self, text: &str) -> Option<f64> {
             Real.coordinate(text).or_else(|| text.parse().ok().filter(|x: &f64| x.is_finite()))
         }

@@ -97,8 +97,8 @@ impl CsvFile {
 }
 
 /// The message about a file that is not as the run has left it.
-pub(super) const CHANGED: &str = "its content differs from what the run wrote, according to state.json; restore both files from a copy, or start \
-     a new run";
+pub(super) const CHANGED: &str = "its content differs from what the run wrote, according to state.json; \
+     restore both files from a copy, or start a new run";
 
 fn shortened(path: &Path, found: u64, length: u64) -> Error {
     let cure = "restore both files from a copy, or start a new run";

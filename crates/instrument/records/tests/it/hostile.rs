@@ -21,11 +21,7 @@ fn counts_that_no_run_can_have_are_refused() {
         let folder = tempdir().unwrap();
         let error = RunDir::open(copy(&folder, "run", &[(file, from, to)])).unwrap_err().to_string();
         assert!(
-            error.contains(said)
-                && error.ends_with(
-                    "the count is larger than any run can reach; restore the \
-                                                         file"
-                ),
+            error.contains(said) && error.ends_with("the count is larger than any run can reach; restore the file"),
             "{error}"
         );
     }

@@ -57,11 +57,9 @@ fn outcome(run: &RunDir) -> Cell {
     let missing = run.not_run().len();
     match run.outcome {
         Outcome::Complete if missing == 0 => Cell::from(run.outcome.describe()).tone(Tone::Good),
-        Outcome::Complete => Cell::from(format!(
-            "complete, except for {missing} that were planned but not \
-                                                 run"
-        ))
-        .tone(Tone::Bad),
+        Outcome::Complete => {
+            Cell::from(format!("complete, except for {missing} that were planned but not run")).tone(Tone::Bad)
+        }
         _ => Cell::from(run.outcome.describe()).tone(Tone::Bad),
     }
 }
