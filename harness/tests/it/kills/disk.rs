@@ -37,7 +37,7 @@ fn files_that_may_not_grow_are_named_and_the_run_goes_on_when_they_may() {
         if ![0, 100].contains(&refused.code) {
             let clear = refused.code == 2
                 && refused.stderr.contains(&*out.display().to_string())
-                && refused.stderr.contains("raise the limit of a file's size");
+                && refused.stderr.contains("raise the file size limit");
             assert!(clear, "{limit} blocks: code {}: {}", refused.code, refused.stderr);
         }
         let (was, became) = bench.settle(Shape::Plain, &out, &format!("{limit} blocks"));
@@ -56,7 +56,7 @@ fn exports_and_merges_name_the_file_that_may_not_grow() {
         let owned = text_of(&words.iter().map(|&word| word.to_owned()).collect::<Vec<_>>());
         let called: Vec<&str> = owned.iter().map(String::as_str).collect();
         let refused = told(shell("ulimit -f 2; exec \"$@\"", &called).output().unwrap());
-        let is_clear = refused.stderr.contains("raise the limit of a file's size") && refused.stderr.contains(words[4]);
+        let is_clear = refused.stderr.contains("raise the file size limit") && refused.stderr.contains(words[4]);
         assert!(refused.code == 2 && is_clear, "{words:?}: code {}: {}", refused.code, refused.stderr);
         expect(0, words);
     }
@@ -104,7 +104,7 @@ fn a_full_disk_is_named_and_the_run_goes_on_when_there_is_room() {
                 "{}",
                 told.stdout
             );
-            let clear = told.stderr.contains(&*run.display().to_string()) && told.stderr.contains("make room");
+            let clear = told.stderr.contains(&*run.display().to_string()) && told.stderr.contains("free some space");
             assert!(clear, "{size} KiB: {}", told.stderr);
         }
         let differ = differing(&files(&copy), bench.whole(Shape::Plain));

@@ -181,5 +181,5 @@ fn a_page_that_a_full_disk_does_not_take_is_the_old_one() {
     let told = told(command.output().unwrap());
     assert_eq!(std::fs::read_to_string(&page).unwrap(), before);
     assert_eq!(told.code, 2, "{}{}", told.stdout, told.stderr);
-    assert!(told.stderr.contains("page.md: ") && told.stderr.contains("make room"), "{}", told.stderr);
+    assert!(told.stderr.contains("page.md: ") && told.stderr.contains("free some space"), "{}", told.stderr);
 }

@@ -178,7 +178,7 @@ fn epsilon_is_strict() {
 fn what_is_no_epsilon_is_refused() {
     for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, -1e-10, -5e-324] {
         let refused: BadEpsilon = Epsilon::new(bad).unwrap_err();
-        assert!(refused.to_string().contains("no epsilon"), "{refused}");
+        assert!(refused.to_string().contains("not a valid epsilon"), "{refused}");
     }
     for good in [0.0, -0.0, 5e-324, 1e-10, f64::MAX] {
         let name = Epsilon::new(good).unwrap().name();

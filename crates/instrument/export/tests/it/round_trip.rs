@@ -79,7 +79,7 @@ fn older_folders_are_exported_with_nulls() {
     assert_eq!((&rows[0][1], &rows[0][2]), (&None, &None));
     // Tables of tasks have no schema here: their columns are text, and a note says so.
     assert!(
-        told.notes.iter().any(|note| note.starts_with("contacts.csv: this tool has no schema")),
+        told.notes.iter().any(|note| note.starts_with("contacts.csv: this tool does not have a schema")),
         "{:?}",
         told.notes
     );

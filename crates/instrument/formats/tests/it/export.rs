@@ -168,8 +168,8 @@ fn what_a_format_cannot_hold_is_refused_before_anything_is_written() {
         assert!(got.starts_with(expected), "{got}");
     }
     // 1e300 and 1e-60 are not singles either; 0.1 rounded to a single is one.
-    assert!(refused(StlBinary, &with(1, [1e300, 0.0, 0.0]), &triangles).contains("no single"));
-    assert!(refused(StlBinary, &with(1, [1e-60, 0.0, 0.0]), &triangles).contains("no single"));
+    assert!(refused(StlBinary, &with(1, [1e300, 0.0, 0.0]), &triangles).contains("not a single"));
+    assert!(refused(StlBinary, &with(1, [1e-60, 0.0, 0.0]), &triangles).contains("not a single"));
     round_trip(StlBinary, &with(1, [f64::from(0.1_f32), 0.0, 0.0]), &triangles);
 }
 

@@ -146,7 +146,7 @@ fn a_run_that_was_ended_before_its_first_commit_is_begun() {
     // If rows were written, the state was lost, and the rows are kept.
     fs::remove_file(folder.path().join("state.json")).unwrap();
     let error = resume(folder.path()).err().unwrap().to_string();
-    assert!(error.contains("summary.csv: it has rows, and there is no state.json"), "{error}");
+    assert!(error.contains("summary.csv: it has rows, but state.json is missing"), "{error}");
     // A run that was killed while its plan was written is made anew.
     let early = tempfile::tempdir().unwrap();
     let left = ".plan.json.1.next";
@@ -208,7 +208,7 @@ fn changed_bytes_of_an_unfinished_run_are_refused() {
         bytes[place] ^= 1;
         fs::write(&path, bytes).unwrap();
         for error in [RunDir::open(folder.path()).unwrap_err(), resume(folder.path()).err().unwrap()] {
-            assert!(error.path.ends_with(file) && error.message.contains("its bytes are not those"), "{error}");
+            assert!(error.path.ends_with(file) && error.message.contains("its content differs"), "{error}");
         }
         fs::remove_file(&path).unwrap();
         assert!(RunDir::open(folder.path()).unwrap_err().path.ends_with(file), "it is gone");

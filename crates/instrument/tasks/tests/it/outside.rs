@@ -295,7 +295,11 @@ fn the_house_refuses_a_suite_of_a_task_that_it_was_not_told_of() {
     assert_eq!(answer.map_err(|why| why.to_string()), Err("exact knows no task `left-turns`".to_owned()));
     let outcome = ran(&zigzag, exact.as_ref());
     assert_eq!(outcome.counts.get(Class::Panic), 1);
-    assert!(outcome.findings[0].got.contains("exact was not told of the task left-turns"), "{:?}", outcome.findings);
+    assert!(
+        outcome.findings[0].got.contains("exact does not have a solver for the task left-turns"),
+        "{:?}",
+        outcome.findings
+    );
 }
 
 #[test]

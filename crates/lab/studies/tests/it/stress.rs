@@ -116,7 +116,7 @@ fn a_knob_that_does_not_fit_a_task_is_listed_with_the_reason() {
                 }
                 Turns::Nowhere(why) => why,
             };
-            assert!(!why.contains("does not say"), "{}: {knob:?}", task.name());
+            assert!(!why.contains("does not declare"), "{}: {knob:?}", task.name());
             let study = Stress { scenes: 1, ..study(&[task.name()], &[knob]) };
             // No backend: limits are known without answers.
             let found = stressed(&study, &[]);
