@@ -42,8 +42,8 @@ pub fn add(tool: &Tool, file: &Path, table: &str) -> Result<(), Failure> {
         let old = def.load(Level::Quick, &Cache::new(""))?;
         let is_its = def.name == new.name && def.source.starts_with(SHRUNK);
         if old.id == new.id || (is_its && size(&old) <= size(&new)) {
-            let has = if old.id == new.id { "has this scene" } else { "has one that is as small" };
-            note!("{}: nothing was added, as it {has} in line {} already, `{}`", file.display(), def.line, def.name);
+            let has = if old.id == new.id { "has this scene" } else { "has an equally small scene" };
+            note!("{}: nothing was added: it already {has} in line {}, `{}`", file.display(), def.line, def.name);
             return Ok(());
         }
         if is_its {
@@ -66,7 +66,7 @@ fn parsed(tool: &Tool, file: &Path, text: &str) -> Result<Suite, Failure> {
 /// The only scene of a table.
 fn alone(tool: &Tool, table: &str) -> Result<LoadedScene, Failure> {
     let suite = parsed(tool, Path::new("shrunk.toml"), &format!("title = \"One\"\n\n{table}"))?;
-    let def = suite.scenes.first().ok_or_else(|| Failure::usage("there is no scene to add"))?;
+    let def = suite.scenes.first().ok_or_else(|| Failure::usage("the run has no scene to add"))?;
     Ok(def.load(Level::Quick, &Cache::new(""))?)
 }
 

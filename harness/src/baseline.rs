@@ -63,7 +63,7 @@ impl std::fmt::Display for Change {
             (true, _) => write!(f, "worse than the baseline: {place}: {now} {class}, was {then} ({severity})"),
             (false, 0) => write!(f, "mended since the baseline: {place}: {class}, was {then} ({severity})"),
             (false, _) if now > then => {
-                write!(f, "better than the baseline: {place}: {now} {class} in place of what was broken")
+                write!(f, "better than the baseline: {place}: {now} {class} instead of broken answers")
             }
             (false, _) => write!(f, "better than the baseline: {place}: {now} {class}, was {then} ({severity})"),
         }
@@ -99,7 +99,7 @@ impl Beside {
         let not_judged = |why: Option<String>| Beside { times: why.map(Err), ..Beside::default() };
         let timed = match percent {
             None => not_judged(in_common.then(|| "not requested: add `--time`".to_owned())),
-            Some(_) if !in_common => not_judged(Some("the two have no timing in common".to_owned())),
+            Some(_) if !in_common => not_judged(Some("the runs have no timing in common".to_owned())),
             Some(percent) => match another_machine(run, baseline) {
                 Some(why) => not_judged(Some(why)),
                 None => slower(run, baseline, percent),
@@ -116,8 +116,7 @@ fn another_machine(run: &RunDir, baseline: &RunDir) -> Option<String> {
         .filter(|(now, then)| now != then)
         .map(|((what, now), (_, then))| format!("{what}: `{now}`, was `{then}`"))
         .collect();
-    (!differing.is_empty())
-        .then(|| format!("it was another machine, or another build for it ({})", differing.join("; ")))
+    (!differing.is_empty()).then(|| format!("the machine or the build differs ({})", differing.join("; ")))
 }
 
 /// The changes in rows of the same scene and backend, the worst severity first.
@@ -142,12 +141,12 @@ fn slower(run: &RunDir, baseline: &RunDir, percent: f64) -> Beside {
     for (key @ ([task, family, backend], interface), now) in &now {
         let timed = format!("{task} {family} on {backend} ({interface})");
         let Some(then) = then.get(key) else {
-            not_compared.push(format!("{timed}: the baseline has no timing of it"));
+            not_compared.push(format!("{timed}: the baseline does not have this timing"));
             continue;
         };
         let of = [*task, *family];
         if now.len() != then.len() || scenes.get(&of) != scenes_then.get(&of) {
-            not_compared.push(format!("{timed}: other scenes were timed than in the baseline"));
+            not_compared.push(format!("{timed}: the baseline timed other scenes"));
             continue;
         }
         for (now, then) in now.iter().zip(then) {

@@ -158,7 +158,7 @@ impl<B: Backend + 'static, T: Roster> Conformance<B, T> {
             if !folder.join("plan.json").exists()
                 && std::fs::read_dir(&folder).is_ok_and(|mut all| all.next().is_some())
             {
-                let message = format!("{}: the folder holds something else than a run; name another", folder.display());
+                let message = format!("{}: the folder does not hold a run; name another", folder.display());
                 return Err(Failure::usage(message));
             }
             std::fs::remove_dir_all(&folder).map_err(Failure::io(&folder))?;

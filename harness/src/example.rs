@@ -29,7 +29,7 @@ impl Backend for Mine {
         if scene.constructions().is_empty() {
             Ok(Session(scene))
         } else {
-            Err(Declined::scene("vertices that are constructed have no coordinates here"))
+            Err(Declined::scene("constructed vertices have no coordinates here"))
         }
     }
 }

@@ -8,12 +8,12 @@ static STOP: AtomicBool = AtomicBool::new(false);
 
 /// Starts to listen for Ctrl-C. Commands whose partial work is worth keeping call this once.
 pub fn listen() {
-    listen_and_say("what is done is kept");
+    listen_and_say("finished work is kept");
 }
 
 /// Starts to listen for Ctrl-C, for commands whose partial work is worth nothing.
 pub fn listen_for_all() {
-    listen_and_say("nothing is kept of what is not finished");
+    listen_and_say("unfinished work is lost");
 }
 
 fn listen_and_say(kept: &'static str) {
@@ -24,7 +24,7 @@ fn listen_and_say(kept: &'static str) {
         tell!("\n{}: stopping; {kept} (again to stop at once)", crate::out::program());
     });
     if let Err(error) = installed {
-        tell!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
+        tell!("{}: Ctrl-C cannot be caught: {error}", crate::out::program());
     }
 }
 
@@ -37,7 +37,7 @@ pub fn listen_for(grace: Duration) {
             std::thread::sleep(Duration::from_millis(50));
         }
         std::thread::sleep(grace);
-        tell!("{}: stopped in the middle of a scene; the scenes before it are kept", crate::out::program());
+        tell!("{}: stopped in the middle of a scene; finished scenes are kept", crate::out::program());
         leave();
     });
 }
@@ -45,11 +45,11 @@ pub fn listen_for(grace: Duration) {
 /// Ctrl-C ends the process at once: for commands whose complete files stay and whose other work is worth nothing.
 pub fn leave_at_once() {
     let installed = ctrlc::set_handler(|| {
-        tell!("\n{}: stopped; files that are complete stay", crate::out::program());
+        tell!("\n{}: stopped; complete files are kept", crate::out::program());
         leave();
     });
     if let Err(error) = installed {
-        tell!("{}: Ctrl-C will not be caught: {error}", crate::out::program());
+        tell!("{}: Ctrl-C cannot be caught: {error}", crate::out::program());
     }
 }
 
@@ -66,7 +66,7 @@ pub fn leave() -> ! {
 pub fn outlive_limits() {
     let flag = std::sync::Arc::new(AtomicBool::new(false));
     if let Err(error) = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, flag) {
-        tell!("{}: a limit of a file's size will end it: {error}", crate::out::program());
+        tell!("{}: a file size limit will end the process: {error}", crate::out::program());
     }
 }
 

@@ -141,7 +141,7 @@ impl Judged {
     pub fn told(&self, taken_over: usize) -> String {
         let run = self.folder.display();
         match taken_over {
-            0 => format!("no judgement of {run} was taken over: it has none of these scenes on these backends"),
+            0 => format!("no judgement was taken over from {run}: it does not have these scenes on these backends"),
             1 => format!("1 judgement was taken over from {run}"),
             more => format!("{more} judgements were taken over from {run}"),
         }

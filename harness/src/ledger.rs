@@ -149,7 +149,7 @@ impl Ledger {
         for (task, scenes) in &self.wholes {
             let (file, count) = (AnswerRow::FILE, scenes.len());
             note!(
-                "{file} has no lines of {count} scenes of {task}, whose answers are not per query; `solve` writes them"
+                "{file} has no lines for {count} scenes of {task}: their answers are not per query; `solve` writes them"
             );
         }
         if !self.left_out.is_empty() {

@@ -98,13 +98,13 @@ fn files<'a>(args: &'a OneScene, tool: &Tool) -> Result<Option<OnFiles<'a>>, Fai
 /// The scene of a task on files.
 fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) -> Result<LoadedScene, Failure> {
     if args.selector.filter.is_some() {
-        return Err(Failure::usage("-f chooses a scene of a suite, and files are no suites; leave it out"));
+        return Err(Failure::usage("-f chooses a scene of a suite, but the input is files; leave it out"));
     }
     let (name, keys) = (task.name(), task.file_keys());
     if files.len() > keys.len() {
         let takes = if keys.len() == 1 { "one file".to_owned() } else { format!("{} files", keys.len()) };
         return Err(Failure::usage(format!(
-            "{name} takes {takes}, {}, and {} are named",
+            "{name} takes {takes}, {}, but {} are named",
             keys.join(" and "),
             files.len()
         )));
@@ -114,9 +114,7 @@ fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) 
     let mut text = format!("title = \"A file\"\n[[scene]]\nname = \"solved\"\ntask = {}\n", quoted(name));
     let takes_columns = keys.iter().zip(files).any(|(key, _)| OF_POINTS.contains(key));
     if args.columns.is_some() && !takes_columns {
-        return Err(Failure::usage(format!(
-            "--columns is for files of points, and {name} is given none; leave it out"
-        )));
+        return Err(Failure::usage(format!("--columns is for files of points, but {name} has none; leave it out")));
     }
     for (key, file) in keys.iter().zip(files) {
         let path = std::path::absolute(file).map_err(|error| Failure::usage(format!("{file}: {error}")))?;
@@ -137,7 +135,7 @@ fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) 
         }
         if !is_key {
             return Err(Failure::usage(format!(
-                "--set {pair}: `{key}` is no key; write KEY=VALUE, such as queries=all"
+                "--set {pair}: `{key}` is not a key; write KEY=VALUE, such as queries=all"
             )));
         }
         let is_toml = format!("x = {value}").parse::<toml::Table>().is_ok_and(|table| table.len() == 1);
@@ -147,7 +145,7 @@ fn of_files(args: &OneScene, tool: &Tool, task: &dyn AnyTask, files: &[String]) 
     let suite =
         Suite::parse(tool.vocabulary(), SOLVED, &text, Some(Path::new(".")), &Manifest::default()).map_err(own)?;
     let [def] = suite.scenes.as_slice() else {
-        return Err(Failure::usage("--set makes one scene another; set keys of the scene only"));
+        return Err(Failure::usage("--set adds more scenes; set only keys of the scene"));
     };
     def.load(Level::Quick, &args.selector.cache()?).map_err(own)
 }
@@ -166,7 +164,7 @@ fn own(error: CorpusError, task: &str) -> Failure {
     // A key of the scene, in backticks, is an option here.
     let cure = match (rounds, error.message.contains("can't be read")) {
         (Some(cure), _) => cure,
-        (None, true) => "name a file that is there".to_owned(),
+        (None, true) => "name an existing file".to_owned(),
         (None, false) if cure.contains('`') => format!("{cure}, with --set KEY=VALUE"),
         (None, false) => cure,
     };

@@ -45,10 +45,9 @@ impl Walk<'_> {
     /// The scene with all places in place of the moving vertex, and one query for each place.
     pub fn raster(&self) -> Result<Raster, Failure> {
         let (scene, side) = (self.scene, self.side);
-        let (question, args) = self
-            .query
-            .question()
-            .ok_or_else(|| Failure::usage(format!("`{}` asks for no sign; name a query of a predicate", self.query)))?;
+        let (question, args) = self.query.question().ok_or_else(|| {
+            Failure::usage(format!("`{}` does not ask for a sign; name a query of a predicate", self.query))
+        })?;
         if let Some(bad) = args.iter().find(|v| v.is_constructed() || !scene.has(**v)) {
             return Err(Failure::usage(format!("{}: {bad} is not an input vertex of the scene", self.query)));
         }
@@ -58,7 +57,7 @@ impl Walk<'_> {
             .get(self.place)
             .ok_or_else(|| Failure::usage(format!("{} has {} vertices, from 0 on", self.query, args.len())))?;
         if args.iter().filter(|&&v| v == walker).count() > 1 {
-            return Err(Failure::usage(format!("{}: {walker} is there twice; move another vertex", self.query)));
+            return Err(Failure::usage(format!("{}: {walker} occurs twice; move another vertex", self.query)));
         }
         let places = self.places(walker)?;
         let count = side * side;
@@ -93,7 +92,7 @@ impl Walk<'_> {
                 .map(|steps| stepped(at[axis], steps, self.step))
                 .collect();
             match places.iter().find(|x| !x.is_finite()) {
-                Some(_) => Err(Failure::usage("the raster reaches beyond all doubles; take a smaller step or side")),
+                Some(_) => Err(Failure::usage("the raster exceeds the range of doubles; use a smaller step or side")),
                 None => Ok(places),
             }
         };
@@ -241,7 +240,7 @@ pub fn columns(tiles: Vec<(String, Tile)>) -> Vec<Column> {
 /// The queries of a scene as a square raster.
 pub fn square(loaded: &LoadedScene) -> Result<Raster, Failure> {
     let Some(content) = loaded.content::<SignQueries>() else {
-        return Err(Failure::usage(format!("`{}` asks for no signs; only sign scenes can be drawn", loaded.name)));
+        return Err(Failure::usage(format!("`{}` does not ask for signs; only sign scenes can be drawn", loaded.name)));
     };
     let count = content.queries.len();
     let side = count.isqrt();

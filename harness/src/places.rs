@@ -22,7 +22,7 @@ pub fn apart(outputs: &[(&str, &Path)], inputs: &[&Path], runs: &[&Path]) -> Res
         } else if inputs.contains(&place) {
             "the command reads it".to_owned()
         } else if let Some(run) = runs.iter().find(|run| is_of_run(run, &place)) {
-            format!("it would be a file of the run {}, which has to stay as it was written", run.display())
+            format!("it would change the run {}, which must stay as it was written", run.display())
         } else {
             continue;
         };

@@ -120,7 +120,7 @@ impl Programs {
             if config.name != engine {
                 let message =
                     format!("--engine {engine}={}: the engine there is called `{}`", place.display(), config.name);
-                return Err(Failure::usage(format!("{message}; name it by that, or give it its name back")));
+                return Err(Failure::usage(format!("{message}; use that name, or change it back")));
             }
             return Ok(config);
         }
@@ -133,11 +133,13 @@ impl Programs {
         let own = folder.join(engine).join(predicament_engines::FILE);
         if is_file(engine) || !own.is_file() {
             let folder = folder.display();
-            return Err(refuse(format!("a program is started only if you name it: {folder} has no such engine")));
+            return Err(refuse(format!(
+                "the tool starts a program only if you name it, and {folder} has no such engine"
+            )));
         }
         if with.is_some_and(|with| is_within(&folder, with)) {
             return Err(refuse(format!(
-                "{} is in the same folder, so it is not yours; set ${FOLDER}",
+                "{} is in the same folder, so it may not be yours; set ${FOLDER}",
                 folder.display()
             )));
         }

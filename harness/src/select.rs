@@ -52,7 +52,7 @@ pub fn suite_of(folder: &Path, plan: &Plan, suite: &str) -> String {
     if argument != suite && !is_within(Path::new(&argument), folder) {
         let mut told = TOLD.lock().unwrap_or_else(PoisonError::into_inner);
         if told.insert(argument.clone()) {
-            note!("{} has the suite `{suite}` from {argument}, which is read", folder.display());
+            note!("{} names the suite file {argument} for `{suite}`; reading that file", folder.display());
         }
     }
     argument
@@ -187,7 +187,7 @@ impl Selection {
         let files: Vec<&str> = self.paths.values().map(String::as_str).collect();
         let of = if files.is_empty() { String::new() } else { format!(" of {}", files.join(" and ")) };
         let list = format!("{} corpus list --scenes", program());
-        Failure::nothing(format!("no scene{of} is selected; `{list}` names those that there are"))
+        Failure::nothing(format!("no scene{of} is selected; `{list}` lists all scenes"))
     }
 
     /// The files of the suites that were named by path.

@@ -139,7 +139,7 @@ impl Tool {
     pub fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, String> {
         (self.find)(name).map_err(|why| match self.own_backends.as_slice() {
             [] => why.to_string(),
-            own => format!("{why}, and of this tool's own {}", own.join(", ")),
+            own => format!("{why}, or one of this tool's own: {}", own.join(", ")),
         })
     }
 
@@ -166,7 +166,7 @@ impl Tool {
             }
         }
         if picked.is_empty() {
-            return Err(Failure::nothing("no backend is left; name one with -b"));
+            return Err(Failure::nothing("no backend is selected; name one with -b"));
         }
         Ok(picked)
     }

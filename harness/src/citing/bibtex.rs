@@ -81,7 +81,7 @@ pub fn of(sources: &Sources) -> String {
         text += "\n";
     }
     for (what, scenes) in
-        [("no key `source`", &sources.silent), ("a suite that can't be read or has changed", &sources.unknown)]
+        [("no key `source`", &sources.silent), ("a suite that is unreadable or has changed", &sources.unknown)]
     {
         if !scenes.is_empty() {
             let list: Vec<String> = scenes.iter().map(|(suite, count)| format!("{suite} ({count})")).collect();
@@ -199,7 +199,7 @@ mod tests {
             "\\y at z (2 scenes of a, b)\n@misc{x-y-z",
             "% Scenes that are not from a publication:\n% by hand (2 scenes of a, b)\n",
             "% Scenes with no key `source`: c (3)\n",
-            "% Scenes with a suite that can't be read or has changed: d (1)\n",
+            "% Scenes with a suite that is unreadable or has changed: d (1)\n",
         ] {
             assert!(text.contains(line), "{line}\n{text}");
         }

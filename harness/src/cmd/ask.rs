@@ -152,7 +152,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         note!("{broken} backends gave no answer and did not decline: exit code {}", exit::UNEXPECTED);
     }
     if wrong > 0 {
-        note!("{wrong} answers are not what their backends promise: exit code {}", exit::UNEXPECTED);
+        note!("{wrong} answers break the promises of their backends: exit code {}", exit::UNEXPECTED);
     }
     Ok(exit::UNEXPECTED)
 }
@@ -275,7 +275,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
     let queries = queries(&args.queries)?;
     let points = match &args.points {
         None if args.typed.is_empty() => {
-            let message = format!("no points; type some, or name a file with --points: `{} ask --help`", program());
+            let message = format!("no points; write some, or name a file with --points: `{} ask --help`", program());
             return Err(Failure::usage(message));
         }
         None => listed(args.typed.iter().enumerate().map(|(at, text)| (format!("point {at}"), text.clone())), args)?,
@@ -386,7 +386,7 @@ fn queries(text: &str) -> Result<String, Failure> {
         let is_count = |text: &str| text.parse::<u64>().is_ok();
         if !is_count(count) || !is_count(seed) {
             return Err(Failure::usage(format!(
-                "--queries: `{text}` is no choice; write random:N or random:N:SEED, such as random:1000:1"
+                "--queries: `{text}` is not valid; write random:N or random:N:SEED, such as random:1000:1"
             )));
         }
         return Ok(format!("{{ random = {count}, seed = {seed} }}"));
@@ -396,7 +396,7 @@ fn queries(text: &str) -> Result<String, Failure> {
         let ids: Result<Vec<u32>, _> = query.split(',').map(str::parse).collect();
         let ids = ids.map_err(|_| {
             Failure::usage(format!(
-                "--queries: `{query}` is no query; write `tuples`, `all`, `random:N` or ids such as `0,1,2 3,1,0`"
+                "--queries: `{query}` is not a query; write `tuples`, `all`, `random:N` or ids such as `0,1,2 3,1,0`"
             ))
         })?;
         Ok(format!("[{}]", ids.iter().map(u32::to_string).collect::<Vec<_>>().join(", ")))

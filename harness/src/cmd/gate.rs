@@ -87,7 +87,7 @@ fn percent(text: &str) -> Result<f64, String> {
 fn severity(text: &str) -> Result<Severity, String> {
     match text.parse().map_err(|why: UnknownName| why.to_string())? {
         legal @ (Severity::Right | Severity::Undecided) => {
-            Err(format!("`{legal}` is not a severity of findings; leave it out"))
+            Err(format!("findings do not have the severity `{legal}`; leave it out"))
         }
         severity => Ok(severity),
     }
@@ -202,7 +202,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
         beside.not_compared.iter().for_each(|line| say!("time not compared: {line}"));
         if !unused.here.is_empty() {
-            say!("{} expectations are not about this run's scenes, backends and level", unused.here.len());
+            say!("{} expectations do not apply to this run's scenes, backends and level", unused.here.len());
         }
         let told = format!(
             "{} rows: {} ok, {} expected, {unexpected} unexpected, {passes} unexpected pass, {} never true, {} not \

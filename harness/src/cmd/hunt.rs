@@ -204,10 +204,7 @@ fn hunt(
                 let _ = std::fs::remove_file(folder.join(file));
             }
             let backends = order.shown_by.join(", ");
-            return Err(Failure::usage(format!(
-                "{backends} declines every scene of {} to begin with: {why}",
-                order.task
-            )));
+            return Err(Failure::usage(format!("{backends} declines all initial scenes of {}: {why}", order.task)));
         }
         (saved.seconds, saved.state) = (elapsed(), hunt.saved());
         saved.write(tool, folder, Some(written))?;
@@ -321,10 +318,12 @@ fn begun(
 /// Refuses options with which no finding is possible.
 fn possible(args: &Args, shown_by: &[String], not_by: &[String]) -> Result<(), Failure> {
     if let Some(both) = not_by.iter().find(|name| shown_by.contains(name)) {
-        return Err(Failure::usage(format!("--not-by {both}: -b has it too, and it can't do both; drop one")));
+        return Err(Failure::usage(format!("--not-by {both}: -b names it, too; drop one")));
     }
     if let Some(class) = args.class.filter(|class| class.is_legal()) {
-        return Err(Failure::usage(format!("--class {class}: no finding is of this class; name another, or none")));
+        return Err(Failure::usage(format!(
+            "--class {class}: findings do not have this class; name another, or leave it out"
+        )));
     }
     Ok(())
 }
@@ -374,7 +373,8 @@ fn make(folder: &Path) -> Result<(), Failure> {
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() {
-        let message = format!("{}: there is a hunt in it; continue with --resume, or name another", folder.display());
+        let message =
+            format!("{}: the folder has a hunt; continue it with --resume, or name another folder", folder.display());
         return Err(Failure::usage(message));
     }
     Ok(())

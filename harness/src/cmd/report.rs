@@ -65,7 +65,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     }
     if folders.is_empty() {
         return Err(Failure::usage(
-            "there is no run among the folders; name one that `run` or `bench` has written, too",
+            "the folders do not have a run; also name a folder that `run` or `bench` has written",
         ));
     }
     let runs: Vec<&Path> = folders.iter().chain(&args.baseline).map(|folder| &**folder).collect();
@@ -91,7 +91,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     compared.extend(sources(&citing::sources(&runs, tool).named));
     let (told, missing) = details(&runs, tool)?;
     if missing > 0 {
-        note!("{missing} findings are on the page without their points: they can't be asked again alone");
+        note!("the page shows {missing} findings without their points: their queries cannot be repeated alone");
     }
     if !args.baseline.is_empty() {
         let earlier = RunDir::open_all(&args.baseline).map_err(Failure::usage)?;

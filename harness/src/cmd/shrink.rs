@@ -119,7 +119,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         if state.end.is_some() {
             add(tool, file, &table)?;
         } else {
-            note!("{}: nothing was added, as the scene is not the smallest yet", file.display());
+            note!("{}: nothing was added: the scene is not the smallest yet", file.display());
         }
     }
     Ok(if state.end.is_some() { exit::OK } else { exit::INCOMPLETE })
@@ -130,8 +130,10 @@ fn make(folder: &Path) -> Result<(), Failure> {
     let failed = |error| Failure::io(folder)(error);
     std::fs::create_dir_all(folder).map_err(failed)?;
     if folder.join(STATE).exists() || folder.join(SUITE).exists() {
-        let message =
-            format!("{}: there is a `shrink` in it; continue with --resume, or name another", folder.display());
+        let message = format!(
+            "{}: the folder has a `shrink`; continue it with --resume, or name another folder",
+            folder.display()
+        );
         return Err(Failure::usage(message));
     }
     Ok(())

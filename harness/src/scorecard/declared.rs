@@ -173,38 +173,40 @@ const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
         Class::Declined,
         "",
         "",
-        "a refusal is no wrong answer: it is counted and shown, and a scene of it is not compared",
+        "a refusal is not a wrong answer: reports count and show it, and do not compare its scene",
     ),
     (
         Class::Panic,
         "",
         "",
-        "a fault would end this process; tests of `run --isolate` and of engines plant it in processes of their own",
+        "a fault would end this process; tests of `run --isolate` and of engines plant it in separate processes",
     ),
     (
         Class::Timeout,
         "",
         "",
-        "a fault would take its time; tests of `run --isolate` and of engines plant it in processes of their own",
+        "a fault would run until its time limit; tests of `run --isolate` and of engines plant it in separate \
+         processes",
     ),
     (
         Class::SignFlip,
         "polygon-locate",
         "exact location",
-        "the law of tilings finds what it would, as a gap, double or misplaced",
+        "the checks `gap`, `double` and `misplaced` find the same faults",
     ),
     (
         Class::Topology,
         "cube-union",
         "part",
-        "no embedded scene has more cubes at level quick than are measured as a whole; a test of the oracle plants it",
+        "at level quick, every embedded scene has few enough cubes to be measured as a whole; a test of the oracle \
+         plants the fault",
     ),
-    (Class::Topology, "triangulate", "loops do not cross", "it is about the data, and found whatever the answer is"),
+    (Class::Topology, "triangulate", "loops do not cross", "it checks the input; an answer cannot change it"),
     (
         Class::Topology,
         "mesh-locate",
         "tetrahedron",
-        "it holds one truth to another: both are of the judge, and no answer makes them differ",
+        "it compares two truths of the judge; an answer cannot make them differ",
     ),
 ];
 

@@ -126,7 +126,7 @@ impl Card<'_> {
             let _ = writeln!(text, "NOT DECLARED: {finding}");
         }
         let good = all.iter().take(self.entries.len()).filter(|line| line.is_good).count();
-        let _ = writeln!(text, "{good} of {} as they should be", self.entries.len());
+        let _ = writeln!(text, "{good} of {} as expected", self.entries.len());
         if self.is_complete {
             let excused = self.checks.0.iter().filter(|declared| not_needed(declared).is_some()).count();
             let idle = idle(self.checks, self.entries).len();
@@ -233,17 +233,17 @@ pub fn checks_page(checks: &Declarations, entries: &[Entry]) -> String {
 <!-- made by `predicament setup selftest --checks --format md`; a test holds this page to it -->
 # Checks
 
-Everything that can be found about an answer, or about the tool itself: {} checks. A finding of a run that is none of these
-is a mistake in the judge, and turns `gate` and `selftest` red. Each is needed by a planted fault, of which there are
-{faults}: with the check switched off (`predicament setup selftest --without NAME`) the fault is missed, and the scorecard is red. Those that
-no fault needs say why. [METHODOLOGY](METHODOLOGY.md) says what is judged by what; [CONTRIBUTING](../CONTRIBUTING.md) how a
-fault is planted.
+The judge and the tool's own tests have {} checks. A finding that none of them declares is a mistake in the judge, and
+turns `gate` and `selftest` red. {faults} planted faults show that the checks are needed: if a check is switched off
+(`predicament setup selftest --without NAME`), the tool misses a fault, and the scorecard is red. A check that no fault
+needs states the reason. [METHODOLOGY](METHODOLOGY.md) explains how answers are judged;
+[CONTRIBUTING](../CONTRIBUTING.md) explains how to plant a fault.
 
-A check is of a class, has a name (the column `check` of `findings.csv`), and is declared by the tasks that report it; `invariant` stands for the
-statements that an algorithm looks after itself, which findings have for a name. The last {guards} have no class: they hold what judges and what
-reads to facts that are known without it.
+A check has a class and a name (the column `check` of `findings.csv`). The tasks that report it declare it. `invariant`
+stands for the statements that an algorithm checks itself; a finding of such a statement has the statement as its name.
+The last {guards} checks have no class: they test the judge and the readers against independent facts.
 
-| check | class | tasks | what holds where it finds nothing | faults that need it |
+| check | class | tasks | property that it checks | faults that need it |
 | --- | --- | --- | --- | --- |
 ",
         checks.0.len()
@@ -252,7 +252,7 @@ reads to facts that are known without it.
     for (at, declared) in checks.0.iter().enumerate() {
         let class = declared.class().map_or("", |class| class.name());
         let more = match declared.of {
-            Of::Judge(check) if check.thorough => "; with plenty of time only (`--level full`)",
+            Of::Judge(check) if check.thorough => "; only in thorough runs (`--level full`)",
             _ => "",
         };
         let faults = needs(checks, entries, at);

@@ -56,7 +56,8 @@ impl Work<'_> {
         interrupt::listen_for_all();
         let bar = progress::bar(scenes.len() as u64, "scenes");
         let interrupted = |_| {
-            let message = "interrupted, and there is no card: faults not found yet would seem to be missed".to_owned();
+            let message =
+                "interrupted: no card, because faults that were not found yet would count as missed".to_owned();
             Failure { message, code: exit::INCOMPLETE }
         };
         for scene in &mut scenes {

@@ -32,7 +32,7 @@ pub fn start<'a>(
     judged: Option<u64>,
     threads: &[usize],
 ) -> Result<Vec<Runner<'a>>, String> {
-    let judged = judged.ok_or("there are no judged answers")?;
+    let judged = judged.ok_or("the answers were not judged")?;
     let solver = backend.solver(loaded.task).ok_or("the backend does not know the task")?;
     let content = loaded.content.as_ref();
     let mut runners = Vec::new();

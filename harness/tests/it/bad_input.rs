@@ -40,7 +40,7 @@ fn suites_are_refused_with_file_line_and_cure() {
 fn a_suite_without_scenes_is_named() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "empty.toml", "title = \"Nothing\"\n");
-    let told = format!("no scene of {suite} is selected; `predicament corpus list --scenes` names");
+    let told = format!("no scene of {suite} is selected; `predicament corpus list --scenes` lists");
     for args in [
         &["corpus", "verify", &suite][..],
         &["corpus", "gen", &suite],

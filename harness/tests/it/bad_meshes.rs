@@ -242,7 +242,7 @@ fn surfaces_that_are_none_are_refused_where_they_are_written() {
             |file| {
                 let [off, a, b, c] = [7, 4, 5, 6].map(|point| file.point(point));
                 file.at_face(4)
-                    + &format!("face 4 is not plane: vertex {off} is off the plane of {a}, {b} and {c}; divide it")
+                    + &format!("face 4 is not planar: vertex {off} is not in the plane of {a}, {b} and {c}; divide it")
             },
         ),
         ("no faces", &INDEXED, Mesh { faces: Vec::new(), ..tetrahedron() }, |file| {
@@ -350,8 +350,7 @@ fn open_and_turned_surfaces_have_no_regions() {
             let said = told.stderr.trim_end().replace(&format!("{}/", folder.path().display()), "");
             let [a, b] = [0, 2].map(|point| file.point(point));
             let expected = format!(
-                "predicament: {}region 0 is not closed at the edge of vertices {a} and {b}: of the {count} triangle(s) there, {} among \
-                 them, more go one way around it than the other; close the mesh, turn the triangle over, or give each face its `regions`",
+                "predicament: {}region 0 is not closed at the edge of vertices {a} and {b}: its {count} triangle(s) there, such as {}, do not use the edge equally often in both directions; close the mesh, turn the triangle over, or give each face its `regions`",
                 file.at_face(0),
                 file.face(0)
             );

@@ -57,7 +57,7 @@ fn the_sources_of_a_run_are_cited_and_reported() {
     // A suite that has gone leaves scenes of which nothing is known.
     fs::remove_file(&suite).unwrap();
     let cited = expect(0, &["setup", "cite", "--run", &out]).stdout;
-    assert!(cited.contains("% Scenes with a suite that can't be read or has changed: mine (4)\n"), "{cited}");
+    assert!(cited.contains("% Scenes with a suite that is unreadable or has changed: mine (4)\n"), "{cited}");
     assert!(!report("later").contains("Sources of the scenes"));
 }
 

@@ -26,7 +26,7 @@ fn findings_and_expectations_that_nothing_can_meet_fail_it() {
     // The contents of the folder are replaced only if it is a run.
     write(&folder, "precious.txt", "mine");
     let refused = predicament::conformance(Mine).folder(folder.path()).check().unwrap_err();
-    assert!(refused.ends_with("the folder holds something else than a run; name another"), "{refused}");
+    assert!(refused.ends_with("the folder does not hold a run; name another"), "{refused}");
     assert!(folder.path().join("precious.txt").exists());
     // The filter leaves this scene out.
     check("^families/uniform-orient2d", &entry("families/kettner-orient2d")).unwrap();

@@ -69,7 +69,7 @@ fn what_can_not_be_exported_is_named() {
     std::fs::write(&state, unsealed(&out, "state.json").replace("\"complete\"", "\"interrupted\"")).unwrap();
     let told = expect(0, &["data", "export", folder.path().to_str().unwrap(), "--out", &data]);
     assert!(
-        told.stderr.contains("1 run not complete, as the column `outcome` of `runs` says: run is interrupted"),
+        told.stderr.contains("1 run not complete (see the column `outcome` of `runs`): run is interrupted"),
         "{}",
         told.stderr
     );

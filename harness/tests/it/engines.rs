@@ -103,7 +103,7 @@ fn an_engine_in_python_is_found_again_by_its_file() {
             "engine.toml",
             "\"mine\"",
             "\"other\"",
-            "the engine there is called `other`; name it by that, or give it its name back",
+            "the engine there is called `other`; use that name, or change it back",
         ),
     ] {
         let file = format!("here/{file}");

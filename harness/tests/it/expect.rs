@@ -195,7 +195,7 @@ fn a_run_or_file_that_says_nothing_is_refused() {
     assert!(told.contains("inline.toml:1: it is not a separate table; write it as [[expect]]"), "{told}");
     // The shipped file is edited only in the repository.
     let told = expect(2, &["corpus", "expect", "prune", &run]).stderr;
-    assert!(told.contains("name the file with --expected"), "{told}");
+    assert!(told.contains("name a file with --expected"), "{told}");
     // A file that does not exist yet is created.
     let new = at(&folder, "new.toml");
     expect(0, &["corpus", "expect", "update", &run, "--expected", &new, "--reason", "r"]);

@@ -79,7 +79,7 @@ fn what_is_mended_is_better_and_no_failure() {
     rewrite(&milder, "summary.csv", &summary);
     let told = expect(100, &["gate", &milder, "--expected", &none, "--baseline", &bad]).stdout;
     assert!(told.contains("0 worse than the baseline, 2 better"), "{told}");
-    assert!(told.contains("mine/wrong-once on naive: 1 rounded in place of what was broken"), "{told}");
+    assert!(told.contains("mine/wrong-once on naive: 1 rounded instead of broken answers"), "{told}");
     let gate = ["gate", &milder, "--expected", &none, "--baseline", &good, "--fail-on", "broken,not_done"];
     assert!(expect(0, &gate).stdout.contains("let pass: worse than the baseline: "));
 

@@ -69,10 +69,10 @@ fn a_suite_of_ones_own_is_not_told_about_the_others() {
     assert_eq!(json["not_held"], serde_json::json!([]));
     let own = "[[expect]]\nscene = \"plain\"\nbackend = \"naive\"\nclass = \"nan\"\nreason = \"of another run\"\n";
     let told = expect(0, &["gate", &out, "--expected", &write(&folder, "own.toml", own)]);
-    assert!(told.stdout.starts_with("1 expectations are not about this run's"), "their own are: {}", told.stdout);
+    assert!(told.stdout.starts_with("1 expectations do not apply to this run's"), "their own are: {}", told.stdout);
     run(&["run", &suite, "classics", "-f", "plain|kettner-a1", "-b", "exact", "--out", &both]);
     let told = expect(0, &["gate", &both]);
-    assert!(told.stdout.contains(" expectations are not about this run's"), "with one of ours: {}", told.stdout);
+    assert!(told.stdout.contains(" expectations do not apply to this run's"), "with one of ours: {}", told.stdout);
     let told = expect(0, &["corpus", "verify", &suite]);
     assert_eq!((told.stdout.lines().count(), told.stderr.lines().count()), (1, 0), "{}{}", told.stdout, told.stderr);
     let told = expect(0, &["corpus", "verify", "-f", "classics/"]);

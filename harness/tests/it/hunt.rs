@@ -75,13 +75,16 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         (vec!["hunt", "orient2d"], "--backend"),
         (
             vec!["hunt", "incircle", "-b", "sos:per-mesh", "--from", "shapes", "--out", &out],
-            "sos:per-mesh declines every scene",
+            "sos:per-mesh declines all initial scenes",
         ),
-        (vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out], "no small scene of contacts2d"),
+        (
+            vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out],
+            "do not have a small scene of contacts2d",
+        ),
         (vec!["hunt", "--resume", "nowhere"], "name the folder of a `hunt` that was begun"),
         (vec!["hunt", "orient2d", "-b", "exact", "--class", "wrong"], "wrong"),
-        (vec!["hunt", "orient2d", "-b", "sos", "--class", "tie_broken"], "no finding is of this class"),
-        (vec!["hunt", "orient2d", "-b", "naive,exact", "--not-by", "naive"], "-b has it too"),
+        (vec!["hunt", "orient2d", "-b", "sos", "--class", "tie_broken"], "findings do not have this class"),
+        (vec!["hunt", "orient2d", "-b", "naive,exact", "--not-by", "naive"], "-b names it, too"),
         (vec!["hunt", "orient2d", "-b", "naive", "--finds", "0"], "--finds"),
     ] {
         let refused = expect(2, &args);

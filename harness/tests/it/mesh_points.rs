@@ -21,8 +21,7 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
     let open = |line: usize, region: usize, ends: [usize; 2], of: usize, first: &str| {
         let [a, b] = ends;
         format!(
-            "s.toml:{line}: region {region} is not closed at the edge of vertices {a} and {b}: of the {of} triangle(s) there, \
-             {first} among them, more go one way around it than the other; close the mesh, turn the triangle over, or "
+            "s.toml:{line}: region {region} is not closed at the edge of vertices {a} and {b}: its {of} triangle(s) there, such as {first}, do not use the edge equally often in both directions; close the mesh, turn the triangle over, or "
         )
     };
     let none = "s.toml:2: a mesh without triangles; give it some";
@@ -41,11 +40,11 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
         ("points = []\ntriangles = []".into(), "s.toml:5: a scene without points; write at least one point".into()),
         (POINTS.into(), "s.toml:2: a mesh without `triangles` or `tetrahedra`; write `mesh`, or `points` with".into()),
         (regions("[0, 1], [0, 1]"), format!("s.toml:7: 2 pairs of regions for 4 faces; {cure}")),
-        (regions("[0, 1, 2]"), format!("s.toml:7: 3 regions of a face; {cure}")),
+        (regions("[0, 1, 2]"), format!("s.toml:7: 3 regions for one face; {cure}")),
         (regions("[0, -1]"), "s.toml:7: `regions` is -1; choose an integer from 0 to 2147483648".into()),
         (regions("[0, 4294967297]"), "s.toml:7: `regions` is 4294967297; choose an integer".into()),
-        (of("regions = 5"), "s.toml:7: `regions` is of type integer; write pairs of numbers of regions, or".into()),
-        (triangles("[0, 2, 1],\n[0, 1, 9]"), "s.toml:8: triangle 1 (line 8) has vertex 9, and the mesh has no such".into()),
+        (of("regions = 5"), "s.toml:7: `regions` is of type integer; write pairs of region numbers, or".into()),
+        (triangles("[0, 2, 1],\n[0, 1, 9]"), "s.toml:8: triangle 1 (line 8) has vertex 9, but the mesh has no such".into()),
         (triangles("[0, 2, 1],\n[0, 1, 1]"), "s.toml:8: triangle 1 (line 8) has vertex 1 twice; remove it".into()),
         (triangles("[0, 2]"), "s.toml:7: a triangle of 2 corners; give it 3".into()),
         (
@@ -64,21 +63,20 @@ fn meshes_that_are_none_are_refused_where_they_are_written() {
         ),
         (
             of("tetrahedra = [[0, 1, 2, 3]]"),
-            "s.toml:7: both `triangles` and `tetrahedra`; keep one: the triangles of tetrahedra are found".into(),
+            "s.toml:7: both `triangles` and `tetrahedra`; keep one: the tool finds the triangles of tetrahedra".into(),
         ),
         (of("mesh = { path = \"m.off\" }"), "s.toml:5: both `mesh` and `points`; remove this one: the file has".into()),
         (
             "points = [[0, 0], [1, 0], [0, 1]]\ntriangles = [[0, 1, 2]]".into(),
-            "s.toml:5: `points` have 2 coordinates each, and meshes are in space; give every point 3".into(),
+            "s.toml:5: `points` have 2 coordinates each; meshes need 3; give every point 3".into(),
         ),
-        (of("probes = [[1, 1]]"), "s.toml:7: a probe of 2 coordinates; give it three".into()),
+        (of("probes = [[1, 1]]"), "s.toml:7: a probe with 2 coordinates; give it three".into()),
         (of("probes = [1, 1, 1]"), "s.toml:7: `probes` is of type integer; write three coordinates".into()),
         (of("probes = [[1, 1, nan]]"), "s.toml:7: coordinate `nan` is not finite; remove the point".into()),
         (of("probes = [[\"a\", 1, 1]]"), "s.toml:7: `a` is not a number; write a decimal or a hex float".into()),
-        (of("probes = { path = \"p.csv\" }"), "s.toml:7: with p.csv: `probes` have 2 coordinates each, and meshes are in".into()),
-        (of("random = 100000000"), "s.toml:2: a mesh with 100000036 probes: a scene has at most 268435456".into()),
-        ("mesh = { path = \"p.csv\" }".into(), "p.csv: the file is not a mesh; name a .off, .obj, .ply or .stl \
-          file".into()),
+        (of("probes = { path = \"p.csv\" }"), "s.toml:7: with p.csv: `probes` have 2 coordinates each; meshes need 3".into()),
+        (of("random = 100000000"), "s.toml:2: a mesh with 100000036 probes has too many coordinates: a scene has at most 268435456".into()),
+        ("mesh = { path = \"p.csv\" }".into(), "p.csv: the file is not a mesh; name a .off, .obj, .ply or .stl file".into()),
     ];
     write(&folder, "p.csv", "1,1\n");
     let out = at(&folder, "out");
@@ -184,13 +182,13 @@ fn regions_and_probes_come_from_files() {
     for (bad, expected) in [
         ("0,1\n0,1\n\n0,1\n", format!("r.csv:4: 3 pairs of regions for 4 faces; {cure}")),
         ("0,1\n0,1\n0,1\n0,1\n0,1\n0,1\n", format!("r.csv:5: 6 pairs of regions for 4 faces; {cure}")),
-        ("0,1\n0,-1\n", format!("r.csv:2: `-1` is no number of a region; {integer}")),
-        ("0,1\n0.5,1\n", format!("r.csv:2: `0.5` is no number of a region; {integer}")),
+        ("0,1\n0,-1\n", format!("r.csv:2: `-1` is not a region number; {integer}")),
+        ("0,1\n0.5,1\n", format!("r.csv:2: `0.5` is not a region number; {integer}")),
         (
             "0,1\n0,0.1000000000000000001\n",
             format!("r.csv:2: decimal 0.1000000000000000001 has digits that no double holds; {integer}"),
         ),
-        ("0,2147483649\n", format!("r.csv:1: `2147483649` is no number of a region; {integer}")),
+        ("0,2147483649\n", format!("r.csv:1: `2147483649` is not a region number; {integer}")),
         ("0,steel\n", "r.csv:1: `steel` is not a number; write a decimal or a hex".to_owned()),
         ("0,1,2\n", format!("r.csv:1: pair 0 has 3 regions; {cure}")),
         ("", "r.csv: the file has no pairs; write one pair a line".to_owned()),

@@ -72,7 +72,7 @@ fn decimals_are_rounded_only_where_they_need_it() {
     let folder = tempdir().unwrap();
     write(&folder, "long.csv", "id,x,y\n1,0.1000000000000000001,0.5\n2,0.2000000000000000001,3\n3,4,0.7\n");
     let text = made(&folder, "long.csv", &[], "orient2d");
-    let comment = "# 2 decimals of long.csv have digits that no double holds. Their nearest doubles are read, and the report counts them.\n";
+    let comment = "# 2 decimals of long.csv have digits that no double holds. Their nearest doubles are used; the report counts them.\n";
     assert!(text.contains(&format!("{comment}round = true\n")), "{text}");
     assert_eq!(column(&read(&at(&folder, "long-csv"), "imports.csv"), "rounded"), ["2"]);
     write(&folder, "short.csv", "id,x,y\n1,0.1,0.5\n2,0.2,3\n3,4,0.7\n");

@@ -69,7 +69,7 @@ fn a_backend_that_breaks_is_not_a_success() {
 #[test]
 fn what_cannot_be_asked_is_said_in_a_line() {
     for (args, said) in [
-        (&["orient2d"][..], "no points; type some, or name a file with --points"),
+        (&["orient2d"][..], "no points; write some, or name a file with --points"),
         (
             &["orient2d", "0.1000000000000000001,0", "1,0", "0,1"],
             "point 0: decimal 0.1000000000000000001 has digits that no double holds; add --round",
@@ -78,11 +78,11 @@ fn what_cannot_be_asked_is_said_in_a_line() {
         (&["orient2d", "0,0", "1,0", "1"], "point 2: 1 coordinates in `1`; write two or three"),
         (
             &["compare", "0,0", "1,0", "--queries", "a"],
-            "--queries: `a` is no query; write `tuples`, `all`, `random:N` or ids",
+            "--queries: `a` is not a query; write `tuples`, `all`, `random:N` or ids",
         ),
         (
             &["compare", "0,0", "1,0", "--queries", "random:a"],
-            "--queries: `random:a` is no choice; write random:N or random:N:SEED",
+            "--queries: `random:a` is not valid; write random:N or random:N:SEED",
         ),
     ] {
         let refused = expect(2, &[&["ask"], args].concat());
@@ -194,7 +194,7 @@ fn every_answer_of_a_run_is_written_where_it_was_asked_for() {
     let scenes = ["run", "-f", filter, "--permutations", "0", "-b", "exact,sos,naive", "--out"];
     run(&[&scenes[..], &[&plain]].concat());
     let told = run(&[&scenes[..], &[&full, "--answers"]].concat());
-    assert!(told.stderr.contains("answers.csv has no lines of 1 scenes of cube-union"), "{}", told.stderr);
+    assert!(told.stderr.contains("answers.csv has no lines for 1 scenes of cube-union"), "{}", told.stderr);
     run(&[&scenes[..], &[&apart, "--answers", "--isolate"]].concat());
     assert!(!folder.path().join("plain/answers.csv").exists());
     let answers = read(&full, "answers.csv");

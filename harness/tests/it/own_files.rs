@@ -157,7 +157,7 @@ fn generated_scenes_are_written_out_as_a_suite() {
     assert!(before.len() >= 3 && before.len() == after.len(), "{before:?} {after:?}");
     // If the id of a scene changes, the suite says so.
     for (before, after) in before.iter().zip(&after) {
-        let told = text.contains(&format!("# Its id is {after} here, and was {before}.\n"));
+        let told = text.contains(&format!("# Its id is {after} here; it was {before}.\n"));
         assert_eq!(told, before != after, "{before} {after}");
     }
     assert_eq!(before.iter().zip(&after).filter(|(before, after)| before != after).count(), 1);

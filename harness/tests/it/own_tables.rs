@@ -173,7 +173,7 @@ fn what_is_wrong_with_a_table_is_one_line_with_its_column() {
     let refused = expect(104, &["solve", "hull3d", &mesh, "--columns", "1,2", "--out", &at(&folder, "x")]);
     assert!(refused.stderr.contains("only CSV files have columns"), "{}", refused.stderr);
     let refused = expect(2, &["solve", "slice", &mesh, "--columns", "1,2", "--out", &at(&folder, "x")]).stderr;
-    assert!(refused.contains("--columns is for files of points, and slice is given none; leave it out"), "{refused}");
+    assert!(refused.contains("--columns is for files of points, but slice has none; leave it out"), "{refused}");
 }
 
 #[test]

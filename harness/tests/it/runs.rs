@@ -78,7 +78,7 @@ fn an_interrupted_bench_ends_in_the_middle_of_a_sample() {
     let ended = child.wait_with_output().unwrap();
     assert_eq!(ended.status.code(), Some(103));
     let said = String::from_utf8_lossy(&ended.stderr).into_owned();
-    assert!(said.contains("stopping; what is done is kept"), "{said}");
+    assert!(said.contains("stopping; finished work is kept"), "{said}");
     assert_eq!(run(&["gate", &out]).code, 103, "the folder says that it is not complete");
 }
 

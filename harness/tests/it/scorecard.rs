@@ -91,7 +91,7 @@ fn an_interrupted_selftest_says_that_nothing_is_kept() {
     std::process::Command::new("kill").args(["-INT", &id]).status().unwrap();
     let told = crate::common::told(child.wait_with_output().unwrap());
     assert_eq!((told.code, &*told.stdout), (103, ""), "{}", told.stderr);
-    assert!(told.stderr.contains("stopping; nothing is kept of what is not finished"), "{}", told.stderr);
-    assert!(told.stderr.contains("interrupted, and there is no card"), "{}", told.stderr);
+    assert!(told.stderr.contains("stopping; unfinished work is lost"), "{}", told.stderr);
+    assert!(told.stderr.contains("interrupted: no card"), "{}", told.stderr);
     assert_eq!(std::fs::read_dir(&out).unwrap().count(), 0);
 }

@@ -87,12 +87,12 @@ fn what_runs_out_of_evaluations_goes_on_and_ends_as_well() {
     // A larger scene does not replace a smaller one, and the same scene is not added twice under another name.
     let again = at(&folder, "again");
     let told = expect(0, &[&["shrink", &id, "--run", &run_dir, "--out", &again][..], &limit].concat());
-    assert!(told.stderr.contains("nothing was added, as it has one that is as small"), "{}", told.stderr);
+    assert!(told.stderr.contains("nothing was added: it already has an equally small scene"), "{}", told.stderr);
     let named = smallest.replace("name = \"orient2d-sign-flip", "name = \"another-sign-flip");
     assert_ne!(named, smallest);
     fs::write(&suite, &named).unwrap();
     let told = expect(0, &["shrink", "--resume", &short, "--into", &suite]);
-    assert!(told.stderr.contains("nothing was added, as it has this scene in line"), "{}", told.stderr);
+    assert!(told.stderr.contains("nothing was added: it already has this scene in line"), "{}", told.stderr);
     assert_eq!(fs::read_to_string(&suite).unwrap(), named);
     // A state with another task or without a limit is refused.
     let file = format!("{short}/shrink.json");

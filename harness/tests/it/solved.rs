@@ -230,7 +230,7 @@ fn flat_hulls_are_written_with_a_note() {
     for (text, what) in [(space(line), "a line between two points"), (space(place), "one point")] {
         let (written, said, _) = hull("hull3d", &text, "exact");
         assert_eq!(written, "vertices.json", "no mesh without faces");
-        let note = format!("the hull has no faces, and no mesh is written: it is {what}, in vertices.json\n");
+        let note = format!("the hull has no faces: it is {what}; vertices.json has it, and there is no mesh\n");
         assert_eq!(said, note);
     }
     let points = write(&folder, "points.csv", &space(line));

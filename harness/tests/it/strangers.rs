@@ -193,5 +193,8 @@ fn a_suite_that_a_folder_names_is_told_of() {
     expect(100, &["run", &suite, "-b", "exact,naive", "--out", &run]);
     let id = &column(&read(&run, "findings.csv"), "finding_id")[0];
     let told = expect(0, &["replay", id, "--run", &run]).stderr;
-    assert!(told.contains("has the suite `mine` from") && told.contains("mine.toml, which is read"), "{told}");
+    assert!(
+        told.contains("names the suite file") && told.contains("mine.toml for `mine`; reading that file"),
+        "{told}"
+    );
 }

@@ -14,7 +14,7 @@ pub const MOST_REGIONS: usize = 1 << 22;
 /// The keys that a scene about a map needs.
 pub const NEEDED: &str = "`map`, or `points` and `loops`";
 
-const LOOPS: &str = "loops: arrays of the indices of points, one for each loop";
+const LOOPS: &str = "loops: arrays with the indices of points, one array for each loop";
 const REGIONS: &str = "an array of the numbers of regions, one for each loop";
 
 /// Each loop with its line in the suite.
@@ -96,11 +96,14 @@ impl MapLoops {
             return Err((message, "indices count from 0"));
         }
         if one.len() < 3 {
-            return Err((format!("a loop of {} corners bounds nothing", one.len()), "give it three, or leave it out"));
+            return Err((
+                format!("a loop with {} corners has no inside", one.len()),
+                "give it three corners, or leave it out",
+            ));
         }
         let next = one.iter().cycle().skip(1);
         match one.iter().zip(next).find(|(a, b)| a == b) {
-            Some((corner, _)) => Err((format!("the corner {corner} is repeated at once"), "write it once")),
+            Some((corner, _)) => Err((format!("the corner {corner} occurs twice in a row"), "write it once")),
             None => Ok(()),
         }
     }

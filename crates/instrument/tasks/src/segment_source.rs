@@ -66,7 +66,7 @@ impl SegmentSource {
                 let ends: Vec<Vertex> =
                     item.items("the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
                 let &[a, b] = ends.as_slice() else {
-                    let message = format!("a segment of {} ends", ends.len());
+                    let message = format!("a segment with {} ends", ends.len());
                     return Err(item.error(message, "write the indices of two points"));
                 };
                 if a == b {
@@ -126,7 +126,7 @@ fn of_points(
 ) -> Result<Read, CorpusError> {
     let (scene, notes) = points.scene(cache)?;
     if scene.dimension() == Dimension::Three {
-        let message = format!("{task} takes points of 2 coordinates, not of 3");
+        let message = format!("{task} takes points with 2 coordinates, not 3");
         return Err(points.error(message, "give every point 2 coordinates"));
     }
     let segments: Vec<[Vertex; 2]> = match listed {

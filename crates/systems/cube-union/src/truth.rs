@@ -37,7 +37,7 @@ impl Truth {
     /// If the scene does not consist of congruent cubes that exact sums can hold (readers of scenes check this), or the
     /// two measurements differ.
     pub fn new(scene: &Scene, watch: &Watch) -> Result<Truth, Stop> {
-        let judged = Judged::of_scene(scene).unwrap_or_else(|error| panic!("no scene of cubes: {error}"));
+        let judged = Judged::of_scene(scene).unwrap_or_else(|error| panic!("not a scene of cubes: {error}"));
         let (lowers, edge, exponent) = integers(scene);
         let measures = measured(&lowers, edge);
         watch.done(0)?;
@@ -63,7 +63,7 @@ impl Truth {
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         let part = self.part.as_ref()?;
-        Some(format!("{} of {} cubes measured from the definition, all in sections", part.cubes, part.of))
+        Some(format!("{} of {} cubes measured by the definition, and all by sections", part.cubes, part.of))
     }
 
     /// A sum of products of this many lengths, in the scene's units: rounded once.

@@ -30,7 +30,7 @@ impl Truth {
     pub fn described(&self) -> String {
         match &self.extreme {
             Some(extreme) => format!("{} of them extreme", extreme.len()),
-            None => "too many to count the extreme ones by definition".to_owned(),
+            None => "too many points to find the extreme ones by definition".to_owned(),
         }
     }
 
@@ -54,15 +54,15 @@ impl Truth {
             Some(_) => {
                 let is_there = |v: Vertex| found.iter().any(|&w| scene.has(w) && scene.point(v) == scene.point(w));
                 let missing = self.extreme.as_ref()?.iter().copied().find(|&v| !is_there(v))?;
-                let what = format!("no vertex in the place of {missing}, which is extreme");
+                let what = format!("{missing} is extreme, but the hull has no vertex at its place");
                 return Some(Flaw { check: CHECK, places: 1, vertices: vec![missing], what });
             }
             None => self.extreme.clone()?,
         };
         let differ = |from: &[Vertex], others: &[Vertex]| from.iter().copied().find(|v| !others.contains(v));
         let (vertex, what) = match (differ(&wanted, &found), differ(&found, &wanted)) {
-            (Some(missing), _) => (missing, format!("{missing} is extreme by definition and no vertex")),
-            (_, Some(other)) => (other, format!("{other} is a vertex and not extreme by definition")),
+            (Some(missing), _) => (missing, format!("{missing} is extreme by definition, but not a vertex")),
+            (_, Some(other)) => (other, format!("{other} is a vertex, but not extreme by definition")),
             _ => return None,
         };
         Some(Flaw { check: CHECK, places: 1, vertices: vec![vertex], what })

@@ -47,8 +47,9 @@ impl Truth {
     /// The number of probes located by all triangles, as text, if not all are.
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
-        (!self.sample.is_all())
-            .then(|| format!("probes by all triangles: {}; the others along all axes or by sums alone", self.sample))
+        (!self.sample.is_all()).then(|| {
+            format!("probes tested against all triangles: {}; other probes only along all axes or by sums", self.sample)
+        })
     }
 
     /// The true location of a probe, if it is in the sample; the second value is its location among tetrahedra.

@@ -38,6 +38,6 @@ impl Truth {
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (self.segments > SEGMENTS)
-            .then(|| format!("about {SEGMENTS} segments against all hot pixels; all crossings of chains"))
+            .then(|| format!("about {SEGMENTS} segments, with all hot pixels; all crossings of chains"))
     }
 }

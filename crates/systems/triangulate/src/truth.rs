@@ -44,7 +44,9 @@ impl Truth {
             ));
         }
         if unknown > 0 {
-            said.push(format!("of {unknown} of {all} polygons no two edges were compared: taken not to touch"));
+            said.push(format!(
+                "{unknown} of {all} polygons are assumed not to touch themselves: their edges were not compared"
+            ));
         }
         (!said.is_empty()).then(|| said.join("; "))
     }

@@ -88,7 +88,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     match &args.chore {
         Chore::Update { of, reason } => {
             if reason.trim().is_empty() {
-                return Err(Failure::usage("--reason is empty; say why this is to be expected"));
+                return Err(Failure::usage("--reason is empty; say why these findings are expected"));
             }
             let held = held(of, tool, true)?;
             let mut run = judged(of, &held)?;
@@ -125,7 +125,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             }
             let count = pruned.gone;
             finish(of, &held, pruned.edits, |_| {
-                format!("{count} expectations of a scene, backend and class are taken out")
+                format!("{count} expectations of a scene, backend and class are removed")
             })
         }
     }
@@ -154,7 +154,8 @@ fn held(of: &Of, tool: &Tool, may_begin: bool) -> Result<Held, Failure> {
             let here = std::fs::read_to_string(SHIPPED).ok();
             if here.is_none() || here != shipped {
                 return Err(Failure::usage(format!(
-                    "{SHIPPED} is not here, or not what the tool was built with; name the file with --expected"
+                    "{SHIPPED} is missing, or differs from the file that the tool was built with; name a file with \
+                     --expected"
                 )));
             }
             PathBuf::from(SHIPPED)
@@ -179,7 +180,7 @@ fn judged(of: &Of, held: &Held) -> Result<RunDir, Failure> {
     if !run.is_complete() {
         let cure = match run.outcome {
             records::Outcome::Timeout => "run it again with a longer --timeout",
-            _ => "complete it first: `run --resume` does",
+            _ => "complete it first with `run --resume`",
         };
         let message = format!("{}: the run is {}; {cure}", of.run.display(), run.outcome.describe());
         return Err(Failure { message, code: exit::INCOMPLETE });

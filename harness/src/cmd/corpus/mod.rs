@@ -180,7 +180,7 @@ fn table(tool: &Tool, loaded: &LoadedScene, name: &str) -> Result<String, Failur
     })?;
     let table = spelled.table(Heading { name, tags, source, analysis });
     let again = spelled.loaded(tool.vocabulary(), name)?.id;
-    let note = if again == *id { String::new() } else { format!("# Its id is {again} here, and was {id}.\n") };
+    let note = if again == *id { String::new() } else { format!("# Its id is {again} here; it was {id}.\n") };
     Ok(note + table.trim_end())
 }
 
@@ -192,7 +192,7 @@ fn fetch_all(tool: &Tool, keys: &[String], cache: Option<PathBuf>) -> exit::Outc
         library.manifest().entries().filter(|entry| keys.is_empty() || keys.contains(&entry.key)).collect();
     if let Some(unknown) = keys.iter().find(|key| entries.iter().all(|entry| entry.key != **key)) {
         let names: Vec<&str> = library.manifest().entries().map(|entry| entry.key.as_str()).collect();
-        return Err(Failure::usage(format!("nothing to fetch is called `{unknown}`; there are {}", names.join(", "))));
+        return Err(Failure::usage(format!("unknown data `{unknown}`; use one of {}", names.join(", "))));
     }
     let mut failed = Vec::new();
     for entry in entries {

@@ -75,7 +75,7 @@ pub fn run(args: &Args) -> exit::Outcome {
     }
     if args.check || mesh.triangles.len() <= CHECKED {
         if let Some(flaw) = flaw_of(&mesh.points, &mesh.triangles) {
-            note!("{}: {flaw}; that should not be: please report it", args.out.display());
+            note!("{}: {flaw}; this is a bug: please report it", args.out.display());
             return Ok(exit::UNEXPECTED);
         }
         say!("checked in rationals: it does not cross itself");
@@ -94,7 +94,7 @@ fn told(given: &Closed, mesh: &Closed, counts: &Counts, args: &Args) {
         counts.dropped,
         counts.passes
     );
-    say!("no point has moved farther than {:e} in a coordinate", counts.farthest);
+    say!("each coordinate moved by at most {:e}", counts.farthest);
     say!("{}: {} triangles, {} points", args.out.display(), mesh.triangles.len(), mesh.points.len());
 }
 
@@ -143,7 +143,10 @@ fn format(file: &Path) -> Result<MeshFormat, Failure> {
     let name = file.to_string_lossy().to_lowercase();
     let named = formats.into_iter().find(|format| name.ends_with(format.extension()));
     named.ok_or_else(|| {
-        Failure::usage(format!("{}: no mesh is written to that; name a .off, .obj, .ply or .stl file", file.display()))
+        Failure::usage(format!(
+            "{}: this is not a format for meshes; name a .off, .obj, .ply or .stl file",
+            file.display()
+        ))
     })
 }
 

@@ -60,7 +60,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let found = find(&args.runs).map_err(Failure::usage)?;
     if !found.others.is_empty() {
         let first = found.others[0].display();
-        note!("{} without a run, or links, are not exported: {first}, …", counted(found.others.len() as u64, "folder"));
+        note!(
+            "not exported: {} that are links or have no run: {first}, …",
+            counted(found.others.len() as u64, "folder")
+        );
     }
     interrupt::listen_for_all();
     let format = match args.format {
@@ -71,7 +74,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let exported = export(&found.runs, &every_table(tool), format, &args.out, &mut waiting);
     waiting.0.finish_and_clear();
     let Some(exported) = exported.map_err(Failure::usage)? else {
-        note!("interrupted: {} is as it was", args.out.display());
+        note!("interrupted: {} is unchanged", args.out.display());
         return Ok(exit::INCOMPLETE);
     };
     for line in &exported.notes {
@@ -79,7 +82,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     }
     if let Some((run, outcome)) = exported.incomplete.first() {
         let runs = counted(exported.incomplete.len() as u64, "run");
-        note!("{runs} not complete, as the column `outcome` of `runs` says: {run} is {outcome}");
+        note!("{runs} not complete (see the column `outcome` of `runs`): {run} is {outcome}");
     }
     for file in &exported.files {
         say!("{}: {}, {} bytes", file.path.display(), counted(file.rows, "row"), thousands(file.bytes));

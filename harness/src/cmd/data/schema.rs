@@ -69,4 +69,4 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     Ok(exit::OK)
 }
 
-const ABOUT_FRONT: &str = "The columns that every exported table begins with. Files of run folders do not have them.";
+const ABOUT_FRONT: &str = "Every exported table begins with these columns. Files in run folders do not have them.";

@@ -163,7 +163,9 @@ fn what(args: &Args, tool: &Tool) -> Result<(LoadedScene, Option<Query>), Failur
 
 fn walk<'a>(args: &Args, loaded: &'a LoadedScene, query: &'a Query) -> Result<Walk<'a>, Failure> {
     let Some((question, vertices)) = query.question() else {
-        return Err(Failure::usage(format!("`{query}` asks for no sign; name a query such as 'orient2d(xy; 0 1 2)'")));
+        return Err(Failure::usage(format!(
+            "`{query}` does not ask for a sign; name a query such as 'orient2d(xy; 0 1 2)'"
+        )));
     };
     let axes: [Axis; 2] = args.plane.map_or_else(|| axes(question, &loaded.scene), Plane::axes);
     let place = args.place.unwrap_or(vertices.len() - 1);
@@ -171,7 +173,7 @@ fn walk<'a>(args: &Args, loaded: &'a LoadedScene, query: &'a Query) -> Result<Wa
 }
 
 fn step(text: &str) -> Result<Step, String> {
-    let bad = || "write some doubles, such as 1ulp, or a length, such as 1e-9".to_owned();
+    let bad = || "write a number of doubles, such as 1ulp, or a length, such as 1e-9".to_owned();
     if let Some(ulps) = text.strip_suffix("ulp") {
         return ulps.trim().parse().ok().filter(|&ulps| ulps > 0).map(Step::Ulps).ok_or_else(bad);
     }

@@ -119,14 +119,13 @@ impl Job {
         let plan = &RunDir::plan(folder).map_err(Failure::usage)?;
         if plan.timed {
             let message = format!(
-                "{}: a bench can't be resumed, as its times belong together; start a new one",
+                "{}: a bench cannot be resumed, because its times belong together; start a new one",
                 folder.display()
             );
             return Err(Failure::usage(message));
         }
         if plan.whole.as_ref().and_then(|whole| whole.expected.as_ref()).is_some_and(|hash| hash != expected) {
-            let message =
-                "it was begun with other expectations, and its rows would not agree; give the same --expected";
+            let message = "it was begun with other expectations, so its rows would not agree; give the same --expected";
             return Err(Failure::usage(format!("{}: {message}", folder.display())));
         }
         let level: Level = plan.level.to_string().parse().map_err(Failure::usage)?;

@@ -131,7 +131,7 @@ impl Args {
     fn recall(&mut self) -> Result<(), Failure> {
         let Some(folder) = &self.resume else { return Ok(()) };
         let plan = RunDir::plan(folder).map_err(Failure::usage)?;
-        let no_count = |_| Failure::usage(format!("{}: permutations that can't be counted", folder.display()));
+        let no_count = |_| Failure::usage(format!("{}: the number of permutations is too large", folder.display()));
         self.permutations = plan.permutations.map(usize::try_from).transpose().map_err(no_count)?;
         let planned = plan.expected;
         if self.expected.is_none() {

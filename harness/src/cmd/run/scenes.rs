@@ -227,7 +227,7 @@ impl<'r> Run<'r> {
 /// Refuses a scene on which two computations of the truth disagree.
 fn refuse_disputed(scene: &PlannedScene, case: Option<&dyn AnyCase>) -> Result<(), Failure> {
     let Some(dispute) = case.and_then(|case| case.dispute()) else { return Ok(()) };
-    let message = format!("{}/{}: {dispute}; fix the data before anything is compared", scene.suite, scene.scene);
+    let message = format!("{}/{}: {dispute}; correct the data first", scene.suite, scene.scene);
     Err(Failure { message, code: exit::CORPUS })
 }
 

@@ -30,7 +30,7 @@ fn checks_of_overlays() {
         assert_eq!(check.name(), name);
         assert!(check.law().len() > 10, "{name} says what should hold: {}", check.law());
     }
-    assert_eq!(Check::Nodes.law(), "no two nodes are at one place");
+    assert_eq!(Check::Nodes.law(), "two nodes are not at the same place");
 }
 
 #[test]

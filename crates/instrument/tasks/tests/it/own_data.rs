@@ -66,12 +66,11 @@ fn the_same_points_from_every_format_are_the_same_scene() {
     assert_eq!(interval.count(), 2);
     assert_eq!(
         refused(&folder, "task = \"interval\"\npoints = { path = \"p.csv\" }\ncells = [[1, 0]]"),
-        "s.toml:7: with p.csv: the cell from 1 at 1 to 0 at 0 goes to the left, or nowhere; write the left end first; of two ends \
-         at one place that with the larger index, which symbolic perturbation moves less"
+        "s.toml:7: with p.csv: the cell from 1 at 1 to 0 at 0 goes to the left, or has no length; write the left end first; if both ends are at one place, the end with the larger index, because symbolic perturbation moves it less"
     );
     assert_eq!(
         refused(&folder, "task = \"crossings\"\npoints = { path = \"p.csv\" }"),
-        "s.toml:6: with p.csv: crossings takes points of 2 coordinates, not of 3; give every point 2 coordinates"
+        "s.toml:6: with p.csv: crossings takes points with 2 coordinates, not 3; give every point 2 coordinates"
     );
     assert_eq!(
         refused(&folder, "task = \"orient3d\"\npoints = { path = \"p.dat\" }"),
@@ -274,7 +273,7 @@ fn rounding_is_asked_for_and_counted() {
     assert_eq!(load(&folder, polygons).notes.rounded, 1);
     // 0.1 + 1 is not a double: rounding fixes a decimal and nothing else.
     let cubes = refused(&folder, "round = true\ntask = \"cube-union\"\ncubes = { path = \"c.csv\" }");
-    assert!(cubes.starts_with("c.csv:1: cube 0: 0.1 + 1.0 along axis 0 is no double"), "{cubes}");
+    assert!(cubes.starts_with("c.csv:1: cube 0: 0.1 + 1.0 along axis 0 is not a double"), "{cubes}");
     assert_eq!(
         refused(&folder, &format!("round = 1\n{inline}")),
         "s.toml:5: `round` is of type integer; write true or false"

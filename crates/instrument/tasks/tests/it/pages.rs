@@ -122,13 +122,9 @@ fn every_row_counts() {
 #[test]
 fn rows_that_make_no_sense_are_errors_that_name_their_line() {
     let bad = [
-        ("contacts.csv", "s,n,i,t,b,0,0,9,1,7,6\n", "contacts.csv:9: the candidates are not those that had ended"),
-        ("contacts.csv", "s,n,i,t,b,0,0,9,2,7,8\n", "contacts.csv:9: more pairs are registered than were asked about"),
-        (
-            "masses.csv",
-            "s,n,i,b,1,1,1,6,6,12,-1,8,0,0\n",
-            "masses.csv:4: an expected measure is negative, or no number",
-        ),
+        ("contacts.csv", "s,n,i,t,b,0,0,9,1,7,6\n", "contacts.csv:9: `candidates` is not the sum of"),
+        ("contacts.csv", "s,n,i,t,b,0,0,9,2,7,8\n", "contacts.csv:9: more pairs are registered than queried"),
+        ("masses.csv", "s,n,i,b,1,1,1,6,6,12,-1,8,0,0\n", "masses.csv:4: an expected measure is negative or NaN"),
         ("locate.csv", "s,n,i,b,land,1,2,3,4,5,x\n", "locate.csv:8: "),
     ];
     for (table, row, message) in bad {

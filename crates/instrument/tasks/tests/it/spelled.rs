@@ -231,9 +231,9 @@ fn loops_that_are_none_are_refused_at_their_line() {
     };
     for (keys, wanted) in [
         ("loops = [[0, 1, 4]]", "s.toml:6: the corner 4 is out of range: the scene has 4 points"),
-        ("loops = [[0, 1]]", "s.toml:6: a loop of 2 corners bounds nothing"),
-        ("loops = [[0, 1, 1, 2]]", "s.toml:6: the corner 1 is repeated at once"),
-        ("loops = [[0, 1, 2, 0]]", "s.toml:6: the corner 0 is repeated at once"),
+        ("loops = [[0, 1]]", "s.toml:6: a loop with 2 corners has no inside"),
+        ("loops = [[0, 1, 1, 2]]", "s.toml:6: the corner 1 occurs twice in a row"),
+        ("loops = [[0, 1, 2, 0]]", "s.toml:6: the corner 0 occurs twice in a row"),
         ("loops = [[0, 1, 2]]\nregions = [0, 1]", "s.toml:7: 2 regions for 1 loops"),
         ("loops = [[0, 1, 2]]\nmap = { polygons = [] }", "s.toml:5: a map with two sources"),
         ("loops = [[0, 1, 2]]\nprobes = [[0, 1, 2]]", "s.toml:7: `probes` have 3 coordinates each"),

@@ -80,7 +80,7 @@ impl Constructed {
         for (index, construction) in scene.constructions().iter().enumerate() {
             push(scene, table, rows, construction).map_err(|why| {
                 let vertex = Vertex::constructed(index);
-                Declined::scene(format!("{vertex}, constructed as {construction}, is no point: {why}"))
+                Declined::scene(format!("{vertex}, constructed as {construction}, is not a point: {why}"))
             })?;
         }
         Ok(constructed)

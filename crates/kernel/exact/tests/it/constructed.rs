@@ -262,7 +262,7 @@ fn what_does_not_meet_is_declined() {
     let fine = Construction::Ssi([[v(0), v(3)], [v(1), v(2)]]);
     flat.construct(fine).unwrap();
     for (lines, reason) in [
-        ([[v(0), v(1)], [v(2), v(3)]], "c1, constructed as SSI(0 1, 2 3), is no point: the lines are parallel"),
+        ([[v(0), v(1)], [v(2), v(3)]], "c1, constructed as SSI(0 1, 2 3), is not a point: the lines are parallel"),
         ([[v(0), v(1)], [v(1), v(0)]], "the lines are parallel"),
         ([[v(0), v(1)], [v(4), v(5)]], "the ends of a segment coincide"),
     ] {

@@ -9,26 +9,46 @@ macro_rules! with {
         &[
             Check::new(Class::MissedZero, "contact", "a degenerate pair that meets is registered"),
             Check::new(Class::Overreach, "contact", "a degenerate pair that is registered meets"),
-            Check::new(Class::SignFlip, "contact", "a pair of full dimension is registered if it crosses, and else not"),
-            Check::new(Class::Overreach, "ended early", "a pair is not ended by faces that do not meet"),
-            Check::new(Class::MissedZero, "not ended", "a pair is ended by faces that meet"),
-            Check::new(Class::Inconsistent, "never degenerate", "where ties are broken no degenerate pair is registered"),
+            Check::new(Class::SignFlip, "contact", "a pair of full dimension is registered if and only if it crosses"),
+            Check::new(Class::Overreach, "ended early", "a pair ends only if a pair of its faces meets"),
+            Check::new(Class::MissedZero, "not ended", "a pair ends if a pair of its faces meets"),
+            Check::new(
+                Class::Inconsistent,
+                "never degenerate",
+                "if ties are broken, degenerate pairs are not registered",
+            ),
             Check::new(
                 Class::SignFlip,
                 "perturbed contact",
-                "where ties are broken those pairs are registered that cross in the perturbed scene",
+                "if ties are broken, the registered pairs are the pairs that cross in the perturbed scene",
             ),
             Check::new(Class::Inconsistent, "argument order", "another order of a pair's vertices gives the same answer"),
-            Check::new(Class::Overreach, "band", "with a band, no degenerate pair beyond T₊ is registered"),
+            Check::new(Class::Overreach, "band", "with a band, degenerate pairs beyond T₊ are not registered"),
             Check::new(Class::MissedZero, "band", "with a band, each degenerate pair up to T₋ is registered"),
-            Check::new(Class::SignFlip, "band", "with a band, pairs of full dimension are registered if they cross, and else not"),
-            Check::new(Class::MissedZero, "unguarded", "what a registered pair divides by is beyond its bound"),
+            Check::new(
+                Class::SignFlip,
+                "band",
+                "with a band, a pair of full dimension is registered if and only if it crosses",
+            ),
+            Check::new(
+                Class::MissedZero,
+                "unguarded",
+                "the guarded quantities of a registered pair (its divisors) exceed their bounds",
+            ),
             Check::new(Class::Inconsistent, "weights", "weights are between 0 and 1"),
             Check::new(Class::Nan, "weights", "weights are numbers"),
-            Check::new(Class::Inconsistent, "unasked", "no pair is registered of which a sub-pair is"),
-            Check::new(Class::Overreach, "unasked", "no pair is registered that is never near"),
-            Check::new(Class::Overreach, "reading", "what is registered passes all tests of its algorithm at the published tolerances"),
-            Check::new(Class::MissedZero, "reading", "what passes all tests of its algorithm at the published tolerances is registered"),
+            Check::new(Class::Inconsistent, "unasked", "a pair with a registered sub-pair is not registered"),
+            Check::new(Class::Overreach, "unasked", "the boxes of a registered pair are near each other"),
+            Check::new(
+                Class::Overreach,
+                "reading",
+                "a registered pair passes all tests of its algorithm at the published tolerances",
+            ),
+            Check::new(
+                Class::MissedZero,
+                "reading",
+                "a pair that passes all tests of its algorithm at the published tolerances is registered",
+            ),
             $($topology),*
         ]
     };

@@ -229,7 +229,7 @@ impl Written {
         let b = complex(file, &self.b, &scene, &sides[1])?;
         if let Some(vertex) = b.vertices().iter().find(|vertex| a.vertices().binary_search(vertex).is_ok()) {
             let message = format!("point {vertex} is in both complexes");
-            let cure = "give each complex points of its own, at the same place if need be";
+            let cure = "give each complex its own points; they may have equal coordinates";
             return Err(CorpusError::file(file, message, cure).at_line(self.b.line));
         }
         notes.rounded += decimals.rounded();
@@ -277,7 +277,7 @@ fn of_dimension(
     let (found, coordinates, notes) = points.coordinates(cache)?;
     if found != dimension {
         let message =
-            format!("contacts{0}d takes points of {0} coordinates, not of {1}", dimension.count(), found.count());
+            format!("contacts{0}d takes points with {0} coordinates, not {1}", dimension.count(), found.count());
         return Err(points.error(message, format!("give every point {} coordinates", dimension.count())));
     }
     Ok((coordinates, notes))
@@ -324,7 +324,7 @@ impl Side {
             (None, None, None, None, None) => Source::Written(simplices(&table, dimension)?),
             _ => {
                 let cure = "keep one of `path`, `topojson`, `fetch`, `polygons` and `shifted`";
-                return Err(field.error("a complex from more than one place", cure));
+                return Err(field.error("a complex with more than one source", cure));
             }
         };
         table.finish()?;
@@ -377,7 +377,7 @@ fn from_points(file: &str, simplices: &[(usize, Vec<Vertex>)], points: usize) ->
             return error(message, "indices count from 0");
         }
         if let Some(twice) = simplex.iter().enumerate().find_map(|(at, v)| simplex[..at].contains(v).then_some(v)) {
-            return error(format!("point {twice} is twice in one simplex"), "name different points");
+            return error(format!("a simplex has point {twice} twice"), "name different points");
         }
         match **simplex {
             [a] => given.vertices.push(a),

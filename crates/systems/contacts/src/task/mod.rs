@@ -229,7 +229,7 @@ impl Task for Contacts {
         backends: &[&dyn Contestant],
     ) -> Result<Explanation, ExplainError> {
         let [s, t] = query.args.as_slice() else {
-            return Err(ExplainError::not_of_task(query, "is no pair of simplices"));
+            return Err(ExplainError::not_of_task(query, "is not a pair of simplices"));
         };
         let both = content.a.find(s).zip(content.b.find(t));
         let missing = || ExplainError::not_in_scene(query, "the complexes have no such pair of simplices");

@@ -37,10 +37,10 @@ predicament_records::table! {
 
     fn check(&self) -> Result<(), RowError> {
         if self.registered > self.asked {
-            return Err(RowError::Contradiction("more pairs are registered than were asked about"));
+            return Err(RowError::Contradiction("more pairs are registered than queried"));
         }
         if self.ended.checked_add(self.asked) != Some(self.candidates) {
-            return Err(RowError::Contradiction("the candidates are not those that had ended and those that were asked about"));
+            return Err(RowError::Contradiction("`candidates` is not the sum of `ended` and `asked`"));
         }
         Ok(())
     }
@@ -74,7 +74,7 @@ impl Level {
 /// The section of a report about contacts.
 pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     let order = backends(runs);
-    let mut table = Table::new("Registered pairs, and the share of the candidates that had ended before")
+    let mut table = Table::new("Registered pairs, and the share of the candidates that had already ended")
         .words(run_head(runs))
         .words(["scene", "task", "backend"])
         .of(Origin::of(ContactRow::FILE).keys(["scene", "task", "backend"]).under("scene", "suite"))
@@ -96,13 +96,14 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
             table.push(run_label(runs, index).into_iter().chain(cells).chain(levels).collect());
         }
     }
-    let block = Block::table_or(table, "No contacts between complexes were asked for.");
+    let block = Block::table_or(table, "The runs have no contacts between complexes.");
     Ok(Some(Section {
         id: "contacts",
         title: "Contacts",
-        lead: "Pairs of simplices of two complexes by their level, the sum of their ranks: two vertices are level 0; \
-               the last level holds the pairs that meet in general position. Candidates have boxes near each other; \
-               one has ended where a pair of its faces was registered before, and is not asked about."
+        lead: "Pairs of simplices of two complexes, by level. The level is the sum of the two ranks: two vertices are \
+               level 0; the last level holds the pairs that meet in general position. Candidates are pairs whose boxes \
+               are near each other. A candidate has ended if a pair of its faces is already registered; the backend is \
+               then not queried about it."
             .to_owned(),
         blocks: vec![block],
     }))

@@ -11,7 +11,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
     let mut all = vec![
         Spoiled::new(
             "contacts-end-early",
-            "of the first pair of full dimension the first vertices are registered instead",
+            "the first pair of full dimension is replaced by the pair of its first vertices",
             "exact",
             &[(Class::Overreach, "ended early")],
             |scene: &Scene, content: &Complexes, answer: &mut Registered| {
@@ -26,7 +26,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
         ),
         Spoiled::new(
             "contacts-end-late",
-            "of the first vertex that is registered an edge is registered instead",
+            "the first registered vertex is replaced by an edge that has it",
             "exact",
             &[(Class::MissedZero, "not ended")],
             |_, content: &Complexes, answer: &mut Registered| {
@@ -54,7 +54,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
         ),
         Spoiled::new(
             "contacts-ask-again",
-            "of the first vertex that is registered an edge is registered as well",
+            "an edge of the first registered vertex is registered, too",
             "tolerance",
             &[(Class::Inconsistent, "unasked")],
             |_, content: &Complexes, answer: &mut Registered| {
@@ -68,7 +68,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
         ),
         Spoiled::new(
             "contacts-weights-are-no-numbers",
-            "the first weight of each pair is no number",
+            "the first weight of each pair is NaN",
             "exact",
             &[(Class::Nan, "weights")],
             |_, _, answer: &mut Registered| {
@@ -77,7 +77,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
         ),
         Spoiled::new(
             "contacts-far-away",
-            "the first vertex of the one and the last one of the other are registered",
+            "the first vertex of the first complex and the last vertex of the second are registered",
             "tolerance",
             &[(Class::Overreach, "unasked")],
             |_, content: &Complexes, answer: &mut Registered| {
@@ -93,7 +93,7 @@ pub(super) fn all(task: Contacts) -> Vec<Spoiled<Contacts>> {
     if task == Contacts::IN_SPACE {
         all.push(Spoiled::new(
             "contacts-lose-a-piercing",
-            "the first edge that passes through a triangle is not registered",
+            "the first crossing of an edge and a triangle is not registered",
             "exact",
             &[(Class::Topology, "signed piercings")],
             |scene: &Scene, _, answer: &mut Registered| {

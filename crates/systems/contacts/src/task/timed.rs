@@ -121,6 +121,6 @@ fn pairs(text: &mut String, run: &RunDir, contacts: &[ContactRow], primitives: &
         }
     }
     let heads = ["scene", "backend", "level 0", "level 1", "level 2", "level 3"].map(str::to_owned).to_vec();
-    let about = "Contacts: candidates for each primitive, how many of them had ended, how many were registered";
+    let about = "Contacts: candidates per primitive, share that had already ended, share that was registered";
     markdown(text, about, 2, heads, rows);
 }

@@ -28,7 +28,9 @@ pub(crate) fn violations<S: Predicates>(sides: &S, complexes: [&Complex; 2], con
             let odd = counts.filter(|(_, crossings)| crossings.is_odd());
             odd.map(|(seat, crossings)| {
                 let (count, edges) = (crossings.count(), crossings.of_edges);
-                let text = format!("closed curves cross {count} times, {edges} of them edges, merged points at {seat}");
+                let text = format!(
+                    "closed curves cross {count} times ({edges} crossings are edges), with merged points at {seat}"
+                );
                 ("crossing parity", text)
             })
             .collect()
@@ -37,7 +39,7 @@ pub(crate) fn violations<S: Predicates>(sides: &S, complexes: [&Complex; 2], con
             let ends = loose_ends(complexes, contacts, &arrangement).ok();
             let loose = ends.filter(|ends| !ends.loose.is_empty()).map(|ends| {
                 let (loose, pieces) = (ends.loose.len(), ends.pieces);
-                ("loose ends", format!("{loose} loose ends of intersection curves with {pieces} pieces"))
+                ("loose ends", format!("intersection curves have {loose} loose ends, in {pieces} pieces"))
             });
             let pierced = Side::BOTH.into_iter().filter_map(|side| piercings(sides, complexes, side, contacts).ok());
             let uneven = pierced.flatten().filter(|(_, piercings)| piercings.is_violated()).map(|(_, piercings)| {

@@ -138,7 +138,7 @@ fn an_open_curve_is_refused_by_its_vertex() {
     let arrangement = Arrangement::new(&scene, [&a, &b], &none);
     let refused = crossings(&scene, [&a, &b], &none, &arrangement, Seat::A).unwrap_err();
     assert_eq!(refused, NotOriented::Open { side: Side::B, vertex: Vertex::input(0), degree: 1 });
-    assert!(refused.to_string().contains("complex B is no closed curve: vertex 0 has 1 edges"));
+    assert!(refused.to_string().contains("complex B is not a closed curve: vertex 0 has 1 edges"));
 }
 
 #[test]

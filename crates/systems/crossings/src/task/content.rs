@@ -66,7 +66,7 @@ pub(super) static FAMILIES: [Family; 3] = [
         name: "segments-lattice",
         reported_as: Some("segments-lattice"),
         parameters: &[],
-        about: "lines of a lattice and its diagonals: three or four cross in each point of it",
+        about: "lines of a lattice and its diagonals: three or four cross in each lattice point",
         read: |_, _| Ok(recipe(lattice)),
     },
     Family {

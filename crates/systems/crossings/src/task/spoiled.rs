@@ -10,7 +10,7 @@ pub(super) fn all() -> Vec<Spoiled<Crossings>> {
     vec![
         Spoiled::new(
             "crossings-touch",
-            "the first two segments of which one has an end in the line of the other cross",
+            "the first two segments with an end on the line of the other are reported to cross",
             "exact",
             &[(Class::MissedZero, "crossings")],
             |scene: &Scene, content: &Segments, answer: &mut Crossed| {
@@ -52,7 +52,7 @@ pub(super) fn all() -> Vec<Spoiled<Crossings>> {
         ),
         Spoiled::new(
             "crossings-lose-the-last-perturbed",
-            "where ties are broken the last crossing of each segment is lost",
+            "if ties are broken, the last crossing of each segment is lost",
             "sos",
             &[(Class::SignFlip, "perturbed crossings")],
             |_, _, answer: &mut Crossed| {
@@ -63,7 +63,7 @@ pub(super) fn all() -> Vec<Spoiled<Crossings>> {
         ),
         Spoiled::new(
             "crossings-told-apart",
-            "crossings at one place follow each other",
+            "crossings at one place are reported as different",
             "exact",
             &[(Class::MissedZero, "order")],
             |_, _, answer: &mut Crossed| {
@@ -74,7 +74,7 @@ pub(super) fn all() -> Vec<Spoiled<Crossings>> {
         ),
         Spoiled::new(
             "crossings-go-back",
-            "the crossings of a segment are in order from its other end",
+            "the crossings of each segment are in reverse order",
             "exact",
             &[(Class::SignFlip, "order")],
             |_, _, answer: &mut Crossed| answer.0.iter_mut().for_each(|along| along.reverse()),

@@ -68,27 +68,27 @@ impl std::fmt::Display for CubesError {
             }
             CubesError::NoPairs { vertices, dimension } => write!(
                 f,
-                "{vertices} vertices of {dimension} coordinates are no cubes: each cube is two vertices in space, \
-                 its lower corner and its upper corner"
+                "{vertices} vertices with {dimension} coordinates do not make cubes: a cube is two vertices in space, \
+                 its lower and its upper corner"
             ),
             CubesError::Unequal { cube, axis } => write!(
                 f,
-                "cube {cube}: its extent along axis {axis} is not that of cube 0 along axis 0; all cubes must be \
-                 exactly congruent, so give coordinates whose differences are exact"
+                "cube {cube}: its extent along axis {axis} differs from the extent of cube 0 along axis 0; all cubes \
+                 must be exactly congruent: give coordinates whose differences are exact"
             ),
             CubesError::TooFine { largest, finest, bits } => write!(
                 f,
-                "{} and {} need a common unit so small that coordinates take {bits} bits, and 62 is the most; \
-                 round the coordinates to multiples of one power of two",
+                "in a common unit of {} and {}, coordinates take {bits} bits; at most 62 are allowed; round the \
+                 coordinates to multiples of one power of two",
                 name(largest),
                 name(finest)
             ),
             CubesError::TooLarge { extents: [x, y, z] } => write!(
                 f,
-                "the box around the cubes measures {x} x {y} x {z} units; exact sums hold a volume below 2^127 and \
-                 edges below 2^62, so round the coordinates to a coarser unit"
+                "the box around the cubes measures {x} x {y} x {z} units; exact sums need a volume below 2^127 and \
+                 edges below 2^62: round the coordinates to a coarser unit"
             ),
-            CubesError::TooMany { cubes } => write!(f, "{cubes} cubes are more than the 2^32 - 1 that have an index"),
+            CubesError::TooMany { cubes } => write!(f, "{cubes} cubes are too many: at most 2^32 - 1 have an index"),
             CubesError::Declined(declined) => write!(f, "{declined}"),
         }
     }

@@ -11,7 +11,7 @@ const CUBE: RowKind = RowKind {
     name: "cube",
     widths: 4..=4,
     numbers: "numbers",
-    cure: "give every cube x, y and z of its lower corner and the length of its edges",
+    cure: "give for each cube x, y and z of its lower corner and the length of its edges",
 };
 
 /// Congruent cubes: vertex 2i of the scene is the lower corner of cube i and
@@ -86,8 +86,8 @@ fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
             return Err(error(at, format!("the edge length is {edge}"), "give a positive length"));
         }
         if edge != cubes[0][3] {
-            let message = format!("the edge length is {edge}, that of cube 0 {}", cubes[0][3]);
-            return Err(error(at, message, "all cubes must be of one size: divide the scene"));
+            let message = format!("the edge length is {edge}; the edge length of cube 0 is {}", cubes[0][3]);
+            return Err(error(at, message, "all cubes must have one size: divide the scene"));
         }
         let lower = [x, y, z];
         for number in [x, y, z, edge] {
@@ -102,7 +102,7 @@ fn scene(file: &str, rows: &Rows) -> Result<Parts, CorpusError> {
         }
         let upper = lower.map(|c| c + edge);
         if let Some(axis) = (0..3).find(|&axis| !is_exact(lower[axis], edge, upper[axis])) {
-            let message = format!("{:?} + {edge:?} along axis {axis} is no double", lower[axis]);
+            let message = format!("{:?} + {edge:?} along axis {axis} is not a double", lower[axis]);
             return Err(error(at, message, "give coordinates with fewer bits"));
         }
         corners.extend(lower);

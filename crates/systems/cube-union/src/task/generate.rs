@@ -24,7 +24,7 @@ pub(super) static FAMILIES: [Family; 3] = [
         name: "cubes-uniform",
         reported_as: Some("cubes-uniform"),
         parameters: &["density"],
-        about: "cubes anywhere in a cube, so many around a point on average",
+        about: "cubes at random places in a cube, with a given mean number of cubes around a point",
         read: |_, fields| {
             let density = fields.get("density").map_or(Ok(1.0), |field| field.positive())?;
             Ok(Placing::Uniform { density }.recipe())
@@ -34,7 +34,7 @@ pub(super) static FAMILIES: [Family; 3] = [
         name: "cubes-lattice",
         reported_as: Some("cubes-lattice"),
         parameters: &["pitch", "edge"],
-        about: "a lattice of cubes in no order: apart, touching or overlapping",
+        about: "a lattice of cubes in random order: apart, touching or overlapping",
         read: |_, fields| {
             Ok(Placing::Lattice { pitch: length(fields, "pitch")?, edge: length(fields, "edge")? }.recipe())
         },
@@ -43,7 +43,7 @@ pub(super) static FAMILIES: [Family; 3] = [
         name: "cubes-degen",
         reported_as: Some("cubes-degen"),
         parameters: &["edge"],
-        about: "cubes on few integers: common faces, edges, corners, and identical cubes",
+        about: "cubes on small integers: common faces, edges, corners, and identical cubes",
         read: |_, fields| Ok(Placing::Repeated { edge: length(fields, "edge")? }.recipe()),
     },
 ];

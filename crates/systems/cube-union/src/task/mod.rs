@@ -96,10 +96,10 @@ impl Task for CubeUnion {
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
             Knob::Size => Turns::Everywhere,
-            Knob::Scale => Turns::UpTo(250, "volumes are no doubles"),
-            Knob::Translation => Turns::UpTo(16, "corners are rounded, and cubes are no longer of one size"),
+            Knob::Scale => Turns::UpTo(250, "volumes are not doubles"),
+            Knob::Translation => Turns::UpTo(16, "corners are rounded, and the cubes then differ in size"),
             Knob::Noise | Knob::Shift | Knob::Aspect | Knob::Precision => {
-                Turns::Nowhere("cubes have to stay cubes of one size")
+                Turns::Nowhere("all cubes must keep one size")
             }
             Knob::Pythagorean | Knob::Turn => Turns::Nowhere("the faces of cubes are across the axes"),
         }
@@ -129,7 +129,7 @@ impl Task for CubeUnion {
         answer: &mut Union,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        let (mass, exponent) = cube_union_by(&*session).expect("readers of scenes refuse cubes that sums can't hold");
+        let (mass, exponent) = cube_union_by(&*session).expect("the reader refuses cubes whose sums overflow");
         *answer = Union { mass, exponent };
         how.watch.done(content.cubes as u64)?;
         Ok(())

@@ -45,7 +45,7 @@ predicament_records::table! {
         if [self.true_volume, self.limit_area, self.limit_edge_length].iter().all(|&x| x >= 0.0) {
             Ok(())
         } else {
-            Err(RowError::Contradiction("an expected measure is negative, or no number"))
+            Err(RowError::Contradiction("an expected measure is negative or NaN"))
         }
     }
 }
@@ -76,13 +76,13 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }
-    let block = Block::table_or(table, "No union of cubes was measured.");
+    let block = Block::table_or(table, "The runs have no union of cubes.");
     Ok(Some(Section {
         id: "cubes",
         title: "Unions of cubes",
-        lead: "Volume, area and edge length as sums over the vertices of the union, and the vertices by kind. Where a \
-               sum is not the expected one, both are shown. Area and edge length are those of the perturbed cubes, in the \
-               limit."
+        lead: "Volume, area and edge length of the union, as sums over its vertices, and the number of vertices of \
+               each kind. If a sum is not as expected, the table shows both values. Area and edge length are the \
+               limits of the measures of the perturbed cubes."
             .to_owned(),
         blocks: vec![block],
     }))

@@ -7,28 +7,28 @@ pub(super) fn all() -> Vec<Spoiled<CubeUnion>> {
     vec![
         Spoiled::new(
             "cube-union-adds-to-the-volume",
-            "the volume is a unit too large",
+            "the volume is one unit too large",
             "sos",
             &[(Class::Topology, "volume")],
             |_, _, answer: &mut Union| answer.mass.volume += 1,
         ),
         Spoiled::new(
             "cube-union-adds-to-the-area",
-            "the area is a unit too large",
+            "the area is one unit too large",
             "sos",
             &[(Class::Topology, "area")],
             |_, _, answer: &mut Union| answer.mass.area += 1,
         ),
         Spoiled::new(
             "cube-union-adds-to-the-edges",
-            "the length of the edges is a unit too large",
+            "the length of the edges is one unit too large",
             "sos",
             &[(Class::Topology, "edge length")],
             |_, _, answer: &mut Union| answer.mass.edge_length += 1,
         ),
         Spoiled::new(
             "cube-union-adds-a-corner",
-            "there is a corner too many",
+            "the count of corners is one too large",
             "exact",
             &[(Class::Topology, "euler characteristic")],
             |_, _, answer: &mut Union| answer.mass.vertices.corners += 1,

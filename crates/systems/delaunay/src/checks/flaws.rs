@@ -62,12 +62,12 @@ fn corners(tally: &mut Tally<'_>, found: Found<'_>) -> Option<Vec<bool>> {
     let listed = found.chain.iter().chain(found.copies.as_flattened());
     for v in found.triangles.as_flattened().iter().chain(listed) {
         if !scene.has(*v) {
-            tally.flaw("vertices", &[], || format!("{v} is no vertex of the scene"));
+            tally.flaw("vertices", &[], || format!("{v} is not a vertex of the scene"));
         }
     }
     for triangle @ [a, b, c] in found.triangles {
         if a == b || b == c || a == c {
-            tally.flaw("vertices", triangle, || "a triangle of fewer than three vertices".to_owned());
+            tally.flaw("vertices", triangle, || "a triangle with fewer than three different vertices".to_owned());
         }
     }
     if !tally.is_clean() {
@@ -97,18 +97,18 @@ fn copies(tally: &mut Tally<'_>, found: Found<'_>, is_corner: &[bool]) {
     }
     for v in (0..scene.constructions().len()).map(Vertex::constructed) {
         if !is_corner[place(scene, v)] {
-            tally.flaw("copies", &[v], || format!("{v} is no corner"));
+            tally.flaw("copies", &[v], || format!("{v} is not a corner"));
         }
     }
     let mut first: HashMap<Option<[u64; 2]>, Vertex> = HashMap::new();
     for v in scene.vertices() {
         if is_corner[v.index()] == stands.contains_key(&v) {
-            let what = if is_corner[v.index()] { "both a corner and a copy" } else { "no corner and no copy" };
+            let what = if is_corner[v.index()] { "both a corner and a copy" } else { "neither a corner nor a copy" };
             tally.flaw("copies", &[v], || format!("{v} is {what}"));
         }
         // This is tested only if ties stay ties: without ties, two corners may share a place.
         if tally.has_ties() && *first.entry(at(v)).or_insert(v) != v && is_corner[v.index()] {
-            tally.flaw("copies", &[v], || format!("{v} is in the place of a smaller vertex, and a corner"));
+            tally.flaw("copies", &[v], || format!("{v} is a corner, and a smaller vertex has the same place"));
         }
     }
 }
@@ -133,7 +133,7 @@ fn chain(tally: &mut Tally<'_>, chain: &[Vertex]) {
         for &v in &chain[1..chain.len() - 1] {
             let is_in_line = tally.has_ties() && tally.signs.exact.orient2d(Plane::Xy, first, last, v).is_zero();
             if !is_in_line {
-                tally.flaw("chain", &[first, last, v], || format!("{v} is not in the line of {first} and {last}"));
+                tally.flaw("chain", &[first, last, v], || format!("{v} is not on the line of {first} and {last}"));
             }
         }
     }
@@ -161,7 +161,7 @@ fn edges(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) -> Vec<Pair> {
                 let ends = group[0].0;
                 tally.flaw("edges", &ends, || {
                     format!(
-                        "the edge {} {} is one of {} triangles, or twice in one direction",
+                        "the edge {} {} belongs to {} triangles, or twice in one direction",
                         ends[0],
                         ends[1],
                         group.len()
@@ -183,7 +183,7 @@ fn hull(tally: &mut Tally<'_>, pairs: &[Pair]) {
         }
     }
     let Some(&start) = next.keys().min() else {
-        return tally.flaw("hull", &[], || "no edge is of one triangle".to_owned());
+        return tally.flaw("hull", &[], || "every edge belongs to more than one triangle".to_owned());
     };
     let mut cycle = vec![start];
     while let Some(&v) = next.get(&cycle[cycle.len() - 1])
@@ -210,7 +210,7 @@ fn area(tally: &mut Tally<'_>, triangles: &[[Vertex; 3]]) {
     let sum: Integer = triangles.iter().map(|triangle| exactly.area(triangle.map(Vertex::index))).sum();
     let hull = exactly.hull();
     if sum != hull {
-        tally.flaw("area", &[], || format!("twice the area is {sum} and not {hull}, in units of the last place"));
+        tally.flaw("area", &[], || format!("twice the area is {sum}, expected {hull}, in units of the last place"));
     }
 }
 
@@ -243,7 +243,7 @@ fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashS
             };
             let near = beside.get(&at).map_or(&[][..], Vec::as_slice);
             let Some(next) = near.iter().copied().find(|&v| is_on(v)) else {
-                tally.flaw("constraint", &[a, b], || format!("no edge goes on from {at} to {b}"));
+                tally.flaw("constraint", &[a, b], || format!("the chain of edges ends at {at} before {b}"));
                 break;
             };
             edges.insert([at.min(next), at.max(next)]);

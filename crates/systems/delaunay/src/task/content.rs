@@ -41,12 +41,12 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     let constraints = match fields.get("constraints") {
         None => Vec::new(),
         Some(listed) => {
-            let items = listed.items("constraints: arrays of the indices of two points")?;
+            let items = listed.items("constraints: arrays with the indices of two points")?;
             let constraint = items.map(|item| {
                 let ends: Vec<Vertex> =
                     item.items("the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
                 let &[a, b] = ends.as_slice() else {
-                    let message = format!("a constraint of {} ends", ends.len());
+                    let message = format!("a constraint with {} ends", ends.len());
                     return Err(item.error(message, "write the indices of two points"));
                 };
                 if a == b {
@@ -77,7 +77,7 @@ impl Elsewhere for Asked {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (scene, notes) = self.points.scene(cache)?;
         if scene.dimension() != Dimension::Two {
-            let message = "delaunay2d takes points of 2 coordinates, not of 3";
+            let message = "delaunay2d takes points with 2 coordinates, not 3";
             return Err(self.points.error(message, "give every point 2 coordinates"));
         }
         for (line, ends) in &self.constraints {

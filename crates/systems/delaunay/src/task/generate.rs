@@ -36,17 +36,17 @@ macro_rules! family {
 /// The families of scenes.
 pub(super) static FAMILIES: [Family; 12] = [
     family!("delaunay-uniform", uniform, "points uniform in the unit square"),
-    family!("delaunay-grid", grid, "all places of a square grid, in random order: every square is cocircular"),
+    family!("delaunay-grid", grid, "all points of a square grid, in random order: every square is cocircular"),
     family!("delaunay-ring", ring, "integer points on one circle, exactly; up to 236,196 different ones"),
     family!("delaunay-rings", rings, "integer points on concentric circles, exactly"),
     family!("delaunay-near-ring", near_ring, "points on one circle, moved by up to two ulps"),
-    family!("delaunay-line", line, "integer points in one line, and one beside it"),
+    family!("delaunay-line", line, "integer points on one line, and one beside it"),
     family!("delaunay-clusters", clusters, "ten clusters, each a millionth as wide as they are far apart"),
     family!("delaunay-repeated", repeated, "integer points, each about four times"),
     family!("delaunay-sliver", sliver, "points within a few ulps of a line"),
     family!(constrained: "constraints-star", star, "points uniform in a square, and constraints that cross each other near its centre"),
-    family!(constrained: "constraints-lattice", lattice, "the lines of a lattice: each crosses all that are across it"),
-    family!(constrained: "constraints-overlapping", overlapping, "constraints that overlap in a few lines, and pass through points"),
+    family!(constrained: "constraints-lattice", lattice, "the lines of a lattice: each line crosses all perpendicular lines"),
+    family!(constrained: "constraints-overlapping", overlapping, "constraints that overlap on a few lines, and pass through points"),
 ];
 
 fn recipe(points: Points) -> Recipe {

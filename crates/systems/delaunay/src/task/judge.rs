@@ -22,7 +22,7 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
                     check: "crossing",
                     places: 1,
                     vertices: definition.flats().flatten().copied().collect(),
-                    what: format!("{definition} is no point"),
+                    what: format!("{definition} is not a point"),
                 },
             );
         }

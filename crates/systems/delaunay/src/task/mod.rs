@@ -59,7 +59,7 @@ impl SceneFormat for Delaunay2d {
     }
 
     fn about(&self) -> &'static str {
-        "the Delaunay triangulation of points of the plane, cocircular faces cut by a rule"
+        "the Delaunay triangulation of points in the plane; a rule cuts cocircular faces"
     }
 
     fn keys(&self) -> &'static [&'static str] {

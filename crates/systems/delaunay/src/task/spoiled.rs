@@ -24,7 +24,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-chain-besides",
-            "the corners of the first triangle are a chain too",
+            "the corners of the first triangle are also a chain",
             "exact",
             &[(Class::Topology, "chain")],
             |_, _, answer: &mut Triangles| {
@@ -33,14 +33,14 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-repeats-a-triangle",
-            "the first triangle is there twice",
+            "the first triangle is listed twice",
             "exact",
             &[(Class::Topology, "edges")],
             |_, _, answer: &mut Triangles| answer.0.triangles.extend(answer.0.triangles.first().copied()),
         ),
         Spoiled::new(
             "delaunay-with-a-hole",
-            "a triangle whose corners are no ends of the hull is lost",
+            "a triangle without corners on the hull is lost",
             "exact",
             &[(Class::Topology, "hull")],
             |_, _, answer: &mut Triangles| {
@@ -53,7 +53,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-twice-around",
-            "around a vertex inside, every second vertex of the hull follows",
+            "triangles around an inner vertex go to every second vertex of the hull",
             "exact",
             &[(Class::Topology, "wound once")],
             |_, _, answer: &mut Triangles| {
@@ -67,7 +67,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-loses-a-crossing",
-            "the lines of the first crossing are one line",
+            "the first crossing is constructed from one line twice",
             "exact",
             &[(Class::Topology, "crossing")],
             |_, _, answer: &mut Triangles| {
@@ -78,14 +78,14 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-gives-up",
-            "a walk toward a vertex is said not to end",
+            "a walk toward a vertex is reported not to end",
             "exact",
             &[(Class::Topology, "a walk toward a vertex ends")],
             |_, _, answer: &mut Triangles| answer.0.broken = Some(Contradiction::Walk),
         ),
         Spoiled::new(
             "delaunay-forgets-copies",
-            "vertices in the place of another one are not listed",
+            "vertices at the place of another vertex are not listed",
             "exact",
             &[(Class::Topology, "copies")],
             |_, _, answer: &mut Triangles| answer.0.copies.clear(),
@@ -103,7 +103,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-with-a-dent",
-            "a triangle with an edge of the hull, and a corner that is none of it, is lost",
+            "a triangle with an edge of the hull and an inner corner is lost",
             "exact",
             &[(Class::Topology, "convex"), (Class::Topology, "area")],
             |_, _, answer: &mut Triangles| {
@@ -120,7 +120,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-crosses-a-constraint",
-            "the first constraint between two triangles is no edge, the diagonal across it is",
+            "the first constraint between two triangles is replaced by the other diagonal",
             "exact",
             &[(Class::Topology, "constraint")],
             |_, _, answer: &mut Triangles| {
@@ -131,7 +131,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-flips-an-edge",
-            "of two triangles that are not on one circle the other diagonal is an edge",
+            "two triangles that are not on one circle have the other diagonal as their edge",
             "exact",
             &[(Class::Topology, "empty circle")],
             |scene: &Scene, _, answer: &mut Triangles| {
@@ -140,7 +140,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
         ),
         Spoiled::new(
             "delaunay-turns-a-fan",
-            "of two triangles on one circle the other diagonal is an edge",
+            "two triangles on one circle have the other diagonal as their edge",
             "exact",
             &[(Class::Topology, "fan")],
             |scene: &Scene, _, answer: &mut Triangles| {

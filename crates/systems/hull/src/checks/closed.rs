@@ -38,7 +38,8 @@ pub(super) fn closed(tally: &mut Tally<'_>, vertices: &[Vertex], faces: &[Vec<Ve
     }
     for [a, b] in faces.iter().flat_map(|face| edges_of(face)) {
         if !edges.contains_key(&[b, a]) {
-            tally.flaw("closed", &[a, b], || format!("one face has the edge {a} → {b} and none the edge {b} → {a}"));
+            tally
+                .flaw("closed", &[a, b], || format!("one face has the edge {a} → {b}; no face has the edge {b} → {a}"));
         }
     }
     let mut corners: Vec<Vertex> = faces.iter().flatten().copied().collect();

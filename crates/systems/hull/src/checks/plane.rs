@@ -27,7 +27,7 @@ pub(super) fn are_vertices(tally: &mut Tally<'_>, hull: &[Vertex]) -> bool {
     let mut seen = HashSet::new();
     for &v in hull {
         if !tally.scene().has(v) || v.is_constructed() || !seen.insert(v) {
-            tally.flaw("vertices", &[], || format!("vertex {v} comes twice or is none of the scene"));
+            tally.flaw("vertices", &[], || format!("vertex {v} is listed twice or is not a vertex of the scene"));
         }
     }
     tally.is_clean()
@@ -50,7 +50,9 @@ pub(super) fn smallest_at_their_places(tally: &mut Tally<'_>, hull: &[Vertex]) {
     }
     for v in scene.vertices() {
         if let Some(&other) = here.get(&place(scene, v)).filter(|&&other| v < other) {
-            tally.flaw("smallest index", &[v, other], || format!("{other} stands for {v}, which is in its place"));
+            tally.flaw("smallest index", &[v, other], || {
+                format!("{other} stands for {v}, which has the same place and a smaller index")
+            });
         }
     }
 }
@@ -125,7 +127,7 @@ pub fn ring(tally: &mut Tally<'_>, plane: Plane, ring: &[Vertex], convex: &'stat
     };
     let rounds = (0..n).filter(is_lowest).count();
     if rounds != 1 {
-        tally.flaw("wound once", &[], || format!("a polygon that goes around {rounds} times"));
+        tally.flaw("wound once", &[], || format!("the polygon goes around {rounds} times"));
     }
 }
 

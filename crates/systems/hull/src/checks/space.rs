@@ -150,7 +150,7 @@ fn planar(tally: &mut Tally<'_>, face: &[Vertex]) {
     }
     let turned = PLANES.into_iter().map(|plane| (plane, exact.orient2d(plane, a, b, c)));
     match turned.into_iter().find(|(_, sign)| *sign != Sign::Zero) {
-        None => tally.flaw("extreme", &[a, b, c], || format!("{a}, {b} and {c} are in one line")),
+        None => tally.flaw("extreme", &[a, b, c], || format!("{a}, {b} and {c} are on one line")),
         Some((plane, Sign::Positive)) => ring(tally, plane, face, "face convex", Some("extreme")),
         Some((plane, _)) => {
             let back: Vec<Vertex> = face.iter().rev().copied().collect();

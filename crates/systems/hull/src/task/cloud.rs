@@ -67,7 +67,7 @@ pub(super) fn method<M: Method>(fields: &Fields<'_, '_>) -> Result<M, CorpusErro
     let known = M::NAMES.into_iter().find(|(known, _)| *known == name);
     known.map(|(_, method)| method).ok_or_else(|| {
         let names = M::NAMES.map(|(name, _)| name).join(" or ");
-        field.error(format!("no method of {} is called `{name}`", M::TASK), format!("write {names}"))
+        field.error(format!("{} has no method `{name}`", M::TASK), format!("write {names}"))
     })
 }
 
@@ -93,7 +93,7 @@ impl<M: Method> Elsewhere for Asked<M> {
         let (scene, notes) = self.points.scene(cache)?;
         if scene.dimension() != M::DIMENSION {
             let [wanted, found] = [M::DIMENSION, scene.dimension()].map(Dimension::count);
-            let message = format!("{} takes points of {wanted} coordinates, not of {found}", M::TASK);
+            let message = format!("{} takes points with {wanted} coordinates, not {found}", M::TASK);
             return Err(self.points.error(message, format!("give every point {wanted} coordinates")));
         }
         let cloud = Cloud { points: scene.len(), method: self.method };

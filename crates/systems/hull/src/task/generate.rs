@@ -29,8 +29,8 @@ pub(super) static PLANE: [Family; 7] = [
     family!(PlaneMethod, "hull-disc", ball::<2>, "points uniform in a disc"),
     family!(PlaneMethod, "hull-circle", sphere::<2>, "points on a circle, rounded to doubles"),
     family!(PlaneMethod, "hull-cocircular", cocircular, "integer points on one circle, exactly"),
-    family!(PlaneMethod, "hull-grid", grid::<2>, "points on few integers: many in one line, many in one place"),
-    family!(PlaneMethod, "hull-collinear", collinear::<2>, "integer points in one line, some in one place"),
+    family!(PlaneMethod, "hull-grid", grid::<2>, "points on small integers: many on one line, many at one place"),
+    family!(PlaneMethod, "hull-collinear", collinear::<2>, "integer points on one line, some at one place"),
     family!(PlaneMethod, "hull-sliver", sliver::<2>, "points within a few ulps of a line"),
 ];
 
@@ -40,9 +40,14 @@ pub(super) static SPACE: [Family; 8] = [
     family!(SpaceMethod, "hull-ball", ball::<3>, "points uniform in a ball"),
     family!(SpaceMethod, "hull-sphere", sphere::<3>, "points on a sphere, rounded to doubles"),
     family!(SpaceMethod, "hull-cospherical", cospherical, "integer points on one sphere, exactly"),
-    family!(SpaceMethod, "hull-lattice", grid::<3>, "points on few integers: many in one plane, line or place"),
+    family!(
+        SpaceMethod,
+        "hull-lattice",
+        grid::<3>,
+        "points on small integers: many in one plane, on one line or at one place"
+    ),
     family!(SpaceMethod, "hull-coplanar", coplanar, "integer points in one plane"),
-    family!(SpaceMethod, "hull-line", collinear::<3>, "integer points in one line, some in one place"),
+    family!(SpaceMethod, "hull-line", collinear::<3>, "integer points on one line, some at one place"),
     family!(SpaceMethod, "hull-slab", sliver::<3>, "points within a few ulps of a plane"),
 ];
 

@@ -28,7 +28,7 @@ impl SceneFormat for Hull2d {
     }
 
     fn about(&self) -> &'static str {
-        "the vertices of the convex hull of points of the plane, counterclockwise"
+        "the vertices of the convex hull of points in the plane, counterclockwise"
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -28,7 +28,7 @@ impl SceneFormat for Hull3d {
     }
 
     fn about(&self) -> &'static str {
-        "the faces of the convex hull of points of space, counterclockwise as seen from outside"
+        "the faces of the convex hull of points in space, counterclockwise as seen from outside"
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -159,7 +159,7 @@ impl Task for Hull3d {
         files.broken(*broken);
         if faces.is_empty() {
             let what = if vertices.len() == 2 { "a line between two points" } else { "one point" };
-            files.note(format!("the hull has no faces, and no mesh is written: it is {what}, in vertices.json"));
+            files.note(format!("the hull has no faces: it is {what}; vertices.json has it, and there is no mesh"));
             return output::all_vertices(files, scene, vertices.iter().copied());
         }
         if faces.len() == 2 {

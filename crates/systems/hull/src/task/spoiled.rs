@@ -13,14 +13,14 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
     vec![
         Spoiled::new(
             "hull-repeats-a-vertex",
-            "the first vertex of the polygon is its last too",
+            "the first vertex of the polygon is repeated as its last",
             "exact",
             &[(Class::Topology, "vertices")],
             |_, _, answer: &mut Polygon| answer.0.vertices.extend(answer.0.vertices.first().copied()),
         ),
         Spoiled::new(
             "hull-is-a-point",
-            "of the polygon only the first vertex is there",
+            "the polygon has only its first vertex",
             "exact",
             &[(Class::Topology, "span")],
             |_, _, answer: &mut Polygon| answer.0.vertices.truncate(1),
@@ -37,14 +37,14 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
         ),
         Spoiled::new(
             "hull-is-a-star",
-            "every second vertex of the polygon follows, twice around",
+            "the polygon goes twice around, by every second vertex",
             "exact",
             &[(Class::Topology, "wound once")],
             |_, _, answer: &mut Polygon| answer.0.vertices = star(&answer.0.vertices),
         ),
         Spoiled::new(
             "hull-loses-a-vertex",
-            "a vertex in the middle of the polygon is lost",
+            "a vertex from the middle of the list is lost",
             "exact",
             &[(Class::Topology, "inside")],
             |_, _, answer: &mut Polygon| {
@@ -56,7 +56,7 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
         ),
         Spoiled::new(
             "hull-takes-the-later-copy",
-            "of two points in one place the second one is the vertex",
+            "the second of two points at one place is the vertex",
             "exact",
             &[(Class::Topology, "smallest index")],
             |scene: &Scene, _, answer: &mut Polygon| {
@@ -68,7 +68,7 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
         ),
         Spoiled::new(
             "hull-turns-right",
-            "the second vertex of the polygon and the third are exchanged",
+            "the second and the third vertex of the polygon are exchanged",
             "exact",
             &[(Class::Topology, "convex")],
             |_, _, answer: &mut Polygon| {
@@ -99,7 +99,7 @@ pub(super) fn in_plane() -> Vec<Spoiled<Hull2d>> {
         ),
         Spoiled::new(
             "hull-gives-up",
-            "the chains are said to meet in more than their ends",
+            "the chains are reported to meet not only in their ends",
             "exact",
             &[(Class::Topology, "the lower and the upper chain meet in their ends only")],
             |_, _, answer: &mut Polygon| answer.0.broken = Some(Contradiction::Chains),
@@ -176,7 +176,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-of-three-faces",
-            "of the surface only three faces are there",
+            "the surface has only three faces",
             "exact",
             &[(Class::Topology, "span")],
             |_, _, answer: &mut Surface| answer.0.faces.truncate(3),
@@ -216,7 +216,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-pinched",
-            "two vertices of the surface without a common face are one",
+            "two vertices of the surface without a common face are merged",
             "exact",
             &[(Class::Topology, "manifold")],
             |_, _, answer: &mut Surface| {
@@ -234,7 +234,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-with-a-leaf",
-            "three points inside are a surface of their own, of two sides",
+            "three inner points make a separate surface of two faces",
             "exact",
             &[(Class::Topology, "connected"), (Class::Topology, "euler")],
             |scene: &Scene, _, answer: &mut Surface| {
@@ -248,7 +248,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-bent-face",
-            "two triangles in no plane are one face",
+            "two triangles that are not coplanar are merged into one face",
             "exact",
             &[(Class::Topology, "planar")],
             |scene: &Scene, _, answer: &mut Surface| {
@@ -261,7 +261,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-flips-an-edge",
-            "of two triangles in no plane the other diagonal is an edge",
+            "two triangles that are not coplanar have the other diagonal as their edge",
             "exact",
             &[(Class::Topology, "convex")],
             |scene: &Scene, _, answer: &mut Surface| {
@@ -274,7 +274,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-notched-face",
-            "a face is two, by way of a point inside of it, so that one of them is not convex",
+            "a face is divided at an inner point into two faces, one of which is not convex",
             "exact",
             &[(Class::Topology, "face convex")],
             |scene: &Scene, _, answer: &mut Surface| {
@@ -334,7 +334,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-over-a-pentagram",
-            "of two pyramids over a ring every second vertex of the ring follows, twice around",
+            "the faces of two pyramids over a ring go twice around, by every second vertex of the ring",
             "exact",
             &[(Class::Topology, "wound once")],
             |_, _, answer: &mut Surface| {
@@ -358,7 +358,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-cuts-a-face",
-            "a face with more than three corners is two",
+            "a face with more than three corners is cut into two",
             "exact",
             &[(Class::Topology, "coplanar faces")],
             |_, _, answer: &mut Surface| {
@@ -372,7 +372,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-cut-off",
-            "a vertex of three triangles is cut off by the triangle of its neighbours",
+            "the triangle of its neighbours cuts off a vertex that has three triangles",
             "exact",
             &[(Class::Topology, "inside")],
             |_, _, answer: &mut Surface| {
@@ -393,7 +393,7 @@ pub(super) fn in_space() -> Vec<Spoiled<Hull3d>> {
         ),
         Spoiled::new(
             "hull-stops-stitching",
-            "the faces between two hulls are said to make no band",
+            "the faces between two hulls are reported not to make a band",
             "exact",
             &[(Class::Topology, "the stitching faces close to a band")],
             |_, _, answer: &mut Surface| answer.0.broken = Some(Contradiction::Band),

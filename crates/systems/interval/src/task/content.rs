@@ -49,13 +49,13 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     let points = PointSource::read(context, &fields.required("points")?, fields.file())?;
     let axis = axis(fields)?;
     let mut cells = Vec::new();
-    for item in fields.required("cells")?.items("cells: arrays of the indices of two points")? {
+    for item in fields.required("cells")?.items("cells: arrays with the indices of two points")? {
         let ends: Vec<Vertex> =
             item.items("a cell: the indices of two points")?.map(|end| end.point()).collect::<Result<_, _>>()?;
         let count = ends.len();
         let ends: [Vertex; 2] = ends
             .try_into()
-            .map_err(|_| item.error(format!("a cell of {count} ends"), "write the indices of two points"))?;
+            .map_err(|_| item.error(format!("a cell with {count} ends"), "write the indices of two points"))?;
         cells.push((item.line(), ends));
     }
     let asked = Asked { points, axis, cells, file: fields.file().to_owned(), line: fields.line() };
@@ -95,7 +95,7 @@ impl Asked {
             |line: usize, message: String, cure: &str| Err(CorpusError::file(&self.file, message, cure).at_line(line));
         let axis = self.axis;
         if axis == Axis::Z && scene.dimension() == Dimension::Two {
-            return error(self.line, "points of two coordinates have no z".to_owned(), "choose axis x or y");
+            return error(self.line, "points with two coordinates have no z".to_owned(), "choose axis x or y");
         }
         let mut cells: Vec<[Vertex; 2]> = Vec::with_capacity(self.cells.len());
         let mut is_end = vec![false; scene.len()];
@@ -112,9 +112,10 @@ impl Asked {
             }
             let [from, to] = [left, right].map(|end| scene.coordinate(axis, end));
             if from > to || (from == to && left <= right) {
-                let message = format!("the cell from {left} at {from} to {right} at {to} goes to the left, or nowhere");
-                let cure = "write the left end first; of two ends at one place that with the larger index, \
-                            which symbolic perturbation moves less";
+                let message =
+                    format!("the cell from {left} at {from} to {right} at {to} goes to the left, or has no length");
+                let cure = "write the left end first; if both ends are at one place, the end with the larger index, \
+                            because symbolic perturbation moves it less";
                 return error(line, message, cure);
             }
             is_end[left.index()] = true;
@@ -124,7 +125,7 @@ impl Asked {
         let probes: Vec<Vertex> = scene.vertices().filter(|vertex| !is_end[vertex.index()]).collect();
         if cells.is_empty() || probes.is_empty() {
             let message = format!("interval has {} cells and {} other points", cells.len(), probes.len());
-            let cure = "write at least one of each: every point that ends no cell is located";
+            let cure = "write at least one of each: every point that is not an end is located";
             return error(self.line, message, cure);
         }
         Ok(Cells { axis, cells, probes })

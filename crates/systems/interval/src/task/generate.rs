@@ -21,7 +21,7 @@ pub(super) static FAMILIES: [Family; 2] = [
         name: "cells-degen",
         reported_as: Some("cells-degen"),
         parameters: &[],
-        about: "cells of a line with ends on few integers: many have no length",
+        about: "cells of a line with ends on small integers: many have no length",
         read: |_, fields| recipe(Ends::Repeated, fields),
     },
 ];

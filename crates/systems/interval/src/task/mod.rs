@@ -105,10 +105,10 @@ impl Task for Interval {
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
             Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
-            Knob::Translation => Turns::UpTo(32, "ends of cells are rounded to one place"),
-            Knob::Precision => Turns::UpTo(29, "ends of cells are rounded to one place"),
+            Knob::Translation => Turns::UpTo(32, "different ends are rounded to one place"),
+            Knob::Precision => Turns::UpTo(29, "different ends are rounded to one place"),
             Knob::Noise | Knob::Pythagorean | Knob::Turn => {
-                Turns::Nowhere("the ends of cells have to stay in their order along the axis")
+                Turns::Nowhere("the ends of cells must keep their order along the axis")
             }
         }
     }

@@ -9,7 +9,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
     vec![
         Spoiled::new(
             "interval-loses-a-point",
-            "the first point that is in a cell is in none",
+            "the first point in a cell is reported in no cell",
             "exact",
             &[(Class::Topology, "gap")],
             |_, _, answer: &mut CellsFound| {
@@ -20,7 +20,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
         ),
         Spoiled::new(
             "interval-stray-point",
-            "the first point that is in no cell is in the first",
+            "the first point in no cell is reported in the first cell",
             "exact",
             &[(Class::Topology, "stray")],
             |_, _, answer: &mut CellsFound| {
@@ -31,7 +31,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
         ),
         Spoiled::new(
             "interval-unbroken-tie",
-            "points in a cell are at its end, and at that of the next one",
+            "points in a cell are reported at its end and at the end of the next cell",
             "sos",
             &[(Class::Inconsistent, "never zero")],
             |_, content: &Cells, answer: &mut CellsFound| {
@@ -44,7 +44,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
         ),
         Spoiled::new(
             "interval-takes-an-end",
-            "a point at the ends of two cells is in the first of them",
+            "a point at the ends of two cells is reported in the first of these cells",
             "exact",
             &[(Class::MissedZero, "cells")],
             |_, _, answer: &mut CellsFound| {
@@ -55,7 +55,7 @@ pub(super) fn all() -> Vec<Spoiled<Interval>> {
         ),
         Spoiled::new(
             "interval-next-cell",
-            "points are in the cell beside the one that they are in",
+            "points are reported in a neighbour of their cell",
             "exact",
             &[(Class::SignFlip, "cells")],
             |_, content: &Cells, answer: &mut CellsFound| {

@@ -44,9 +44,9 @@ impl Laws<'_> {
                     if wrong == 1 {
                         let of = name(regions.sources[at]);
                         let got = format!(
-                            "a piece of {of} is said to be in region {said} of the other mesh, and is in {place:?}"
+                            "a piece of {of} is reported in region {said} of the other mesh, but is in {place:?}"
                         );
-                        note(found, "region of a piece", got, "a piece is in the region that its middle is in");
+                        note(found, "region of a piece", got, "a piece is in the region of its centroid");
                     }
                 }
             }
@@ -80,10 +80,11 @@ impl Laws<'_> {
             if let Some((what, operation, winding)) = wrong {
                 let [x, y, z] = probe;
                 let got = format!(
-                    "{what} of the {} goes {winding} times around ({x}, {y}, {z}), in region {first} of the first mesh and {second} of the second",
+                    "{what} of the {} goes {winding} times around ({x}, {y}, {z}), which is in region {first} of the \
+                     first mesh and in region {second} of the second",
                     operation.name()
                 );
-                let law = "a result goes once around what the operation says is in it, and not around anything else";
+                let law = "the surface of a result goes once around its points, and not around any other point";
                 note(found, "point in a result", got, law);
                 return;
             }

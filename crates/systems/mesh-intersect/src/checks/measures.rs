@@ -70,15 +70,15 @@ impl Laws<'_> {
         let [first, second] = [0, 1].map(|mesh| self.of_mesh(mesh));
         let laws: [(&str, Vec<(&Sums, i32)>); 3] = [
             (
-                "union and intersection together are both meshes together",
+                "union and intersection together equal both meshes together",
                 vec![(&union, 1), (&intersection, 1), (&first, -1), (&second, -1)],
             ),
             (
-                "difference and intersection together are the first mesh",
+                "difference and intersection together equal the first mesh",
                 vec![(&difference, 1), (&intersection, 1), (&first, -1)],
             ),
             (
-                "the symmetric difference is the union less the intersection",
+                "the symmetric difference equals the union less the intersection",
                 vec![(&exclusive, 1), (&union, -1), (&intersection, 1)],
             ),
         ];
@@ -94,7 +94,7 @@ impl Laws<'_> {
                 .map(|(source, _)| source)
                 .collect();
             if let Some(source) = areas.first() {
-                let got = format!("{} triangles, first {}: its parts are not", areas.len(), name(**source));
+                let got = format!("{} triangles, first {}: its parts differ", areas.len(), name(**source));
                 note(found, "areas of results", got, law);
             }
             let volume: Rational = left.values().map(|measure| &measure[3]).sum();
@@ -131,7 +131,7 @@ impl Laws<'_> {
                     found,
                     "a mesh with itself",
                     got,
-                    "union and intersection are the mesh, differences have no volume",
+                    "union and intersection equal the mesh; differences have no volume",
                 );
             }
         }
@@ -167,7 +167,7 @@ impl Laws<'_> {
             }
             if let Some((region, volume)) = by_region.iter().find(|(_, volume)| !volume.is_zero()) {
                 let got = format!(
-                    "parts of region {region} of the {name} mesh have {:e} more than it",
+                    "the parts of region {region} of the {name} mesh have {:e} more volume than the region",
                     volume.to_f64() / 6.0
                 );
                 note(found, "volume", got, "the volumes of a region's parts add up to its volume");

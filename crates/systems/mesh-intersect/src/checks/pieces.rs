@@ -55,7 +55,7 @@ impl Laws<'_> {
                 found,
                 "sides of a piece",
                 got,
-                "a piece is between the regions of its triangle, in one of the other mesh",
+                "a piece separates the regions of its triangle, inside one region of the other mesh",
             );
         }
     }
@@ -89,9 +89,18 @@ impl Laws<'_> {
             wanted.sort_unstable();
             got.sort_unstable();
             if wanted != got {
-                let got =
-                    format!("{}: {} triangles, where {} are its surface", operation.name(), got.len(), wanted.len());
-                note(found, "operation", got, "a result's surface is the pieces between its inside and its outside");
+                let got = format!(
+                    "{}: {} triangles, but {} pieces are its surface",
+                    operation.name(),
+                    got.len(),
+                    wanted.len()
+                );
+                note(
+                    found,
+                    "operation",
+                    got,
+                    "the surface of a result consists of the pieces between its inside and its outside",
+                );
             }
         }
     }

@@ -117,7 +117,7 @@ impl<'a> Settlement<'a> {
         }
         if self.laws.is_twice() && !self.settled[2].limit.is_empty() {
             let got = format!("{} triangles of the difference", self.settled[2].limit.len());
-            note(found, "limit of a mesh with itself", got, "a mesh less itself is nothing");
+            note(found, "limit of a mesh with itself", got, "a mesh less itself is empty");
         }
     }
 
@@ -130,8 +130,8 @@ impl<'a> Settlement<'a> {
         for v in vertices {
             let Some(other) = by_place.insert(self.point(v), v) else { continue };
             if v.is_constructed() || other.is_constructed() || mesh(v) != mesh(other) {
-                let got = format!("{}: {other} and {v} are at one place", operation.name());
-                note(found, "vertices of a limit", got, "at one place there is one vertex");
+                let got = format!("{}: {other} and {v} are at the same place", operation.name());
+                note(found, "vertices of a limit", got, "two vertices are not at the same place");
                 return;
             }
         }
@@ -152,17 +152,12 @@ impl<'a> Settlement<'a> {
             if let Some(((axis, plane), area)) = left.first_key_value() {
                 let at = plane.each_ref().map(Rational::to_f64);
                 let got = format!(
-                    "{}: in {} planes, first that of normal and height {at:?} along axis {axis}, by {:e}",
+                    "{}: in {} planes, first the plane with normal and height {at:?} along axis {axis}, by {:e}",
                     operation.name(),
                     left.len(),
                     area.to_f64() / 2.0
                 );
-                note(
-                    found,
-                    "areas of a limit",
-                    got,
-                    "a limit has the areas that the perturbed result has in each plane",
-                );
+                note(found, "areas of a limit", got, "a limit has the same area in each plane as the perturbed result");
             }
         }
     }
@@ -181,11 +176,11 @@ impl<'a> Settlement<'a> {
         let far = points.iter().zip(vertices).find(|&pair| !is_near(pair));
         if let Some((point, v)) = far {
             let got = format!("{}: {v} is at {point:?}", operation.name());
-            note(found, "place of a rounded vertex", got, "each coordinate is within one ulp of its place");
+            note(found, "place of a rounded vertex", got, "each coordinate is within one ulp of the exact coordinate");
         }
         if points.len() != vertices.len() {
             let got = format!("{}: {} of {}", operation.name(), vertices.len(), points.len());
-            note(found, "place of a rounded vertex", got, "it is known what each vertex was");
+            note(found, "place of a rounded vertex", got, "each vertex has a known source");
         }
     }
 
@@ -225,7 +220,7 @@ fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
         let mut sorted = triangle;
         sorted.sort_unstable();
         if crossed > 0 && !seen.insert(sorted) {
-            note(found, "sheet", format!("{of}: {sorted:?} is there twice"), "no triangle is there twice");
+            note(found, "sheet", format!("{of}: {sorted:?} occurs twice"), "each triangle occurs only once");
             break;
         }
     }

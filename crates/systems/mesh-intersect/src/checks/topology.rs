@@ -143,12 +143,13 @@ impl Laws<'_> {
         }
         if let Some([a, b]) = wrong.first() {
             let got = format!("{} times, first: the edge of {a} and {b}", wrong.len());
-            let law = "an edge is inside of a triangle with a piece on either side, or on an edge of a mesh with a piece of each triangle there";
+            let law = "an edge is inside a triangle, with a piece on each side, or on an edge of a mesh, with a piece \
+                       of each triangle at that edge";
             note(found, "edge of a piece", got, law);
         }
         if let Some([a, b]) = wrong_curves.first() {
             let got = format!("{} times, first: the edge of {a} and {b}", wrong_curves.len());
-            let law = "a segment of a curve has two pieces of one triangle of either mesh, one on either side";
+            let law = "a segment of a curve has, in each mesh, two pieces of one triangle, one on each side";
             note(found, "segment of a curve", got, law);
         }
     }
@@ -183,11 +184,11 @@ impl Laws<'_> {
         });
         if let Some(at) = wrong {
             let (v, [all, of_surfaces]) = (vertex(at), of(vertex(at)));
-            let around =
-                wanted(at).map_or_else(|| "no edge of a mesh".to_owned(), |n| format!("an edge of {n} triangles"));
-            let got =
-                format!("{v} is on {around}, and {all} segments end there, {of_surfaces} of them between surfaces");
-            let law = "as many segments of curves end in a point as triangles are around its edge; of surfaces an even number";
+            let around = wanted(at)
+                .map_or_else(|| "not on an edge of a mesh".to_owned(), |n| format!("on an edge with {n} triangles"));
+            let got = format!("{v} is {around}; {all} segments end there, {of_surfaces} of them between surfaces");
+            let law = "the number of curve segments that end in a point equals the number of triangles around its \
+                       edge; an even number are between surfaces";
             note(found, "curve not closed", got, law);
         }
     }
@@ -206,7 +207,7 @@ impl Laws<'_> {
             let open = uses.iter().find(|(_, [back, forward])| back != forward);
             if let Some(([a, b], _)) = open {
                 let got = format!("{}: open at the edge of {a} and {b}", operation.name());
-                note(found, "result not closed", got, "a result's surface is closed and turned one way");
+                note(found, "result not closed", got, "the surface of a result is closed and consistently oriented");
                 continue;
             }
             let is_right = |edge: &Edge, forward: usize| {
@@ -217,10 +218,10 @@ impl Laws<'_> {
             };
             if let Some(([a, b], [_, count])) = uses.iter().find(|(edge, [_, forward])| !is_right(edge, *forward)) {
                 let got = format!("{}: {} triangles at the edge of {a} and {b}", operation.name(), 2 * count);
-                note(found, "edge of a result", got, "an edge has two triangles, or as many as the meshes say");
+                note(found, "edge of a result", got, "an edge has two triangles, or as many as in the meshes");
             } else if !is_exclusive && let Some(v) = self.pinched(solid, &uses) {
-                let got = format!("{}: triangles at {v} are more than one fan", operation.name());
-                note(found, "corner of a result", got, "the triangles at a constructed vertex are one fan");
+                let got = format!("{}: the triangles at {v} make more than one fan", operation.name());
+                note(found, "corner of a result", got, "the triangles at a constructed vertex make one fan");
             }
         }
     }
@@ -265,11 +266,13 @@ impl Laws<'_> {
         let [union, intersection, exclusive] = [of(0), of(1), of(3)];
         if union + intersection != first + second {
             let got = format!("{union} and {intersection}, of meshes of {first} and {second}");
-            let law = "the characteristics of union and intersection add up to those of both meshes";
+            let law =
+                "the Euler characteristics of union and intersection add up to the characteristics of both meshes";
             note(found, "Euler characteristic", got, law);
         } else if exclusive != first + second - curves {
             let got = format!("{exclusive}, of meshes of {first} and {second} and curves of {curves}");
-            let law = "the characteristic of the symmetric difference is that of both meshes less that of the curves";
+            let law = "the Euler characteristic of the symmetric difference is the sum for both meshes less the \
+                       characteristic of the curves";
             note(found, "Euler characteristic", got, law);
         }
     }

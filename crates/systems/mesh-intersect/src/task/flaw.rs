@@ -58,7 +58,7 @@ impl Flaw {
                     }
                     Place::On(_) => "another triangle".to_owned(),
                 };
-                format!("{side} triangle {} of {mesh} is {there}, and it should be region {region}", name(*triangle))
+                format!("{side} triangle {} of {mesh} is {there}; expected: region {region}", name(*triangle))
             }
         }
     }

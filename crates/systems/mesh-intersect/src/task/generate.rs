@@ -78,7 +78,7 @@ pub(super) static FAMILIES: [Family; 10] = [
     ),
     family!("intersect-combs", "two prisms over combs of about n corners", combs),
     family!("intersect-tetrahedra", "two lattices of tetrahedra, each a region, about n triangles each", tetrahedra),
-    family!("intersect-shells", "two nests of cubes, every second one a cavity, of about n corners each", shells),
+    family!("intersect-shells", "two nests of cubes, every second cube a cavity, about n corners each", shells),
     family!("intersect-checkers", "two heaps of cubes that share edges and corners, about n triangles each", checkers),
     family!("intersect-needles", "two rows of long tetrahedra, about n triangles each", needles),
     family!("intersect-crowds", "two crowds of tetrahedra, about n triangles each", crowd),
@@ -86,7 +86,7 @@ pub(super) static FAMILIES: [Family; 10] = [
         name: "intersect-terrains",
         reported_as: Some("intersect-terrains"),
         parameters: &["ground"],
-        about: "two solids under terrains of about n triangles each, over one ground or apart",
+        about: "two solids under terrains of about n triangles each, over a common ground or apart",
         read: terrains,
     },
 ];
@@ -99,7 +99,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> 
             let known = PLACED.iter().find(|(known, _)| *known == name).map(|(_, placed)| *placed);
             known.ok_or_else(|| {
                 let names = PLACED.map(|(name, _)| format!("\"{name}\"")).join(", ");
-                field.error(format!("no place of the second mesh is called `{name}`"), format!("use one of {names}"))
+                field.error(format!("unknown place of the second mesh `{name}`"), format!("use one of {names}"))
             })?
         }
     };
@@ -161,7 +161,7 @@ fn terrains(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
         Some(field) => match field.str()? {
             "shared" => true,
             "apart" => false,
-            other => return Err(field.error(format!("no ground is called `{other}`"), "use \"shared\" or \"apart\"")),
+            other => return Err(field.error(format!("unknown ground `{other}`"), "use \"shared\" or \"apart\"")),
         },
     };
     let make = move |making: &Making| {

@@ -31,7 +31,8 @@ pub(super) fn affordable(scene: &Scene, content: &TwoMeshes) -> Result<(), Halt>
         return Ok(());
     }
     let why = format!(
-        "the overlay would take about {} GiB of memory, and at most {} are allowed: divide the meshes, or leave out what does not cross",
+        "the overlay would need about {} GiB of memory; at most {} GiB are allowed: divide the meshes, or leave out \
+         parts that do not cross",
         bytes >> 30,
         MOST >> 30
     );

@@ -89,7 +89,7 @@ impl Overlaid {
             Ok(overlaid) => overlaid,
             Err(Undone::Refused(why)) => return Err(why.into()),
             Err(touch @ (Undone::Touch(_) | Undone::Contact(_))) => {
-                let why = format!("{touch}; what touches is decided by backends that break ties");
+                let why = format!("{touch}; use a backend that breaks ties, such as sos:per-mesh");
                 return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
             }
             Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
@@ -174,8 +174,8 @@ impl Task for MeshIntersect {
 
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
-            Knob::Translation => Turns::UpTo(32, "meshes that are rounded cross themselves"),
-            Knob::Shift | Knob::Precision => Turns::Nowhere("meshes that are rounded cross themselves"),
+            Knob::Translation => Turns::UpTo(32, "rounded meshes cross themselves"),
+            Knob::Shift | Knob::Precision => Turns::Nowhere("rounded meshes cross themselves"),
             _ => Turns::Everywhere,
         }
     }

@@ -44,7 +44,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     let operands = [operand("first", "first_regions")?, operand("second", "second_regions")?];
     let points = match fields.get("points") {
         None if operands.iter().any(|operand| matches!(operand, Operand::Triangles { .. })) => {
-            return Err(fields.error("triangles without `points`", "give the points that they are of"));
+            return Err(fields.error("triangles without `points`", "give the `points` of the mesh"));
         }
         points => points.map(|field| PointSource::read(context, &field, fields.file())).transpose()?,
     };
@@ -57,11 +57,11 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
 /// The vector by which the second mesh is moved.
 fn moved(field: &Field<'_, '_>, second: &Operand) -> Result<[f64; 3], CorpusError> {
     if !matches!(second, Operand::File(_)) {
-        return Err(field.error("`moved` is for a second mesh in a file", "write the points where they should be"));
+        return Err(field.error("`moved` is for a second mesh in a file", "write the moved points themselves"));
     }
     let by: Vec<f64> = field.items("three coordinates")?.map(|x| x.coordinate()).collect::<Result<_, _>>()?;
     let count = by.len();
-    <[f64; 3]>::try_from(by).map_err(|_| field.error(format!("a move of {count} coordinates"), "give it three"))
+    <[f64; 3]>::try_from(by).map_err(|_| field.error(format!("a move with {count} coordinates"), "give it three"))
 }
 
 impl Elsewhere for Written {
@@ -71,7 +71,7 @@ impl Elsewhere for Written {
         if let Some(points) = &self.points {
             let (dimension, read, of_points) = points.coordinates(cache)?;
             if dimension != Dimension::Three {
-                let message = "`points` have 2 coordinates each, and meshes are in space";
+                let message = "`points` have 2 coordinates each; meshes need 3";
                 return Err(points.error(message, "give every point 3 coordinates"));
             }
             coordinates = read.as_chunks().0.to_vec();
@@ -128,7 +128,7 @@ impl Written {
         let mut of_first = vec![false; scene.len()];
         meshes[0].triangles().as_flattened().iter().for_each(|v| of_first[v.index()] = true);
         if let Some(v) = meshes[1].triangles().as_flattened().iter().find(|v| of_first[v.index()]) {
-            return Err(self.error(format!("point {v} is of both meshes"), "give each mesh points of its own"));
+            return Err(self.error(format!("both meshes use point {v}"), "give each mesh its own points"));
         }
         for (mesh, name) in meshes.into_iter().zip(["first", "second"]) {
             let is_flat = |&[a, b, c]: &[Vertex; 3]| {
@@ -155,7 +155,8 @@ impl Written {
                 "cut them where they cross (`corpus resolve` does so), or write `check = false` to take the mesh as it is"
             }
             Flaw::Side { .. } => {
-                "turn over what is inside out, and join what overlaps (`corpus resolve` does the latter); or write `check = false` to take the mesh as it is"
+                "turn over the parts that are inside out, and join the parts that overlap (`corpus resolve` joins \
+                 them); or write `check = false` to take the mesh as it is"
             }
         };
         let Operand::File(of) = operand else {

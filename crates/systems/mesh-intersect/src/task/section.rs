@@ -59,10 +59,10 @@ predicament_records::table! {
     fn check(&self) -> Result<(), RowError> {
         let flaws = self.turned.saturating_add(self.folded).saturating_add(self.crossing);
         if self.left > flaws {
-            return Err(RowError::Contradiction("more flaws are left than there were"));
+            return Err(RowError::Contradiction("`left` exceeds the number of flaws"));
         }
         if self.flat.saturating_add(self.cancelled) > self.perturbed {
-            return Err(RowError::Contradiction("more triangles are without area, or cancelled, than there were"));
+            return Err(RowError::Contradiction("`flat` and `cancelled` exceed `perturbed`"));
         }
         Ok(())
     }
@@ -142,8 +142,9 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     Ok((!table.is_empty()).then(|| Section {
         id: "mesh-intersect",
         title: "Operations on meshes",
-        lead: "Triangles of each result as the perturbation has it, of its limit, and of the limit in doubles. Flaws are triangles that turn \
-               over, fold or cross where all vertices go to the nearest doubles; those that are left stay where other doubles do not help."
+        lead: "The number of triangles of each result, while perturbed, in the limit, and in the limit in doubles. A \
+               flaw is a triangle that turns over, folds or crosses another if all vertices are rounded to the nearest \
+               doubles. `left` counts the flaws that other doubles do not mend."
             .to_owned(),
         blocks: vec![Block::Table(table)],
     }))

@@ -16,7 +16,7 @@ fn count(i: usize) -> f64 {
 fn closed(points: Vec<[f64; 3]>, corners: Vec<[Vertex; 3]>) -> Surface {
     let mesh = MaterialMesh::of_closed(points.len(), corners);
     Surface {
-        mesh: mesh.unwrap_or_else(|why| panic!("a generator made no mesh: {why}")),
+        mesh: mesh.unwrap_or_else(|why| panic!("the generated mesh is invalid: {why}")),
         points,
         tetrahedra: Vec::new(),
     }

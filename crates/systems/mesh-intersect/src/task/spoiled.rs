@@ -12,7 +12,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
     vec![
         Spoiled::new(
             "mesh-intersect-loses-points",
-            "all constructed vertices are rounded to no numbers",
+            "all constructed vertices are rounded to NaN",
             "exact",
             &[(Class::Topology, "vertex not finite")],
             |_, _, answer: &mut Overlaid| answer.rounded = Some(vec![[f64::NAN; 3]; answer.constructions.len()]),
@@ -51,7 +51,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-other-triangles",
-            "each piece is said to be of the triangle before or behind its own",
+            "each piece is reported as part of the triangle before or behind its own",
             "exact",
             &[(Class::Topology, "piece not in its face")],
             |_, _, answer: &mut Overlaid| {
@@ -73,7 +73,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-adds-a-needle",
-            "a piece with two corners is there besides",
+            "a piece with two corners is added",
             "exact",
             &[(Class::Topology, "triangle without area")],
             |_, _, answer: &mut Overlaid| {
@@ -89,7 +89,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-moves-a-corner",
-            "the first corner of the last piece stands for that of the first one, too",
+            "the first corner of the first piece is replaced by the first corner of the last piece",
             "exact",
             &[(Class::Topology, "self-intersection")],
             |_, _, answer: &mut Overlaid| {
@@ -101,7 +101,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-has-no-limit",
-            "results are said to have no limit",
+            "the results are reported to have no limit",
             "sos:per-mesh",
             &[(Class::Topology, "limit")],
             |_, _, answer: &mut Overlaid| {
@@ -124,14 +124,14 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-exchanges-sides",
-            "what is in front of each piece is said to be behind it",
+            "the regions in front of and behind each piece are exchanged",
             "exact",
             &[(Class::Topology, "sides of a piece")],
             |_, _, answer: &mut Overlaid| answer.regions.sides.iter_mut().for_each(|sides| sides.reverse()),
         ),
         Spoiled::new(
             "mesh-intersect-other-regions",
-            "pieces of the first mesh that are inside of the second are said to be outside, and the other way round",
+            "pieces of the first mesh inside the second are reported outside, and the reverse",
             "exact",
             &[(Class::Topology, "region of a piece")],
             |_, _, answer: &mut Overlaid| {
@@ -148,7 +148,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-gives-up",
-            "two triangles are said to meet in more than one segment",
+            "two triangles are reported to meet in more than one segment",
             "exact",
             &[(Class::Topology, "two triangles meet in one segment")],
             |_, _, answer: &mut Overlaid| answer.broken = Some(Contradiction::Segment),

@@ -32,7 +32,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-joins-points",
-            "the last constructed vertex is taken for the first",
+            "the first constructed vertex is replaced by the last",
             "exact",
             &[
                 (Class::Topology, "curve not closed"),
@@ -48,7 +48,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-adds-a-flap",
-            "a triangle of the intersection is there again, and turned over",
+            "a triangle of the intersection is repeated, once as it is and once turned over",
             "exact",
             &[(Class::Topology, "edge of a result")],
             |_, _, answer: &mut Overlaid| {
@@ -60,7 +60,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-repeats-pieces",
-            "the first piece and the last are there again, once as they are and once with their sides exchanged",
+            "the first and the last piece are repeated, once as they are and once with their sides exchanged",
             "exact",
             &[
                 (Class::Topology, "edge of a piece"),
@@ -79,7 +79,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-takes-the-other-difference",
-            "the second mesh less the first is the difference",
+            "the difference is the second mesh less the first",
             "exact",
             &[(Class::Topology, "difference by complement"), (Class::Topology, "point in a result")],
             |_, _, answer: &mut Overlaid| {
@@ -114,7 +114,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-takes-the-unions-limit",
-            "the limit of the union is taken for that of the difference",
+            "the limit of the difference is replaced by the limit of the union",
             "sos:per-mesh",
             &[(Class::Topology, "limit of a mesh with itself"), (Class::Topology, "areas of a limit")],
             |_, _, answer: &mut Overlaid| {
@@ -149,7 +149,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-merges-places",
-            "in the limit of the union the corner of its last triangle stands for that of its first one, too",
+            "the limit of the union has the corner of its last triangle in place of the corner of its first",
             "exact",
             &[(Class::Topology, "areas of a limit")],
             |_, _, answer: &mut Overlaid| {
@@ -164,7 +164,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-passes-through",
-            "the first vertex of the union in doubles is beyond the one that is farthest from it",
+            "the first vertex of the union in doubles is moved beyond its farthest vertex",
             "exact",
             &[(Class::Topology, "settled result crosses itself"), (Class::Topology, "place of a rounded vertex")],
             |_, _, answer: &mut Overlaid| {
@@ -181,7 +181,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-adds-a-sheet",
-            "a triangle of the union in doubles is there again, and turned over",
+            "a triangle of the union in doubles is repeated, once as it is and once turned over",
             "exact",
             &[(Class::Topology, "sheet")],
             |_, _, answer: &mut Overlaid| {
@@ -194,7 +194,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-loses-a-place",
-            "the line of the first constructed vertex is one in its plane",
+            "the line of the first constructed vertex is replaced by a line in its plane",
             "exact",
             &[(Class::Topology, "vertex of a limit")],
             |_, _, answer: &mut Overlaid| {
@@ -218,7 +218,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
         ),
         Spoiled::new(
             "mesh-intersect-splits-a-vertex",
-            "in the limit of the union the first constructed vertex of a triangle is another one at its place",
+            "the limit of the union has a second vertex at the place of a constructed vertex",
             "exact",
             &[(Class::Topology, "vertices of a limit")],
             |_, _, answer: &mut Overlaid| {

@@ -163,7 +163,7 @@ fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<St
         let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
         let own: Rational = normal.iter().map(|x| x.clone().abs()).sum();
         if own == 0 {
-            return Some(format!("a triangle without area: {triangle:?}"));
+            return Some(format!("a triangle has no area: {triangle:?}"));
         }
         area += own / 2;
         volume += (0..3).map(|i| Rational::from(&normal[i] * &a[i])).sum::<Rational>() / 6;

@@ -71,7 +71,7 @@ fn resolve(mesh: &Closed) -> Result<Found, String> {
 /// The flaw of a surface: without area, open, or crossing itself.
 fn flaw(surface: &[[Point; 3]]) -> Option<String> {
     if surface.iter().any(|triangle| area(triangle).iter().all(|x| x.cmp0().is_eq())) {
-        return Some("a triangle without area".to_owned());
+        return Some("a triangle has no area".to_owned());
     }
     let mut edges: BTreeMap<[&Point; 2], i32> = BTreeMap::new();
     for [a, b, c] in surface {

@@ -133,7 +133,7 @@ impl MeshIndex {
                 };
                 match stab(session, direction, corners, q, low <= p[2], turn) {
                     Stab::Missed => {}
-                    Stab::Unsure => unreachable!("no zero here is that of a band"),
+                    Stab::Unsure => unreachable!("no zero here comes from a tolerance band"),
                     Stab::On => {
                         // Entries are ascending, and the point's own cell lists all triangles that contain it.
                         found = Some(Location::On(triangle));

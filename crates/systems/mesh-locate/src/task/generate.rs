@@ -32,10 +32,10 @@ macro_rules! family {
 pub(super) static FAMILIES: [Family; 7] = [
     family!("locate-sphere", "a sphere of about n triangles", &[], sphere),
     family!("locate-torus", "a torus of about n triangles", &[], torus),
-    family!("locate-boxes", "boxes glued along their faces, each a region", &["tilt"], boxes),
+    family!("locate-boxes", "boxes with common faces, each a region", &["tilt"], boxes),
     family!("locate-tetrahedra", "a lattice of tetrahedra, each a region", &["tilt", "jitter"], tetrahedra),
     family!("locate-shells", "two spheres, 2^-40 of their radius apart", &[], shells),
-    family!("locate-cubes", "cubes in each other, one double apart", &[], cubes),
+    family!("locate-cubes", "nested cubes, one double apart", &[], cubes),
     family!("locate-needles", "n / 4 tetrahedra, a million times as long as wide, across the axes", &[], needles),
 ];
 
@@ -73,7 +73,7 @@ fn surfaces(shapes: Vec<(Shape, [u32; 2])>) -> Surface {
     }
     let mesh = MaterialMesh::new(points.len(), corners, sides);
     Surface {
-        mesh: mesh.unwrap_or_else(|why| panic!("a generator made no mesh: {why}")),
+        mesh: mesh.unwrap_or_else(|why| panic!("the generated mesh is invalid: {why}")),
         points,
         tetrahedra: Vec::new(),
     }
@@ -184,7 +184,7 @@ fn turned([x, y, z]: [f64; 3]) -> [f64; 3] {
 
 fn of_tetrahedra(points: Vec<[f64; 3]>, tetrahedra: Vec<[Vertex; 4]>) -> Surface {
     let mesh = MaterialMesh::of_tetrahedra(points.len(), &tetrahedra);
-    Surface { mesh: mesh.unwrap_or_else(|why| panic!("a generator made no mesh: {why}")), points, tetrahedra }
+    Surface { mesh: mesh.unwrap_or_else(|why| panic!("the generated mesh is invalid: {why}")), points, tetrahedra }
 }
 
 fn tetrahedra(n: usize, changes: Changes, rng: &mut Random) -> Surface {
@@ -235,7 +235,7 @@ fn boxes(n: usize, changes: Changes, rng: &mut Random) -> Surface {
     }
     let mesh = MaterialMesh::new(whole.points.len(), corners, sides);
     Surface {
-        mesh: mesh.unwrap_or_else(|why| panic!("a generator made no mesh: {why}")),
+        mesh: mesh.unwrap_or_else(|why| panic!("the generated mesh is invalid: {why}")),
         points: whole.points,
         tetrahedra: Vec::new(),
     }

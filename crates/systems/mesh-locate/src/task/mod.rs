@@ -138,8 +138,8 @@ impl Task for MeshLocate {
 
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
-            Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
-            Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
+            Knob::Translation => Turns::UpTo(32, "a rounded mesh crosses itself"),
+            Knob::Precision => Turns::UpTo(29, "a rounded mesh crosses itself"),
             _ => Turns::Everywhere,
         }
     }

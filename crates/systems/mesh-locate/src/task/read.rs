@@ -91,7 +91,8 @@ fn written(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Where, Corp
             Ok(Where::Tetrahedra { points, tetrahedra: simplices(&tetrahedra, "a tetrahedron")? })
         }
         (Some(_), Some(second)) => {
-            Err(second.error("both `triangles` and `tetrahedra`", "keep one: the triangles of tetrahedra are found"))
+            Err(second
+                .error("both `triangles` and `tetrahedra`", "keep one: the tool finds the triangles of tetrahedra"))
         }
         (None, None) => Err(fields.error("a mesh without `triangles` or `tetrahedra`", format!("write {NEEDED}"))),
     }
@@ -102,7 +103,7 @@ fn written(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Where, Corp
 /// # Errors
 /// The first line that is not such an array.
 pub fn simplices<const N: usize>(field: &Field<'_, '_>, what: &str) -> Result<Simplices<N>, CorpusError> {
-    let items = field.items("arrays of the indices of points")?;
+    let items = field.items("arrays with the indices of points")?;
     let simplex = |item: Field<'_, '_>| {
         let corners = item.items("the indices of the corners")?.map(|corner| corner.point());
         let corners: Vec<Vertex> = corners.collect::<Result<_, _>>()?;
@@ -118,9 +119,10 @@ fn given(field: &Field<'_, '_>) -> Result<Vec<[f64; 3]>, CorpusError> {
     let point = |item: Field<'_, '_>| {
         let point: Vec<f64> = item.items("three coordinates")?.map(|x| x.coordinate()).collect::<Result<_, _>>()?;
         let count = point.len();
-        <[f64; 3]>::try_from(point).map_err(|_| item.error(format!("a probe of {count} coordinates"), "give it three"))
+        <[f64; 3]>::try_from(point)
+            .map_err(|_| item.error(format!("a probe with {count} coordinates"), "give it three"))
     };
-    field.items("points of three coordinates")?.map(point).collect()
+    field.items("points with three coordinates")?.map(point).collect()
 }
 
 impl MeshSource {
@@ -201,7 +203,8 @@ impl Elsewhere for Written {
         }
         let probes = probing.exactly(surface.points.len(), surface.mesh.triangles().len(), level);
         if 3 * (surface.points.len() + probes) > MOST_COORDINATES {
-            let message = format!("a mesh with {probes} probes: a scene has at most {MOST_COORDINATES} coordinates");
+            let message =
+                format!("a mesh with {probes} probes has too many coordinates: a scene has at most {MOST_COORDINATES}");
             let cure = "choose fewer by `random` and `quick_stride` or `full_stride`";
             return Err(CorpusError::file(&self.file, message, cure).at_line(self.line));
         }
@@ -226,7 +229,7 @@ impl Written {
     ) -> Result<(Vec<[f64; 3]>, ImportNotes), CorpusError> {
         let (dimension, coordinates, notes) = points.coordinates(cache)?;
         if dimension != Dimension::Three {
-            let message = format!("`{key}` have 2 coordinates each, and meshes are in space");
+            let message = format!("`{key}` have 2 coordinates each; meshes need 3");
             return Err(points.error(message, "give every point 3 coordinates"));
         }
         let coordinates: Vec<[f64; 3]> = coordinates.as_chunks().0.to_vec();
@@ -303,8 +306,8 @@ impl Place<'_> {
             MaterialError::Open { edge: [a, b], region, triangle, triangles } => {
                 let [a, b] = [a, b].map(|v| places.point_name(v.index()));
                 let message = format!(
-                    "region {region} is not closed at the edge of vertices {a} and {b}: of the {triangles} triangle(s) there, {} among them, more go \
-                     one way around it than the other",
+                    "region {region} is not closed at the edge of vertices {a} and {b}: its {triangles} triangle(s) \
+                     there, such as {}, do not use the edge equally often in both directions",
                     name(*triangle)
                 );
                 let beside = match regions {
@@ -314,7 +317,7 @@ impl Place<'_> {
                 (message, format!("close the mesh, turn the triangle over, or {beside}"))
             }
             MaterialError::NoSuchVertex { triangle, vertex } => (
-                format!("triangle {} has vertex {vertex}, and the mesh has no such point", name(*triangle)),
+                format!("triangle {} has vertex {vertex}, but the mesh has no such point", name(*triangle)),
                 "indices count from 0".to_owned(),
             ),
             MaterialError::Repeated { triangle, vertex } => (

@@ -39,15 +39,15 @@ impl Regions {
             table.finish()?;
             return Ok(Regions::File(origin));
         }
-        let items = field.items("pairs of numbers of regions, or `{ path = \"regions.csv\" }`")?;
+        let items = field.items("pairs of region numbers, or `{ path = \"regions.csv\" }`")?;
         let (mut pairs, mut lines) = (Vec::with_capacity(items.len()), Vec::with_capacity(items.len()));
         for item in items {
             let pair: Vec<u64> = item
-                .items("two numbers of regions")?
+                .items("two region numbers")?
                 .map(|region| region.integer(0..=u64::from(MOST)))
                 .collect::<Result<_, _>>()?;
             let [front, behind] = pair[..] else {
-                return Err(item.error(format!("{} regions of a face", pair.len()), CURE));
+                return Err(item.error(format!("{} regions for one face", pair.len()), CURE));
             };
             pairs.push([front, behind].map(|region| u32::try_from(region).expect("in range")));
             lines.push(item.line());
@@ -84,7 +84,7 @@ impl Pairs {
             if is_decimal { CorpusError { cure: integer.clone(), ..error } } else { error }
         })?;
         let wrong = |line: usize, x: f64| {
-            let message = format!("`{x}` is no number of a region");
+            let message = format!("`{x}` is not a region number");
             CorpusError::file(&file, message, integer.clone()).at_line(line)
         };
         let region = |x: f64| {

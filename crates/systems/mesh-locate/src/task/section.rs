@@ -43,10 +43,11 @@ predicament_records::table! {
     fn check(&self) -> Result<(), RowError> {
         let answers = [self.in_region, self.on_mesh, self.contradictions, self.undecided];
         if answers.into_iter().try_fold(0_u64, u64::checked_add) != Some(self.probes) {
-            return Err(RowError::Contradiction("the probes are not those in a region, on the mesh, in no one region and undecided"));
+            return Err(RowError::Contradiction("`probes` is not the sum of `in_region`, `on_mesh`, `contradictions` \
+                                                and `undecided`"));
         }
         if self.known > self.probes || self.lost > self.probes {
-            return Err(RowError::Contradiction("more probes are known or lost than there are"));
+            return Err(RowError::Contradiction("`known` or `lost` exceeds `probes`"));
         }
         Ok(())
     }
@@ -117,9 +118,9 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     Ok((!table.is_empty()).then(|| Section {
         id: "mesh-locate",
         title: "Points in meshes",
-        lead: "Probes of multi-material meshes by how they were chosen, and where each backend found them. A probe is lost if its \
-               answer is wrong, is no one region, or differs from axis to axis. One that is undecided is within a tolerance of a border, as seen along \
-               each axis."
+        lead: "Probes of multi-material meshes: how they were chosen, and where each backend located them. A probe is \
+               lost if its answer is wrong, is not exactly one region, or differs between axes. A probe is undecided \
+               if it is within a tolerance of a border along each axis."
             .to_owned(),
         blocks: vec![Block::Table(table)],
     }))

@@ -15,35 +15,35 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
     vec![
         Spoiled::new(
             "mesh-locate-contradicts-itself",
-            "each point is in no one region",
+            "each point is reported in no one region",
             "exact",
             &[(Class::Topology, "one region")],
             |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::Contradiction),
         ),
         Spoiled::new(
             "mesh-locate-touches",
-            "each point is on the first triangle",
+            "each point is reported on the first triangle",
             "exact",
             &[(Class::Overreach, "exact location")],
             |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::On(0)),
         ),
         Spoiled::new(
             "mesh-locate-decides-nothing",
-            "each point is left undecided, also where no zero of the tolerance is in the way",
+            "each point is undecided, although no zero of the tolerance is involved",
             "tolerance",
             &[(Class::Overreach, "undecided location")],
             |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::Undecided),
         ),
         Spoiled::new(
             "mesh-locate-leaves-ties",
-            "each point is on the first triangle although ties are broken",
+            "each point is reported on the first triangle, although ties are broken",
             "sos",
             &[(Class::Inconsistent, "unbroken tie")],
             |_, _, answer: &mut Located| answer.0.iter_mut().for_each(|place| *place = Location::On(0)),
         ),
         Spoiled::new(
             "mesh-locate-far-region",
-            "each point is in a region that there is not",
+            "each point is reported in a region that does not exist",
             "sos",
             &[(Class::Topology, "region not around")],
             |_, content: &ProbedMesh, answer: &mut Located| {
@@ -53,7 +53,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
         ),
         Spoiled::new(
             "mesh-locate-takes-the-other-side",
-            "a point on the mesh is in another one of the regions around it",
+            "a point on the mesh is reported in another region around it",
             "sos",
             &[(Class::Topology, "direction"), (Class::Topology, "shortcut")],
             |scene: &Scene, content: &ProbedMesh, answer: &mut Located| {
@@ -70,7 +70,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
         ),
         Spoiled::new(
             "mesh-locate-next-region",
-            "each point in a region is in the next one",
+            "each point in a region is reported in the next region",
             "exact",
             &[(Class::SignFlip, "exact location")],
             |_, content: &ProbedMesh, answer: &mut Located| {
@@ -84,7 +84,7 @@ pub(super) fn all() -> Vec<Spoiled<MeshLocate>> {
         ),
         Spoiled::new(
             "mesh-locate-misses-the-surface",
-            "each point on the mesh is outside of it",
+            "each point on the mesh is reported outside",
             "exact",
             &[(Class::MissedZero, "missed surface")],
             |_, _, answer: &mut Located| {

@@ -123,7 +123,7 @@ impl LocateIndex {
         scratch: &'a mut Scratch,
     ) -> Location<'a> {
         let [x, y] = p;
-        assert!(x.is_finite() && y.is_finite(), "[{x}, {y}] is no place in the plane: coordinates must be finite");
+        assert!(x.is_finite() && y.is_finite(), "[{x}, {y}] is not a point: coordinates must be finite");
         let cell = self.cells().at(x, [y, y]).expect("a height is in one row");
         scratch.fit(self);
         for entry in cell.entries {

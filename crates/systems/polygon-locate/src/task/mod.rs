@@ -176,9 +176,8 @@ impl Task for PolygonLocate {
         let grounds = truth.grounds(content.probes.len());
         let grounds: Vec<String> = grounds.into_iter().map(|(name, count)| format!("{count} {name}")).collect();
         Ok(format!(
-            "{} regions, {} edges (shared ones once for each side), {} probes\n\
-             the map's own flaws: {} duplicate points, {} T-junctions, {} crossings, {} overlapping edges\n\
-             probes by their surroundings: {}\n",
+            "{} regions, {} edges (an edge that two regions share counts twice), {} probes\nthe map's own flaws: {} \
+             duplicate points, {} T-junctions, {} crossings, {} overlapping edges\nprobes by their surroundings: {}\n",
             content.map.regions().len(),
             content.map.edges().count(),
             content.probes.len(),

@@ -29,7 +29,7 @@ impl ProbedMap {
 fn given(probes: &PointSource, cache: &Cache) -> Result<(Vec<[f64; 2]>, ImportNotes), CorpusError> {
     let (dimension, coordinates, notes) = probes.coordinates(cache)?;
     if dimension == Dimension::Three {
-        return Err(probes.error("`probes` have 3 coordinates each, and maps are in the plane", "give each 2"));
+        return Err(probes.error("`probes` have 3 coordinates each; maps need 2", "give each 2"));
     }
     if coordinates.iter().any(|x| !x.is_finite()) {
         return Err(probes.error("a coordinate that is not finite", "correct the probes"));

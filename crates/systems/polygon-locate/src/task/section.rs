@@ -61,12 +61,12 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
             table.push(run_label(runs, index).into_iter().chain(cells).collect());
         }
     }
-    let block = Block::table_or(table, "No point was located in a map.");
+    let block = Block::table_or(table, "The runs have no points in maps.");
     Ok(Some(Section {
         id: "locate",
         title: "Points in a map",
-        lead: "Probes by what the map is like around them, and in how many regions each backend found them. A \
-               violation is an answer that no consistent reading of the map allows."
+        lead: "Probes by the surroundings of the probe in the map, and the number of regions in which each backend \
+               located them. A violation is an answer that contradicts the map."
             .to_owned(),
         blocks: vec![block],
     }))

@@ -14,7 +14,7 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
     vec![
         Spoiled::new(
             "polygon-locate-loses-points",
-            "a point in one region is in none",
+            "a point in one region is reported in no region",
             "exact",
             &[(Class::Topology, "gap")],
             |_, _, answer: &mut Located| {
@@ -27,7 +27,7 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
         ),
         Spoiled::new(
             "polygon-locate-takes-the-other-side",
-            "a point on the border of two regions is in the other one of them",
+            "a point on the border of two regions is reported in the other of these",
             "sos",
             &[(Class::Topology, "shortcut")],
             |scene: &Scene, content: &MapWithProbes, answer: &mut Located| {
@@ -44,14 +44,14 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
         ),
         Spoiled::new(
             "polygon-locate-takes-a-border",
-            "a point on boundaries is on none",
+            "a point on boundaries is reported on no boundary",
             "exact",
             &[(Class::MissedZero, "exact location")],
             |_, _, answer: &mut Located| each(answer, |_, (_, boundary)| boundary.clear()),
         ),
         Spoiled::new(
             "polygon-locate-adds-regions",
-            "a point on boundaries is in all regions that it is not on",
+            "a point on boundaries is reported in all regions whose boundary it is not on",
             "exact",
             &[(Class::Overreach, "exact location")],
             |_, content: &MapWithProbes, answer: &mut Located| {
@@ -65,7 +65,7 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
         ),
         Spoiled::new(
             "polygon-locate-next-region",
-            "a point in one region is in the next one",
+            "a point in one region is reported in the next",
             "exact",
             &[(Class::Topology, "misplaced")],
             |_, content: &MapWithProbes, answer: &mut Located| {
@@ -79,7 +79,7 @@ pub(super) fn all() -> Vec<Spoiled<PolygonLocate>> {
         ),
         Spoiled::new(
             "polygon-locate-misses-a-border",
-            "a point on the border of several regions is in the first of them and on no border",
+            "a point on the border of several regions is reported in the first of these and on no border",
             "exact",
             &[(Class::MissedZero, "missed-boundary")],
             |_, _, answer: &mut Located| {

@@ -56,7 +56,7 @@ impl Truth {
     #[must_use]
     pub fn sampled(&self) -> Option<String> {
         (!self.sample.is_all())
-            .then(|| format!("probes by all edges: {}; the others by their surroundings", self.sample))
+            .then(|| format!("probes tested against all edges: {}; other probes by their surroundings", self.sample))
     }
 
     /// The location of a probe: by all edges if it is in the sample, otherwise by its sectors.

@@ -26,7 +26,7 @@ impl Slices {
             for (edge, surplus) in surplus.into_iter().filter(|(_, surplus)| *surplus != 0) {
                 let sides = surplus.unsigned_abs();
                 flaws.add(Check::Closed, &edge, || {
-                    format!("part {at} has an edge with {sides} side of a triangle too many")
+                    format!("part {at} has an edge with {sides} unpaired side(s) of triangles")
                 });
             }
             if let Some(open) = part.open.first().filter(|_| expected.is_closed) {

@@ -57,7 +57,7 @@ impl Slices {
 
     pub(super) fn has_area(&self, triangle: &[u32; 3], flaws: &mut Flaws) {
         if normal(self.points(*triangle)).iter().all(Rational::is_zero) {
-            flaws.add(Check::Degenerate, triangle, || "a triangle without area".to_owned());
+            flaws.add(Check::Degenerate, triangle, || "a triangle has no area".to_owned());
         }
     }
 
@@ -100,7 +100,7 @@ impl Slices {
         if !more.is_zero() {
             flaws.add(Check::FaceArea, corners, || {
                 let more = (more / whole).to_f64();
-                format!("the {} pieces of face {face} have {more:e} of its area too much", pieces.len())
+                format!("the {} pieces of face {face} have {more:e} more area than the face", pieces.len())
             });
         }
     }

@@ -132,16 +132,16 @@ impl Check {
     #[must_use]
     pub const fn law(self) -> &'static str {
         match self {
-            Check::Closed => "each side of a triangle is one of another, in the other direction",
+            Check::Closed => "each side of a triangle is a side of another triangle, in the opposite direction",
             Check::Side => "a part is on one side of each plane",
             Check::CapInPlane => "caps are in their planes",
             Check::CapOrientation => "caps face away from their part",
-            Check::PieceInFace => "pieces of a face are in its plane",
-            Check::PieceOrientation => "pieces of a face face where it does",
-            Check::FaceArea => "areas of the pieces of a face add up to its area",
-            Check::Volume => "volumes of the parts add up to that of the mesh",
+            Check::PieceInFace => "the pieces of a face are in its plane",
+            Check::PieceOrientation => "the pieces of a face have its orientation",
+            Check::FaceArea => "the areas of the pieces of a face add up to its area",
+            Check::Volume => "the volumes of the parts add up to the volume of the mesh",
             Check::Degenerate => "each triangle has an area",
-            Check::SelfIntersection => "no edge of a part passes through one of its triangles",
+            Check::SelfIntersection => "the edges of a part do not pass through its triangles",
         }
     }
 }

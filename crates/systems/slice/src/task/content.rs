@@ -36,7 +36,7 @@ impl Solid {
     #[must_use]
     pub fn mesh(&self) -> HalfEdgeMesh {
         let vertices = (0..self.vertices).map(Vertex::input).collect();
-        HalfEdgeMesh::new(vertices, &self.faces).unwrap_or_else(|why| panic!("a scene of no mesh: {why}"))
+        HalfEdgeMesh::new(vertices, &self.faces).unwrap_or_else(|why| panic!("a scene without a valid mesh: {why}"))
     }
 }
 
@@ -128,7 +128,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sce
 }
 
 fn written_faces(field: &Field<'_, '_>) -> Result<Vec<(usize, Vec<u32>)>, CorpusError> {
-    let faces = field.items("arrays of the indices of points")?;
+    let faces = field.items("arrays with the indices of points")?;
     let face = |item: Field<'_, '_>| {
         let corners = item.items("the indices of the corners of a face")?;
         let corner = |corner: Field<'_, '_>| {
@@ -141,7 +141,7 @@ fn written_faces(field: &Field<'_, '_>) -> Result<Vec<(usize, Vec<u32>)>, Corpus
 }
 
 fn written_planes(field: &Field<'_, '_>) -> Result<Vec<WrittenPlane>, CorpusError> {
-    const CURE: &str = "write three points of each plane, as indices or as arrays of three coordinates";
+    const CURE: &str = "write three points for each plane, as indices or as arrays of three coordinates";
     let planes = field.items("arrays of three points")?;
     let plane = |item: Field<'_, '_>| {
         let points = item.items("three points, as indices or as arrays of three coordinates")?;
@@ -155,12 +155,12 @@ fn written_planes(field: &Field<'_, '_>) -> Result<Vec<WrittenPlane>, CorpusErro
             let coordinates = <[f64; 3]>::try_from(coordinates);
             coordinates
                 .map(PlanePoint::Coordinates)
-                .map_err(|_| point.error(format!("a point of {count} coordinates"), CURE))
+                .map_err(|_| point.error(format!("a point with {count} coordinates"), CURE))
         };
         let points: Vec<PlanePoint> = points.map(point).collect::<Result<_, _>>()?;
         let count = points.len();
         let points = <[PlanePoint; 3]>::try_from(points);
-        Ok((item.line(), points.map_err(|_| item.error(format!("a plane of {count} points"), CURE))?))
+        Ok((item.line(), points.map_err(|_| item.error(format!("a plane with {count} points"), CURE))?))
     };
     planes.map(plane).collect()
 }
@@ -192,7 +192,7 @@ impl Elsewhere for Written {
             planes.push((line, [a?, b?, c?]));
         }
         if coordinates.iter().any(|x| !x.is_finite()) {
-            let message = "the planes across the middle of the mesh are beyond all doubles".to_owned();
+            let message = "the planes through the middle of the mesh exceed the range of doubles".to_owned();
             return Err(error(message, "write `planes`, or scale the mesh", self.line));
         }
         let scene = Scene::new(Dimension::Three, coordinates)
@@ -201,7 +201,7 @@ impl Elsewhere for Written {
             if is_line(&scene, plane) {
                 let [a, b, c] = plane;
                 let message = format!("points {a}, {b} and {c} of a plane are on a line");
-                return Err(error(message, "name three that are not", line));
+                return Err(error(message, "name three points that are not on a line", line));
             }
         }
         let planes = planes.into_iter().map(|(_, plane)| plane).collect();
@@ -240,7 +240,7 @@ impl Where {
                 let (dimension, coordinates, notes) = points.coordinates(cache)?;
                 if dimension != Dimension::Three {
                     return Err(
-                        points.error("slice takes points of 3 coordinates, not of 2", "give every point 3 coordinates")
+                        points.error("slice takes points with 3 coordinates, not 2", "give every point 3 coordinates")
                     );
                 }
                 let places = Places::of_lines(faces.iter().map(|(line, _)| *line));

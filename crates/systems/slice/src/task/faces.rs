@@ -44,7 +44,7 @@ impl Wrong {
             Wrong::NoArea { face } => (format!("face {face} has no area"), "remove it, and join its neighbours"),
             Wrong::NotPlane { face, vertex: v, plane } => {
                 let ([a, b, c], v) = (plane.map(vertex), vertex(*v));
-                let message = format!("face {face} is not plane: vertex {v} is off the plane of {a}, {b} and {c}");
+                let message = format!("face {face} is not planar: vertex {v} is not in the plane of {a}, {b} and {c}");
                 (message, "divide it into triangles")
             }
             Wrong::Open { edge, .. } => {

@@ -49,8 +49,8 @@ pub(super) static FAMILIES: [Family; 7] = [
     ),
     family!("slice-comb", "a comb of about n corners: two faces that a plane crosses many times", solids::comb),
     family!("slice-fold", "a folded band of about n corners, its creases on two lines", solids::fold),
-    family!("slice-shells", "n / 6 cubes in each other: caps of nested loops", solids::shells),
-    family!("slice-terrain", "an open surface of about n triangles: its loops are in no plane", solids::terrain),
+    family!("slice-shells", "n / 6 nested cubes: caps of nested loops", solids::shells),
+    family!("slice-terrain", "an open surface of about n triangles: its loops are not planar", solids::terrain),
 ];
 
 fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Result<Recipe, CorpusError> {
@@ -62,7 +62,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Re
             let known = CUTS.iter().find(|(known, _)| *known == name).map(|(_, cut)| *cut);
             known.ok_or_else(|| {
                 let names = CUTS.map(|(name, _)| format!("\"{name}\"")).join(", ");
-                field.error(format!("no way to choose planes is called `{name}`"), format!("use one of {names}"))
+                field.error(format!("unknown way to choose planes `{name}`"), format!("use one of {names}"))
             })?
         }
     };
@@ -74,7 +74,7 @@ fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Shape) -> Re
         let planes = (0..planes).map(|_| plane(cut, &mut coordinates, vertices, &mut rng)).collect();
         let scene = Scene::new(Dimension::Three, coordinates.into_flattened()).expect("generators make finite points");
         let solid = solid(&scene, vertices, faces, planes);
-        Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("a generator made no solid: {wrong:?}")))
+        Parts::new(scene, solid.unwrap_or_else(|wrong| panic!("the generated solid is invalid: {wrong:?}")))
     };
     // A closed mesh has at most two vertices for each face; a few vertices are made even for the smallest n.
     Ok(Recipe::new(move |n| 6 * n + 9 * planes as u64 + 1000, make))

@@ -72,7 +72,7 @@ impl SceneFormat for Slice {
     }
 
     fn about(&self) -> &'static str {
-        "the parts of a mesh that planes make, one after the other"
+        "the parts of a mesh, cut by planes one after the other"
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -113,10 +113,10 @@ impl Task for Slice {
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
             Knob::Shift | Knob::Scale | Knob::Aspect | Knob::Size => Turns::Everywhere,
-            Knob::Translation => Turns::UpTo(32, "a mesh that is rounded crosses itself"),
-            Knob::Precision => Turns::UpTo(29, "a mesh that is rounded crosses itself"),
-            Knob::Pythagorean => Turns::UpTo(8, "coordinates have more than 53 bits, and faces do not stay flat"),
-            Knob::Noise | Knob::Turn => Turns::Nowhere("faces of four corners do not stay flat"),
+            Knob::Translation => Turns::UpTo(32, "a rounded mesh crosses itself"),
+            Knob::Precision => Turns::UpTo(29, "a rounded mesh crosses itself"),
+            Knob::Pythagorean => Turns::UpTo(8, "coordinates need more than 53 bits, and faces do not stay flat"),
+            Knob::Noise | Knob::Turn => Turns::Nowhere("faces with four corners do not stay flat"),
         }
     }
 
@@ -238,7 +238,7 @@ impl Task for Slice {
         let open =
             parts.iter().flat_map(|part| &part.open).map(|around| around.iter().map(|&v| place(v)).collect::<Vec<_>>());
         canvas.lines(&placed.meshes, "open loops", Role::Mark, open)?;
-        canvas.faces(scene, "faces that were given", Role::Faint, given)?.hide();
+        canvas.faces(scene, "given faces", Role::Faint, given)?.hide();
         Ok(())
     }
 }

@@ -11,7 +11,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
     vec![
         Spoiled::new(
             "slice-caps-of-faces",
-            "pieces of faces are said to be caps of the first plane",
+            "pieces of faces are reported as caps of the first plane",
             "exact",
             &[(Class::Topology, "cap not in its plane")],
             |_, _, answer: &mut Cut| {
@@ -22,7 +22,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
         ),
         Spoiled::new(
             "slice-other-faces",
-            "pieces are said to be of the face before or behind theirs",
+            "each piece is reported as part of the face before or behind its own",
             "exact",
             &[(Class::Topology, "piece not in its face")],
             |_, content: &Solid, answer: &mut Cut| {
@@ -49,7 +49,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
         ),
         Spoiled::new(
             "slice-adds-a-needle",
-            "a piece with two corners is there besides",
+            "a piece with two corners is added",
             "exact",
             &[(Class::Topology, "triangle without area")],
             |_, _, answer: &mut Cut| {
@@ -63,7 +63,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
         ),
         Spoiled::new(
             "slice-moves-a-corner",
-            "in each part the first corner of the last piece stands for that of the first one, too",
+            "in each part, the first corner of the first piece is replaced by the first corner of the last piece",
             "exact",
             &[(Class::Topology, "self-intersection")],
             |_, _, answer: &mut Cut| {
@@ -77,7 +77,7 @@ pub(super) fn all() -> Vec<Spoiled<Slice>> {
         ),
         Spoiled::new(
             "slice-loses-a-point",
-            "the line of the first constructed vertex is one in its plane",
+            "the line of the first constructed vertex is replaced by a line in its plane",
             "exact",
             &[(Class::Topology, "vertex not finite")],
             |_, _, answer: &mut Cut| {

@@ -91,7 +91,7 @@ fn areas(polygon: &Polygon, places: &[[usize; 3]], flat: Flat) -> Vec<Flaw> {
         let is = if sign.is_eq() { "flat" } else { "clockwise" };
         let got = format!("the triangle {} is {is}", words(&vertices));
         let truth = match flat {
-            Flat::WhereLoopsTouch => "counterclockwise; flat only where loops touch".to_owned(),
+            Flat::WhereLoopsTouch => "counterclockwise, or flat if loops touch there".to_owned(),
             Flat::Anywhere => "not clockwise".to_owned(),
         };
         found.push(Flaw { check: "positive", vertices, got, truth });
@@ -145,7 +145,10 @@ fn sides(polygon: &Polygon, places: &[[usize; 3]]) -> Vec<Flaw> {
     let flaw = |check: &'static str, side: &Side, truth: [usize; 2]| {
         let vertices = side.ends.map(|place| points.vertex(place)).to_vec();
         let says = |[there, back]: [usize; 2]| {
-            format!("the side from {} to {} in {there} triangles, back in {back}", vertices[0], vertices[1])
+            format!(
+                "the side from {} to {} is in {there} triangles, the opposite side in {back}",
+                vertices[0], vertices[1]
+            )
         };
         Flaw { check, got: says(side.triangles), truth: says(truth), vertices: vertices.clone() }
     };

@@ -72,8 +72,7 @@ impl Polygon {
     pub fn fault(&self) -> Option<(String, Vec<Vertex>)> {
         match (self.touches.crossing, self.tangle) {
             (Some([[a, b], [c, d]]), _) => {
-                let why =
-                    format!("the edges from {a} to {b} and from {c} to {d} cross, or are in line with common points");
+                let why = format!("the edges from {a} to {b} and from {c} to {d} cross, or overlap on a line");
                 Some((why, vec![a, b, c, d]))
             }
             (None, Some(v)) => Some((format!("loops cross each other at vertex {v}"), vec![v])),

@@ -64,7 +64,7 @@ pub(super) fn read_method(fields: &Fields<'_, '_>) -> Result<Method, CorpusError
     let Some(field) = fields.get("method") else { return Ok(Method::default()) };
     let name = field.str()?;
     let known = [Method::Monotone, Method::Ears].into_iter().find(|&method| method_name(method) == name);
-    known.ok_or_else(|| field.error(format!("there is no method `{name}`"), "write \"monotone\" or \"ears\""))
+    known.ok_or_else(|| field.error(format!("unknown method `{name}`"), "write \"monotone\" or \"ears\""))
 }
 
 /// Reads `points` and `loops`, perhaps with `regions`, or `map`; and `method`.
@@ -89,7 +89,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
         return Ok(Source::elsewhere(asked));
     };
     if let Some(other) = ["points", "loops", "regions"].into_iter().find_map(|key| fields.get(key)) {
-        return Err(other.error("polygons from two places", "keep `map`, or `points` and `loops`"));
+        return Err(other.error("polygons with two sources", "keep `map`, or `points` and `loops`"));
     }
     Ok(Source::elsewhere(InMap { map: MapSource::read(context, &map)?, method }))
 }
@@ -120,12 +120,12 @@ impl Elsewhere for OfPoints {
                 return Err(error(message, "indices count from 0"));
             }
             if one.len() < 3 {
-                let message = format!("a loop of {} corners bounds nothing", one.len());
-                return Err(error(message, "give it three, or leave it out"));
+                let message = format!("a loop with {} corners has no inside", one.len());
+                return Err(error(message, "give it three corners, or leave it out"));
             }
             if let Some((corner, _)) = one.iter().zip(one.iter().cycle().skip(1)).find(|(a, b)| a == b) {
                 let places = points.places(&[*corner]);
-                return Err(error(format!("the corner {corner} is repeated at once{places}"), "write it once"));
+                return Err(error(format!("the corner {corner} occurs twice in a row{places}"), "write it once"));
             }
         }
         let loops: Vec<Vec<Vertex>> = loops.into_iter().map(|(_, one)| one).collect();
@@ -149,7 +149,7 @@ impl Elsewhere for OfPoints {
 /// The reason why loops bound no polygon, the corners there if known, and a fix.
 fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'static str)> {
     if let Some((message, corners)) = uneven(scene, loops) {
-        return Some((message, corners, "put all corners in one plane and not in line, or divide the face"));
+        return Some((message, corners, "put all corners in one plane but not on one line, or divide the face"));
     }
     let (plane, reversed) = seen(scene, loops);
     let (why, corners) = Polygon::new(scene, plane, reversed, loops).fault()?;
@@ -167,7 +167,7 @@ fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>)>
     let second = corners.iter().copied().find(|&b| scene.point(b) != scene.point(corners[0]));
     let plane = second.and_then(|b| Some((b, corners.iter().copied().find(|&c| turns(b, c))?)));
     let Some((b, c)) = plane else {
-        return Some(("all corners are in line".to_owned(), vec![corners[0]]));
+        return Some(("all corners are on one line".to_owned(), vec![corners[0]]));
     };
     let is_off = |d: &&Vertex| !sign(scene, Question::Orient3d, &[corners[0], b, c, **d]).is_zero();
     let off = corners.iter().find(|d| in_space && is_off(d))?;

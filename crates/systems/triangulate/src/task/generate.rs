@@ -38,7 +38,7 @@ pub(super) static FAMILIES: [Family; 7] = [
     family!(
         "polygon-comb",
         &["teeth"],
-        "a comb: the tips of its teeth are in line, and so is what is between them",
+        "a comb: the tips of its teeth are collinear, and so are the gaps between them",
         |fields: &Fields<'_, '_>| {
             let sideways = is(fields, "teeth", "sideways")?;
             recipe(fields, move |making| shapes::comb(making.n, sideways))
@@ -47,7 +47,7 @@ pub(super) static FAMILIES: [Family; 7] = [
     family!(
         "polygon-grid",
         &["holes"],
-        "a square with square holes in rows and columns, which may touch in their corners",
+        "a square with square holes in rows and columns; holes may touch in their corners",
         |fields: &Fields<'_, '_>| {
             let touching = is(fields, "holes", "touching")?;
             recipe(fields, move |making| shapes::grid(making.n, touching))
@@ -56,7 +56,7 @@ pub(super) static FAMILIES: [Family; 7] = [
     family!(
         "polygon-rings",
         &["vertices"],
-        "nested rings that touch in points, of one vertex or of two",
+        "nested rings that touch in points that have one vertex or two",
         |fields: &Fields<'_, '_>| {
             let apart = is(fields, "vertices", "apart")?;
             recipe(fields, move |making| shapes::rings(making.n, apart))
@@ -66,7 +66,7 @@ pub(super) static FAMILIES: [Family; 7] = [
         let far = is(fields, "places", "far")?;
         recipe(fields, move |making| shapes::sliver(making.n, far, &mut making.random()))
     }),
-    family!("polygon-maze", &[], "the outline of a random maze, with many vertices in line", |fields: &Fields<
+    family!("polygon-maze", &[], "the outline of a random maze, with many collinear vertices", |fields: &Fields<
         '_,
         '_,
     >| {
@@ -80,7 +80,8 @@ fn is(fields: &Fields<'_, '_>, key: &'static str, value: &str) -> Result<bool, C
     match field.str()? {
         word if word == value => Ok(true),
         word => {
-            Err(field.error(format!("`{word}` is no value of `{key}`"), format!("write \"{value}\", or leave it out")))
+            Err(field
+                .error(format!("`{word}` is not a value of `{key}`"), format!("write \"{value}\", or leave it out")))
         }
     }
 }

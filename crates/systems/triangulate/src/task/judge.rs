@@ -27,7 +27,7 @@ pub(super) fn judge(
         let broken = found.broken.map(|broken| Flaw {
             check: broken.rule(),
             vertices: Vec::new(),
-            got: "signs, or loops, broke the rule".to_owned(),
+            got: "the signs or the loops broke the rule".to_owned(),
             truth: broken.rule().to_owned(),
         });
         // Loops that touch may cross once they are perturbed: then no triangulation exists.
@@ -89,7 +89,7 @@ impl Perturbed<'_> {
         Some(Flaw {
             check: "perturbed triangles",
             vertices: found.to_vec(),
-            got: format!("the triangle {} is clockwise once perturbed", words(found)),
+            got: format!("the triangle {} is clockwise in the perturbed scene", words(found)),
             truth: "counterclockwise".to_owned(),
         })
     }

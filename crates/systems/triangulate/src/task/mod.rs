@@ -51,7 +51,7 @@ impl SceneFormat for Triangulate {
     }
 
     fn about(&self) -> &'static str {
-        "triangles of polygons with holes, by ears or by a plane sweep"
+        "triangles of polygons with holes, by ear clipping or a plane sweep"
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -104,8 +104,8 @@ impl Task for Triangulate {
 
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
-            Knob::Translation => Turns::UpTo(32, "a polygon that is rounded crosses itself"),
-            Knob::Precision => Turns::UpTo(37, "a polygon that is rounded crosses itself"),
+            Knob::Translation => Turns::UpTo(32, "a rounded polygon crosses itself"),
+            Knob::Precision => Turns::UpTo(37, "a rounded polygon crosses itself"),
             _ => Turns::Everywhere,
         }
     }

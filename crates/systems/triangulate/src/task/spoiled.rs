@@ -25,7 +25,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
         ),
         Spoiled::new(
             "triangulate-flips-flat-pairs",
-            "of two flat triangles with a common side the other diagonal is taken",
+            "two flat triangles with a common side have the other diagonal as their side",
             "sos",
             &[(Class::Topology, "perturbed triangles")],
             |scene: &Scene, content: &Polygons, answer: &mut Triangulated| {
@@ -37,7 +37,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
         ),
         Spoiled::new(
             "triangulate-gives-up",
-            "triangulating stops at a polygon that has an ear",
+            "the algorithm stops at a polygon that has an ear",
             "exact",
             &[(Class::Topology, "a polygon has an ear")],
             |_, _, answer: &mut Triangulated| {
@@ -73,7 +73,7 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
         ),
         Spoiled::new(
             "triangulate-repeats-a-triangle",
-            "the first triangle is there twice",
+            "the first triangle is listed twice",
             "exact",
             &[(Class::Topology, "overlap")],
             |_, _, answer: &mut Triangulated| {

@@ -47,13 +47,13 @@ fn flaws_say_what_is_wrong_and_where() {
     assert_eq!(none[0], "vertices: 0 1 7, not three vertices of the polygon");
     assert_eq!(none[1], "count: 4 triangles, not 3 triangles");
     let flat = said(&square, &[[0, 1, 2], [0, 2, 3], [0, 3, 4]]);
-    let truth = "counterclockwise; flat only where loops touch";
+    let truth = "counterclockwise, or flat if loops touch there";
     assert_eq!(flat, [format!("positive: the triangle 0 1 2 is flat, not {truth}")]);
     let missing = [
         "count: 2 triangles, not 3 triangles",
         "area: 3, not 4",
-        "boundary: the side from 1 to 2 in 0 triangles, back in 0, not the side from 1 to 2 in 1 triangles, back in 0",
-        "diagonals: the side from 1 to 3 in 1 triangles, back in 0, not the side from 1 to 3 in 1 triangles, back in 1",
+        "boundary: the side from 1 to 2 is in 0 triangles, the opposite side in 0, not the side from 1 to 2 is in 1 triangles, the opposite side in 0",
+        "diagonals: the side from 1 to 3 is in 1 triangles, the opposite side in 0, not the side from 1 to 3 is in 1 triangles, the opposite side in 1",
     ];
     assert_eq!(said(&square, &right[..2]), missing);
     let plain = polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]], &[&[0, 1, 2, 3]]);
@@ -139,7 +139,7 @@ fn an_edge_in_common_is_one_of_two_loops_from_both_sides() {
     // A loop that goes to a vertex inside it and back along the same edge.
     let slit = polygon(&points, &[&[0, 1, 2, 6, 2, 3]]).fault().expect("one edge twice");
     let [a, b] = vertices([2, 6]);
-    let said = format!("the edges from {a} to {b} and from {b} to {a} cross, or are in line with common points");
+    let said = format!("the edges from {a} to {b} and from {b} to {a} cross, or overlap on a line");
     assert_eq!(slit, (said, vec![a, b, b, a]));
     // The same loop twice.
     assert!(polygon(&points, &[&[0, 1, 2, 3], &[0, 1, 2, 3]]).fault().is_some());

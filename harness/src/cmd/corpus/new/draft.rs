@@ -87,13 +87,14 @@ impl Draft<'_> {
                 let (decimals, their) = if count == 1 { ("decimal", "Its nearest double is") } else { ("decimals", "Their nearest doubles are") };
                 let have = if count == 1 { "has" } else { "have" };
                 format!(
-                    "# {} {decimals} of {} {have} digits that no double holds. {their} read, and the report counts them.\nround = true",
+                    "# {} {decimals} of {} {have} digits that no double holds. {their} used; the report counts \
+                     them.\nround = true",
                     thousands(count as u64),
                     data.path
                 )
             }
-            _ => "# A decimal means the double that is printed so, such as 0.1. Decimals with digits that no double holds are refused.\n\
-                  # `{program} corpus fmt {file}` writes them as hex floats into a file beside; this reads their nearest doubles:\n\
+            _ => "# A decimal such as 0.1 means the double that prints like this. Decimals with digits that no double holds are refused.\n\
+                  # `{program} corpus fmt {file}` writes them as hex floats into a new file; this key reads their nearest doubles:\n\
                   # round = true"
                 .to_owned(),
         }

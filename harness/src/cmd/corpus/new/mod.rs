@@ -92,7 +92,7 @@ fn startable(tool: &Tool, name: &str) -> Result<&'static dyn AnyTask, Failure> {
         return Ok(*task);
     }
     let known: Vec<&str> = tool.tasks().iter().filter(can_start).map(|task| task.name()).collect();
-    let message = format!("no task that a suite can start from is called `{name}`; {}", use_one_of(name, &known));
+    let message = format!("a suite cannot start from the task `{name}`; {}", use_one_of(name, &known));
     Err(Failure::usage(message))
 }
 
@@ -120,6 +120,7 @@ fn fitting(
             Err(why) => refused = Some(why),
         }
     }
-    let none = || CorpusError::usage(&data.path, "no task of this tool fits these data", "choose one with --task");
+    let none =
+        || CorpusError::usage(&data.path, "these data do not fit any task of this tool", "choose one with --task");
     Err(refused.map_or_else(none, |why| data.own(why, &args.file)).into())
 }

@@ -78,7 +78,7 @@ fn cascade(random: &mut Random, base: &Scene, growth: &Growth, seen: &mut Seen) 
                 }
                 Ok(vertices) if session.scene().constructions().len() > before => {
                     assert_eq!(vertices, [Vertex::constructed(before)]);
-                    judge.add(point.unwrap_or_else(|| panic!("{definition} is no point")));
+                    judge.add(point.unwrap_or_else(|| panic!("{definition} is not a point")));
                     check_incidence(&session, &definition, vertices[0]);
                     definitions.push(definition);
                     level.push(vertices[0]);

@@ -41,12 +41,12 @@ impl std::fmt::Display for NotOriented {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             NotOriented::Open { side, vertex, degree } => {
-                write!(f, "complex {side} is no closed curve: vertex {vertex} has {degree} edges")
+                write!(f, "complex {side} is not a closed curve: vertex {vertex} has {degree} edges")
             }
             NotOriented::Border { side, edge: [a, b], degree } => {
-                write!(f, "complex {side} is no closed surface: edge [{a}, {b}] has {degree} triangles")
+                write!(f, "complex {side} is not a closed surface: edge [{a}, {b}] has {degree} triangles")
             }
-            NotOriented::OneSided { side } => write!(f, "complex {side} is a surface with one side only"),
+            NotOriented::OneSided { side } => write!(f, "complex {side} is a one-sided surface"),
         }
     }
 }

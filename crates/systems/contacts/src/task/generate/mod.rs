@@ -39,13 +39,13 @@ pub(super) static PLANE: [Family; 5] = [
     family(
         "polygons-uniform",
         &["bits"],
-        "two simple polygons that cross all the way round, in general position",
+        "two simple polygons that cross all around, in general position",
         |_, fields| Ok(Pair::PolygonsUniform(bits(fields)?).recipe()),
     ),
     family(
         "polygons-near",
         &[],
-        "a polygon with its vertices within a few sigma of another's vertices and edges",
+        "two polygons; vertices of one are within a few sigma of vertices and edges of the other",
         |_, _| Ok(Pair::PolygonsNear.recipe()),
     ),
     family(
@@ -54,10 +54,10 @@ pub(super) static PLANE: [Family; 5] = [
         "skylines on integers: shared vertices, vertices on edges, overlapping edges",
         |_, _| Ok(Pair::PolygonsDegen.recipe()),
     ),
-    family("copy-shifted", &["shift"], "a polygon against a copy moved by so many sigma", |_, fields| {
+    family("copy-shifted", &["shift"], "a polygon and a copy of it, moved by a number of sigma", |_, fields| {
         Ok(Pair::CopyShifted(shift(fields)?).recipe())
     }),
-    family("thresholds-plane", &[], "pairs at the tolerances that Algorithms 2 to 5 compare with", |_, _| {
+    family("thresholds-plane", &[], "pairs at the tolerances of Algorithms 2 to 5", |_, _| {
         Ok(Pair::Thresholds(Dimension::Two).recipe())
     }),
 ];
@@ -73,16 +73,19 @@ pub(super) static SPACE: [Family; 5] = [
     family(
         "surfaces-near",
         &[],
-        "a closed surface with its vertices within a few sigma of another's vertices, edges and triangles",
+        "two closed surfaces; vertices of one are within a few sigma of vertices, edges and triangles of the other",
         |_, _| Ok(Pair::SurfacesNear.recipe()),
     ),
     family("surfaces-degen", &[], "boxes on integers that share corners, edges and parts of faces", |_, _| {
         Ok(Pair::SurfacesDegen.recipe())
     }),
-    family("surfaces-shifted", &["shift"], "a closed surface against a copy moved by so many sigma", |_, fields| {
-        Ok(Pair::SurfacesShifted(shift(fields)?).recipe())
-    }),
-    family("thresholds-space", &[], "pairs at the tolerances that Algorithms 7 to 12 compare with", |_, _| {
+    family(
+        "surfaces-shifted",
+        &["shift"],
+        "a closed surface and a copy of it, moved by a number of sigma",
+        |_, fields| Ok(Pair::SurfacesShifted(shift(fields)?).recipe()),
+    ),
+    family("thresholds-space", &[], "pairs at the tolerances of Algorithms 7 to 12", |_, _| {
         Ok(Pair::Thresholds(Dimension::Three).recipe())
     }),
 ];

@@ -51,9 +51,9 @@ fn edges_of_a_surface_have_two_triangles() {
     let book = surface(&[[0, 1, 2], [0, 1, 3], [0, 1, 4]]);
     let refused = oriented_surface(&book, Side::A).unwrap_err();
     assert_eq!(refused, NotOriented::Border { side: Side::A, edge: [v(0), v(1)], degree: 3 });
-    assert_eq!(refused.to_string(), "complex A is no closed surface: edge [0, 1] has 3 triangles");
+    assert_eq!(refused.to_string(), "complex A is not a closed surface: edge [0, 1] has 3 triangles");
     let one_sided = NotOriented::OneSided { side: Side::B };
-    assert_eq!(one_sided.to_string(), "complex B is a surface with one side only");
+    assert_eq!(one_sided.to_string(), "complex B is a one-sided surface");
 }
 
 #[test]

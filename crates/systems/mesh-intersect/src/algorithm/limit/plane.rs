@@ -82,7 +82,7 @@ impl Predicates for InPlane<'_> {
         let InPlane { session, flat, constructed, lines, of: (corners, apart), .. } = self;
         flat.construct_all(definitions, |scene, vertex| {
             let Some(Construction::Ssi(segments)) = scene.construction(vertex) else {
-                return Err(DefinitionError::Other("it is no crossing of two segments".into()));
+                return Err(DefinitionError::Other("it is not a crossing of two segments".into()));
             };
             let definition = match segments.map(|segment| lines.get(&segment).copied()) {
                 [Some(Line::Edge(line)), Some(Line::Edge([c, d]))] => Construction::Lpi { line, plane: [c, d, *apart] },
@@ -91,7 +91,7 @@ impl Predicates for InPlane<'_> {
                 }
                 [Some(Line::Cut(first)), Some(Line::Cut(second))] => Construction::Tpi([*corners, first, second]),
                 [None, _] | [_, None] => {
-                    return Err(DefinitionError::Other("a segment is on no line of input vertices".into()));
+                    return Err(DefinitionError::Other("a segment is not on a line of two input vertices".into()));
                 }
             };
             constructed.extend(

@@ -75,7 +75,7 @@ impl Judging<'_> {
         places: &dyn Fn(Source) -> Source,
         found: &mut Violations,
     ) -> Option<[Sums; 4]> {
-        let law = "what is overlaid in one way is in the other too";
+        let law = "an overlay is possible in both ways, or in neither";
         let answer = match asked.backend.answer(&MeshIntersect, &other.scene, &other.content) {
             Ok(answer) => answer,
             Err(why) => {
@@ -91,7 +91,7 @@ impl Judging<'_> {
             return None;
         }
         let Ok(points) = points(&other.scene, &answer, self.place) else {
-            note(found, check, "a vertex is no point".to_owned(), law);
+            note(found, check, "a vertex is not a point".to_owned(), law);
             return None;
         };
         let judged = Judging::new(&other.scene, &other.content, &answer, points, self.place);
@@ -123,10 +123,10 @@ impl Judging<'_> {
         let second = self.laws.of_mesh(1);
         // The difference of the second and the first, together with the intersection, is the second.
         let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
-            ("unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
-            ("intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
-            ("B∖A and what is common are B", vec![(&results[2], 1), (&own[1], 1), (&second, -1)]),
-            ("symmetric differences are the same", vec![(&own[3], 1), (&results[3], -1)]),
+            ("the unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
+            ("the intersections are the same", vec![(&own[1], 1), (&results[1], -1)]),
+            ("B∖A and the intersection together equal B", vec![(&results[2], 1), (&own[1], 1), (&second, -1)]),
+            ("the symmetric differences are the same", vec![(&own[3], 1), (&results[3], -1)]),
         ];
         for (law, terms) in laws {
             let left = left(&terms);
@@ -134,7 +134,7 @@ impl Judging<'_> {
             if !volume.is_zero() {
                 note(found, CHECK, format!("volumes are {:e} off", volume.to_f64() / 6.0), law);
             } else if is_exact && let Some((source, _)) = left.first_key_value() {
-                note(found, CHECK, format!("{}: other parts of it", name(*source)), law);
+                note(found, CHECK, format!("{}: its parts differ", name(*source)), law);
             }
         }
     }
@@ -176,8 +176,8 @@ impl Judging<'_> {
         let left = left(&[(&self.laws.of_result(2), 1), (&results[1], -1)]);
         if let Some((source, _)) = left.first_key_value() {
             let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
-            let got = format!("{} triangles, first {of}: other parts of it", left.len());
-            note(found, CHECK, got, "A∖B is what A has in common with the complement of B");
+            let got = format!("{} triangles, first {of}: its parts differ", left.len());
+            note(found, CHECK, got, "A∖B equals the intersection of A and the complement of B");
         }
     }
 }

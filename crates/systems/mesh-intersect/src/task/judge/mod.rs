@@ -250,12 +250,12 @@ impl<'a> Judging<'a> {
                 });
                 let settlement = Settlement::new(&self.laws, &settled.constructions, results);
                 if settlement.is_none() {
-                    note(found, "vertex of a limit", "one is no point".to_owned(), "every vertex is a point");
+                    note(found, "vertex of a limit", "one is not a point".to_owned(), "every vertex is a point");
                 }
                 settlement
             }
             Err(why) => {
-                note(found, "limit", why.to_string(), "where each constructed vertex is a point, a result has a limit");
+                note(found, "limit", why.to_string(), "a result has a limit if every constructed vertex is a point");
                 None
             }
         }

@@ -87,7 +87,7 @@ impl std::fmt::Display for SnapError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             SnapError::Point(at) => write!(f, "point {at} is 2^50 pixels or more from the origin, or not finite"),
-            SnapError::Segment(at) => write!(f, "segment {at} ends in a point that is not there"),
+            SnapError::Segment(at) => write!(f, "segment {at} ends in a point that does not exist"),
             SnapError::Crossing(at) => write!(f, "crossing {at} is not of two segments that meet in one point"),
         }
     }

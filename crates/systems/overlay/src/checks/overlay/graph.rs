@@ -91,7 +91,7 @@ impl Graph {
             }
         }
         for edge in edges.difference(&passed) {
-            flaws.add(Check::Edges, || format!("the edge of nodes {} and {} is on no segment", edge[0], edge[1]));
+            flaws.add(Check::Edges, || format!("the edge of nodes {} and {} is not on a segment", edge[0], edge[1]));
         }
         if edges.len() != self.edges.len() {
             flaws.add(Check::Edges, || format!("{} edges, {} of them different", self.edges.len(), edges.len()));
@@ -151,7 +151,9 @@ impl Graph {
     fn boundaries(&self, flaws: &mut Flaws) -> bool {
         let halves = 2 * self.edges.len();
         if self.next.len() != halves || self.face.len() != halves {
-            flaws.add(Check::Boundary, || format!("{halves} half-edges, {} of them go on", self.next.len()));
+            flaws.add(Check::Boundary, || {
+                format!("{halves} half-edges, {} of them with a next half-edge", self.next.len())
+            });
             return false;
         }
         let mut comes = vec![0_u32; halves];
@@ -161,7 +163,7 @@ impl Graph {
                 && self.face[half] == self.face[next as usize]
                 && (self.face[half] as usize) < self.faces;
             if !is_right {
-                flaws.add(Check::Boundary, || format!("half-edge {half} goes on with {next}"));
+                flaws.add(Check::Boundary, || format!("the next half-edge of {half} is {next}"));
                 return false;
             }
             comes[next as usize] += 1;
@@ -202,13 +204,13 @@ impl Graph {
             return;
         }
         for (face, &count) in outer.iter().enumerate().filter(|&(face, &count)| count != usize::from(face > 0)) {
-            flaws.add(Check::Boundary, || format!("face {face} is inside of {count} boundaries"));
+            flaws.add(Check::Boundary, || format!("face {face} has {count} outer boundaries"));
         }
         for &half in inner.iter().step_by(stride(inner.len(), expected.located)) {
             let found = self.above(self.node(self.origin(half))).map_or(0, |half| self.face[half]);
             if found != self.face[half] {
                 let said = self.face[half];
-                flaws.add(Check::Nesting, || format!("a component in face {found} is said to be in face {said}"));
+                flaws.add(Check::Nesting, || format!("a component in face {found} is reported in face {said}"));
             }
         }
     }

@@ -95,13 +95,13 @@ impl Check {
     #[must_use]
     pub const fn law(self) -> &'static str {
         match self {
-            Check::Nodes => "no two nodes are at one place",
+            Check::Nodes => "two nodes are not at the same place",
             Check::Chain => "the nodes on a segment go from one end to the other, in order",
             Check::OnSegment => "the nodes on a segment are on it",
-            Check::Edges => "each edge is between nodes that follow each other on a segment",
-            Check::Crossing => "two edges have no point in common but a common node",
+            Check::Edges => "each edge joins consecutive nodes of a segment",
+            Check::Crossing => "two edges have only a node in common",
             Check::Euler => "V - E + F = 1 + C",
-            Check::Boundary => "each side of an edge is on one boundary of one face",
+            Check::Boundary => "each side of an edge belongs to one boundary of one face",
             Check::Nesting => "a component is in the face below the next edge above it",
             Check::Winding => "winding numbers change across an edge by the number of times that loops pass it",
             Check::Orientation => "outer loops are counterclockwise, holes clockwise, both closed",

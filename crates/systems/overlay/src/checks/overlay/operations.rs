@@ -148,7 +148,10 @@ impl Results {
                 if found != Some(i32::from(wanted[at])) {
                     let place = [&p[0], &p[1]].map(Rational::to_f64);
                     flaws.add(Check::Membership, || {
-                        format!("{place:?} is wound around {found:?} times by the {}, wanted {}", NAMES[at], wanted[at])
+                        format!(
+                            "the winding number of {place:?} is {found:?} in the {}, expected {}",
+                            NAMES[at], wanted[at]
+                        )
                     });
                 }
             }
@@ -174,7 +177,9 @@ fn orientation(name: &str, regions: &[Vec<Vec<Point>>], expected: Expected, flaw
             // A hole is inside its outer loop: the test uses one of its corners that is not on that loop.
             let inside = one.iter().take(8).find_map(|p| winding(edges(&region[0]), p));
             if place > 0 && expected.has_areas && inside == Some(0) {
-                flaws.add(Check::Orientation, || format!("hole {place} of region {at} of the {name} is outside of it"));
+                flaws.add(Check::Orientation, || {
+                    format!("hole {place} of region {at} of the {name} is outside its region")
+                });
             }
         }
     }

@@ -35,7 +35,7 @@ impl Windings {
         let is_same = |a: i64, b: i64| a == b || self.modulo_two && (a - b) % 2 == 0;
         for operand in 0..2 {
             if winding(0, operand).is_some_and(|outside| outside != 0) {
-                flaws.add(Check::Winding, || format!("operand {operand} winds around what is outside of everything"));
+                flaws.add(Check::Winding, || format!("operand {operand} has a winding number other than 0 outside"));
             }
             for (at, &ends) in graph.edges.iter().enumerate() {
                 let times = passed.get(&sorted(ends)).map_or(0, |times| times[operand]);

@@ -113,14 +113,14 @@ pub(super) fn read_method(fields: &Fields<'_, '_>) -> Result<Method, CorpusError
     let Some(field) = fields.get("method") else { return Ok(Method::default()) };
     let name = field.str()?;
     let known = [Method::Grid, Method::Sweep].into_iter().find(|&method| method_name(method) == name);
-    known.ok_or_else(|| field.error(format!("there is no method `{name}`"), "write \"grid\" or \"sweep\""))
+    known.ok_or_else(|| field.error(format!("unknown method `{name}`"), "write \"grid\" or \"sweep\""))
 }
 
 fn read_rule(fields: &Fields<'_, '_>) -> Result<Rule, CorpusError> {
     let Some(field) = fields.get("rule") else { return Ok(Rule::default()) };
     let name = field.str()?;
     let known = [Rule::EvenOdd, Rule::NonZero].into_iter().find(|&rule| rule_name(rule) == name);
-    known.ok_or_else(|| field.error(format!("there is no rule `{name}`"), "write \"even-odd\" or \"non-zero\""))
+    known.ok_or_else(|| field.error(format!("unknown rule `{name}`"), "write \"even-odd\" or \"non-zero\""))
 }
 
 /// Reads `points` with `segments`, or with `first` and `second`; or maps as these.
@@ -130,7 +130,7 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     let [a, b] = [fields.get("first"), fields.get("second")];
     if let Some(map) = a.as_ref().filter(|a| a.is_table()) {
         if let Some(other) = fields.get("points").or_else(|| fields.get("segments")) {
-            return Err(other.error("polygons from two places", "keep the maps, or `points`"));
+            return Err(other.error("polygons with two sources", "keep the maps, or `points`"));
         }
         let second = b.as_ref().map(|b| MapSource::read(context, b)).transpose()?;
         let maps = [Some(MapSource::read(context, map)?), second];
@@ -161,8 +161,8 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     Ok(Source::elsewhere(asked))
 }
 
-const LOOPS: &str = "loops: arrays of the indices of points, one for each loop";
-const SEGMENTS: &str = "segments: arrays of the indices of two points";
+const LOOPS: &str = "loops: arrays with the indices of points, one array for each loop";
+const SEGMENTS: &str = "segments: arrays with the indices of two points";
 
 /// Lists of vertices, each with its line in the suite.
 type Listed = Vec<(usize, Vec<Vertex>)>;
@@ -193,7 +193,7 @@ impl Elsewhere for OfPoints {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (scene, notes) = self.points.scene(cache)?;
         if scene.dimension() == Dimension::Three {
-            let message = "overlay2d takes points of 2 coordinates, not of 3";
+            let message = "overlay2d takes points with 2 coordinates, not 3";
             return Err(self.points.error(message, "give every point 2 coordinates"));
         }
         let error =
@@ -204,7 +204,7 @@ impl Elsewhere for OfPoints {
                 for (line, ends) in listed {
                     self.known(&scene, *line, ends)?;
                     let &[a, b] = ends.as_slice() else {
-                        let message = format!("a segment of {} ends", ends.len());
+                        let message = format!("a segment with {} ends", ends.len());
                         return Err(error(*line, message, "write the indices of two points"));
                     };
                     if a == b {
@@ -221,15 +221,15 @@ impl Elsewhere for OfPoints {
                 for (line, one) in operands.iter().flatten() {
                     self.known(&scene, *line, one)?;
                     if one.len() < 3 {
-                        let message = format!("a loop of {} corners bounds nothing", one.len());
-                        return Err(error(*line, message, "give it three, or leave it out"));
+                        let message = format!("a loop with {} corners has no inside", one.len());
+                        return Err(error(*line, message, "give it three corners, or leave it out"));
                     }
                     if one.first() == one.last() {
-                        let message = format!("the corner {} is the loop's first and its last", one[0]);
-                        return Err(error(*line, message, "write it once: loops close by themselves"));
+                        let message = format!("the corner {} is both the first and the last of its loop", one[0]);
+                        return Err(error(*line, message, "write it once: the reader closes loops"));
                     }
                     if let Some(pair) = one.windows(2).find(|pair| pair[0] == pair[1]) {
-                        let message = format!("the corner {} is repeated at once", pair[0]);
+                        let message = format!("the corner {} occurs twice in a row", pair[0]);
                         return Err(error(*line, message, "write it once"));
                     }
                 }

@@ -22,8 +22,7 @@ const PROBES: usize = 200;
 /// The parts of the check that are sampled, as text.
 pub(super) fn sampled(content: &Layered) -> Option<String> {
     (content.size() > EDGES_CROSSED[0]).then(|| {
-        "all nodes, chains and boundaries; edges against their neighbours, components and points: an even sample"
-            .to_owned()
+        "all nodes, chains and boundaries; an even sample of neighbouring edges, components and points".to_owned()
     })
 }
 

@@ -65,7 +65,7 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
         ),
         Spoiled::new(
             "overlay-loses-a-crossing",
-            "all crossings are rounded to no numbers",
+            "all crossings are rounded to NaN",
             "exact",
             &[(Class::Topology, "vertex not finite")],
             |_, _, answer: &mut Overlaid| {
@@ -88,14 +88,14 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
         ),
         Spoiled::new(
             "overlay-gives-up",
-            "events are said not to come from left to right",
+            "events are reported not to come from left to right",
             "exact",
             &[(Class::Topology, "events come from left to right")],
             |_, _, answer: &mut Overlaid| answer.overlay.arrangement.broken = Some(Contradiction::Events),
         ),
         Spoiled::new(
             "overlay-loses-a-segment",
-            "the last segment is not there",
+            "the last segment is missing",
             "exact",
             &[(Class::Topology, "chain")],
             |_, _, answer: &mut Overlaid| {
@@ -115,7 +115,7 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
         ),
         Spoiled::new(
             "overlay-nests-outside",
-            "components in a face of another one are said to be outside of all",
+            "components in a face of another component are reported outside of all faces",
             "exact",
             &[(Class::Topology, "nesting")],
             |_, _, answer: &mut Overlaid| {
@@ -128,7 +128,7 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
         ),
         Spoiled::new(
             "overlay-winds-once-more",
-            "the first polygon winds once more around the last face",
+            "the winding number of the last face in the first polygon is one too large",
             "exact",
             &[(Class::Topology, "winding")],
             |_, _, answer: &mut Overlaid| {

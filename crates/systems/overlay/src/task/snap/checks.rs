@@ -10,10 +10,10 @@ const RULES: &[&str] = Contradiction::RULES;
 pub(super) const CHECKS: &[Check] = &[
     Check::topology("ends", "a chain begins and ends in the pixels of its segment's ends"),
     Check::topology("hot pixels only", "a chain passes through hot pixels only"),
-    Check::topology("all hot pixels", "a chain has all hot pixels that its segment meets"),
-    Check::topology("own hot pixels only", "a chain has no pixel that its segment does not meet"),
-    Check::topology("one way", "a chain goes one way along each axis, as its segment does"),
-    Check::topology("no new crossing", "no two chains cross"),
-    Check::topology("no vertex near an edge", "no edge of a chain meets a hot pixel that it does not end in"),
+    Check::topology("all hot pixels", "a chain passes all hot pixels that its segment meets"),
+    Check::topology("own hot pixels only", "a chain passes only hot pixels that its segment meets"),
+    Check::topology("one way", "a chain is monotone along each axis, as its segment is"),
+    Check::topology("no new crossing", "two chains do not cross"),
+    Check::topology("no vertex near an edge", "an edge of a chain meets only the hot pixels of its ends"),
     Check::invariants("the arrangement does not contradict itself", &[RULES, ARRANGEMENT]),
 ];

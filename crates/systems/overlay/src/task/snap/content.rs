@@ -73,7 +73,7 @@ fn parameters(fields: &Fields<'_, '_>) -> Result<(i32, Method), CorpusError> {
             let name = field.str()?;
             let known = [Method::Naive, Method::Snap, Method::Iterated].into_iter().find(|&m| method_name(m) == name);
             known.ok_or_else(|| {
-                field.error(format!("there is no method `{name}`"), "write \"naive\", \"snap\" or \"iterated\"")
+                field.error(format!("unknown method `{name}`"), "write \"naive\", \"snap\" or \"iterated\"")
             })?
         }
     };
@@ -109,10 +109,14 @@ impl Elsewhere for Asked {
     fn load(&self, _: Level, cache: &Cache) -> Result<Parts, CorpusError> {
         let (scene, segments, notes) = self.source.load(cache)?;
         if let Some(v) = too_far(&scene, self.pixel) {
-            let message = format!("point {v} is 2^50 pixels or more from the origin, or no multiple of 2^-1074 pixels");
-            return Err(
-                CorpusError::file(&self.file, message, "choose another `pixel`: a side is 2^-pixel").at_line(self.line)
-            );
+            let message =
+                format!("point {v} is 2^50 pixels or more from the origin, or not a multiple of 2^-1074 pixels");
+            return Err(CorpusError::file(
+                &self.file,
+                message,
+                "choose another `pixel`: the side of a pixel is 2^-pixel",
+            )
+            .at_line(self.line));
         }
         Ok(Parts { notes, ..Parts::new(scene, Drawn::new(segments, self.pixel, self.method)) })
     }
@@ -148,13 +152,9 @@ macro_rules! family {
 /// The families of segments.
 pub(super) static FAMILIES: [Family; 4] = [
     family!("snap-uniform", "segments between points uniform in the unit square", uniform),
-    family!("snap-lattice", "lines of a lattice and its diagonals: crossings in corners of pixels", lattice),
+    family!("snap-lattice", "lines of a lattice and its diagonals: crossings at corners of pixels", lattice),
     family!("snap-near", "segments that pass the centre of the unit square within a few ulps", near),
-    family!(
-        "snap-fans",
-        "two fans of segments that cross each other at small angles: many hot pixels beside each",
-        fans
-    ),
+    family!("snap-fans", "two fans of segments that cross at small angles: many hot pixels near each segment", fans),
 ];
 
 fn recipe(fields: &Fields<'_, '_>, points: fn(usize, &mut Random) -> Vec<[f64; 2]>) -> Result<Recipe, CorpusError> {

@@ -133,7 +133,8 @@ impl SceneFormat for Snap2d {
     }
 
     fn about(&self) -> &'static str {
-        "segments and their crossings rounded to pixels: snap rounding, iterated or not, and each point by itself"
+        "segments and their crossings rounded to pixels: snap rounding, iterated snap rounding, or each point \
+         separately"
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -183,7 +184,7 @@ impl Task for Snap2d {
     fn turns(&self, knob: Knob) -> Turns {
         match knob {
             Knob::Scale => Turns::Nowhere("pixels keep their size"),
-            Knob::Translation => Turns::UpTo(40, "middles of pixels are no doubles"),
+            Knob::Translation => Turns::UpTo(40, "centres of pixels are not doubles"),
             _ => Turns::Everywhere,
         }
     }

@@ -62,9 +62,10 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
     Ok((!table.is_empty()).then(|| Section {
         id: "snap",
         title: "Rounded drawings",
-        lead: "Segments brought back to pixels. New crossings are pairs of edges that cross, or of which one passes over a \
-               vertex of the other, after rounding: snap rounding makes none. A chain of snap rounding stays within 0.708 sides \
-               of its segment; iterated, it may drift farther, and no vertex is within half a side of another edge."
+        lead: "Segments rounded to pixels. A new crossing is a pair of edges that cross after rounding, or an edge \
+               that passes over a vertex of another. Snap rounding makes no new crossings, and its chains stay within \
+               0.708 pixel sides of their segments. After iterated snap rounding a chain may be farther away, but no \
+               vertex is within half a pixel side of another edge."
             .to_owned(),
         blocks: vec![Block::Table(table)],
     }))

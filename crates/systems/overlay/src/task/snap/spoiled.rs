@@ -29,7 +29,7 @@ pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
         ),
         Spoiled::new(
             "snap-makes-a-detour",
-            "each chain goes by way of the last hot pixel",
+            "each chain passes the last hot pixel",
             "exact",
             &[(Class::Topology, "own hot pixels only")],
             |_, _, answer: &mut Chains| {
@@ -41,7 +41,7 @@ pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
         ),
         Spoiled::new(
             "snap-goes-back",
-            "each chain goes from its first pixel to its last, back, and there again",
+            "each chain goes from its first pixel to its last, back, and to the last again",
             "exact",
             &[(Class::Topology, "one way")],
             |_, _, answer: &mut Chains| {
@@ -53,14 +53,14 @@ pub(super) fn all() -> Vec<Spoiled<Snap2d>> {
         ),
         Spoiled::new(
             "snap-gives-up",
-            "segments that cross are said to have no point in common",
+            "segments that cross are reported to have no point in common",
             "exact",
             &[(Class::Topology, "segments that cross have a point in common")],
             |_, _, answer: &mut Chains| answer.broken = Some(Contradiction::NoPoint),
         ),
         Spoiled::new(
             "snap-goes-straight",
-            "each chain goes from its first pixel to its last, and passes over those between",
+            "each chain goes from its first pixel straight to its last",
             "exact",
             &[
                 (Class::Topology, "all hot pixels"),
