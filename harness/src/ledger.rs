@@ -22,7 +22,7 @@ pub struct Ledger {
     pub level: Level,
     /// True if every answer is written.
     pub answers: bool,
-    /// With `--answers`: the tasks whose answers are not per query, and their scenes.
+    /// The tasks whose answers are not per query, with their scenes, if `--answers` is given.
     pub wholes: BTreeMap<String, BTreeSet<String>>,
     pub done: Vec<SummaryRow>,
     pub precision: Vec<PrecisionRow>,

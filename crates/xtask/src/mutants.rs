@@ -159,7 +159,7 @@ impl Asked {
 
 /// Tries every n-th mutant of the packages, from the k-th on, and prints the score and the survivors.
 ///
-/// With `--planted` it tries the known faults instead.
+/// The option `--planted` tries the known faults instead.
 pub fn score(args: &[String]) -> Result<(), String> {
     if let [first, names @ ..] = args
         && first == "--planted"

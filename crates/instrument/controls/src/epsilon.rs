@@ -28,7 +28,7 @@ impl std::error::Error for BadEpsilon {}
 
 impl Epsilon {
     /// A backend for which a determinant is zero if its magnitude is less than `eps`, in the units of the determinant.
-    /// With an `eps` of 0 this is [`Naive`](crate::Naive).
+    /// An `eps` of 0 gives the answers of [`Naive`](crate::Naive).
     ///
     /// # Errors
     /// [`BadEpsilon`] if `eps` is NaN, infinite or negative.

@@ -7,7 +7,7 @@
 //! the open simplices of s and t have a common point, and no sub-pair's open simplices have one. It has **ended** iff a
 //! sub-pair is registered, which is so iff the open simplices of a sub-pair meet.
 //!
-//! So the registered pairs describe the common points of two closed simplices by their carriers of the lowest
+//! The registered pairs thus describe the common points of two closed simplices by their carriers of the lowest
 //! dimensions. For example, two edges that share a vertex register one pair: that vertex with itself.
 //!
 //! # Why there is no hierarchy here

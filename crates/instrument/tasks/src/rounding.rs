@@ -22,8 +22,8 @@
 //! roundings on the way, as x + t·(y − x) with a well-conditioned t has them, but not a division by a number that is
 //! mostly error.
 //!
-//! With d coordinates each off by at most K units of size u, a vertex is at most δ = √d·K·u from its exact position. So
-//! the excused error is bounded, too, because the law holds at the exact positions:
+//! If each of d coordinates is off by at most K units of size u, a vertex is at most δ = √d·K·u from its exact
+//! position. The law holds at the exact positions, so the excused error is bounded, too:
 //!
 //! * A vertex is at most δ off its plane or segment, and at most δ beyond a plane.
 //! * A region with a boundary of length p has an area that is at most pδ + nπδ² off, for n corners: all changes are

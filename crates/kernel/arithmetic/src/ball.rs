@@ -14,8 +14,8 @@
 //!
 //! **Sums.** The summand with the lower exponent is scaled by 2^−d exactly, for a difference of exponents d ≤ 500. For
 //! larger d, 2^−500 replaces 2^−d: both the true and the replaced value lie within (|m| + r)·2^−500 < 2^−498 of zero.
-//! That is negligible beside the slack of a radius (below), which after a sum is u at least. The sum of doubles rounds
-//! by at most u|m|.
+//! This difference is negligible beside the slack of a radius (below), which is at least u after a sum. The sum of
+//! doubles rounds by at most u|m|.
 //!
 //! **Differences of doubles** round by half a unit in the last place at most, which is u for a result scaled to \[1,
 //! 2), and not at all if they are subnormal.

@@ -16,8 +16,8 @@
 //! roundings. [`semi_static`] takes n·u·(1 + (n + m + 3)·u): the excess of at least 2n·u² covers the higher powers of u
 //! and the rounding of B itself, which costs n·u² at most. A test compares it with the true requirement, in rationals.
 //!
-//! With p = 0 every term is zero, exactly, if nothing underflows; then d = 0 = D, and the comparison |d| ≥ fl(B·p)
-//! holds as well.
+//! If p = 0 and nothing underflows, every term is exactly zero; then d = 0 = D, and the comparison |d| ≥ fl(B·p) holds
+//! as well.
 //!
 //! # Counting
 //! A difference of coordinates is one rounding, a product adds its factors' roundings and one, a sum takes the larger

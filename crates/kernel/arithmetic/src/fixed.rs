@@ -84,7 +84,7 @@ impl<const L: usize> Fixed<L> {
 
     /// The product, modulo 2^(64P).
     ///
-    /// With `P` = `L` + `M` the product fits completely. With a smaller `P` the upper limbs are not computed. A larger
+    /// If `P` = `L` + `M`, the product fits completely. If `P` is smaller, the upper limbs are not computed. A larger
     /// `P` does not compile.
     #[inline(always)]
     #[must_use]

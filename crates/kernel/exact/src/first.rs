@@ -61,8 +61,8 @@ pub(crate) fn bound<const D: usize>(extent: [f64; D], of: impl Fn([f64; D]) -> f
 /// The bound for determinants that are expanded along one line or plane ([`side`](crate::side)), with a margin for
 /// underflow.
 ///
-/// With extents of at most 2²⁰⁰, a minor of the normal is off by 2⁻¹⁰⁷⁴ and multiplied with an extent, and each product
-/// is off by 2⁻¹⁰⁷⁵: together less than 2⁻⁸⁷⁰. Let b be the bound without the margin. If b ≤ 2⁻⁸¹⁰, adding 2⁻⁸⁶⁰ and
+/// Extents are at most 2²⁰⁰. A minor of the normal is off by 2⁻¹⁰⁷⁴ and multiplied with an extent, and each product is
+/// off by 2⁻¹⁰⁷⁵: together less than 2⁻⁸⁷⁰. Let b be the bound without the margin. If b ≤ 2⁻⁸¹⁰, adding 2⁻⁸⁶⁰ and
 /// rounding makes it larger by 2⁻⁸⁶¹ at least. Otherwise 2⁻⁸⁷⁰ is less than 2⁻⁶⁰·b, which [`MARGIN`] covers.
 pub(crate) fn beside(bound: f64) -> f64 {
     const SLACK: f64 = power_of_two(-860);

@@ -21,7 +21,7 @@ pub(crate) enum Integers<const D: usize> {
     ///
     /// Doubles suffice for all predicates, points are scaled per query, or differences have too many bits.
     None,
-    /// In units of the scene, modulo 2^64.
+    /// Values in units of the scene, modulo 2^64.
     Units(Vec<[i64; D]>),
 }
 

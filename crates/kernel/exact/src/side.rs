@@ -1,8 +1,8 @@
 //! Many points against one line or plane: their common terms are computed once.
 //!
-//! With rows relative to the first point of the line or plane instead of the last of the query, all but one row of the
-//! determinant belong to the line or plane alone. Expanded along the remaining row, the determinant is the product of a
-//! normal with a difference.
+//! Rows are relative to the first point of the line or plane, not to the last point of the query. All but one row of
+//! the determinant then belong to the line or plane alone. Expanded along the remaining row, the determinant is the
+//! product of a normal with a difference.
 //!
 //! # The filter
 //! Terms go through as many roundings as those of `estimate::orient2d` and `orient3d`, so their constants hold here

@@ -15,8 +15,7 @@ pub trait Kernel {
 
     /// Does the work.
     ///
-    /// # Safety
-    /// With `WIDE` the processor must have AVX-512F.
+    /// # Safety If `WIDE` is true, the processor must have AVX-512F.
     unsafe fn run<const WIDE: bool>(self) -> Self::Output;
 }
 

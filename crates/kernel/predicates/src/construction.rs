@@ -143,7 +143,7 @@ impl std::fmt::Display for ConstructionError {
             ConstructionError::Missing { vertex } if vertex.is_constructed() => {
                 write!(f, "{vertex} is not constructed before")
             }
-            ConstructionError::Missing { vertex } => write!(f, "{vertex} is no input vertex of the scene"),
+            ConstructionError::Missing { vertex } => write!(f, "{vertex} is not an input vertex of the scene"),
             ConstructionError::Repeated { vertex } => write!(f, "vertex {vertex} stands twice in one line or plane"),
             ConstructionError::TooMany => write!(f, "a scene holds at most 2^31 constructed vertices"),
         }

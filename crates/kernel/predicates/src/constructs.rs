@@ -154,7 +154,7 @@ impl std::fmt::Display for NoPoint {
             NoPoint::ParallelLines => "the lines are parallel",
             NoPoint::ParallelToPlane => "the line is parallel to the plane",
             NoPoint::Planes => "the planes share no point, or more than one",
-            NoPoint::Unspecified => "its lines and planes meet in no single point",
+            NoPoint::Unspecified => "its lines and planes do not meet in a single point",
         })
     }
 }

@@ -26,8 +26,8 @@ pub struct Contract {
 
 /// The tolerance band of one predicate in one scene, in units of its determinant.
 ///
-/// With d the exact determinant: |d| ≤ `lower` is registered as zero, |d| > `upper` is never registered, and in between
-/// both answers are legal (eq. 1 of Wang, Jiang, Schroeder and Teran).
+/// Let d be the exact determinant. |d| ≤ `lower` is registered as zero, and |d| > `upper` is never registered. In
+/// between, both answers are legal (eq. 1 of Wang, Jiang, Schroeder and Teran).
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Band {
     /// T₋: every |d| up to this value is registered.

@@ -70,7 +70,7 @@ pub struct ParseQueryError(String);
 
 impl fmt::Display for ParseQueryError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "`{}` is no query; write a name and vertices, such as `orient2d(xy; 0 1 2)`", self.0)
+        write!(f, "`{}` is not a query; write a name and vertices, such as `orient2d(xy; 0 1 2)`", self.0)
     }
 }
 

@@ -81,7 +81,7 @@ pub struct ParseVertexError(String);
 
 impl std::fmt::Display for ParseVertexError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "`{}` is no vertex: neither an index nor c and the index of a construction", self.0)
+        write!(f, "`{}` is not a vertex: neither an index nor c and the index of a construction", self.0)
     }
 }
 

@@ -5,9 +5,9 @@ use rug::Rational;
 
 /// The sign of ((q − p) × (v − u)) along an axis of a scene in space, exactly.
 ///
-/// By a filter, with u = 2^-53: a difference, a product and the last difference are each rounded by a relative u at
-/// most, so that the error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. If that sum is so small
-/// that a product may have underflowed, or overflows, rationals decide.
+/// A filter decides first. Let u = 2^-53. A difference, a product and the last difference are each rounded by a
+/// relative u at most, so the error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. If this sum
+/// overflows, or is so small that a product may have underflowed, rationals decide.
 #[inline]
 pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Vertex; 2]) -> Sign {
     let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];

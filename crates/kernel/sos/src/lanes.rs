@@ -219,7 +219,7 @@ mod tests {
         (0..11).map(|at| std::array::from_fn(|axis| number(at, axis))).collect()
     }
 
-    /// Checks that no tie in general position remains open, and that signs are those of single queries.
+    /// Checks that all ties in general position are decided, and that the signs equal the signs of single queries.
     fn check<const N: usize>(
         many: impl Fn(&[[Vertex; N]], &mut [Sign], bool) -> u64,
         one: impl Fn([Vertex; N]) -> Option<(Sign, usize)>,

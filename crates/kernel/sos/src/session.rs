@@ -24,7 +24,7 @@ impl<'s, T: Tally> Session<'s, T> {
         sign
     }
 
-    /// The exact backend's answer, or that of the tie if it is zero.
+    /// The exact backend's answer, or the answer of the tie if that is zero.
     #[inline(always)]
     fn settle(&self, kind: PredicateKind, exact: (Sign, usize), tie: impl FnOnce() -> (Sign, usize)) -> Sign {
         if !exact.0.is_zero() {

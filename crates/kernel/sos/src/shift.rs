@@ -1,4 +1,5 @@
-//! Ties between input vertices of two meshes, of which one has moved as a whole, by the determinant's derivatives.
+//! Ties between input vertices of two meshes, decided by the determinant's derivatives. One of the meshes has moved as
+//! a whole.
 //!
 //! A determinant of differences is linear in a translation (δx, δy, δz) of one of its points, and a translation of all
 //! others equals the opposite translation of that one. So with one vertex of one mesh and the rest of the other, the
@@ -218,7 +219,7 @@ mod tests {
 
     /// All predicates are linear in the move.
     ///
-    /// So a tie is broken as by a move of 1, along the first axis along which that breaks it.
+    /// A tie is broken as by a move of 1 along the first axis along which such a move breaks it.
     #[test]
     fn ties_are_broken_as_by_a_move_of_a_whole_unit() {
         let mut seen = [[0; 4]; 3];

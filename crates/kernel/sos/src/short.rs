@@ -4,8 +4,8 @@
 //! degenerate among themselves. Then this is the cheapest proof. It is the filter's formula, in differences to the last
 //! row, including the origin's, in units of some power of two.
 //!
-//! With differences less than M = 2^61 in magnitude: t = (x − x′) − 2(o − x′) is less than 3M < 2^63, a lift less than
-//! 5M² < 2^125, a minor in the plane less than 8M³ < 2^187, and one in space less than 3 · 2M² · 5M² < 2^249.
+//! Differences are less than M = 2^61 in magnitude. Then t = (x − x′) − 2(o − x′) is less than 3M < 2^63, a lift less
+//! than 5M² < 2^125, a minor in the plane less than 8M³ < 2^187, and a minor in space less than 3 · 2M² · 5M² < 2^249.
 
 use predicament_arithmetic::{Fixed, short_rows};
 use predicament_predicates::Sign;

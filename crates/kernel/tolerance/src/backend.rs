@@ -79,7 +79,7 @@ impl<F> Default for Tolerance<F> {
 impl<F: Float> Backend for Tolerance<F> {
     type Session<'s, T: Tally + 's> = Session<'s, T, F>;
 
-    /// The name `tolerance`, `tolerance:f32`, or that of a planted fault.
+    /// The name `tolerance`, `tolerance:f32`, or the name of a planted fault.
     fn name(&self) -> String {
         let name = match (self.form, self.misscaled) {
             (_, Some(misscaled)) => format!("fault:{}", misscaled.fault),
@@ -158,7 +158,7 @@ fn planar<F: Float>(scene: &Scene, plane: Plane) -> Result<Tolerances2d<F>, Decl
     Ok(tolerances)
 }
 
-/// The tolerances of space, if `F` can represent those of volumes.
+/// The tolerances of space, if `F` can represent the tolerances of volumes.
 fn spatial<F: Float>(scene: &Scene) -> Result<Tolerances3d<F>, Declined> {
     let tolerances = Tolerances3d::from_length(F::above(largest_extent(scene, &[Axis::X, Axis::Y, Axis::Z])));
     let Tolerances3d { length, sigma, xi, .. } = tolerances;

@@ -17,7 +17,7 @@ pub fn distance_squared<N: Ring, const D: usize>(a: &[N; D], b: &[N; D]) -> N {
 
 /// The edge û = B − A and its length m.
 ///
-/// With the printed û = A − B the weight â/m would have the wrong sign.
+/// The paper prints û = A − B, which gives the weight â/m the wrong sign.
 #[inline]
 pub fn edge<N: Root, const D: usize>(a: &[N; D], b: &[N; D]) -> ([N; D], N) {
     let u_hat = minus(b, a);

@@ -1,8 +1,9 @@
 //! Vertical strips of the plane, for finding the segments that a vertical ray can meet.
 //!
 //! An upward ray from a point meets only segments whose x-range contains the point's x and that reach up to the point.
-//! So the plane is cut into columns, and each segment is entered in every column that it reaches. A column lists its
-//! segments from the highest down: a query reads one column and stops at the first segment that ends below it.
+//! The index therefore cuts the plane into columns, and enters each segment in every column that it reaches. A column
+//! lists its segments from the highest down: a query reads one column and stops at the first segment that ends below
+//! it.
 //!
 //! # How many columns
 //! Let w be the width of a column and m the mean x-extent of n segments. There are about n(1 + m/w) entries, and a

@@ -5,7 +5,7 @@
 pub enum Place {
     /// The point is left or right of the cell.
     Outside,
-    /// The point is at an end of the cell, and not outside.
+    /// The point is at an end of the cell.
     AtEnd,
     /// The point is between the ends.
     Inside,

@@ -1,6 +1,6 @@
 //! Benchmark: the counties of the United States dissolved into states, on one thread; 3,231 regions in 56 groups.
 //!
-//! With the feature `peers`, `i_overlay` and `geo` run on the same coordinates in the same run, in turns. The aim:
+//! The feature `peers` adds `i_overlay` and `geo`: they run on the same coordinates in the same run, in turns. The aim:
 //! faster than GEOS, with areas that add up exactly, which the suite `map-dissolves` checks.
 //!
 //! Programs of other libraries take part if `DISSOLVE_PROGRAMS` names them: `name=command`, separated by semicolons,

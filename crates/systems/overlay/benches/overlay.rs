@@ -1,8 +1,8 @@
 //! Benchmark: unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep.
 //!
-//! With the feature `peers`, `i_overlay` and `geo` run on the same coordinates in the same run, in turns. The aim: two
-//! stars of 10^5 edges each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster than
-//! `geo` and GEOS.
+//! The feature `peers` adds `i_overlay` and `geo`: they run on the same coordinates in the same run, in turns. The aim:
+//! two stars of 10^5 edges each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster
+//! than `geo` and GEOS.
 //!
 //! A program of another library can take part: the environment variable `PREDICAMENT_OVERLAY` names it. It reads two
 //! rings, each as a line of coordinates separated by blanks, and prints the seconds that their union took.

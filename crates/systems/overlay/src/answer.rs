@@ -7,7 +7,7 @@ pub enum Operation {
     Union,
     /// The points inside both.
     Intersection,
-    /// The points inside the first and not the second.
+    /// The points inside the first but not inside the second.
     Difference,
     /// The points inside exactly one.
     SymmetricDifference,

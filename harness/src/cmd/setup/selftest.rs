@@ -1,15 +1,16 @@
 //! `selftest`: plants faults and sees whether they are caught.
 //!
-//! Each faulty backend claims a real contract and runs through the embedded
-//! corpora like any other; right answers of honest backends are spoiled before they are judged; what judges
-//! and what reads is held to facts that are known without it. A
-//! fault names the checks that have to find it: one that finds nothing means that
-//! the corpora have a hole or that the check does not work, whatever else finds
-//! the fault. The other way round each check has to be needed by some fault: with it switched
-//! off, that fault is missed. The real backends of proved contracts run on every scene on which a
-//! check finds what it has to, and must come out clean, or the score would mean nothing.
-//! That they are clean on all others is for `run` and `gate` to say, but for the one that
-//! is not among the backends of a run: it is run on every scene that it is for.
+//! Each faulty backend claims a real contract and runs through the embedded corpora like any other backend. Correct
+//! answers of honest backends are spoiled before they are judged. The judge and the readers are tested against
+//! independent facts.
+//!
+//! A fault names the checks that must find it. If one of these checks finds nothing, either the corpora have a hole or
+//! the check does not work, even if another check finds the fault. Conversely, each check must be needed by some fault:
+//! with the check switched off, the tool misses that fault.
+//!
+//! The real backends with proved contracts run on every scene on which a check finds its fault, and must have no
+//! findings; otherwise the score would mean nothing. `run` and `gate` test them on all other scenes. One of these
+//! backends does not run by default: it runs here on every scene that it supports.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -27,9 +28,9 @@ use crate::select::Selector;
 use crate::tool::{Tool, each};
 
 const EXAMPLES: &str = "\
-A fault runs until all checks that have to find it have found it; what else would find it later is not tried. Honest \
-backends run on each scene that a check finds a fault on, sos:per-mesh on each with two meshes; `run` and `gate` hold \
-the others to all scenes. `scenes` and `queries` are what it took until the last of these checks had found the fault.
+A fault runs until every check that must find it has found it. Honest backends run on each scene on which a check finds \
+a fault, and sos:per-mesh on each such scene with two meshes; `run` and `gate` test honest backends on all scenes. \
+`scenes` and `queries` count the work until the last of these checks found the fault.
 
 Examples:
   predicament setup selftest

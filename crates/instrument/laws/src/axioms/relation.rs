@@ -19,10 +19,10 @@
 //! | incircle (x, y, lift, 1) | ∞lift in front | orient2d in xy | + |
 //! | insphere (x, y, z, lift, 1) | ∞lift in front | orient3d | − |
 //!
-//! So a relation with one, two or three such vectors links predicates to each other. A perturbation of the coordinates
-//! moves no point at infinity, and neither does a perturbation of the lift as one more coordinate. So the relations
-//! hold for every consistently perturbed scene. They fail if two predicates use two different perturbations, which is
-//! what they are meant to detect.
+//! A relation with one, two or three such vectors thus links predicates to each other. A perturbation of the
+//! coordinates does not move points at infinity. A perturbation of the lift, as one more coordinate, does not move them
+//! either. The relations therefore hold for every consistently perturbed scene. They fail if two predicates use
+//! different perturbations; they exist to detect this.
 //!
 //! Removing a coordinate of a lifted predicate leaves no predicate (the lift is a sum over all coordinates), so only
 //! ∞lift occurs there. Points at infinity among the shared vectors give relations of the remaining predicate.

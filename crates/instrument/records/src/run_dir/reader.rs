@@ -199,7 +199,7 @@ impl RunDir {
     /// The rows of `throughput.csv` of each scene for these interfaces, by task, family and backend.
     ///
     /// Rows are in the order of measurement: where the sample number starts again, the next scene of the family begins.
-    /// So a backend must not have been timed on a task by two of the interfaces.
+    /// Therefore at most one of the interfaces may have timed a backend on a task.
     #[must_use]
     pub fn timed_scenes_by(&self, interfaces: &[Interface]) -> BTreeMap<[&str; 3], Vec<Vec<&ThroughputRow>>> {
         let mut timed: BTreeMap<_, Vec<Vec<&ThroughputRow>>> = BTreeMap::new();

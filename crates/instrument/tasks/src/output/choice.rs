@@ -19,7 +19,7 @@ pub struct Choice {
 /// The request that causes a file to be written.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub(super) enum When {
-    /// No request: the file is written unless others are chosen.
+    /// No request: the file is written unless other files are chosen.
     Always,
     /// The user names the file's format or part.
     Named,

@@ -5,9 +5,9 @@
 //! 3·(X² + Y²)·2XY for incircle, 4·(X² + Y² + Z²)·6XYZ for insphere. Queries between points at opposite corners of the
 //! scene's box come as close to that as doubles allow.
 //!
-//! With the constant B of the semi-static filter and P ≤ M, the largest permanent, **d has the sign of D if |d| ≥ B·M**
-//! by the proof in [`bound`](super). The factor (1 − u)^−(m + 1), which that proof needs for roundings of the
-//! permanent, covers here extents that were rounded to nearest: each of them is too small by a factor of 1 − u at
+//! Let B be the constant of the semi-static filter, and M the largest permanent, P ≤ M. Then **d has the sign of D if
+//! |d| ≥ B·M** by the proof in [`bound`](super). The factor (1 − u)^−(m + 1), which that proof needs for roundings of
+//! the permanent, covers here extents that were rounded to nearest: each of them is too small by a factor of 1 − u at
 //! worst.
 //!
 //! The products are rounded up in every case. The double above a product rounded to nearest is not below the product,

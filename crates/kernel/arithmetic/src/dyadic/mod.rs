@@ -15,9 +15,9 @@
 //! be multiples of 2^(64·l) and less than 2^h, in magnitude. The sum of N of them takes as many limbs as hold h −
 //! 64·l + b + 1 bits, with b the logarithm of N rounded up, or two limbs if that is less.
 //!
-//! So **if all inputs are integers below 2^(64n − 3)**, an intermediate of degree j takes j·n limbs, two at least:
-//! differences are below 2^(64n − 2), products of j of them below 2^(64jn − 2j), and that leaves room for a sign and
-//! for adding up 2^(2j − 1) of them. Any one power of two may be factored out of the inputs beforehand
+//! **If all inputs are integers below 2^(64n − 3)**, an intermediate of degree j takes j·n limbs, at least two.
+//! Differences are below 2^(64n − 2), products of j differences below 2^(64jn − 2j). The remaining bits hold a sign and
+//! the sum of 2^(2j − 1) products. Any one power of two may be factored out of the inputs beforehand
 //! ([`Number::scaled`]), as it does not change signs of homogeneous polynomials.
 
 mod limbs;

@@ -27,8 +27,8 @@ pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
 
 /// The position of the last point relative to the circle of the others.
 ///
-/// With differences (x, y) over the weight w of both points, which is positive, a row of the determinant is (x/w, y/w,
-/// (x² + y²)/w²); times w² it is (x·w, y·w, x² + y²).
+/// Let (x, y) be differences over the common weight w > 0 of both points. A row of the determinant is (x/w, y/w, (x² +
+/// y²)/w²); times w² it is (x·w, y·w, x² + y²).
 #[cold]
 #[inline(never)]
 pub(super) fn incircle(points: &[[Number; 3]; 4]) -> Sign {

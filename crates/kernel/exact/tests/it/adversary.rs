@@ -102,7 +102,7 @@ const INSPHERE_NEAR: Recipe<3, 5> = Recipe {
 
 /// Runs a recipe with these seeds: nothing errs beyond the constant, and something errs beyond `share` of it.
 ///
-/// That share is the planted fault. The first seed finds it. The remaining seeds run only at full effort.
+/// `share` is the planted fault. The first seed finds it. The remaining seeds run only at full effort.
 fn hunt<const D: usize, const N: usize>(
     recipe: &Recipe<D, N>,
     (first, seeds): (u64, std::ops::Range<u64>),

@@ -8,7 +8,7 @@
 //! each spanned by the images of its parts' spanning vectors. The determinant is zero exactly if it is zero for all of
 //! these.
 //!
-//! Of a vertex that occurs k times the determinant is a polynomial of degree k. If it is zero even with each occurrence
+//! The determinant is a polynomial of degree k in a vertex that occurs k times. If it is zero even with each occurrence
 //! moving independently, it is zero. If not, the vertex takes as many positions as such a polynomial needs to be zero
 //! everywhere. This loops over all such vertices, and takes long if many occur often, but it ends, and then it has
 //! proved the answer. If all vertices are free, some of them are fixed: omitted columns are equivalent to rows of unit
@@ -25,7 +25,7 @@ use super::series::{Cut, Series, difference, sum};
 
 /// The coordinates of an exterior product, by sets of places of one size, in ascending order of bit masks.
 ///
-/// With sets of one place it is a point or a plane.
+/// A blade with sets of one place is a point or a plane.
 type Blade = Vec<Series<Integer>>;
 
 /// Blades that span a space.

@@ -10,7 +10,7 @@
 //! * a *rest* of which only the start is known: all other monomials have the second vertex, or, if the first one occurs
 //!   twice, another coordinate of it or two of its factors.
 //!
-//! Of products, the larger one has the lower degree in the smallest infinitesimal in which they differ. So sort all
+//! The larger of two products has the lower degree in the smallest infinitesimal in which they differ. So sort all
 //! *steps* of all rows from the largest on. Products, with no row twice, are then ordered by their smallest step, then
 //! by their next one. The code tries them in that order, and the first one whose determinant is not zero decides. The
 //! determinant of a product with a rest is unknown, with one exception: it is zero if two of the remaining rows are of

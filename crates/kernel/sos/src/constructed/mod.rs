@@ -56,7 +56,7 @@ use crate::Scheme;
 
 /// The reason why all schemes but one decline constructed vertices.
 pub(crate) fn others_only() -> String {
-    format!("constructed vertices are moved by the scheme `{}` only", Scheme::PerCoordinate)
+    format!("only the scheme `{}` moves constructed vertices", Scheme::PerCoordinate)
 }
 
 /// Checks that only input vertices define a construction; the error says why that is required.
@@ -64,7 +64,7 @@ pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), Definition
     if construction.is_of_inputs() {
         return Ok(());
     }
-    let reason = "a perturbation moves vertices that input vertices define, not those that constructed ones do";
+    let reason = "a perturbation applies only to vertices that input vertices define, not to vertices defined by constructed vertices";
     Err(DefinitionError::OfConstructed { reason })
 }
 

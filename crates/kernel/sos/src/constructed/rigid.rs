@@ -1,4 +1,4 @@
-//! Ties between two meshes, of which one has moved as a whole.
+//! Ties between two meshes, one of which has moved as a whole.
 //!
 //! The second mesh moves by (ε, ε², ε³). There is only one infinitesimal, so whole polynomials are affordable: they are
 //! cut off at a power that most ties don't reach, then at larger ones, up to the largest possible power.

@@ -5,8 +5,8 @@
 //! and its derivatives by the coordinates of the vertex with the smallest index, all exactly. It is computed once, for
 //! the first tie that needs it.
 //!
-//! With e an axis' unit vector, and the first vertex put first among those of its line or plane (which changes a factor
-//! of the row):
+//! Let e be the unit vector of an axis. Put the first vertex first in its line or plane (this changes a factor of the
+//! row):
 //!
 //! | first in | row | derivative |
 //! |---|---|---|

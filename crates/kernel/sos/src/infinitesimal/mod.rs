@@ -160,7 +160,7 @@ impl Perturbed {
         Series::collect(vec![(0, x), (self.exponent(self.ranks[a], place), Integer::from(1))])
     }
 
-    /// A coordinate minus that of the last vertex, after the move.
+    /// A coordinate minus the coordinate of the last vertex, after the move.
     fn difference(&self, axis: Axis, a: usize) -> Series {
         self.coordinate(axis, a).minus(&self.coordinate(axis, self.points.len() - 1))
     }

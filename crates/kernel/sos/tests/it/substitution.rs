@@ -150,7 +150,7 @@ fn spheres() {
     }
 }
 
-/// With the squares of ε^(2^i) in the lift, base 2 is another scheme.
+/// Base 2 is another scheme if the lift has the squares of ε^(2^i).
 ///
 /// Monomials collide, and some signs differ. This is why the base is 3.
 #[test]

@@ -24,7 +24,7 @@ pub struct Derivation {
     pub quantity: Quantity,
     /// The derived bound of the same kind; `None` if no rule gives one.
     pub derived: Option<Bound>,
-    /// True if it is a bound of the quantity and not of its error.
+    /// True if it bounds the quantity, not the error of the quantity.
     pub is_magnitude: bool,
 }
 

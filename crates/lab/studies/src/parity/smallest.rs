@@ -49,7 +49,7 @@ pub struct Small<P, R> {
 impl<P: Shrink, R> Small<P, R> {
     /// Stores the pair if it is the smallest of its kind so far.
     ///
-    /// Of two equally small pairs the earlier one stays.
+    /// The earlier of two equally small pairs stays.
     pub fn keep<K: Ord>(self, kept: &mut BTreeMap<K, Self>, kind: K) {
         let key = |small: &Self| (small.pair.size(), !small.minimal);
         if kept.get(&kind).is_none_or(|known| key(&self) < key(known)) {

@@ -30,7 +30,7 @@ pub struct Level {
     pub candidates: u64,
     /// Candidates that had ended: a sub-pair was registered.
     pub ended: u64,
-    /// Candidates that the session was asked about.
+    /// Candidates on which the session was queried.
     pub asked: u64,
     /// Pairs that the session registered.
     pub registered: u64,

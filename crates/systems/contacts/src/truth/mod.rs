@@ -80,7 +80,7 @@ impl Truth {
     }
 }
 
-/// True if a session registers a pair and none of its faces' pairs, each queried separately.
+/// True if a session registers a pair but does not register any pair of its faces; each pair is queried separately.
 fn is_registered(session: &Judged<'_>, content: &Complexes, [of_a, of_b]: &[Faces; 2], [s, t]: Pair) -> bool {
     let mut pairs = of_a.of(s).flat_map(|face| of_b.of(t).map(move |other| [face, other]));
     pairs.all(|pair| ask(session, content.both(), pair).is_some() == (pair == [s, t]))

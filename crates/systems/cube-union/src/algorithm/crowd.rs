@@ -16,9 +16,9 @@
 //!   the ends, has the same vertices. The number of vertices whose last member is the second cube equals the number for
 //!   the third cube, and so on to the last but one.
 //!
-//! So only the first, the second and the last cube of a run are kept, and a vertex whose last member is the second cube
-//! counts k − 2 times. n identical cubes take time linear in n. Cubes of mixed types in an order that also mixes the
-//! types are processed in full, all pairs with n bits each.
+//! The algorithm therefore keeps only the first, the second and the last cube of a run. A vertex whose last member is
+//! the second cube counts k − 2 times. n identical cubes take time linear in n. Cubes of mixed types in an order that
+//! also mixes the types are processed in full, all pairs with n bits each.
 
 use super::cube::{Cube, Range, face_in};
 use super::mass::Mass;

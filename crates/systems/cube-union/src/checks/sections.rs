@@ -117,7 +117,8 @@ fn differing(a: &[usize], b: &[usize]) -> i128 {
 
 /// The mass properties of the union of cubes, by their lower corners and the length of their edges.
 ///
-/// Of two equal coordinates, that of the earlier cube is larger by an infinitesimal, and the result is the limit.
+/// If two coordinates are equal, the coordinate of the earlier cube is larger by an infinitesimal; the result is the
+/// limit.
 ///
 /// For up to some ten thousand cubes: time grows with about N^2 for N cubes
 /// that are spread evenly.

@@ -7,9 +7,9 @@
 //! * Vertices on an edge of the hull, between its ends, divide it: every vertex is a corner of a triangle.
 //! * More than three vertices on one empty circle: each such face is cut as a fan from its smallest index.
 //!
-//! So the answer does not depend on the order of insertion. A session that never answers zero gets the triangulation of
-//! its perturbed points, which is unique. It has no copies and no chain of three, and some of its triangles have area
-//! only by the perturbation.
+//! The answer therefore does not depend on the order of insertion. A session that never answers zero gets the
+//! triangulation of its perturbed points, which is unique. It has no copies and no chain of three, and some of its
+//! triangles have area only by the perturbation.
 //!
 //! # Contradictory signs
 //! Every loop is bounded by the number of triangles. If a step is impossible, the algorithm stops: the answer holds the

@@ -73,7 +73,7 @@ fn extreme(session: &dyn Predicates, vertices: &[Vertex]) -> [Vertex; DIRECTIONS
     found
 }
 
-/// Shuffles by a fixed sequence of random numbers, that of `SplitMix64`.
+/// Shuffles by a fixed sequence of random numbers, from `SplitMix64`.
 fn shuffle(items: &mut [Vertex]) {
     let mut state = 0_u64;
     for end in (1..items.len()).rev() {

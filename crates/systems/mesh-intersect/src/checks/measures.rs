@@ -137,7 +137,7 @@ impl Laws<'_> {
         }
     }
 
-    /// Checks that the volume of a region of a mesh is that of all its parts.
+    /// Checks that the volume of a region of a mesh equals the volume of all its parts.
     pub fn volumes(&self, found: &mut Violations) {
         let six = |triangle: [Vertex; 3]| self.six(triangle);
         for (mesh, name) in MESHES.into_iter().enumerate() {

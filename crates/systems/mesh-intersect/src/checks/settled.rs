@@ -234,7 +234,7 @@ fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
     }
 }
 
-/// Adds the area of a triangle to that of its plane.
+/// Adds the area of a triangle to the area of its plane.
 fn add(areas: &mut BTreeMap<Plane, Rational>, [a, b, c]: [&Point; 3], times: i32) {
     let minus = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &a[i]));
     let [u, v] = [minus(b), minus(c)];

@@ -6,14 +6,14 @@
 //! * or on an edge of a mesh, where each triangle around that edge has a piece;
 //! * or a segment of an intersection curve, inside one triangle of either mesh: each has a piece on either side of it.
 //!
-//! So the number of curve segments that end in a constructed vertex is the number of triangles around the edge that it
-//! is on: two for a manifold mesh, and an even number on the surface of any solid.
+//! The number of curve segments that end in a constructed vertex therefore equals the number of triangles around its
+//! edge: two for a manifold mesh, and an even number on the surface of any solid.
 //!
-//! # Euler characteristics
-//! Cut along the curves c, the surface of A is a part outside B and a part inside; that of the union is both parts
-//! outside, that of the intersection both inside. V - E + F adds up, except for curves that belong to both parts:
-//! χ(∂(A∪B)) + χ(∂(A∩B)) = χ(∂A) + χ(∂B), and χ(∂(A∆B)) = χ(∂A) + χ(∂B) - χ(c). The characteristic of a solid is half
-//! of its surface's, so this is χ(A∪B) = χ(A) + χ(B) - χ(A∩B). The right sides are counted on the given meshes.
+//! # Euler characteristics The curves c cut the surface of A into a part outside B and a part inside. The surface of
+//! the union consists of both parts outside, the surface of the intersection of both parts inside. V - E + F adds up,
+//! except for curves that belong to both parts: χ(∂(A∪B)) + χ(∂(A∩B)) = χ(∂A) + χ(∂B), and χ(∂(A∆B)) = χ(∂A) + χ(∂B) -
+//! χ(c). The characteristic of a solid is half of its surface's, so this is χ(A∪B) = χ(A) + χ(B) - χ(A∩B). The right
+//! sides are counted on the given meshes.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -250,7 +250,7 @@ impl Laws<'_> {
         links.iter().find(is_pinched).map(|(v, _)| *v)
     }
 
-    /// Checks the Euler characteristics of the results against those of the given meshes.
+    /// Checks the Euler characteristics of the results against the characteristics of the given meshes.
     fn characteristics(&self, edges: &Edges, found: &mut Violations) {
         let [first, second] = self.meshes.each_ref().map(|mesh| characteristic(boundary(mesh)));
         let of = |at: usize| characteristic(self.solids[at].iter().copied());

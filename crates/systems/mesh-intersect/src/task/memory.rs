@@ -96,7 +96,7 @@ mod tests {
 
     use super::*;
 
-    /// Needles along an axis, each of which crosses all of those along another axis.
+    /// Needles along an axis; each crosses all needles along another axis.
     fn needles(count: usize, along: usize, points: &mut Vec<Point>) -> MaterialMesh {
         let first = points.len();
         for at in 0..count {

@@ -45,7 +45,7 @@ pub(super) enum Stab {
 
 /// Decides how the ray from `q` meets the triangle a, b, c; as seen along the ray, the point is in the triangle's box.
 ///
-/// With `is_near`, the point is also in the box along the ray; otherwise it is not on the triangle. `turn` is
+/// If `is_near`, the point is also in the box along the ray; otherwise the point is not on the triangle. `turn` is
 /// `orient2d` in the plane across the ray, of an edge and q.
 #[inline]
 pub(super) fn stab<P: Predicates + ?Sized>(
@@ -98,7 +98,7 @@ pub(super) struct Way {
     pub(super) ahead: Option<bool>,
 }
 
-/// Decides like [`stab`], for a session whose zeros are those of a band: the true sign may be any.
+/// Decides like [`stab`], for a session whose zeros come from a tolerance band: the true sign may be any.
 ///
 /// Signs that are not zero are right, and so is every answer except `Unsure`.
 pub(super) fn stab_in_band<P: Predicates + ?Sized>(

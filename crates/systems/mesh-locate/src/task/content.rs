@@ -19,7 +19,7 @@ use super::mesh_file::MeshFile;
 pub struct ProbedMesh {
     /// The mesh.
     pub mesh: Arc<MaterialMesh>,
-    /// The tetrahedra of which the mesh is made, or empty: the first is region 1. Their `orient3d` is positive.
+    /// The tetrahedra that make the mesh, or empty: the first is region 1. Their `orient3d` is positive.
     pub tetrahedra: Vec<[Vertex; 4]>,
     /// The points to locate.
     pub probes: Vec<Probe>,
@@ -137,7 +137,7 @@ pub enum ProbeKind {
     Line,
     /// On a line through the middle of an edge along an axis.
     EdgeLine,
-    /// With the coordinates of three vertices, one of each.
+    /// A point with the coordinates of three vertices, one of each.
     Lattice,
     /// Outside the bounding box, on a line through a vertex along an axis.
     Far,

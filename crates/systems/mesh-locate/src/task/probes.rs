@@ -20,7 +20,7 @@ pub struct Surface {
     pub points: Vec<[f64; 3]>,
     /// The triangles, each with the regions on its two sides.
     pub mesh: MaterialMesh,
-    /// The tetrahedra of which the mesh is made; the first is region 1.
+    /// The tetrahedra that make the mesh; the first is region 1.
     pub tetrahedra: Vec<[Vertex; 4]>,
 }
 

@@ -16,7 +16,7 @@ static PAIR: RowKind = RowKind { name: "pair", widths: 2..=2, numbers: "regions"
 pub enum Regions {
     /// Written out in the suite.
     Written(Pairs),
-    /// In a separate file.
+    /// Regions in a separate file.
     File(Origin),
 }
 

@@ -35,8 +35,8 @@ impl Fault {
         }
     }
 
-    /// True if the answer fits no sector at all, whatever zeros mean to the session; the other faults are broken
-    /// promises about zeros.
+    /// True if the answer does not fit any sector, for any meaning of zeros; the other faults are broken promises about
+    /// zeros.
     #[must_use]
     pub const fn is_topological(self) -> bool {
         matches!(self, Fault::Gap | Fault::Double | Fault::Misplaced)
@@ -142,7 +142,7 @@ fn topology(surroundings: &Surroundings, probe: usize, answer: Location<'_>) -> 
     })
 }
 
-/// The fault if the named boundaries are not those that the session promises.
+/// The fault if the named boundaries differ from the boundaries that the session promises.
 fn promise(surroundings: &Surroundings, probe: usize, answer: Location<'_>, zero: ZeroMeaning) -> Option<Fault> {
     let truth = surroundings.boundary(probe);
     let named_in_vain = answer.boundary.iter().any(|region| truth.binary_search(region).is_err());

@@ -66,7 +66,7 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         id: "locate",
         title: "Points in a map",
         lead: "Probes by the surroundings of the probe in the map, and the number of regions in which each backend \
-               located them. A violation is an answer that contradicts the map."
+               located them. A violation is an answer that is impossible for the map."
             .to_owned(),
         blocks: vec![block],
     }))

@@ -232,7 +232,7 @@ fn sort_dedup<T: Ord>(list: &mut Vec<T>) {
     list.dedup();
 }
 
-/// Adds the regions that are not in the set and removes those that are.
+/// Toggles regions: adds the regions that are not in the set, and removes the regions that are.
 fn toggle(set: &mut Vec<u32>, regions: &[u32]) {
     for region in regions {
         match set.binary_search(region) {

@@ -39,7 +39,7 @@ pub(super) struct Cutter<'a> {
     signs: Vec<Sign>,
     /// The side of each face that touches the current plane; undefined for other faces.
     pub(super) sides: Vec<Sign>,
-    /// The number of parts, including parts of which later planes left nothing.
+    /// The number of parts, including parts that later planes cut completely into other parts.
     pub(super) parts: usize,
     pub(super) faces_split: u64,
 }

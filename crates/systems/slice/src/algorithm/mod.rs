@@ -60,7 +60,7 @@ pub enum Source {
     Face(u32),
     /// The cap in the plane with this index.
     Cap(u32),
-    /// The cover of a loop that is in none of the planes.
+    /// The cover of a loop that is not in any of the planes.
     Cover,
 }
 

@@ -1,4 +1,4 @@
-//! The fourth step for loops in none of the planes, and the fifth step: triangulation of everything.
+//! The fourth step for loops that are not in any of the planes, and the fifth step: triangulation of everything.
 
 use std::collections::BTreeMap;
 

@@ -81,7 +81,7 @@ pub enum Check {
     PieceOrientation,
     /// The areas of the pieces of a face add up to its area.
     FaceArea,
-    /// The volumes of the parts add up to that of the mesh.
+    /// The volumes of the parts add up to the volume of the mesh.
     Volume,
     /// Triangles have an area.
     Degenerate,

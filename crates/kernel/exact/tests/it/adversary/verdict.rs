@@ -31,8 +31,8 @@ impl Verdict {
 
     /// Returns true if the error is at most `constant`·P + `price`·u·|x + y|.
     ///
-    /// That is the proved bound, with a price of 0 for orient2d and insphere, ½ for orient3d, less than 15 for
-    /// incircle. Near ties depend only on this part of it.
+    /// This is the proved bound if `price` is 0 for orient2d and insphere, ½ for orient3d, and less than 15 for
+    /// incircle. Near ties depend only on this part of the bound.
     pub fn within(&self, constant: f64, price: f64) -> bool {
         self.error <= exact(constant) * &self.permanent + self.paid(price)
     }

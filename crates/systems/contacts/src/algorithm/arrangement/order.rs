@@ -20,8 +20,8 @@ pub(super) struct On {
 ///
 /// A weight is a rounded number: two vertices on an edge can be so close that their weights are equal or in the wrong
 /// order. So a vertex that is exactly on the edge's line is ordered by its coordinates, any other point by its weight.
-/// Of points at one double, exact vertices come first, in their order, then the others, the lower point first. (The
-/// order of a crossing and a vertex at one double is not known.)
+/// If points share a double, exact vertices come first, in their order, then the other points, the lower point first.
+/// (The order of a crossing and a vertex at one double is not known.)
 pub(super) fn along(scene: &Scene, ends: [Vertex; 2], points: Vec<On>) -> Vec<usize> {
     if points.len() < 2 {
         return points.into_iter().map(|on| on.point).collect();

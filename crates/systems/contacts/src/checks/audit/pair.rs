@@ -85,7 +85,7 @@ impl PairKind {
 pub struct Pair {
     kind: PairKind,
     dimension: Dimension,
-    /// The vertices of the first simplex, then those of the second.
+    /// The vertices of the first simplex, then the vertices of the second.
     points: [Point; 5],
     exponent: i32,
 }

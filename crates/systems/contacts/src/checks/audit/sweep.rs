@@ -1,8 +1,9 @@
 //! Pairs of simplices whose boxes are near, found by a sweep along x that shares nothing with the broad phase of the
 //! audited driver.
 //!
-//! With one very long edge, a plain sweep would compare all boxes with each box. So boxes are grouped into classes by
-//! the powers of two of their extents along x, and each class is swept with its own largest width.
+//! A plain sweep would compare all boxes with each box if one edge were very long. The sweep therefore groups boxes
+//! into classes by the powers of two of their extents along x. It sweeps each class with the largest width of the
+//! class.
 
 use std::collections::BTreeMap;
 

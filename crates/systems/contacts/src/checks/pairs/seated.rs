@@ -71,7 +71,7 @@ fn apart([a, b]: [&Integer; 2], [c, d]: [&Integer; 2]) -> bool {
 /// The turn from a to b to the point, where the point is moved by (δ, δ²) (`by` = −1) or a and b both are (`by` = 1).
 /// Zero only if a and b coincide.
 ///
-/// With u = b − a: u × (p + (δ, δ²) − a) = u × (p − a) + δ²·u.x − δ·u.y.
+/// Let u = b − a. Then u × (p + (δ, δ²) − a) = u × (p − a) + δ²·u.x − δ·u.y.
 fn turn([a, b]: [&[Integer; 2]; 2], p: &[Integer; 2], by: i32) -> Sign {
     let difference = |p: &[Integer; 2]| [Integer::from(&p[0] - &a[0]), Integer::from(&p[1] - &a[1])];
     let (u, w) = (difference(b), difference(p));

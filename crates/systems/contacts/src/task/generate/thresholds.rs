@@ -1,9 +1,9 @@
 //! Pairs at a threshold of one test, far from the thresholds of all other tests of their algorithm.
 //!
 //! A pair of the hierarchy whose sub-pairs are apart is far from most thresholds: that is the purpose of the hierarchy.
-//! So these pairs are made for the test, with any sub-pairs: a shape of fixed proportions, in which one value is small
-//! beside the others. Its size is chosen so that the value is T₋, T or T₊, up or down by a fraction from an eighth to
-//! 2⁻²⁴.
+//! The generator therefore makes these pairs for the test, with any sub-pairs: a shape of fixed proportions, in which
+//! one value is small compared to the others. Its size is chosen so that the value is T₋, T or T₊, up or down by a
+//! fraction from an eighth to 2⁻²⁴.
 
 use crate::checks::audit::{PairKind, Published, Symbol};
 use predicament_corpus::Random;

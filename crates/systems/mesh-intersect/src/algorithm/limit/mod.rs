@@ -273,7 +273,7 @@ impl Work {
     }
 }
 
-/// The triangles whose boxes may meet that of a triangle from the other mesh, with all other pieces of the same
+/// The triangles whose boxes may meet the box of a triangle from the other mesh, with all other pieces of the same
 /// triangle.
 fn near(session: &dyn Predicates, places: &Places, solid: &Solid) -> [Vec<u32>; 2] {
     let scene = session.scene();

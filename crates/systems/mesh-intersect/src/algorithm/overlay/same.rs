@@ -16,7 +16,7 @@
 //!   a diagonal separates them, or a line in a coordinate plane, by the signs of determinants in doubles that exceed
 //!   their rounding errors.
 //!
-//! So an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the
+//! Hence an edge of a triangle that is set aside in one mesh does not pass through a triangle that is set aside in the
 //! other. All other pairs are tested. The surface is closed, so that the triangles around a vertex are loops; a loop
 //! whose triangles turn the same way crosses a ray as often as it goes around.
 
@@ -336,7 +336,7 @@ fn are_separated([i, j]: [usize; 2], t: [[f64; 3]; 3], s: [[f64; 3]; 3]) -> bool
 
 /// The turn of a, b, c: true for counterclockwise, false for clockwise, `None` if rounding could decide.
 ///
-/// With u = 2^-53, the determinant of rounded differences has an error of less than 4 u times the sum of its products'
+/// Let u = 2^-53. The determinant of rounded differences has an error of less than 4 u times the sum of its products'
 /// magnitudes (Shewchuk, *Adaptive precision floating-point arithmetic*, 1997, section 4.3), if that sum is far from
 /// underflow; it is not if it overflows.
 #[inline]

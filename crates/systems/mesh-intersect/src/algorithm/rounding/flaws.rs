@@ -8,7 +8,7 @@ use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 pub struct Flaws {
     /// The number of reversed triangles.
     pub turned: usize,
-    /// Pairs of triangles with a common edge, of which one lies on the other.
+    /// Pairs of triangles with a common edge in which one triangle lies on the other.
     pub folded: usize,
     /// Other pairs of triangles that have more in common than corners and edges.
     pub crossing: usize,

@@ -67,7 +67,7 @@ pub struct Counts {
     pub collapsed: usize,
     /// Triangles that are reversed if all vertices go to the nearest doubles.
     pub turned: usize,
-    /// Pairs of triangles with a common edge, of which one then lies on the other.
+    /// Pairs of triangles with a common edge in which one triangle then lies on the other.
     pub folded: usize,
     /// Other pairs of triangles that then pass through each other.
     pub crossing: usize,

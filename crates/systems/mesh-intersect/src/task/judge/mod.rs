@@ -199,7 +199,7 @@ impl<'a> Judging<'a> {
         Judging { laws, answer, place }
     }
 
-    /// Checks laws of which some are metric: violations that rounding alone explains get the class `Rounded`. `exact`
+    /// Checks laws, some of which are metric: violations that rounding alone explains get the class `Rounded`. `exact`
     /// is filled with the same answer with vertices at their exact positions, when it is first needed.
     fn measured(
         &self,

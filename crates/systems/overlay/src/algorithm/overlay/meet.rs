@@ -66,7 +66,7 @@ pub(super) struct Asker<'a> {
     pending: Vec<Pair>,
     queries: Vec<[Vertex; 3]>,
     signs: Vec<Sign>,
-    /// Pairs of which the second segment is not on one side of the first, and the two signs.
+    /// Pairs in which the second segment is not on one side of the first, with the two signs.
     open: Vec<(Pair, [Sign; 2])>,
     /// The number of crossings beyond which duplicates are removed.
     most: usize,

@@ -111,7 +111,7 @@ pub(super) fn edge_extent(session: &dyn Predicates, edge: Edge) -> Extent {
     part(session, [edge.from, edge.to], whole).map_or_else(|| extent(&whole), |(_, extent)| extent)
 }
 
-/// The ends of an edge within rounding, otherwise those of its segment.
+/// The ends of an edge within rounding, otherwise the ends of its segment.
 pub(super) fn edge_raw(session: &dyn Predicates, edge: Edge) -> [[f64; 2]; 2] {
     let whole = edge.support.map(|v| session.scene().point2(Plane::Xy, v));
     part(session, [edge.from, edge.to], whole).map_or(whole, |(raw, _)| raw)

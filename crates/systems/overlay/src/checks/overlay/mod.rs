@@ -57,7 +57,7 @@ pub enum Check {
     Orientation,
     /// The edges of a result do not cross.
     ResultCrossing,
-    /// Areas of results add up, and equal those of the operands.
+    /// Areas of results add up, and equal the areas of the operands.
     Area,
     /// A point is inside a result if and only if its winding numbers in the operands say so.
     Membership,

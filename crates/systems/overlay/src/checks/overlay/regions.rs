@@ -19,7 +19,7 @@ pub struct Shape {
 pub struct Defects {
     /// Pairs of edges whose inner points cross.
     pub crossings: usize,
-    /// Pairs of edges of which one touches or overlaps the other, except in a point that is an end of both.
+    /// Pairs of edges that touch or overlap, except in a point that is an end of both.
     pub touches: usize,
     /// Loops with the wrong orientation: clockwise outer loops, or counterclockwise holes.
     pub inverted: usize,

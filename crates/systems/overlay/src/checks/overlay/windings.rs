@@ -1,4 +1,4 @@
-//! Checks that the winding numbers of faces are those of the overlaid loops.
+//! Checks that the winding numbers of faces equal the winding numbers of the overlaid loops.
 
 use std::collections::BTreeMap;
 
@@ -56,8 +56,8 @@ impl Windings {
         flaws.0
     }
 
-    /// The single nonzero winding number of an operand, so that its area is that of its loops divided by this number;
-    /// `None` if there are several, or none is known.
+    /// The single nonzero winding number of an operand, so that its area is the area of its loops divided by this
+    /// number; `None` if there are several, or none is known.
     #[must_use]
     pub fn only(&self, operand: usize) -> Option<i32> {
         let mut others = self.faces.iter().map(|face| face[operand]).filter(|&winding| winding != 0);

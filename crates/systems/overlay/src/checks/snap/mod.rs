@@ -144,7 +144,7 @@ pub fn flaws(rounded: Rounded<'_>, promise: Promise) -> Vec<Flaw> {
     flaws
 }
 
-/// The number of pairs of edges of chains that cross, or of which one passes over an end of the other. An edge of
+/// The number of pairs of chain edges that cross, or in which one edge passes over an end of the other. An edge of
 /// several chains counts once.
 #[must_use]
 pub fn new_crossings(chains: &[Vec<Pixel>]) -> usize {

@@ -91,7 +91,7 @@ impl Source {
     /// Points of a pencil's line with a direction that `restrict` finally adjusts, or of a plane with a second
     /// direction.
     ///
-    /// With w ≡ −N modulo d, the point a = (N + w)/d is integer, and N/d is the point a − w/d of every line through a
+    /// If w ≡ −N modulo d, the point a = (N + w)/d is integer, and N/d is the point a − w/d of every line through a
     /// along w.
     fn spanned(
         &self,
