@@ -64,7 +64,8 @@ pub(crate) fn is_of_inputs(construction: &Construction) -> Result<(), Definition
     if construction.is_of_inputs() {
         return Ok(());
     }
-    let reason = "a perturbation applies only to vertices that input vertices define, not to vertices defined by constructed vertices";
+    let reason = "a perturbation applies only to vertices that input vertices define, not to vertices defined by \
+                  constructed vertices";
     Err(DefinitionError::OfConstructed { reason })
 }
 
