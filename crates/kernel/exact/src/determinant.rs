@@ -1,6 +1,7 @@
 //! The determinants: as polynomials (degree, growth, filter constant, bits), and in integers of a fixed size.
 //!
-//! # As polynomials If all differences are less than M, the sum of the magnitudes of all terms is at most 2M² for
+//! # As polynomials
+//! If all differences are less than M, the sum of the magnitudes of all terms is at most 2M² for
 //! orient2d, 6M³ for orient3d, 3·2·2 M⁴ = 12M⁴ for incircle and 4·6·3 M⁵ = 72M⁵ for insphere: `growth` is the next
 //! logarithm to base two. The bits for integers are counted below.
 //!

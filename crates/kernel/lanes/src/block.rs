@@ -90,7 +90,8 @@ impl<const D: usize, const N: usize> Block<D, N> {
     ///
     /// A vertex without a point gets NaN coordinates.
     ///
-    /// # Safety If `W` is true, the processor must have AVX-512F.
+    /// # Safety
+    /// If `W` is true, the processor must have AVX-512F.
     #[inline(always)]
     pub unsafe fn fetch<V: View<E, D>, const E: usize, const W: bool>(
         &mut self,

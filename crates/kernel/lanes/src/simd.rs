@@ -15,7 +15,8 @@ pub trait Kernel {
 
     /// Does the work.
     ///
-    /// # Safety If `WIDE` is true, the processor must have AVX-512F.
+    /// # Safety
+    /// If `WIDE` is true, the processor must have AVX-512F.
     unsafe fn run<const WIDE: bool>(self) -> Self::Output;
 }
 

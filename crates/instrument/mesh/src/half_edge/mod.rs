@@ -5,7 +5,8 @@
 //! or to none: then it is a boundary loop. Boundary half-edges exist and are linked like all others, so the ring of
 //! every vertex is closed.
 //!
-//! # Invariants [`validate`](HalfEdgeMesh::validate) returns the first violation; every operation keeps all invariants
+//! # Invariants
+//! [`validate`](HalfEdgeMesh::validate) returns the first violation; every operation keeps all invariants
 //! or refuses. Let h be any half-edge, and start(h) the end of its opposite:
 //! * opposite(h) ≠ h, opposite(opposite(h)) = h, start(h) ≠ end(h);
 //! * next(h) ≠ h, start(next(h)) = end(h), and no other half-edge has this next;

@@ -11,7 +11,8 @@
 //! | line pq, plane rst with normal N | N·(q − p), degree 3 | w·p + (N·(r − p))(q − p), degree 4 |
 //! | planes with normals L, M, N through p, q, r | L·(M × N), degree 6 | w·p + (M·(q − p))(N × L) + (N·(r − p))(L × M), degree 7 |
 //!
-//! # Capacity If coordinates are below 2^58, differences are below 2^59, normals below 2^119, w of degree 3 below 2^180
+//! # Capacity
+//! If coordinates are below 2^58, differences are below 2^59, normals below 2^119, w of degree 3 below 2^180
 //! and of degree 6 below 2^360, and the rows below 2^179, 2^240 and 2^421: degree k stays below 2^(61·k). If
 //! coordinates are multiples of 2^(64·l), l ≤ 0, degree k is a multiple of 2^(64·k·l). [`Number::sum`] takes a sign and
 //! up to two bits for three terms; four are granted. So degree k takes as many limbs as its share of degree 7 has, and

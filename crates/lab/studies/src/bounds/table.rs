@@ -65,7 +65,8 @@ pub fn first(bound: Option<&Bound>) -> String {
 
 /// The table.
 ///
-/// # Errors Errors of the CSV writer.
+/// # Errors
+/// Errors of the CSV writer.
 pub fn csv() -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let tables = [("bound", derivations()), ("division", other_orders())];

@@ -9,7 +9,8 @@
 //! The number of curve segments that end in a constructed vertex therefore equals the number of triangles around its
 //! edge: two for a manifold mesh, and an even number on the surface of any solid.
 //!
-//! # Euler characteristics The curves c cut the surface of A into a part outside B and a part inside. The surface of
+//! # Euler characteristics
+//! The curves c cut the surface of A into a part outside B and a part inside. The surface of
 //! the union consists of both parts outside, the surface of the intersection of both parts inside. V - E + F adds up,
 //! except for curves that belong to both parts: χ(∂(A∪B)) + χ(∂(A∩B)) = χ(∂A) + χ(∂B), and χ(∂(A∆B)) = χ(∂A) + χ(∂B) -
 //! χ(c). The characteristic of a solid is half of its surface's, so this is χ(A∪B) = χ(A) + χ(B) - χ(A∩B). The right

@@ -65,7 +65,8 @@ impl Data {
 
     /// The tasks that fit, the best one first.
     ///
-    /// # Errors The reason why the file is refused.
+    /// # Errors
+    /// The reason why the file is refused.
     pub fn tasks(&self) -> Result<&'static [&'static str], CorpusError> {
         let Some(place) = &self.place else { return Ok(&[]) };
         let (file, bytes, decimals) = (place.display().to_string(), read_bytes(place)?, Decimals::new(true));
