@@ -53,12 +53,12 @@ impl std::fmt::Display for FolderError {
         match self {
             FolderError::Unread { path, why } => write!(f, "{}: {why}", path.display()),
             FolderError::Row { path, line, why, command } => {
-                write!(f, "{}:{line}: {why}; write it anew with `predicament study {command}`", path.display())
+                write!(f, "{}:{line}: {why}; recreate the file with `predicament study {command}`", path.display())
             }
-            FolderError::NoRows { path } => write!(f, "{}: there are no rows", path.display()),
+            FolderError::NoRows { path } => write!(f, "{}: the table has no rows", path.display()),
             FolderError::Lacks { file, what } => write!(f, "{file} has no {what}"),
             FolderError::UnknownPart { name, known } => {
-                write!(f, "no part is called `{name}`; there are {}", known.join(", "))
+                write!(f, "no part is called `{name}`; the parts are {}", known.join(", "))
             }
         }
     }
@@ -106,7 +106,7 @@ pub fn plots_in(folder: &Path, name: &str, alt: &str) -> Result<Vec<Block>, Fold
         let svg = std::fs::read_to_string(&path).map_err(|why| failed(&path, why))?;
         let beside = path.with_extension("pdf");
         let pdf = match std::fs::read(&beside) {
-            // Earlier versions wrote none.
+            // Earlier versions did not write PDFs.
             Err(why) if why.kind() == std::io::ErrorKind::NotFound => None,
             read => Some(read.map_err(|why| failed(&beside, why))?),
         };

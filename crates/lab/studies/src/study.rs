@@ -48,7 +48,7 @@ pub trait Study: clap::Args {
 
     /// Measures the backends; the result must not depend on the number of threads.
     ///
-    /// `backends` are those of [`Study::backends`], in that order, each once.
+    /// `backends` has the backends that [`Study::backends`] names, in that order, each once.
     ///
     /// # Errors
     /// [`Error::Stopped`] if the host's watch says so, [`Error::Unfit`] if a backend cannot be measured.

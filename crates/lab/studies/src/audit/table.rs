@@ -45,9 +45,9 @@ fn whole_pairs(audited: &[Audited]) -> String {
              {misread} | {weight_error:.1e} | {guard} |",
         );
     }
-    page += "\nEnded: besides the decisions, pairs of which a sub-pair is registered. Near: decisions with a distance \
-             within 2^-20 of T- or T+, of the pair or, if it has no tolerance, of a facet. Least guard: the smallest \
-             quotient of a guarded quantity and its lower bound, of registered pairs.\n";
+    page += "\nEnded: pairs with a registered sub-pair, which are not decisions. Near: decisions with a distance within \
+             2^-20 of T- or T+; the distance of the pair or, if the pair has no tolerance, of a facet. \
+             Least guard: the smallest ratio of a guarded quantity to its lower bound, over registered pairs.\n";
     page
 }
 
@@ -66,9 +66,9 @@ fn single_tests(reads: &[Read]) -> String {
             "| {algorithm} {pair} | {precision} | {variant} | {reads} | {asked} | {registered} | {hits} | {misread} |"
         );
     }
-    page += "\nPairs at a tolerance, asked about whatever their sub-pairs are. Within, beyond: values within 2^-10 of \
-             T-, T or T+, up to it or beyond. Misread: a test that has to fail passed, or all that have to pass did \
-             not.\n";
+    page += "\nPairs at a tolerance, queried whatever their sub-pairs are. Within and beyond: values at most 2^-10 below \
+             or above T-, T or T+. Misread: a pair was registered although a test must fail, or not registered although \
+             all tests must pass.\n";
     page
 }
 
@@ -86,8 +86,8 @@ fn constants(measured: &Measured) -> String {
             "| {figure} | {precision} | {variant} | {tolerance} | {lower:.6} | {width:.6} | {upper:.6} | {said} |"
         );
     }
-    page += "\nT-, T and T+ over the published, for the L of 16 for which they are furthest apart. As published: within \
-             2^-20.\n";
+    page += "\nT-, T and T+ divided by the published values, for the one of 16 lengths L where the ratios are furthest \
+             from 1. As published: the ratios are within 2^-20 of 1.\n";
     page
 }
 
@@ -107,7 +107,7 @@ fn drivers(measured: &Measured) -> String {
              {overreach} | {missed} | {unguarded} | {bad_weight} | {unasked} | {misread} |"
         );
     }
-    page += "\nScenes of one pair and its faces, gone through by the driver of the hierarchy.\n";
+    page += "\nThe driver of the hierarchy answers scenes of one pair and its faces.\n";
     page
 }
 

@@ -5,7 +5,7 @@ use predicament_contacts::checks::audit::{Judgement, Verdict};
 /// The relative distance to T₋ or T₊, 2⁻²⁰, within which a distance counts as near.
 pub const NEAR: f64 = 1.0 / 1_048_576.0;
 
-/// Counts and extremes of a stream; those of its parts add up.
+/// The counts and extremes of a stream; the counts of its parts add up.
 #[derive(Clone, PartialEq, Default, Debug)]
 pub struct Tally {
     /// The number of pairs that were not decided, because a sub-pair was registered.
@@ -16,7 +16,7 @@ pub struct Tally {
     pub registered: u64,
     /// The number of decisions with a distance near T₋ or T₊.
     ///
-    /// It is the pair's own distance if it has a tolerance, else that of one of its facets with the other simplex.
+    /// The distance is the pair's own if the pair has a tolerance, else the distance of a facet from the other simplex.
     pub near: u64,
     /// The largest error of a weight.
     pub weight_error: f64,

@@ -16,12 +16,12 @@ pub struct Bounds {
     pub format: Format,
 }
 
-/// The format of what is printed.
+/// The printed format.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, ValueEnum)]
 pub enum Format {
-    /// One table.
+    /// A CSV table.
     Csv,
-    /// A page.
+    /// A Markdown page.
     Md,
 }
 

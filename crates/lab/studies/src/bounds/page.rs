@@ -13,36 +13,37 @@ use super::table::{DECIMALS, State, first, state};
 
 const INTRODUCTION: &str = "\
 # Error bounds and tolerances, derived
-Printed by `predicament study bounds`; a test compares this page with the command's
-output, up to the worst cases, which `predicament study worst` searches for. `--format csv` has the same rows, with the expression of every quantity.
+`predicament study bounds` prints this page, except the worst cases, which `predicament study worst` finds. A test
+compares the page with the command's output. `--format csv` prints the same rows, with the expression of every quantity.
 
-The `tolerance` backend is *Robust Intersections under Floating Point* (Wang, Jiang,
-Schroeder and Teran). Its promise rests on bounds of rounding errors and on
-constraints that tie tolerances to them. The paper states both; here they are
-derived again. The functions that compute areas, volumes, lengths and weights run
-on numbers that carry (s, c, p, n, a, b, r, v) by the paper's rules A to K: a
-quantity is at most c L^p, and off by at most aε + bε², of itself where r is 1 and of
-c L^p where it is 0. All of that is exact, but for √c, which is rounded up.
+The `tolerance` backend implements *Robust Intersections under Floating Point* (Wang,
+Jiang, Schroeder and Teran). Its promise rests on bounds of rounding errors, and on
+constraints that relate the tolerances to these bounds. The paper states both; this
+page derives them again. The functions that compute areas, volumes, lengths and
+weights run on numbers that carry (s, c, p, n, a, b, r, v) by the paper's rules A to
+K. A quantity is at most c L^p. Its error is at most aε + bε², relative to the
+quantity if r is 1, and relative to c L^p if r is 0. All values are exact, except
+that √c is rounded up.
 
-ε is the machine epsilon, the distance from 1 to the next number, and every
-operation is charged with it; rounding to nearest loses half of that at most. All
-bounds hold for ε < 10⁻⁵.
+ε is the machine epsilon, the distance from 1 to the next number. Every operation is
+charged with ε, although rounding to nearest loses at most half of it. All bounds
+hold for ε < 10⁻⁵.
 
-What is not as the paper prints it:
+Differences from the printed paper:
 
-* Rules B and D have their 1 outside of the fraction in column b. That changes b
-  alone, and no whole number below.
-* Each b has a 1 for all terms of third order and more. Where they are more than
-  that, b is what they need at ε = 10⁻⁵.
-* Rule G has c = 1, which is right for a coordinate of a unit vector and not for
-  1/m. The published bounds are those of u = û · (1/m), computed in this order.
-* Magnitudes may have a power of ε: c ε^e L^p. Only tolerances do, and with it
-  Algorithms 1 and 6 run on the same numbers from √ε on. L is taken as the number
-  that they are computed from, and La and Lb as the numbers that L is.
-* A product with a power of two rounds nothing, and ε is one: 2^−k.
-* A difference that is bounded from below is off by its own rounding, which is
-  relative to it, and by what its operands bring, over the bound. Rule D has both
-  relative to c₁ + c₂: too much for 1 − 7ε^¼, a number near 1.
+* Rules B and D have their 1 outside of the fraction in column b. This changes only
+  b, and no whole number below.
+* Each b includes a 1 for all terms of third and higher order. If these terms need
+  more, b is the value that they need at ε = 10⁻⁵.
+* Rule G has c = 1, which is right for a coordinate of a unit vector but not for
+  1/m. The published bounds are for u = û · (1/m), computed in this order.
+* A magnitude may have a power of ε: c ε^e L^p. Only tolerances have one. With it,
+  Algorithms 1 and 6 run on the same numbers from √ε on. L stands for the number from
+  which the tolerances are computed, and La and Lb for the numbers that give L.
+* A product with a power of two is exact, and ε is a power of two: 2^−k.
+* A difference that is bounded from below has two errors: its own rounding, relative
+  to the difference, and the errors of its operands, divided by the bound. Rule D
+  takes both relative to c₁ + c₂, which is too much for 1 − 7ε^¼, a number near 1.
 ";
 
 /// The page.
@@ -91,26 +92,26 @@ fn bounds(page: &mut String, all: &[Derivation]) {
     paragraph(
         page,
         &format!(
-            "Of {published} published figures {same} come out to the unit, {smaller} smaller (the published one\n\
-             holds), {larger} larger and {invalid} not at all.\n"
+            "Of {published} published figures, the derivation reproduces {same} to the unit. It makes {smaller} smaller (the\n\
+             published figures hold) and {larger} larger, and finds {invalid} invalid.\n"
         ),
     );
     paragraph(
         page,
         "\
-`derived` is a·ε + b·ε² over ε, times c for E, rounded up to a whole number at ε = 10⁻⁵;
-`first` is the part before ε alone. What is larger or invalid:
+`derived` is (a·ε + b·ε²) / ε at ε = 10⁻⁵, times c for E, rounded up to a whole number.
+`first` is the coefficient of ε alone. The larger and the invalid figures:
 
-* R[T] ≤ 4ε of figure 5 is right for lengths. λ, φ, ν and ζ (εL⁴) have 5, μ, ξ and ρ
-  (ε^¾L³) have 8. Nothing uses the wrong ones: volumes and their tolerances have room.
-* √(ζ² − κ²) is the root of a difference whose error isn't relative to it. Nothing
-  uses its bound.
+* R[T] ≤ 4ε of figure 5 is right for lengths. The factor is 5 for λ, φ, ν and ζ (εL⁴),
+  and 8 for μ, ξ and ρ (ε^¾L³). Nothing uses the wrong bounds: volumes and their
+  tolerances have slack.
+* √(ζ² − κ²) is the root of a difference, and the error of the difference is not
+  relative to the difference. Nothing uses its bound.
 
-R[L̂] ≤ 5ε of 4.1 and 5.1 holds for the numbers La and Lb. If these are differences
-of coordinates that were rounded, it is one ε more (the rows of ours): 5ε still
-hold in the plane, and in space where 5/2 · 7ε^¼ ≤ 1 − 7ε^¼, that is up to
-ε = 2.7·10⁻⁶. The backend rounds its sides up, so that L needs no more than the
-factor 1 + 5ε.",
+R[L̂] ≤ 5ε of 4.1 and 5.1 holds for the numbers La and Lb. If La and Lb are rounded
+differences of coordinates, the bound is one ε larger (the rows `ours`). Then 5ε
+still holds in the plane, and in space if 5/2 · 7ε^¼ ≤ 1 − 7ε^¼, that is, up to
+ε = 2.7·10⁻⁶. The backend rounds its sides up, so the factor 1 + 5ε is enough for L.",
     );
     table(
         page,
@@ -129,7 +130,7 @@ factor 1 + 5ε.",
 
 fn others(page: &mut String) {
     heading(page, "With true division");
-    paragraph(page, "With u = û/m the bounds that depend on u are smaller, and not the published ones.");
+    paragraph(page, "With u = û/m, the bounds that depend on u are smaller than the published bounds.");
     let (ours, other) = (derivations(), other_orders());
     let before = |row: &Derivation| {
         let same = |other: &&Derivation| (other.section, &other.name) == (row.section, &row.name);
@@ -148,7 +149,7 @@ fn definitions(page: &mut String) {
     let rows = defined();
     let printed = rows.iter().filter(|row| row.is_as_printed()).count();
     heading(page, "Tolerances that constraints define");
-    paragraph(page, &format!("{printed} of {} formulas give the number of figure 1 or 5, over ε^e L^p.", rows.len()));
+    paragraph(page, &format!("{printed} of {} formulas give the factor of ε^e L^p in figure 1 or 5.", rows.len()));
     table(
         page,
         &["section", "tolerance", "formula", "table", "derived", "used here"],
@@ -168,17 +169,18 @@ fn decided(page: &mut String, all: &[Constraint]) {
     paragraph(
         page,
         "\
-Left side minus right side for L = 1, rounded down; ✗ where the constraint fails. The
-comparison is exact: ε is a rational number, roots are enclosed by rationals.
-`paper` are the tolerance constraints of sections 4 and 5, `argument` are steps of
-5.4.4, and `ours` what the arguments need or our bands for circles are made for.
+Each cell is the left side minus the right side for L = 1, rounded down; ✗ marks a
+constraint that fails. The comparison is exact: ε is a rational number, and rationals
+enclose the roots. `paper` marks the tolerance constraints of sections 4 and 5,
+`argument` the steps of 5.4.4, and `ours` the constraints that the arguments need or
+that our bands for circles are designed for.
 
-5.3 states its last constraint with room on both sides of τ. For the lower side τ²
-is what is compared, and it needs the row below it. In 5.4.4, m² > λ₊ is used where
-only m² > λ₋ is known; the bound g < 0 still comes out up to the ε of the next
-table, and its displayed step ≤ −5 needs a smaller ε than that of f32. The
-claim itself, checked without the chain (the two rows `direct`), holds for every
-ε = 2^−k < 10⁻⁵, that is from 2^−17 on; at 10⁻⁵ itself it doesn't come out.\n",
+5.3 states its last constraint with slack on both sides of τ. The lower side compares
+τ², and needs the row below it. 5.4.4 uses m² > λ₊ where only m² > λ₋ is known. The
+bound g < 0 still holds up to the ε of the next table, but its displayed step ≤ −5
+needs a smaller ε than the ε of f32. The claim itself, checked without the chain (the
+two rows `direct`), holds for every ε = 2^−k < 10⁻⁵, that is, from 2^−17 on. It fails
+at 10⁻⁵ itself.\n",
     );
     let epsilons = epsilons();
     let header: Vec<&str> =
@@ -191,7 +193,10 @@ claim itself, checked without the chain (the two rows `direct`), holds for every
             format!("{n} at {name}")
         });
         let holding: Vec<String> = holding.collect();
-        paragraph(page, &format!("* {}: of {}, {} hold.", origin.as_str(), of.len(), holding.join(", ")));
+        paragraph(
+            page,
+            &format!("* {}: {} constraints. Satisfied: {}.", origin.as_str(), of.len(), holding.join(", ")),
+        );
     }
     table(
         page,
@@ -203,7 +208,7 @@ claim itself, checked without the chain (the two rows `direct`), holds for every
         }),
     );
     heading(page, "Where a constraint ends");
-    paragraph(page, "Found by bisection over numbers of three digits, each decided as above.");
+    paragraph(page, "Bisection over numbers of three digits finds each limit; each number is decided as above.");
     table(
         page,
         &["section", "constraint", "holds at", "fails at"],

@@ -1,5 +1,4 @@
-//! All that is derived and decided, as one CSV table: a row per bound, and per
-//! constraint and ε.
+//! The derived bounds and the decided constraints as one CSV table: a row per bound, and per constraint and ε.
 
 use predicament_error_calculus::Bound;
 use predicament_tolerance::bounds::coefficient::defined;
@@ -63,10 +62,10 @@ pub fn first(bound: Option<&Bound>) -> String {
     bound.map_or_else(|| "none".to_owned(), |bound| rounded_up(&bound.first, DECIMALS))
 }
 
-/// The table.
+/// The table as CSV text.
 ///
 /// # Errors
-/// Errors of the CSV writer.
+/// The errors of the CSV writer.
 pub fn csv() -> Result<String, csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let tables = [("bound", derivations()), ("division", other_orders())];

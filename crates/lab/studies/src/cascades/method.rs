@@ -16,7 +16,7 @@ pub enum Keep {
     Snapped(u32),
     /// Edges are merged where the tolerance scheme registers contacts.
     Contacts,
-    /// Vertices and edges are thick; those of the operands have this radius.
+    /// Vertices and edges are thick; the operands have this radius.
     Thick(f64),
 }
 
@@ -85,12 +85,14 @@ pub enum ParseMethodError {
 impl std::fmt::Display for ParseMethodError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            ParseMethodError::NoName => f.write_str("a method has a name"),
+            ParseMethodError::NoName => f.write_str("a method needs a name"),
             ParseMethodError::Radius(text) => {
-                write!(f, "`{text}`: the radius of `thick:RADIUS` is between 0 and 0.5")
+                write!(f, "`{text}`: the radius of `thick:RADIUS` must be between 0 and 0.5")
             }
-            ParseMethodError::Bits(text) => write!(f, "`{text}`: the bits of `+snap:BITS` are from 1 to 50"),
-            ParseMethodError::Keep(rest) => write!(f, "`+{rest}` is none of +round, +snap, +snap:BITS, +contacts"),
+            ParseMethodError::Bits(text) => write!(f, "`{text}`: the bits of `+snap:BITS` must be from 1 to 50"),
+            ParseMethodError::Keep(rest) => {
+                write!(f, "`+{rest}` is unknown; use +round, +snap, +snap:BITS or +contacts")
+            }
         }
     }
 }

@@ -14,12 +14,12 @@ pub(super) fn all(measured: &Measured) -> Result<Vec<File>, Error> {
     #[allow(clippy::cast_precision_loss)] // small counts
     let count = |n: usize| Some(n as f64);
     let plots: [Plot<'_>; 4] = [
-        ("area", "area error, a part of the area", &|one, sample| measured.area_error(one.cascade, sample)),
+        ("area", "area error / area", &|one, sample| measured.area_error(one.cascade, sample)),
         ("wrong", "crossings, inverted loops and wrong points", &|_, sample| {
             count(sample.defects.crossings + sample.defects.inverted + sample.lost)
         }),
-        ("bits", "bits of a coordinate, the most", &|_, sample| Some(f64::from(sample.bits))),
-        ("time", "microseconds a step", &|_, sample| Some(sample.nanoseconds / 1e3)),
+        ("bits", "most bits of a coordinate", &|_, sample| Some(f64::from(sample.bits))),
+        ("time", "microseconds per step", &|_, sample| Some(sample.nanoseconds / 1e3)),
     ];
     let mut files = Vec::new();
     for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {

@@ -30,7 +30,7 @@ pub struct Cascades {
     #[arg(long, default_value_t = 10, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub samples: u32,
 
-    /// Points that are located after each of these
+    /// Points that are located after each measured step
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
@@ -52,7 +52,7 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Twice the true area after a step: that of the exact method.
+    /// Twice the true area after a step: the area of the exact method's result.
     fn area(&self, cascade: Cascade, step: usize) -> Option<&Rational> {
         let exact = self.exact.iter().find(|exact| exact.cascade == cascade)?;
         exact.samples.iter().find(|sample| sample.step == step).map(|sample| &sample.area)
@@ -87,7 +87,7 @@ Methods:
   thick:RADIUS       vertices and edges have radii; overlapping ones are made to coincide (1e-9)
 
 Everything is measured in rationals: crossings that remain in the result, loops turned over, corners turned by \
-rounding, the area compared with that of `exact`, points on the wrong side, bits.
+rounding, the area compared with the area of `exact`, points on the wrong side, bits.
 
 Files in the folder: cascades.csv (the measurements), times.csv, cascades.md (the printed tables), plots as SVG and \
 PDF, and the operands of each cascade as WKT for other programs (`union;POLYGON ((…))`, one step per line). \
@@ -125,7 +125,7 @@ Examples:
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
         let names = self.backends();
         if backends.len() != names.len() {
-            return Err(Error::unfit(format!("two of {} are one backend; name it one way", names.join(", "))));
+            return Err(Error::unfit(format!("two of {} are the same backend; name it once", names.join(", "))));
         }
         let backend = |name: &str| backends[names.iter().position(|other| other == name).unwrap_or(0)];
         let plan = Plan {

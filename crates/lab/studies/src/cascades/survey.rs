@@ -110,7 +110,7 @@ impl Course {
                 });
                 (elapsed, before) = (Duration::ZERO, at);
             }
-            if stepped.is_gone { Err(End::Failed("nothing is left to combine".to_owned())) } else { Ok(()) }
+            if stepped.is_gone { Err(End::Failed("the result is empty".to_owned())) } else { Ok(()) }
         };
         let mut then = Then { samples: &self.samples, note: &mut note };
         let (start, steps) = (&self.start, self.steps.as_slice());

@@ -17,17 +17,17 @@ const FLOAT: [&str; 6] = ["compare", "double", "static filter", "semi-static fil
 
 /// The bits of the widest arithmetic that settled a query of a scene.
 ///
-/// If floating point settled all queries, it is the bits of a significand. Otherwise it is a bound on the bits of a
-/// determinant, degree times the bits of differences and the growth of sums, for the queried predicate of the highest
-/// degree. `None` if unknown: for points that a task constructs, and for libraries that do not say what they compute
-/// in.
+/// If floating point settled all queries, the result is the bits of a significand. Otherwise it bounds the bits of a
+/// determinant, for the queried predicate of the highest degree: the degree times the bits of differences, plus the
+/// growth of sums. `None` if unknown: for points that a task constructs, and for libraries that do not say what they
+/// compute in.
 pub(super) fn bits(
     backend: &dyn Contestant,
     scene: &Scene,
     (kinds, constructs): (&[PredicateKind], bool),
     stages: &[(&'static str, u64)],
 ) -> Option<i32> {
-    // Some count nothing, such as those of contacts: then any of the backend's stages may have settled them.
+    // Contacts, for example, are not counted by stage: then any stage of the backend may have settled them.
     let all_float = if stages.is_empty() {
         backend.stages().iter().all(|stage| FLOAT.contains(stage))
     } else {

@@ -9,7 +9,7 @@ use predicament_tasks::{Contestant, Watch};
 use super::memory::peak;
 use crate::Error;
 
-/// The least duration of a sample, in passes.
+/// The least duration of a sample: it repeats the pass until this time is over.
 const LEAST: Duration = Duration::from_millis(2);
 
 /// The time and memory of a backend on one scene.
@@ -37,8 +37,8 @@ pub(super) fn taken(
         let mut bytes = None;
         let mut stopwatch = None;
         if let Some(solver) = solver {
-            // The first is that of single queries, if a scene is of queries. A program in another language is queried
-            // in batches.
+            // The first interface asks single queries if the scene has queries. A program in another language is
+            // queried in batches.
             let first = || {
                 let all = solver.interfaces(content).into_iter();
                 let mut prepared = all.filter_map(|by| solver.stopwatch(&scene.scene, content, 1, by).transpose());
@@ -46,7 +46,7 @@ pub(super) fn taken(
             };
             bytes = peak(|| {
                 stopwatch = first();
-                // A backend may fail in the middle; then nothing is timed.
+                // A backend may fail in the middle; then it is not timed.
                 let warm = |stopwatch: &mut Box<dyn predicament_tasks::Stopwatch + '_>| stopwatch.pass();
                 let first = stopwatch.as_mut().map(|stopwatch| predicament_tasks::caught(|| warm(stopwatch)));
                 if !matches!(first, Some(Ok(_))) {

@@ -123,7 +123,7 @@ fn bins(backend: &dyn Contestant, scene: &LoadedScene) -> BTreeMap<i32, Bin> {
     let Some(SignQueries { queries, .. }) = scene.content::<SignQueries>() else { return bins };
     let question = queries.question();
     let zero = backend.contract(question.kind()).zero;
-    // The comparison counts declined queries.
+    // The comparison counts declined queries; they are not counted again here.
     let _ = backend.with_session(&scene.scene, &mut |session| {
         if session.supports(question.kind()).is_err() {
             return;
@@ -190,7 +190,7 @@ pub(super) fn page(measured: &[Conditioned]) -> String {
     if measured.is_empty() {
         return page;
     }
-    page += "\n## Error against conditioning\n\nThe bins of log2(|det| / permanent) in which a backend is wrong, and those in which it answers with a zero of its band; exact zeros apart. Rows of `conditioning.csv`.\n\n\
+    page += "\n## Error against conditioning\n\n`wrong from` and `to` give the range of log2(|det| / permanent) in which the backend is wrong; `band from` and `to`, the range in which it answers zero within its band. Exact zeros are counted separately. The rows are in `conditioning.csv`.\n\n\
              | task | backend | wrong from | to | wrong in the worst bin | band from | to | exact zeros wrong |\n|---|---|---:|---:|---:|---:|---:|---:|\n";
     let mut seen: Vec<(&str, &str)> = Vec::new();
     for row in measured {

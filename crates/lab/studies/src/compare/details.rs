@@ -11,10 +11,10 @@ use super::standing::{InputKey, REFERENCE, Share, Standing, key, left_out, time_
 use super::words::{counted, millionths, percents, rate, scenes, share, short, times};
 
 /// The explanation of the columns.
-pub(super) const MEANING: &str = "Scenes: distinct ones; a family without chance makes one. Wrong scenes and broken laws: of the scenes answered. Times: nanoseconds \
-     for each query, primitive or triangle of a scene, the median with the least and the largest sample. Bits: of the widest arithmetic that settled an answer, 53 (24 in \
-     single precision) where floating point settled all of them, else at most degree times the bits of differences and the growth of sums; – where that is not known: of \
-     constructed points, and of libraries that do not say what they compute in.";
+pub(super) const MEANING: &str = "Scenes are distinct; a family without randomness makes one. Wrong scenes and broken laws are counted among the scenes answered. Times are nanoseconds \
+     per query, primitive or triangle of a scene: the median, with the least and the largest sample. Bits is the length of the widest arithmetic that settled an answer: 53 (24 \
+     in single precision) if floating point settled all answers; else an upper bound, the degree times the bits of differences, plus the growth of sums. – means unknown: for \
+     constructed points, and for libraries that do not say what they compute in.";
 
 /// The columns, with the measures of their numbers.
 const MEASURES: [(&str, &str); 10] = [

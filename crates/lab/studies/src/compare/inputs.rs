@@ -1,4 +1,4 @@
-//! The scenes of a comparison: those that each task names, of every seed.
+//! The scenes of a comparison: each task names its families, and each seed makes a scene.
 
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
@@ -33,7 +33,7 @@ pub(crate) fn compared(
     let all: Vec<&'static dyn AnyTask> = tasks.iter().copied().filter(|task| !task.compared_on().is_empty()).collect();
     if let Some(unknown) = asked.iter().find(|name| all.iter().all(|task| task.name() != name.as_str())) {
         let names: Vec<&str> = all.iter().map(|task| task.name()).collect();
-        return Err(Error::unfit(format!("no task `{unknown}` is {done}; there are {}", names.join(", "))));
+        return Err(Error::unfit(format!("task `{unknown}` cannot be {done}; the tasks are {}", names.join(", "))));
     }
     let is_asked = |task: &&'static dyn AnyTask| asked.is_empty() || asked.iter().any(|name| name == task.name());
     Ok(all.into_iter().filter(is_asked).collect())

@@ -7,21 +7,21 @@ use super::words::{counted, input, listed, millionths, pairs, percents, rate, sh
 use super::{Measure, Promise};
 
 /// The explanation of the columns.
-pub(super) const MEANING: &str = "Each scene that a backend was asked is in one class: right, undecided (a zero within a band), rounded (a check failed by \
-     the rounding of output coordinates only), wrong (a wrong answer or a broken law) or not done (declined, broken off, out of time). Broken laws: scenes of \
-     those answered, in tasks with laws. Wrong answers: of the answers to single questions, in a million. Intervals are Wilson's at 95 %.";
+pub(super) const MEANING: &str = "Each scene that a backend was given is in one class: right, undecided (a zero within a band), rounded (a check failed only \
+     because output coordinates are rounded), wrong (a wrong answer or a broken law) or not done (declined, broken off, out of time). Broken laws are counted among the \
+     scenes answered, in tasks with laws. Wrong answers are counted per million answers to single queries. Intervals are Wilson's at 95 %.";
 
 /// The rule for ratios of times, and the inputs that they leave out.
 pub(super) fn rule(measures: &[Measure]) -> String {
     let mut text = format!(
-        "Times: the geometric mean of ratios to {REFERENCE} over the inputs that the backend and {REFERENCE} both answered, with their number."
+        "Times: the geometric mean of the ratios to {REFERENCE} over the inputs that both the backend and {REFERENCE} answered, with the number of these inputs."
     );
     let out: Vec<String> =
         left_out(measures).iter().map(|(of, ratio)| format!("{} ({})", input(of), times(*ratio))).collect();
     text += &match &out[..] {
         [] => String::new(),
         out => format!(
-            " Left out are inputs whose time barely depends on predicates, where {REFERENCE} takes less than {BARELY} times its time if it computes each answer twice: {}.",
+            " Inputs whose time barely depends on predicates are left out: if {REFERENCE} computes each answer twice, it takes less than {BARELY} times as long. Left out: {}.",
             listed(out)
         ),
     };

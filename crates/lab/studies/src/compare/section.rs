@@ -19,7 +19,7 @@ const TITLE: &str = "Which backend for what";
 /// The section of a report without a comparison: instructions to make one in this folder.
 #[must_use]
 pub fn missing(folder: &Path) -> Section {
-    let lead = "No comparison of backends is in the folders of these runs. This command makes one, and then every report has its table:";
+    let lead = "The folders of these runs do not contain a comparison of backends. This command makes one; every later report then shows its table:";
     let command = format!("predicament study compare --out {}", folder.display());
     Section { id: ID, title: TITLE, lead: lead.to_owned(), blocks: vec![Block::Command(command)] }
 }
@@ -35,7 +35,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     }
     let measures = read(&path)?;
     let promises = folder.join(PROMISES);
-    // Earlier versions wrote none.
+    // Earlier versions did not write promises.
     let promises: Vec<Promise> = if promises.exists() { rows_of(&promises, "compare")? } else { Vec::new() };
     let mut blocks = vec![
         Block::Table(ranking::table(&measures, &promises)),
@@ -48,13 +48,13 @@ pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     blocks.extend(plots_in(
         folder,
         "conditioning",
-        "Wrong answers in a million by how degenerate queries are; shaded: zeros within a band, which are promised",
+        "Wrong answers per million by degeneracy of the query; shaded: zeros within a band, which the promise allows",
     )?);
     Ok(Some(Section {
         id: ID,
         title: TITLE,
         lead: format!(
-            "Backends of all philosophies on the same scenes, best first: by the scenes that are neither wrong nor left undone, then by time. Each number is made of rows of {}, which have intervals and what they are of.",
+            "Backends of all philosophies on the same scenes, best first. The order is by the share of scenes that are neither wrong nor left undone, then by time. Each number comes from rows of {}, which also have its interval and its denominator.",
             path.display()
         ),
         blocks,
@@ -63,7 +63,7 @@ pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
 
 /// The plots of a comparison of backends that differ in one parameter.
 ///
-/// They are in the folder `curves` beside that of the comparison.
+/// The plots are in the folder `curves` beside the folder of the comparison.
 fn curves(folder: &Path) -> Result<Vec<Block>, FolderError> {
     let beside = folder.with_file_name("curves");
     if !beside.join(FILE).exists() {
@@ -72,7 +72,7 @@ fn curves(folder: &Path) -> Result<Vec<Block>, FolderError> {
     let plots = plots_in(
         &beside,
         "error-time",
-        "One parameter turned: errors against time, over the inputs that a whole curve answered",
+        "One parameter turned: errors against time, over the inputs that all backends of a curve answered",
     )?;
     let renamed = |block: Block| match block {
         Block::Plot { picture, file, alt } => Block::Plot { picture, file: format!("curves-{file}").into(), alt },

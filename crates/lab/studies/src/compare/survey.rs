@@ -214,7 +214,7 @@ fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
     for (stage, &count) in &seen.stages {
         all.push(about.share(&format!("stage: {stage}"), "share of queries", 1.0, count, settled));
     }
-    // If known for some scenes only, it would be that of the easy ones.
+    // If the bits of only some scenes are known, these are the easy scenes.
     let (bits, known, unknown) = seen.bits;
     if known > 0 && unknown == 0 {
         let bits = f64::from(bits);

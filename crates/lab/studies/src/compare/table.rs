@@ -24,7 +24,7 @@ pub(super) fn page(compared: &Compared) -> String {
         ranking::rule(measures)
     );
     if let Some(curves) = curves(measures) {
-        page += "\n## One parameter turned\n\nOver the inputs that all backends of a curve, and the reference, answered.\n\n";
+        page += "\n## One parameter turned\n\nThe figures cover the inputs that all backends of a curve and the reference answered.\n\n";
         page += &format!("{curves}\n");
     }
     let mut tasks: Vec<&str> = measures.iter().map(|row| row.task.as_str()).collect();
@@ -170,5 +170,5 @@ fn sizes(page: &mut String, compared: &Compared) {
         }
         page.push('\n');
     }
-    page.push_str("\n0: it is told at the smallest size that is looked at, 10^-9 L.\n");
+    page.push_str("\n0: the backend distinguishes the feature even at the smallest size tried, 10^-9 L.\n");
 }

@@ -92,7 +92,7 @@ pub(super) fn plots(measures: &[Measure]) -> Result<Vec<File>, Error> {
             before: None,
         };
         let points = all.iter().map(point).collect();
-        let x = format!("time over that of {REFERENCE}");
+        let x = format!("time / {REFERENCE}");
         let plot = predicament_report::Tradeoff { title: title.into(), x, y: y.into(), per, points };
         files.extend(File::plot(format!("error-time-{name}"), tradeoff(&plot).map_err(Error::format)?));
     }

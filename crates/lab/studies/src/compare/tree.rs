@@ -27,26 +27,29 @@ pub fn decision_tree() -> Node {
     let advice = |answer, text| Node::of(answer, text, Vec::new());
     Node::of(
         "",
-        "Do answers have to fit each other, as in a triangulation, an overlay or a Boolean operation?",
+        "Must answers be consistent with each other, as in a triangulation, an overlay or a Boolean operation?",
         vec![
             advice(
                 "no, some wrong answers are fine",
-                "naive: plain doubles. Subtract first, far from the origin above all.",
+                "naive: plain doubles. Subtract coordinates first, above all far from the origin.",
             ),
             Node::of(
                 "yes",
-                "Does it mean something to you that two things touch: a shared wall, a point on a border?",
+                "Does it matter whether two things touch: a shared wall, a point on a border?",
                 vec![
-                    advice("yes, exactly", "exact: zero is zero. Your algorithm handles every special case."),
                     advice(
-                        "yes, within a distance that I can name",
-                        "tolerance: for contacts of features that are larger than its tolerances. No closed curve may depend on parity.",
+                        "yes, exactly",
+                        "exact: zero means exactly zero. Your algorithm must handle every special case.",
+                    ),
+                    advice(
+                        "yes, within a known distance",
+                        "tolerance: for contacts of features larger than its tolerances. Do not rely on the parity of the crossings of closed curves.",
                     ),
                     Node::of(
-                        "no, if it is decided consistently",
-                        "May results have parts without extent?",
+                        "no, any consistent decision is fine",
+                        "May results have parts of zero length, area or volume?",
                         vec![
-                            advice("yes", "sos; between two meshes sos:per-mesh."),
+                            advice("yes", "sos; for two meshes sos:per-mesh."),
                             advice("no", "sos:per-mesh, then the limit (mesh_limit), then rounding (mesh_rounding)."),
                         ],
                     ),
@@ -76,7 +79,7 @@ pub(super) fn text() -> String {
 /// The section of a report with the tree, for its first screen.
 #[must_use]
 pub fn decision() -> Section {
-    let lead = "From what answers are for to the backend that gives them.".to_owned();
+    let lead = "Answer the questions from the top; each path ends at a backend.".to_owned();
     Section { id: "which", title: "Which backend to take", lead, blocks: vec![block()] }
 }
 
@@ -179,7 +182,7 @@ mod tests {
         for word in words(&decision_tree()) {
             assert!(svg.contains(&word), "{word}");
         }
-        assert!(!svg.contains('#') && svg.contains("currentColor"), "no colour of its own");
+        assert!(!svg.contains('#') && svg.contains("currentColor"), "the picture must not set a colour");
         let lines = svg.lines().filter(|line| line.starts_with("<text"));
         for line in lines {
             let x: usize = line.split('"').nth(1).unwrap().parse().unwrap();

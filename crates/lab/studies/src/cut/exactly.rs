@@ -2,7 +2,7 @@
 //!
 //! A total can be right while its parts are not: one tetrahedron can lack what another has too much. So tetrahedra are
 //! compared one by one with the result of the exact contacts. The contacts are the judge's, by linear equations in
-//! rationals. The side of a corner is found by a ray in rationals. The volume is that of the same piece, computed in
+//! rationals. The side of a corner is found by a ray in rationals. The volume of the same piece is computed in
 //! rationals.
 
 use std::collections::{BTreeMap, BTreeSet};

@@ -58,7 +58,7 @@ impl Pieces {
 /// diagonal from its first vertex. Volumes are sums of doubles: each is off by a few ε of its tetrahedron's.
 ///
 /// # Panics
-/// If the sides are not those of this lattice.
+/// If the sides are of another lattice.
 #[must_use]
 pub fn pieces(scene: &Scene, lattice: &Complex, sides: &Sides) -> Pieces {
     let place = |v: Vertex| lattice.vertices().binary_search(&v).expect("a tetrahedron's vertex");
@@ -163,7 +163,7 @@ fn determinant(rows: [[f64; 4]; 4]) -> f64 {
     pairs.into_iter().map(|(first, second, sign)| sign * minor(first, [0, 1]) * minor(second, [2, 3])).sum()
 }
 
-/// The volume of a tetrahedron: exact for those of the lattice.
+/// The volume of a tetrahedron: exact for tetrahedra of the lattice.
 fn volume(scene: &Scene, corners: [Vertex; 4]) -> f64 {
     let [a, b, c, d] = corners.map(|v| scene.point3(v));
     let [u, v, w] = [b, c, d].map(|p| [0, 1, 2].map(|axis| p[axis] - a[axis]));

@@ -31,7 +31,7 @@ pub struct Sides {
 /// each set that the other edges connect, by a ray upwards.
 ///
 /// # Panics
-/// If the contacts are not those of the two complexes.
+/// If the contacts are of other complexes.
 pub fn sides<S: Predicates + ?Sized>(session: &S, [lattice, surface]: [&Complex; 2], contacts: &Contacts) -> Sides {
     let edges = lattice.edges();
     let mut on = vec![false; lattice.vertices().len()];
@@ -68,7 +68,7 @@ pub fn sides<S: Predicates + ?Sized>(session: &S, [lattice, surface]: [&Complex;
         if on[start] || set_of[start] {
             continue;
         }
-        // Sides relative to that of the start.
+        // Sides relative to the side of the start.
         let mut relative = vec![(start, false)];
         set_of[start] = true;
         let mut next = 0;

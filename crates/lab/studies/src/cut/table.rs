@@ -120,13 +120,14 @@ pub(super) fn page(cut: &Cut, measured: &Measured) -> String {
     let mut page = String::new();
     let mut say = |line: String| writeln!(page, "{line}").expect("memory");
     say(format!(
-        "A lattice of {} cubes along each axis, seed {}. Lost and inside in cubes; a sliver has less than {SLIVER:e} of \
-         its tetrahedron. Checked one by one: of the tetrahedra in cubes that a triangle reaches into, a sample at even \
-         steps; off: what is inside, as a share, differs from that by exact contacts by more than 2^-44.\n",
+        "A lattice of {} cubes along each axis, seed {}. Lost and inside are volumes, in cubes. A sliver has less than \
+         {SLIVER:e} of the volume of its tetrahedron. Checked one by one: a sample at even steps of the tetrahedra in \
+         cubes that a triangle reaches into. Off: the inside share differs by more than 2^-44 from the share by exact \
+         contacts, or the tetrahedron has no pieces.\n",
         cut.cubes, cut.common.seed
     ));
     say("| surface | placement | backend | vertex-vertex | vertex-edge | vertex-triangle | edge-edge | triangle-edge | \
-         tetrahedron-vertex (asked) |"
+         tetrahedron-vertex (queried) |"
         .into());
     say("|---|---|---|---:|---:|---:|---:|---:|---:|".into());
     for row in &measured.rows {
@@ -141,8 +142,8 @@ pub(super) fn page(cut: &Cut, measured: &Measured) -> String {
         }
     }
     say(String::new());
-    say("| surface | placement | backend | tetrahedra cut | inconsistent | undecided | lost | sum less the mesh | inside \
-         | off the true volume | checked one by one | off | by, at most | slivers (empty) | several points | no point | parts in, out | contacts, s | cutting, s |"
+    say("| surface | placement | backend | tetrahedra cut | inconsistent | undecided | lost | sum minus the mesh | inside \
+         | off the true volume | checked one by one | off | off by at most | slivers (empty) | several points | no point | parts in, out | contacts, s | cutting, s |"
         .into());
     say("|---|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|".into());
     for row in &measured.rows {

@@ -5,7 +5,7 @@ use predicament_predicates::{Scene, Vertex};
 
 use super::Family;
 
-/// The counts of one law about one predicate, or several related ones; those of parts add up.
+/// The counts of one law about one predicate, or several related ones; the counts of parts add up.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Row {
     /// The law.

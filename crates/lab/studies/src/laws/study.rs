@@ -55,9 +55,8 @@ impl Study for Laws {
     const ASKS: &'static str =
         "Check backends against the laws of predicates: antisymmetry, transitivity, Grassmann-Plücker relations";
     const HELP: &'static str = "\
-The scenes have about a dozen vertices: whole small grids with one point twice, of which every tuple is tested, and \
-random scenes (small grids, integers, lines, circles and spheres, far from the origin, mixed exponents), of which \
---tuples are drawn. docs/LAWS.md lists the laws; only `equals-exact` needs a judge.
+The scenes have about a dozen vertices. Every tuple of whole small grids with one point twice is tested; --tuples are \
+drawn from random scenes (small grids, integers, lines, circles and spheres, far from the origin, mixed exponents). docs/LAWS.md lists the laws; only `equals-exact` needs a judge.
 
 A cell of the table is the number of violations. If a backend answers fewer tuples than others, the number of tuples \
 follows after a slash. A dash means declined or not promised. `2p` means two panics.

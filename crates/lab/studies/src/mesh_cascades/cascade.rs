@@ -69,7 +69,7 @@ fn whole(n: usize) -> i64 {
     i64::try_from(n).expect("few steps")
 }
 
-/// The triangles of a box with these corners: those of x, then of y, then of z alternate.
+/// The box with these corners; corner `k` is on the upper side of axis `a` if bit `a` of `k` is set.
 fn boxed(points: [[f64; 3]; 8]) -> Closed {
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
     let triangles = faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();

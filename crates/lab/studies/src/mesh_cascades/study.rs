@@ -35,7 +35,7 @@ pub struct MeshCascades {
     #[arg(long, default_value_t = 10, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     pub samples: u32,
 
-    /// Points that are located after each of these
+    /// Points that are located after each measured step
     #[arg(long, default_value_t = 64, value_name = "N")]
     pub probes: u32,
 
@@ -54,7 +54,7 @@ pub enum Rounding {
     /// Flaws are counted
     #[default]
     Counted,
-    /// Triangles that cross are cut, and the result is rounded again, until none cross or their number grows
+    /// Triangles that cross are cut, and the result is rounded again, until no triangles cross or their number grows
     Resolved,
 }
 
@@ -126,7 +126,7 @@ Examples:
     fn survey(&self, backends: &[&dyn Contestant], host: &dyn Host) -> Result<Measured, Error> {
         let names = self.backends();
         if backends.len() != names.len() {
-            return Err(Error::unfit(format!("two of {} are one backend; name it one way", names.join(", "))));
+            return Err(Error::unfit(format!("two of {} are the same backend; name it once", names.join(", "))));
         }
         let exact = backends[names.iter().position(|name| name == EXACT).unwrap_or(0)];
         let plan = Plan {
@@ -174,7 +174,7 @@ Examples:
             ("wrong", "open sides, crossings and wrong points", |sample| {
                 (sample.open + sample.crossing + sample.wrong) as f64
             }),
-            ("time", "microseconds a step", |sample| sample.nanoseconds / 1e3),
+            ("time", "microseconds per step", |sample| sample.nanoseconds / 1e3),
         ];
         let mut files = Vec::new();
         for cascade in in_order(measured.followed.iter().map(|one| one.cascade)) {

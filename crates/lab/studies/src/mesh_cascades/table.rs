@@ -10,7 +10,7 @@ use super::{Followed, Measured, MeshCascades, Sample};
 /// A table for each cascade, and the first failures.
 pub(super) fn page(study: &MeshCascades, measured: &Measured) -> String {
     let mut page = format!(
-        "{} steps, measured after {} of them; seed {}; times in microseconds a step\n",
+        "{} steps, measured after {} of them; seed {}; times in microseconds per step\n",
         study.steps,
         study.samples.min(study.steps),
         study.common.seed

@@ -66,8 +66,8 @@ Examples:
         let one = |(precision, tolerance): (Precision, &dyn Contestant)| {
             let backends = [*exact, *sos, tolerance];
             let census = self.count(backends, precision, host)?;
-            // Finds of exact and perturbed signs would be our own errors, and are only counted; here are those of
-            // tolerances.
+            // Finds of exact and perturbed signs would be our own errors and are only counted; the finds of tolerances
+            // are shrunk.
             let name = tolerance.name();
             let finds = census.found.iter().filter(|found| found.backend == name).collect();
             let smallest = self.shrink([tolerance, *exact], precision, finds, host)?;

@@ -97,9 +97,9 @@ fn suite<C: Serialize>(title: &str, description: &str, scene: Vec<Scene<C>>) -> 
 
 /// The command that found the pair.
 fn source<P, R>(parity: &Parity, dimension: &str, recipe: &str, small: &Small<P, R>) -> String {
-    let minimal = if small.minimal { "minimal" } else { "the limit came before it was minimal" };
+    let minimal = if small.minimal { "minimal" } else { "the limit was reached before it was minimal" };
     let (seed, number) = (parity.common.seed, small.number);
-    format!("predicament parity{dimension} --seed {seed}: recipe {recipe}, number {number}, shrunk ({minimal})")
+    format!("predicament study parity{dimension} --seed {seed}: recipe {recipe}, number {number}, shrunk ({minimal})")
 }
 
 fn points<'a, const D: usize>(points: impl Iterator<Item = &'a [f64; D]>) -> Vec<Vec<toml::Value>> {

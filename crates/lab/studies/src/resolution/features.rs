@@ -33,14 +33,14 @@ pub(super) struct Shape {
 }
 
 impl Feature {
-    /// Returns true if the contacts are those of the feature.
+    /// Returns true if exactly the contacts of the feature are registered.
     #[must_use]
     pub fn survives(&self, contacts: &Contacts) -> bool {
         contacts.registered.iter().map(|contact| [contact.a.rank, contact.b.rank]).eq(self.contacts.iter().copied())
     }
 }
 
-/// All features, those of the plane first.
+/// All features; the features of the plane come first.
 pub const FEATURES: &[Feature] = &[
     Feature {
         name: "vertices apart",

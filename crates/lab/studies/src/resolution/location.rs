@@ -89,7 +89,7 @@ const LENGTH: f64 = 0.5;
 
 /// Two edges that cross at about this angle, and the crossing's position on the first, from 0 to 1.
 ///
-/// The position is that of the rounded points. `None` if the rounded edges do not cross.
+/// The position is computed from the rounded points. `None` if the rounded edges do not cross.
 fn crossing(angle: f64, precision: Precision, random: &mut Random) -> Option<(Scene, f64)> {
     let (on_first, on_second) = (random.between(0.0, 1.0), random.between(0.0, 1.0));
     let pose = Pose::of_plane(random);

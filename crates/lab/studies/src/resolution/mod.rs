@@ -38,7 +38,7 @@ const LENGTHS: [f64; 2] = [0.5, 0.5];
 
 /// The L of a backend for these scenes.
 ///
-/// It is that of the paper's tolerances in the backend's precision, and 1 for backends without tolerances.
+/// It is the L of the paper's tolerances in the backend's precision, and 1 for backends without tolerances.
 #[must_use]
 pub fn length(backend: &str, dimension: Dimension) -> f64 {
     let [la, lb] = LENGTHS;

@@ -8,7 +8,7 @@ use crate::{Error, File};
 /// The plots `resolution` and, if anything was registered, `location`.
 pub(super) fn all(measured: &Resolved) -> Result<Vec<File>, Error> {
     let bars: Vec<Bar> = measured.features.iter().map(bar).collect();
-    let sizes = ranges(&bars, "size over L: from where none survives to where all do", [-9, 0]);
+    let sizes = ranges(&bars, "size / L: from never survives to always survives", [-9, 0]);
     let mut files = File::plot("resolution", sizes.map_err(Error::format)?);
     let errors = curves(&lines(&measured.crossings)).map_err(Error::format)?;
     files.extend(File::plot("location", errors));
@@ -27,7 +27,7 @@ fn lines(crossings: &[(String, Vec<Location>)]) -> Curves {
     };
     Curves {
         x: "angle between the edges, radians".into(),
-        y: "worst distance along the edge, over L".into(),
+        y: "largest distance along the edge / L".into(),
         curves: crossings.iter().map(curve).collect(),
         ..Curves::default()
     }

@@ -8,7 +8,7 @@ use super::{Feature, Location, Resolved};
 pub(super) fn page(measured: &Resolved) -> String {
     // Writing to a String cannot fail.
     let mut page = String::new();
-    page += "| | feature | size | tolerance | backend | none up to | all from |\n";
+    page += "| | feature | size | tolerance | backend | never survives up to | always survives from |\n";
     page += "|---|---|---|---|---|---|---|\n";
     let size = |size: Option<f64>| size.map_or_else(|| "-".to_owned(), |size| format!("{size:.2e}"));
     for (feature, backend, survey) in &measured.features {
@@ -16,7 +16,7 @@ pub(super) fn page(measured: &Resolved) -> String {
         let (dimension, lost, safe) = (dimension.count(), size(survey.lost()), size(survey.safe()));
         let _ = writeln!(page, "| {dimension}D | {name} | {what} | {tolerance} | {backend} | {lost} | {safe} |");
     }
-    page += "\n| backend | worst error over L | at the angle | 19 of 20 registered as crossings from |\n";
+    page += "\n| backend | largest error / L | at the angle | 19 of 20 registered as crossings from |\n";
     page += "|---|---|---|---|\n";
     for (backend, locations) in &measured.crossings {
         let Some(worst) = locations.iter().max_by(|a, b| a.worst.total_cmp(&b.worst)) else { continue };

@@ -1,6 +1,6 @@
 //! The plots for each knob by position.
 //!
-//! They show the scenes of all tasks that are answered against a promise, and the time relative to that at rest.
+//! They show the scenes of all tasks whose answers break a promise, and the time relative to the time at rest.
 
 use predicament_report::{Curve, Curves, XAxis, curves};
 use predicament_tasks::Knob;
@@ -80,7 +80,7 @@ fn time(stressed: &Stressed, knob: Knob) -> Result<Vec<File>, Error> {
     };
     let lines: Vec<Curve> = stressed.backends.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let x = format!("{}: {}", knob.name(), knob.unit());
-    let picture = curves(&Curves { x, y: "time over that at rest".into(), curves: lines, spread: XAxis::Linear })
+    let picture = curves(&Curves { x, y: "time / time at rest".into(), curves: lines, spread: XAxis::Linear })
         .map_err(Error::format)?;
     Ok(File::plot(format!("stress-{}-time", knob.name()), picture))
 }

@@ -15,7 +15,7 @@ const FILE: &str = "breaks.csv";
 /// The section of a report from a folder that the study has written; `None` if the folder has no such file.
 ///
 /// # Errors
-/// [`FolderError`] with the file, and the error.
+/// [`FolderError`] with the file and the reason.
 pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
     let path = folder.join(FILE);
     if !path.exists() {
@@ -64,8 +64,8 @@ pub fn section(folder: &Path) -> Result<Option<Section>, FolderError> {
         id: "stress",
         title: "Where backends break",
         lead: format!(
-            "One knob at a time: the position at which a backend first answers a scene against its promise, in parentheses the last one before; - where it never does; d where it \
-             only declines; n/a where the knob does not fit the task. Under it the wrong scenes of those answered there, or the share that so few scenes leave possible where none is wrong. A knob that rounds the scene changes what is true of it. Each is a row of {}.",
+            "One knob is turned at a time. A cell has the position at which a backend first breaks its promise on a scene, and in parentheses the last position before; - if it never does; d if it \
+             only declines; n/a if the knob does not fit the task. Below are the wrong scenes out of those answered there or, if none is wrong, the largest share that this number of scenes leaves possible. A knob that rounds the scene changes the true answers. Each cell is a row of {}.",
             path.display()
         ),
         blocks,

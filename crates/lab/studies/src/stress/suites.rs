@@ -1,6 +1,6 @@
 //! The scenes of each position as a suite, so that a break point can be kept.
 //!
-//! A scene is written as that of its family with explicit points: its content does not depend on the knob.
+//! A scene is written as a scene of its family with explicit points: its content does not depend on the knob.
 
 use std::fmt::Write as _;
 use std::path::Path;

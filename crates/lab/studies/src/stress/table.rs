@@ -11,10 +11,10 @@ use crate::compare::short;
 pub(super) fn page(stressed: &Stressed) -> String {
     // Writing to a String cannot fail.
     let mut page = String::from("# Where backends break\n\n");
-    page += "For each knob the position at which a backend first answers a scene against its promise (in parentheses the last one before), `-` where \
-             it never does, `d` and the position where it only declines, `n/a` where the knob does not fit the task; after it the wrong scenes of those answered \
-             there, or the upper end of the share that none of so many leaves possible (Wilson's, 95 %). Scenes: distinct ones at each position. Each is a row of \
-             `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
+    page += "A cell has the position at which a backend first breaks its promise on a scene, and in parentheses the last position before; `-` if it never does; `d` \
+             and a position if it only declines; `n/a` if the knob does not fit the task. Then follow the wrong scenes out of those answered there or, if none is wrong, \
+             the largest share that this number of scenes leaves possible (Wilson's, 95 %). Scenes: the number of distinct scenes at each position. Each cell is a row \
+             of `breaks.csv`; shares with their intervals are in `stress.csv`.\n";
     let Asked { ways, tasks, .. } = Asked::of(&stressed.breaks);
     for [knob, way] in ways {
         let unit = Knob::ALL.iter().find(|of| of.name() == knob).map_or("", |knob| knob.unit());
@@ -73,7 +73,7 @@ fn limits(page: &mut String, stressed: &Stressed) {
     if stressed.limits.is_empty() {
         return;
     }
-    page.push_str("\n## Not applicable\n\nKnobs that are not turned for a task, or not to the end, as its scenes would be no scenes of it. Rows of `limits.csv`.\n\n| task | knob | turned | why not further |\n|---|---|---|---|\n");
+    page.push_str("\n## Not applicable\n\nSome knobs are not turned for a task, or not to the end, because the scenes would not be valid for the task. The rows are in `limits.csv`.\n\n| task | knob | turned | reason for the limit |\n|---|---|---|---|\n");
     for row in &stressed.limits {
         let to = row.to.map_or_else(|| "not at all".to_owned(), |to| format!("to {to}"));
         let _ = writeln!(page, "| {} | {} | {to} | {} |", row.task, row.knob, row.why);
@@ -86,7 +86,7 @@ fn times(page: &mut String, stressed: &Stressed) {
     if timed.is_empty() {
         return;
     }
-    page.push_str("\n## Time along the knobs\n\nNanoseconds for each query, primitive or triangle at rest, and how many times as long at the position at which it takes longest (in parentheses). All are rows of `stress.csv`.\n\n| knob | task |");
+    page.push_str("\n## Time along the knobs\n\nNanoseconds per query, primitive or triangle at rest, then the slowdown at the slowest position (in parentheses). All times are rows of `stress.csv`.\n\n| knob | task |");
     for (backend, _) in &stressed.backends {
         let _ = write!(page, " {backend} |");
     }
@@ -119,7 +119,7 @@ fn laws(page: &mut String, stressed: &Stressed) {
     if stressed.violations.is_empty() {
         return;
     }
-    page.push_str("\n## Metamorphic laws\n\nViolations of tuples; tuples of which nothing follows are left out.\n\n| law | predicate |");
+    page.push_str("\n## Metamorphic laws\n\nTuples whose answers violate the law, out of the tuples for which the law has a consequence.\n\n| law | predicate |");
     for (backend, _) in &stressed.backends {
         let _ = write!(page, " {backend} |");
     }

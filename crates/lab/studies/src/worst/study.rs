@@ -44,8 +44,8 @@ The search climbs: from a random start it changes one thing at a time, and keeps
 It climbs towards two kinds of bounds:
 
 Errors of the results of Algorithms 1 to 12, in double and in single precision, compared with rationals (roots are \
-enclosed to 2^-192). The bounds are those of `bounds`, which charge every operation with epsilon; rounding to nearest \
-loses at most half of that, so half of a bound can be reached.
+enclosed to 2^-192). The study `bounds` derives the bounds. It charges every operation with epsilon, but \
+rounding to nearest loses at most half of that, so half of a bound can be reached.
 
 Guards: quantities that the paper bounds from below if no sub-pair is within its T-, divided by their bounds, with \
 exact distances.
@@ -84,7 +84,7 @@ Examples:
     fn page(&self, found: &Found) -> String {
         let Worst { steps, climbs, common: Common { seed, .. } } = self;
         let mut page = format!("`predicament study worst --steps {steps} --climbs {climbs} --seed {seed}`\n\n");
-        page += "| Algorithm | section | bound | derived | f64 | of it | f32 | of it |\n";
+        page += "| Algorithm | section | bound | derived | f64 | f64 / bound | f32 | f32 / bound |\n";
         page += "|---|---|---|---:|---:|---:|---:|---:|\n";
         for double in found.errors.iter().filter(|row| row.precision == Precision::Double) {
             let is_single = |row: &&Observed| {
@@ -104,8 +104,8 @@ Examples:
                 single.share(),
             );
         }
-        page += "\nOver ε: the bound, and the largest error that was found, which is of itself for R and over L^p for \
-                 E.\n\n";
+        page += "\nThe bound and the largest error found, both divided by ε. Errors are relative to the value itself for R, \
+                 and to L^p for E.\n\n";
         page += "| Algorithm | f64 | f32 |\n|---|---:|---:|\n";
         for double in found.guards.iter().filter(|row| row.precision == Precision::Double) {
             let is_single = |row: &&Guard| (row.algorithm, row.precision) == (double.algorithm, Precision::Single);
@@ -113,8 +113,8 @@ Examples:
             let (number, name) = (double.algorithm.number(), double.algorithm.kind.name());
             let _ = writeln!(page, "| {number} {name} | {:.3} | {:.3} |", double.least, single.least);
         }
-        page + "\nThe least guard: a guarded quantity over its lower bound, of pairs within T₊ or crossing of which no \
-                sub-pair is within T₋.\n"
+        page + "\nThe least guard: the smallest ratio found of a guarded quantity to its lower bound, over pairs that \
+                cross or are within T₊ and have no sub-pair within T₋.\n"
     }
 
     /// A guard comes from rounded quotients: some 2⁻⁴⁰ of it is not a violation.

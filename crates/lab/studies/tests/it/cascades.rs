@@ -140,7 +140,7 @@ fn what_thickness_swallows_is_seen() {
         thin.samples.iter().map(|sample| measured.area_error(Cascade::Stars, sample).unwrap()).collect();
     assert!(errors.iter().all(|error| *error < 1e-4) && errors[39] > errors[0], "{errors:?}");
     assert!(thick.samples.iter().any(|sample| sample.lost > 0), "features are no larger than the radius");
-    assert!(thick.ended.as_ref().is_some_and(|(step, why)| *step < 40 && why.contains("nothing is left")));
+    assert!(thick.ended.as_ref().is_some_and(|(step, why)| *step < 40 && why.contains("result is empty")));
     // The step with an empty result is measured, and the next one fails.
     let gone = thick.samples.last().unwrap();
     assert_eq!((gone.regions, thick.ended.as_ref().map(|(step, _)| *step)), (0, Some(gone.step + 1)));
@@ -188,12 +188,12 @@ fn methods_are_read_as_they_are_written() {
     }
     assert_eq!(Method::from_str("thick").unwrap().keep, Keep::Thick(1e-9));
     for (name, why) in [
-        ("exact+snapped", "`+snapped` is none of"),
+        ("exact+snapped", "`+snapped` is unknown; use +round"),
         ("exact+snap:0", "from 1 to 50"),
         ("exact+snap:51", "from 1 to 50"),
         ("thick:-1", "between 0 and 0.5"),
         ("thick:nan", "between 0 and 0.5"),
-        ("", "a method has a name"),
+        ("", "a method needs a name"),
     ] {
         let error = Method::from_str(name).unwrap_err();
         assert!(error.to_string().contains(why), "{name}: {error}");
@@ -205,5 +205,5 @@ fn two_names_of_one_backend_are_refused() {
     let study = cascades(Cascade::Stars, &["exact"], 1);
     let exact = backend("exact");
     let refused = study.survey(&[exact.as_ref()], &quiet());
-    assert!(refused.unwrap_err().to_string().contains("two of exact, naive are one backend"));
+    assert!(refused.unwrap_err().to_string().contains("two of exact, naive are the same backend"));
 }

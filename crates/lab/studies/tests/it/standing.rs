@@ -80,7 +80,10 @@ fn inputs_that_barely_depend_on_predicates_are_left_out_and_named() {
     assert!((time.value - 4.0).abs() < 1e-12 && (time.pairs, time.left_out, time.of) == (2, 1, 3), "{time:?}");
     assert_eq!(left_out(&measures).iter().map(|([task, ..], _)| *task).collect::<Vec<_>>(), ["orient2d1"]);
     let page = study(&[]).page(&Compared { measures, conditioning: Vec::new(), promises: Vec::new() });
-    assert!(page.contains("Left out are inputs") && page.contains("orient2d1 near (1.05×)"), "{page}");
+    assert!(
+        page.contains("barely depends on predicates are left out") && page.contains("orient2d1 near (1.05×)"),
+        "{page}"
+    );
     assert!(page.contains("2 of 3 inputs"), "{page}");
 }
 

@@ -40,7 +40,7 @@ fn the_page_says_what_the_files_of_the_sample_say() {
     assert!(page.matches("<!-- predicament: which ").count() > 15, "{page}");
     let made = made(&page, &root().join("reports/sample")).unwrap();
     for (ours, theirs) in page.lines().zip(made.lines()) {
-        assert_eq!(ours, theirs, "`cargo xtask sample` makes the page anew");
+        assert_eq!(ours, theirs, "`cargo xtask sample` recreates the page");
     }
     assert_eq!(page, made);
 }
@@ -52,7 +52,7 @@ fn readme_says_what_the_files_of_the_sample_say() {
     assert_eq!(
         made(&readme, &root().join("reports/sample")).as_ref(),
         Ok(&readme),
-        "`cargo xtask sample` makes it anew"
+        "`cargo xtask sample` recreates it"
     );
     assert!(readme.lines().count() <= 100, "README has {} lines", readme.lines().count());
 }
@@ -112,6 +112,6 @@ fn a_figure_that_changes_and_a_file_that_is_missing_are_seen() {
         std::fs::write(&path, kept).unwrap();
     }
     let why = made("<!-- predicament: which way -->\n<!-- /predicament -->", &folder).unwrap_err();
-    assert!(why.contains("no part is called `which way`; there are tree, "), "{why}");
+    assert!(why.contains("no part is called `which way`; the parts are tree, "), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
 }

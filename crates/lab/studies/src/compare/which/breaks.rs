@@ -38,8 +38,8 @@ pub(super) fn breaks(files: &Files) -> Result<String, FolderError> {
         table.push(words.into_iter().chain(cells).collect());
     }
     Ok(format!(
-        "{}\n\nThe first position at which a scene is wrong, with the wrong scenes of the answered ones there, of predicates; of algorithms, the earliest of all tasks that the knob fits. \
-         -: not one scene of any position. d: declines scenes, from that position on where it does so in all tasks. With n scenes a position, none wrong is a share below Wilson's upper end: {}.",
+        "{}\n\nEach cell has two entries: for predicates, then for algorithms. An entry is the first position at which a scene is wrong, the earliest over all tasks that the knob fits, and in parentheses the wrong scenes out of those answered there. \
+         -: no scene is wrong at any position. d: the backend declines scenes, in all tasks from the given position on or in the given number of tasks. If none of the n scenes at a position is wrong, the true share is below Wilson's upper end: {}.",
         ranking::markdown(table),
         upper_ends(&rows)
     ))

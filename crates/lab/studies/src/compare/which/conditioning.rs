@@ -34,14 +34,14 @@ pub(super) fn wrong(files: &Files) -> Result<String, FolderError> {
             table.push(std::iter::once(Cell::from(task)).chain(cells).collect());
         }
         page += &ranking::markdown(table);
-        page += "\n\nThe largest |det| / permanent at which an answer is wrong, the share of wrong answers in the worst bin of four binary digits, and that of exact zeros, each with its interval.\n\n";
+        page += "\n\nEach cell has the largest |det| / permanent at which an answer is wrong, the wrong answers in the worst bin of four binary digits, and the wrong answers for exact zeros. Each share has its interval.\n\n";
     }
     if !never.is_empty() {
         let of = |backend: &&str| {
             let share = of(backend, &|_| true);
             format!("`{backend}` ({}, {})", counted(share), percents(share))
         };
-        page += &format!("Wrong in no bin: {}.", listed(&never.iter().map(of).collect::<Vec<_>>()));
+        page += &format!("Never wrong: {}.", listed(&never.iter().map(of).collect::<Vec<_>>()));
     }
     Ok(page)
 }

@@ -41,5 +41,5 @@ pub(super) fn stages(files: &Files) -> Result<String, FolderError> {
         });
         table.push(std::iter::once(Cell::code(backend)).chain(cells).collect());
     }
-    Ok(format!("{}\n\nWrong answers of all answers, with the interval of their share.", ranking::markdown(table)))
+    Ok(format!("{}\n\nWrong answers out of all answers, with the interval of the share.", ranking::markdown(table)))
 }

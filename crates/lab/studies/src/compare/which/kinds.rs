@@ -37,7 +37,7 @@ fn table(files: &Files, kind: Kind) -> Result<String, FolderError> {
         return Err(FolderError::Lacks { file: "compare.csv", what: format!("{} input", kind.name()) });
     }
     Ok(format!(
-        "{}\n\nTime over that of {REFERENCE}, of one scene; –: no time. Then what is wrong, of this backend's own answers and scenes: w wrong answers, t scenes with a broken law, \
+        "{}\n\nThe first number is the time of one scene divided by the time of {REFERENCE}; – if one of them was not timed. Then follow the failures among the backend's own answers and scenes: w wrong answers, t scenes with a broken law, \
          r scenes that are off by rounding only, n scenes that are not done. Intervals are Wilson's at 95 %.",
         ranking::markdown(table)
     ))

@@ -22,7 +22,7 @@ struct Cut {
     slivers: u64,
 }
 
-/// The table of tetrahedra that are cut by registered contacts alone: a line for each backend.
+/// The results for tetrahedra that are cut by registered contacts alone: a line for each backend.
 pub(super) fn cut(files: &Files) -> Result<String, FolderError> {
     let rows: Vec<Cut> = files.cuts()?;
     let mut lines = Vec::new();
@@ -36,14 +36,14 @@ pub(super) fn cut(files: &Files) -> Result<String, FolderError> {
         let off = Share { count: sum(|row| row.off), of: sum(|row| row.checked) };
         let lost = done.iter().map(|row| row.lost).sum::<f64>();
         let lost = if lost == 0.0 {
-            "no volume lost".to_owned()
+            "no volume is lost".to_owned()
         } else {
-            format!("{} cubes of volume lost", significant(lost, 2))
+            format!("a volume of {} cubes is lost", significant(lost, 2))
         };
         let declines =
             if declined.is_empty() { String::new() } else { format!("; declines {} scenes", declined.len()) };
         lines.push(format!(
-            "* `{backend}`, {} scenes: {} tetrahedra inconsistent, {lost}, {} of {} checked ones off ({}), {} slivers among {} cut{declines}.",
+            "* `{backend}`, {} scenes: {} tetrahedra are inconsistent, {lost}, {} of {} checked tetrahedra are off ({}), {} slivers in {} cut tetrahedra{declines}.",
             done.len(),
             counted(inconsistent),
             thousands(off.count),
@@ -76,7 +76,7 @@ struct Space {
     loose: u64,
 }
 
-/// The table of broken curves.
+/// The counts of broken curves: a line for each backend.
 ///
 /// It counts closed curves that cross an odd number of times, and closed surfaces whose curves of intersection have
 /// loose ends.

@@ -1,7 +1,7 @@
 //! A description of each backend in sentences.
 
 use crate::folder::FolderError;
-use predicament_records::format::{significant, thousands};
+use predicament_records::format::significant;
 use predicament_tasks::Kind;
 
 use super::files::Files;
@@ -29,7 +29,7 @@ pub(super) fn scenes(files: &Files) -> Result<String, FolderError> {
     if !single.is_empty() {
         let names: Vec<String> = single.iter().map(|(of, _)| input(of)).collect();
         text += &format!(
-            " {} have one scene, as their families draw nothing at random, and their intervals are wide: {}.",
+            " {} inputs have one scene, because their families are deterministic; their intervals are wide: {}.",
             single.len(),
             listed(&names)
         );
@@ -66,15 +66,15 @@ pub(super) fn backends(files: &Files) -> Result<String, FolderError> {
 /// The sentence about its time, over all pairs and by kind of input.
 fn takes(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     if of.backend == REFERENCE {
-        return Some("All times are over its own.".to_owned());
+        return Some("It is the reference for times.".to_owned());
     }
-    let Some(time) = of.time else { return Some(format!("No input has a time of it and of {REFERENCE}.")) };
+    let Some(time) = of.time else { return Some(format!("It and {REFERENCE} have no timed input in common.")) };
     let by_kind = Kind::ALL.into_iter().filter_map(|kind| {
         let time = Standing::of(measures, of.backend, |[_, other, _]| *other == kind.name()).time?;
         Some(format!("{} on {} input ({})", significant(time.value, 2), kind.name(), time.pairs))
     });
     Some(format!(
-        "Takes {} times the time of {REFERENCE} over {} of {} inputs, from {} to {}: {}.",
+        "Takes {} times as long as {REFERENCE} over {} of {} inputs, from {} to {}: {}.",
         significant(time.value, 3),
         time.pairs,
         time.of,
@@ -86,25 +86,20 @@ fn takes(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
 
 /// The sentence about its wrong answers.
 fn wrong(of: &Standing<'_>) -> Option<String> {
-    (of.answers.of > 0).then(|| {
-        if of.answers.count == 0 {
-            format!("No answer of {} is wrong ({}).", thousands(of.answers.of), millionths(of.answers))
-        } else {
-            format!("{} answers are wrong ({}).", counted(of.answers), millionths(of.answers))
-        }
-    })
+    (of.answers.of > 0).then(|| format!("{} answers are wrong ({}).", counted(of.answers), millionths(of.answers)))
 }
 
 /// The sentence about its zeros within a band.
 fn undecided(of: &Standing<'_>) -> Option<String> {
-    (of.in_band.count > 0).then(|| format!("{} of its answers are undecided, within its band.", share(of.in_band)))
+    (of.in_band.count > 0)
+        .then(|| format!("{} of its answers are undecided: zeros within its band.", share(of.in_band)))
 }
 
 /// The sentence about the laws of whole scenes that it breaks, and the tasks.
 fn breaks(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
     (of.laws.of > 0).then(|| {
         if of.laws.count == 0 {
-            return format!("Breaks no law in {} scenes ({}).", thousands(of.laws.of), percents(of.laws));
+            return format!("Breaks a law in {} scenes ({}).", counted(of.laws), percents(of.laws));
         }
         let inputs = worst(measures, of.backend, |standing| standing.laws);
         format!("Breaks a law in {} scenes ({}): {}.", counted(of.laws), percents(of.laws), listed(&inputs))
@@ -114,7 +109,8 @@ fn breaks(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
 /// The sentence about scenes that are off by rounding only.
 fn rounded(of: &Standing<'_>) -> Option<String> {
     let part = Share { count: of.scenes.rounded, of: of.scenes.asked };
-    (part.count > 0).then(|| format!("Off by the rounding of output coordinates only: {} scenes.", counted(part)))
+    (part.count > 0)
+        .then(|| format!("In {} scenes a check fails only because output coordinates are rounded.", counted(part)))
 }
 
 /// The sentence about scenes that it has not done.
@@ -127,10 +123,10 @@ fn not_done(measures: &[Measure], of: &Standing<'_>) -> Option<String> {
         });
         let whole = match inputs.count() {
             0 => String::new(),
-            1 => "; one input not at all".to_owned(),
-            n => format!("; {n} inputs not at all"),
+            1 => ", including all scenes of one input".to_owned(),
+            n => format!(", including all scenes of {n} inputs"),
         };
-        format!("Does not do {} scenes ({}){whole}.", counted(part), share(part))
+        format!("Leaves {} scenes undone ({}){whole}.", counted(part), share(part))
     })
 }
 
@@ -155,10 +151,10 @@ fn loses(measures: &[Measure], backend: &str) -> Option<String> {
         off.map_or(String::new(), |off| format!(" Contacts are off by up to {} L in 99 % of cases.", short(Some(off))));
     let size = |size: f64| if size.is_infinite() { "any size".to_owned() } else { format!("{} L", short(Some(size))) };
     let lost = if plane == 0.0 && space == 0.0 {
-        "Tells the smallest features that were tried.".to_owned()
+        "Distinguishes the smallest features tried.".to_owned()
     } else {
         format!(
-            "Features have to be larger than {} in the plane and {} in space to be told anywhere.",
+            "Features must be larger than {} in the plane and {} in space to be distinguished in every position.",
             size(plane),
             size(space)
         )

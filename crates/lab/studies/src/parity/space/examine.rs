@@ -29,7 +29,7 @@ impl Broken {
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
-            Broken::NoWay => "a curve without a way on",
+            Broken::NoWay => "a curve without a continuation",
             Broken::NoDirection => "a curve without a direction",
             Broken::Odd => "an odd boundary",
         }

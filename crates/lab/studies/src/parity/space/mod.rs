@@ -4,7 +4,7 @@
 //! number of times. If registrations say otherwise, they contradict each other. Surfaces are embedded, decided exactly;
 //! their triangles show that each is closed.
 //!
-//! * [`SurfacePair`]: two closed surfaces; [`random_surfaces`]: those of the recipes.
+//! * [`SurfacePair`]: two closed surfaces; [`random_surfaces`]: random pairs of each recipe.
 //! * [`examine`]: merges a pair by a backend's registrations and counts contradictions.
 //! * [`search`]: many pairs, counted; [`shrink_broken`]: the smallest that a find can be reduced to.
 

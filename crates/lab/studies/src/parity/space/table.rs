@@ -103,7 +103,7 @@ pub(in super::super) fn page(parity: &Parity, searched: &[SpaceSearched]) -> Str
             "Pairs for tolerances in {name}, seed {seed}; in brackets the interval of the share (Wilson, 95 %):\n"
         ));
         say("| recipe | backend | pairs | declined | level 0 | level 1 | level 2 | level 3 | loose ends | \
-             no way on | no direction | odd boundaries | broken with piercings alone |"
+             no continuation | no direction | odd boundaries | broken with piercings alone |"
             .into());
         say("|---|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|".into());
         for (recipe, backend, row) in rows(census) {
