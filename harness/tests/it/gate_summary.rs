@@ -84,7 +84,7 @@ fn outputs_do_not_mix() {
         let before = std::fs::read(&place).unwrap();
         let told = expect(2, &["gate", &out, option, &place]).stderr;
         assert!(
-            told.contains("a file of the run") && told.contains(&format!("name another place for {option}")),
+            told.contains("it would change the run") && told.contains(&format!("name another place for {option}")),
             "{told}"
         );
         assert_eq!(std::fs::read(&place).unwrap(), before);

@@ -79,7 +79,7 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         ),
         (
             vec!["hunt", "contacts2d", "-b", "exact", "--from", "shapes", "--out", &out],
-            "do not have a small scene of contacts2d",
+            "these suites have no small scene of contacts2d to start from; name others with --from",
         ),
         (vec!["hunt", "--resume", "nowhere"], "name the folder of a `hunt` that was begun"),
         (vec!["hunt", "orient2d", "-b", "exact", "--class", "wrong"], "wrong"),

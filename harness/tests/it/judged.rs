@@ -125,7 +125,7 @@ fn the_scenes_of_a_run_are_timed_and_no_others() {
     let filtered = at(&folder, "filtered");
     let args = ["bench", "--judged", &out, "-f", "signs", "-b", "shewchuk", "--out", &filtered];
     let told = expect(0, &[&args[..], &QUICKLY].concat()).stdout;
-    assert!(told.contains("1 scenes timed") && told.contains("no judgement of"), "{told}");
+    assert!(told.contains("1 scenes timed") && told.contains("no judgement was taken over from"), "{told}");
 }
 
 #[test]

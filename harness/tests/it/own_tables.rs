@@ -111,7 +111,7 @@ fn what_is_wrong_with_a_table_is_one_line_with_its_column() {
             "id,lon,lat,x\n1,2,3,4\n",
             &[],
             104,
-            "t.csv:1: the columns are id, lon, lat, x; name the columns of x and y, or their",
+            "t.csv:1: the columns are id, lon, lat, x; name the columns of x and y, or give their",
         ),
         (
             "id,lon,lat\n1,2,3\n",

@@ -86,7 +86,7 @@ fn a_task_is_solved_on_files_without_a_suite() {
         (&["orient2d", &turns, "--round", "--set", "queries=1\n[[scene]]"], "line break"),
         (&["contacts3d", &a], "`b`"),
         (&["crossings", &a], "a.off"),
-        (&["orient2d", "none.csv"], "none.csv: the data file can't be read: there is no such file; name a file"),
+        (&["orient2d", "none.csv"], "none.csv: the data file can't be read: there is no such file; name an existing"),
         (&["orient2d", "tilings", "--set", "queries=all", "-f", "bricks$"], "is for a task on files"),
     ] {
         let told = within(folder.path(), &[&["solve"], words, &["--out", &out]].concat());

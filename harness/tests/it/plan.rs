@@ -214,7 +214,7 @@ fn a_part_of_a_plan_is_resumed_as_it_was_planned() {
 fn costs_that_are_not_there_are_an_error() {
     let folder = tempdir().unwrap();
     let told = expect(2, &["shard", "plan", "ties", "--costs", &at(&folder, "nowhere")]).stderr;
-    assert!(told.contains("it has no costs.csv"), "{told}");
+    assert!(told.contains("costs.csv is missing: the folder is"), "{told}");
     let out = go(&folder, "run", &["lecture", "-f", "ear", "-b", "exact"]);
     let costs = read(&out, "costs.csv");
     assert_eq!(column(&costs, "backend"), ["truth", "exact"].repeat(column(&costs, "scene").len() / 2));

@@ -1,8 +1,8 @@
 //! CSV files of numbers: read row by row, and made lossless.
 //!
 //! Commas, semicolons, tabs or blanks separate cells; the first row determines which. Blank lines and lines that start
-//! with `#` are skipped. The first row is a header if each of its cells starts with a letter and is not a number. A file
-//! may have other columns besides the coordinates if [`Columns`] names the columns to read.
+//! with `#` are skipped. The first row is a header if each of its cells starts with a letter and is not a number. A
+//! file may have other columns besides the coordinates if [`Columns`] names the columns to read.
 //!
 //! The crate `csv` returns the text of cells, but not their positions in the file. The positions are needed to rewrite
 //! a number without changing other bytes, and to report the right line after comments and blank lines.

@@ -43,8 +43,8 @@ impl<'m> InIntegers<'m> {
     /// The place next to a point of these triangles, a small step ahead in this direction; true if the step leaves the
     /// first triangle by its front.
     ///
-    /// Returns `None` if the ray runs in the plane of one of these triangles, touches the border of another triangle, or
-    /// runs in the plane of another triangle.
+    /// Returns `None` if the ray runs in the plane of one of these triangles, touches the border of another triangle,
+    /// or runs in the plane of another triangle.
     ///
     /// # Panics
     /// If the direction is zero, or a triangle does not exist.

@@ -26,8 +26,8 @@ impl RandomQueries {
 
     /// The vertices of all queries, one query after the other: `arity` different numbers below `vertices` each.
     ///
-    /// The same seed gives the same queries on every machine. Each vertex is drawn from all vertices, and drawn again if
-    /// the query already has it, so all queries are equally likely.
+    /// The same seed gives the same queries on every machine. Each vertex is drawn from all vertices, and drawn again
+    /// if the query already has it, so all queries are equally likely.
     ///
     /// # Panics
     /// If there are fewer vertices than a query takes.

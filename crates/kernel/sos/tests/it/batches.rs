@@ -188,7 +188,7 @@ fn vertices_that_constructed_vertices_define_are_declined() {
     let declined = [backend.prepare(&scene, Off).err(), PerMesh.prepare(&two, Off).err()];
     let declined = declined.map(|declined| declined.expect("declined").to_string());
     for why in refused.iter().map(ToString::to_string).chain(declined) {
-        assert!(why.contains("moves vertices that input vertices define"), "{why}");
+        assert!(why.contains("applies only to vertices that input vertices define"), "{why}");
     }
 }
 

@@ -8,8 +8,8 @@
 //! tolerance ([`read()`]). The driver that goes through the levels must keep the same guarantee, on scenes of one pair
 //! ([`hierarchy()`]).
 //!
-//! All checks use the published tolerances, not the tolerances of the code under audit. The constants of that code are compared
-//! with the published ones as well ([`constants()`]), because a wrong one can be hidden by another test.
+//! All checks use the published tolerances, not the tolerances of the code under audit. The constants of that code are
+//! compared with the published ones as well ([`constants()`]), because a wrong one can be hidden by another test.
 //!
 //! * [`Audit`]: the study.
 //! * [`Row`]: an algorithm, a precision, and a form of Algorithms 3 and 8; [`rows`]: all rows.

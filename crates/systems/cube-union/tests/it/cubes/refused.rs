@@ -45,7 +45,7 @@ fn floating_point_is_scaled_or_refused() {
 
     let error = ScaledCubes::new(&[[0.0; 3], [0.0, 1e-10, 0.0], [0.0, 0.0, 1e10]], 1.0).unwrap_err();
     assert!(matches!(error, CubesError::TooFine { largest: Some(2), finest: Some(1), bits: 63.. }), "{error:?}");
-    assert!(error.to_string().contains("cube 2 and cube 1 need"), "{error}");
+    assert!(error.to_string().contains("in a common unit of cube 2 and cube 1, coordinates take"), "{error}");
     let error = ScaledCubes::new(&[[0.0; 3], [0.0, 1e10, f64::NAN]], 1.0).unwrap_err();
     assert!(matches!(error, CubesError::NotFinite { cube: 1, axis: 2, .. }), "{error:?}");
     // 62 bits are accepted, 63 are not.
