@@ -33,6 +33,8 @@ Optional members:
                                 object for each point, which predicates of the first form get instead of tuples.
     arrays                      True if `prepare` and predicates of the last form want numpy arrays
     precision                   "f32" for predicates that round coordinates to singles
+    formulas                    other predicates, as {"name": (arguments, dimension)}. The tool knows them by formula
+                                (`predicament derive`). Points with weights get the weight as last coordinate
 
 Raise `Declined` with a reason if a scene is not for this engine. The time of a batch includes gathering the coordinates
 for the first two forms, and so does the time of the empty predicate.
@@ -166,19 +168,23 @@ class _Server:
     def __init__(self, engine):
         self.engine = engine
         self.forms = {}
-        for name in PREDICATES:
+        formulas = getattr(engine, "formulas", {})
+        self.takes = {**PREDICATES, **{name: arity for name, (arity, _) in formulas.items()}}
+        self.dimensions = {**DIMENSIONS, **{name: dimension for name, (_, dimension) in formulas.items()}}
+        self.formulas = formulas
+        for name in self.takes:
             for form in ("", "_arrays", "_ids"):
                 if callable(getattr(engine, name + form, None)):
                     self.forms[name] = form
         if not self.forms:
-            raise TypeError("the engine has none of the predicates " + ", ".join(PREDICATES))
+            raise TypeError("the engine has none of the predicates " + ", ".join(self.takes))
         self.numpy = None
         if getattr(engine, "arrays", False) or "_arrays" in self.forms.values():
             import numpy
 
             self.numpy = numpy
         self.dimension = 0
-        self.points = self.seen = self.objects = []
+        self.points = self.seen = self.objects = self.weights = []
         self.view = None
 
     def answer(self, message):
@@ -224,6 +230,9 @@ class _Server:
             self.points = self.numpy.array(numbers, dtype="f8").reshape(-1, self.dimension)
         else:
             self.points = list(zip(*[iter(numbers)] * self.dimension))
+        self.weights = _numbers("d", message.get("weights", b""))
+        if self.weights and len(self.weights) != len(self.points):
+            raise Malformed(f"{len(self.weights)} weights of {len(self.points)} points")
         self.view = None
         start = time.perf_counter_ns()
         self.look(None, "scene")
@@ -234,7 +243,11 @@ class _Server:
         if self.view == view:
             return
         self.view = None
-        if axes is None:
+        if view == "weighted" and self.numpy:
+            self.seen = self.numpy.column_stack([self.points, self.numpy.array(self.weights)])
+        elif view == "weighted":
+            self.seen = [(*point, weight) for point, weight in zip(self.points, self.weights)]
+        elif axes is None:
             self.seen = self.points
         elif self.numpy:
             self.seen = self.numpy.ascontiguousarray(self.points[:, list(axes)])
@@ -254,9 +267,9 @@ class _Server:
         name = _need(message, "predicate")
         if name not in self.forms:
             raise Declined(f"this engine has no `{name}`")
-        if DIMENSIONS.get(name, self.dimension) != self.dimension:
-            raise Declined(f"{name} is about points of dimension {DIMENSIONS[name]}")
-        leading, axes, view = (), None, "scene"
+        if self.dimensions.get(name, self.dimension) != self.dimension:
+            raise Declined(f"{name} is about points of dimension {self.dimensions[name]}")
+        leading, axes, view = (), None, "weighted" if name in self.formulas and self.weights else "scene"
         if name == "compare":
             axis = _need(message, "axis")
             if axis not in ("x", "y", "z")[: self.dimension]:
@@ -280,7 +293,7 @@ class _Server:
 
     def ids(self, data, name):
         """The vertex ids, one row per query."""
-        takes = PREDICATES[name]
+        takes = self.takes[name]
         if len(data) % (4 * takes):
             raise Malformed(f"ids of {len(data)} bytes are no whole queries of {name}")
         ids = _numbers("I", data)

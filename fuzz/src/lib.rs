@@ -122,11 +122,7 @@ pub fn first_wrong<B: Backend>(backend: &B, kind: PredicateKind, bytes: &[u8]) -
 /// The scene that bytes encode, and its queries.
 fn case(kind: PredicateKind, bytes: &[u8]) -> (Scene, Vec<Question>) {
     let (&head, bytes) = bytes.split_first().unwrap_or((&0, &[]));
-    let space = match kind {
-        PredicateKind::Compare | PredicateKind::Orient2d => head & 1 == 1,
-        PredicateKind::Incircle => false,
-        PredicateKind::Orient3d | PredicateKind::Insphere => true,
-    };
+    let space = kind.dimension().map_or(head & 1 == 1, |dimension| dimension == Dimension::Three);
     let (dimension, axes, planes): (_, &[Axis], &[Plane]) = if space {
         (Dimension::Three, &[Axis::X, Axis::Y, Axis::Z], &[Plane::Xy, Plane::Yz, Plane::Zx])
     } else {
@@ -135,9 +131,7 @@ fn case(kind: PredicateKind, bytes: &[u8]) -> (Scene, Vec<Question>) {
     let questions = match kind {
         PredicateKind::Compare => axes.iter().map(|&axis| Question::Compare(axis)).collect(),
         PredicateKind::Orient2d => planes.iter().map(|&plane| Question::Orient2d(plane)).collect(),
-        PredicateKind::Orient3d => vec![Question::Orient3d],
-        PredicateKind::Incircle => vec![Question::Incircle],
-        PredicateKind::Insphere => vec![Question::Insphere],
+        other => vec![other.first_question()],
     };
     let coordinates = match dimension {
         Dimension::Two => points::from_bytes::<2>(bytes, kind.arity()).into_flattened(),

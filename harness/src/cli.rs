@@ -14,7 +14,7 @@ use predicament_studies::{Entry, Ready, Study};
 use predicament_tasks::{self as tasks, Contestant, Task, TaskList};
 
 use crate::tool::{Guests, ReportSection, Tool};
-use crate::{cmd, exit, interrupt, layout, names, out};
+use crate::{cmd, exit, formulas, interrupt, layout, names, out};
 
 /// The id of the option `--quiet`.
 const QUIET: &str = "quiet";
@@ -40,6 +40,7 @@ enum Command {
     Ask(cmd::ask::Args),
     Solve(cmd::solve::Args),
     Draw(cmd::draw::Args),
+    Derive(cmd::derive::Args),
     Run(cmd::run::Args),
     Gate(cmd::gate::Args),
     Bench(cmd::bench::Args),
@@ -143,14 +144,18 @@ impl<B: BackendList, T: Roster> Cli<B, T> {
     #[must_use]
     pub fn main(self) -> ExitCode {
         interrupt::outlive_limits();
-        main(&Tool::new(self.backends, &self.tasks, self.guests))
+        // Formulas are tasks too, so they must be known before the tool lists its tasks.
+        match formulas::registered(std::env::args_os().collect()) {
+            Ok(words) => main(words, &Tool::new(self.backends, &self.tasks, self.guests)),
+            Err(failure) => exit::code(Err(failure)),
+        }
     }
 }
 
 /// The rest of [`Cli::main`]: not generic, so that programs with backends of their own do not compile it again.
-fn main(tool: &Tool) -> ExitCode {
+fn main(words: Vec<OsString>, tool: &Tool) -> ExitCode {
     let command = whole(tool);
-    let words: Vec<OsString> = std::env::args_os().map(point).collect();
+    let words: Vec<OsString> = words.into_iter().map(point).collect();
     if let Some(at) = words.iter().skip(1).position(is_empty) {
         return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
     }
@@ -209,6 +214,7 @@ impl Command {
             Command::Ask(args) => cmd::ask::run(&args, tool),
             Command::Solve(args) => cmd::solve::run(&args, tool),
             Command::Draw(args) => cmd::draw::run(args, tool),
+            Command::Derive(args) => cmd::derive::run(&args),
             Command::Run(args) => cmd::run::run(args, tool),
             Command::Gate(args) => cmd::gate::run(&args, tool),
             Command::Bench(args) => cmd::bench::run(args, tool),

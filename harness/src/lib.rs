@@ -43,6 +43,7 @@ mod exit;
 mod expect_file;
 mod expectations;
 mod failure;
+mod formulas;
 mod found;
 mod hunting;
 mod interrupt;

@@ -10,7 +10,7 @@ pub const STUDY: &str = "study";
 
 /// The top-level commands by group, in the order of the help.
 const GROUPS: [(&str, &[&str]); 6] = [
-    ("Ask and draw", &["ask", "solve", "draw"]),
+    ("Ask and draw", &["ask", "solve", "draw", "derive"]),
     ("Run and gate", &["run", "gate", "bench", "report"]),
     ("Search", &["hunt", "shrink", "replay"]),
     ("Studies", &[STUDY]),

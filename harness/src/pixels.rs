@@ -68,6 +68,11 @@ impl Walk<'_> {
         let (before, after) = scene.coordinates().split_at(walker.index() * width);
         let coordinates = [before, &places.concat(), &after[width..]].concat();
         let mut made = Scene::new(scene.dimension(), coordinates).map_err(Failure::usage)?;
+        if let Some(weight) = scene.weights().get(walker.index()) {
+            let (before, after) = scene.weights().split_at(walker.index());
+            let weights = [before, &vec![*weight; count], &after[1..]].concat();
+            made = made.with_weights(weights).map_err(Failure::usage)?;
+        }
         if let Some(lengths) = scene.primitive_lengths() {
             made = made.with_primitive_lengths(lengths);
         }
@@ -111,7 +116,7 @@ fn named_axes(question: Question) -> Vec<Axis> {
     match question {
         Question::Compare(axis) => vec![axis],
         Question::Orient2d(plane) => plane.axes().to_vec(),
-        Question::Orient3d | Question::Incircle | Question::Insphere => Vec::new(),
+        Question::Orient3d | Question::Incircle | Question::Insphere | Question::Derived(_) => Vec::new(),
     }
 }
 

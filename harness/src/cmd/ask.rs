@@ -7,7 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use predicament_corpus::{Level, LoadedScene, Suite};
 use predicament_formats::{Columns, CoordinateError, CorpusError, Decimals, Manifest, Place, hexfloat, points};
 use predicament_judge as judge;
-use predicament_predicates::{Class, PredicateKind, Query, Question, Vertex};
+use predicament_predicates::{Class, Derived, PredicateKind, Query, Question, Vertex};
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Budget, Contestant, Outcome, Watch, ids};
 use serde_json::{Map, Value, json};
@@ -41,7 +41,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// compare, orient2d, orient3d, incircle or insphere
+    /// A predicate: one of the five, one that is shipped as a formula, or one of --formula
     #[arg(value_name = "PREDICATE", value_parser = predicate())]
     pub task: PredicateKind,
 
@@ -84,7 +84,9 @@ pub struct Args {
 
 /// The predicates by name.
 fn predicate() -> impl TypedValueParser<Value = PredicateKind> {
-    PossibleValuesParser::new(PredicateKind::ALL.map(PredicateKind::name)).try_map(|name| name.parse::<PredicateKind>())
+    let derived = Derived::all().into_iter().map(PredicateKind::Derived);
+    let all = PredicateKind::ALL.into_iter().chain(derived).map(PredicateKind::name).collect::<Vec<_>>();
+    PossibleValuesParser::new(all).try_map(|name| name.parse::<PredicateKind>())
 }
 
 /// The name of the suite that is not written down.
@@ -361,9 +363,16 @@ fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result
             })?;
             row.push(x);
         }
-        if !(2..=3).contains(&row.len()) {
-            let found = row.len();
-            return Err(Failure::usage(format!("{place}: {found} coordinates in `{text}`; write two or three: 0.5,1")));
+        let (fits, cure) = match args.task {
+            PredicateKind::Derived(derived) => {
+                let count = derived.formula().coordinates();
+                let weight = if derived.formula().is_weighted() { ", the last of them the weight" } else { "" };
+                (row.len() == count, format!("{} takes {count}{weight}", derived.formula().name()))
+            }
+            _ => ((2..=3).contains(&row.len()), "write two or three: 0.5,1".to_owned()),
+        };
+        if !fits {
+            return Err(Failure::usage(format!("{place}: {} coordinates in `{text}`; {cure}", row.len())));
         }
         rows.push(written(&row));
     }

@@ -4,6 +4,7 @@ pub mod ask;
 pub mod bench;
 pub mod corpus;
 pub mod data;
+pub mod derive;
 pub mod draw;
 pub mod engines;
 pub mod gate;

@@ -23,7 +23,7 @@ pub fn distance(loaded: &LoadedScene, query: &Query) -> Option<f64> {
         }
         Question::Orient3d => across_plane(&space(), determinant)?,
         Question::Insphere => across_sphere(&space(), determinant, exact(Question::Orient3d, &args[..4]))?,
-        Question::Compare(_) => return None,
+        Question::Compare(_) | Question::Derived(_) => return None,
     };
     apart.last().map(|place| place[1].abs())
 }
@@ -61,7 +61,7 @@ pub fn drawn(loaded: &LoadedScene, query: &Query) -> Option<Vec<(String, String)
             let volume = exact(Question::Orient3d, &args[..4]);
             (None, across_sphere(&space(), determinant, volume)?, ["sphere a b c d", "outside is up"])
         }
-        Question::Compare(_) => return None,
+        Question::Compare(_) | Question::Derived(_) => return None,
     };
     let named = |points: &[[f64; 2]]| -> Vec<Named> {
         let of = args.iter().zip('a'..).zip(points);

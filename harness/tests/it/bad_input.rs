@@ -23,7 +23,7 @@ fn suites_are_refused_with_file_line_and_cure() {
         ("key", "name = \"plain\"", "name = \"plain\"\ncolour = 1", ":10:", ["colour", ";"]),
         ("inexact", "\"0x1p-1\"", "\"0.1000000000000000001\"", ":6:", ["0.1000000000000000001", "corpus fmt"]),
         ("duplicate", "name = \"plain\"", "name = \"wrong-once\"", ":", ["wrong-once", ";"]),
-        ("task", "task = \"orient2d\"", "task = \"orient4d\"", ":5:", ["orient4d", ";"]),
+        ("task", "task = \"orient2d\"", "task = \"orient5d\"", ":5:", ["orient5d", ";"]),
     ] {
         let folder = tempdir().unwrap();
         let text = SUITE.replacen(from, to, 1);

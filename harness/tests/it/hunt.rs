@@ -68,8 +68,8 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
     let out = at(&folder, "out");
     for (args, told) in [
         (
-            vec!["hunt", "orient4d", "-b", "exact"],
-            "no task is called `orient4d`; did you mean `orient2d`? use one of compare",
+            vec!["hunt", "orient5d", "-b", "exact"],
+            "no task is called `orient5d`; did you mean `orient2d`? use one of compare",
         ),
         (vec!["hunt", "orient2d", "-b", "exakt"], "exakt"),
         (vec!["hunt", "orient2d"], "--backend"),
@@ -116,7 +116,7 @@ fn a_changed_hunt_is_refused_with_the_name_of_its_file() {
     refused(&|hunt| drop(hunt["state"]["islands"].as_array_mut().unwrap().pop()), "islands where the task has");
     refused(&|hunt| hunt["state"]["finds"][0]["class"] = "flip".into(), "no class is called `flip`");
     refused(&|hunt| hunt["order"]["class"] = "flip".into(), "no class is called `flip`");
-    refused(&|hunt| hunt["order"]["task"] = "orient4d".into(), "there is no task `orient4d`");
+    refused(&|hunt| hunt["order"]["task"] = "orient5d".into(), "there is no task `orient5d`");
     refused(&|hunt| hunt["order"]["shown_by"][0] = "naife".into(), "no backend is called `naife`");
     refused(&|hunt| hunt["order"]["limit"] = (-1.0).into(), "`limit` is not a time limit");
     refused(&|hunt| hunt["order"]["suites"] = ["no-such-suite"].into(), "no-such-suite");

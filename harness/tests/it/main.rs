@@ -7,6 +7,7 @@ mod cite;
 mod common;
 mod conformance;
 mod data;
+mod derive;
 mod diff;
 mod engines;
 mod expect;

@@ -134,7 +134,7 @@ fn what_is_wrong_with_points_of_a_file_names_the_file() {
 #[test]
 fn a_new_suite_runs_as_it_is() {
     let folder = tempdir().unwrap();
-    let unknown = expect(2, &["corpus", "new", &at(&folder, "x.toml"), "--task", "orient4d"]).stderr;
+    let unknown = expect(2, &["corpus", "new", &at(&folder, "x.toml"), "--task", "orient5d"]).stderr;
     assert_eq!(unknown.lines().count(), 1, "{unknown}");
     let tasks = unknown.trim().split_once("use one of ").expect("their names").1.split(", ");
     let tasks: Vec<&str> = tasks.collect();

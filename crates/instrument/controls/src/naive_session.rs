@@ -5,8 +5,8 @@
 //! determinant.
 
 use predicament_predicates::{
-    Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions, Sign,
-    Tally, Vertex,
+    Axis, Band, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions,
+    Sign, Tally, Vertex,
 };
 
 use crate::determinant::{self, Pivot};
@@ -126,6 +126,14 @@ impl<T: Tally> Predicates for NaiveSession<'_, T> {
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         sign(each!(self, session => session.insphere_value([a, b, c, d, e])))
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        each!(self, session => session.sign(predicate, vertices))
+    }
+
+    fn sign_batch(&self, predicate: Derived, vertices: &[Vertex], out: &mut [Sign]) {
+        each!(self, session => session.sign_batch(predicate, vertices, out));
     }
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

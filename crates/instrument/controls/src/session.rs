@@ -2,7 +2,8 @@
 
 use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
-    Axis, Construction, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign, Tally, Vertex,
+    Axis, Construction, Declined, Derived, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
+    Tally, Vertex,
 };
 
 use crate::rounded;
@@ -11,6 +12,9 @@ use crate::rounded;
 pub(crate) trait Float: Send + Sync {
     /// True if batches use vector registers, for formulas without branches; else batches are loops over single queries.
     const IN_LANES: bool;
+
+    /// True if formulas are evaluated: not for the predicates of a library.
+    const EVALUATES_FORMULAS: bool = true;
 
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
     fn orient3d(&self, points: [[f64; 3]; 4]) -> f64;
@@ -267,6 +271,16 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.settled(PredicateKind::Incircle, self.float.incircle(self.circle(vertices)))
     }
 
+    /// The value of a formula, in the order of operations of its program.
+    fn formula_estimate(&self, derived: Derived, vertices: &[Vertex]) -> f64 {
+        let program = derived.formula().program();
+        derived.with_points(&self.scene, vertices, |points| program.estimate(|point, axis| points[point][axis]))
+    }
+
+    pub(crate) fn formula_value(&self, derived: Derived, vertices: &[Vertex]) -> f64 {
+        self.settled(PredicateKind::Derived(derived), self.formula_estimate(derived, vertices))
+    }
+
     #[inline(always)]
     pub(crate) fn insphere_value(&self, vertices: [Vertex; 5]) -> f64 {
         self.settled(PredicateKind::Insphere, self.float.insphere(self.input().solid(vertices)))
@@ -321,6 +335,22 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         Sign::of(self.insphere_value([a, b, c, d, e]))
     }
 
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        if matches!(kind, PredicateKind::Derived(_)) {
+            if !F::EVALUATES_FORMULAS {
+                return Err(Declined::predicate(kind, "the library has five predicates and no formulas"));
+            }
+            if !self.scene.constructions().is_empty() {
+                return Err(Declined::predicate(kind, "formulas are about input vertices, not about constructed ones"));
+            }
+        }
+        self.scene.has_dimension_for(kind)
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        Sign::of(self.formula_value(predicate, vertices))
+    }
+
     /// The determinant; `None` for a wrong number of vertices. For a comparison it is the difference.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
@@ -329,6 +359,9 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
             (Question::Orient3d, &[a, b, c, d]) => Some(self.side_of([a, b, c, d])),
             (Question::Incircle, &[a, b, c, d]) => Some(self.float.incircle(self.circle([a, b, c, d]))),
             (Question::Insphere, &[a, b, c, d, e]) => Some(self.float.insphere(self.input().solid([a, b, c, d, e]))),
+            (Question::Derived(derived), args) if F::EVALUATES_FORMULAS && args.len() == derived.formula().arity() => {
+                Some(self.formula_estimate(derived, args))
+            }
             _ => None,
         }
     }

@@ -11,6 +11,7 @@ pub struct Shewchuk;
 
 impl Float for Shewchuk {
     const IN_LANES: bool = false;
+    const EVALUATES_FORMULAS: bool = false;
 
     #[inline]
     fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {

@@ -30,6 +30,12 @@ pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
             canon.construction(construction);
         }
     }
+    if !scene.weights().is_empty() {
+        canon.text("weights");
+        for &weight in scene.weights() {
+            canon.bytes(&(weight + 0.0).to_bits().to_le_bytes());
+        }
+    }
     content.canon(&mut canon);
     hex(&canon.0.finalize()[..8])
 }

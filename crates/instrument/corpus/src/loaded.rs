@@ -80,6 +80,7 @@ pub(crate) fn moved(
         return Err(MoveError::Count { had, given: has });
     }
     let mut elsewhere = Scene::new(scene.dimension(), coordinates).map_err(MoveError::Scene)?;
+    elsewhere = elsewhere.with_weights_of(scene);
     if let Some(second) = scene.second_mesh() {
         let vertices = second.iter().enumerate().filter(|(_, is)| **is).map(|(at, _)| Vertex::input(at));
         elsewhere = elsewhere.with_second_mesh(vertices.collect::<Vec<_>>());

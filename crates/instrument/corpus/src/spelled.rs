@@ -17,7 +17,7 @@ use crate::{Level, LoadedScene, Suite, Vocabulary};
 pub struct Spelled {
     /// The name of the task.
     pub task: &'static str,
-    /// The `points`, with two or three coordinates each; the key is omitted if the list is empty.
+    /// The `points`, with two or three coordinates and perhaps a weight each; the key is omitted if the list is empty.
     pub points: Vec<Vec<f64>>,
     /// The `constructed` vertices, defined by vertices of `points`.
     pub constructions: Vec<Construction>,
@@ -282,10 +282,12 @@ impl LoadedScene {
     }
 }
 
-/// The points and constructions of a scene, without questions.
+/// The points and constructions of a scene, without questions; each point ends with its weight if the scene has
+/// weights.
 #[must_use]
 pub fn spelled_points(scene: &predicament_predicates::Scene) -> Spelled {
-    let points = scene.vertices().map(|v| scene.point(v).to_vec()).collect();
+    let weight = |v: Vertex| scene.weights().get(v.index()).copied();
+    let points = scene.vertices().map(|v| scene.point(v).iter().copied().chain(weight(v)).collect()).collect();
     Spelled { points, constructions: scene.constructions().to_vec(), ..Spelled::default() }
 }
 

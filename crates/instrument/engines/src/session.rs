@@ -6,8 +6,8 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
 use predicament_predicates::{
-    Axis, Broken, Class, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    answer_by,
+    Axis, Broken, Class, Declined, Derived, Dimension, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
+    Vertex, answer_by,
 };
 
 use crate::command::printable;
@@ -73,7 +73,11 @@ impl<'s> Session<'s> {
             Dimension::Two => "2",
             Dimension::Three => "3",
         };
-        let message = Message::new("scene").with("dimension", dimension).with("points", points);
+        let mut message = Message::new("scene").with("dimension", dimension).with("points", points);
+        if !scene.weights().is_empty() {
+            let weights: Vec<u8> = scene.weights().iter().flat_map(|x| x.to_le_bytes()).collect();
+            message = message.with("weights", weights);
+        }
         let mut hasher = DefaultHasher::new();
         message.hash(&mut hasher);
         let number = hasher.finish();
@@ -97,7 +101,7 @@ impl<'s> Session<'s> {
         match question {
             Question::Compare(axis) => batch = batch.with("axis", axis.name()),
             Question::Orient2d(plane) => batch = batch.with("plane", plane.name()),
-            Question::Orient3d | Question::Incircle | Question::Insphere => {}
+            Question::Orient3d | Question::Incircle | Question::Insphere | Question::Derived(_) => {}
         }
         if self.empty {
             batch = batch.with("empty", "1");
@@ -130,13 +134,19 @@ impl<'s> Session<'s> {
     }
 
     fn batch<const N: usize>(&self, question: Question, queries: &[[Vertex; N]], out: &mut [Sign]) {
-        if queries.is_empty() {
+        self.flat_batch(question, queries.as_flattened(), out);
+    }
+
+    /// Answers queries whose vertices follow one another.
+    fn flat_batch(&self, question: Question, vertices: &[Vertex], out: &mut [Sign]) {
+        if vertices.is_empty() {
             return;
         }
+        let queries: Vec<&[Vertex]> = vertices.chunks_exact(question.kind().arity()).collect();
         // Vertices of a scene have ids below 2^31.
         let id = |v: &Vertex| u32::try_from(v.index()).expect("ids of input vertices").to_le_bytes();
-        let ids: Vec<u8> = queries.iter().flatten().flat_map(id).collect();
-        let signs = self.signs(question, &ids, queries.len(), &|at| question.query(&queries[at]).to_string());
+        let ids: Vec<u8> = vertices.iter().flat_map(id).collect();
+        let signs = self.signs(question, &ids, queries.len(), &|at| question.query(queries[at]).to_string());
         for ((query, &byte), out) in queries.iter().zip(&signs).zip(out) {
             *out = match byte {
                 NEGATIVE => Sign::Negative,
@@ -208,6 +218,16 @@ impl Predicates for Session<'_> {
     }
 
     answer_by!(one);
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        let mut out = [Sign::Zero];
+        self.flat_batch(Question::Derived(predicate), vertices, &mut out);
+        out[0]
+    }
+
+    fn sign_batch(&self, predicate: Derived, vertices: &[Vertex], out: &mut [Sign]) {
+        self.flat_batch(Question::Derived(predicate), vertices, out);
+    }
 
     /// Returns NaN if the engine's answer to this query was NaN.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

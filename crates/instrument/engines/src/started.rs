@@ -45,10 +45,7 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, Protoco
     if protocol != PROTOCOL {
         return Err(ProtocolError::Version { engine: protocol, tool: PROTOCOL });
     }
-    let kind = |name: &str| {
-        let found = PredicateKind::ALL.into_iter().find(|kind| kind.name() == name);
-        found.ok_or_else(|| ProtocolError::UnknownPredicate(name.to_owned()))
-    };
+    let kind = |name: &str| name.parse::<PredicateKind>().map_err(|_| ProtocolError::UnknownPredicate(name.to_owned()));
     line(hello, "name")?;
     let predicates = hello.required("predicates")?.split_whitespace().map(kind).collect::<Result<Vec<_>, _>>()?;
     if predicates.is_empty() {

@@ -15,8 +15,8 @@ use predicament_predicates::{Axis, Plane, Question, Scene, Sign, Vertex};
 use rug::{Integer, Rational};
 
 use crate::constructed::{certain_row, point};
-use crate::integers;
 use crate::row::Row;
+use crate::{formula, integers};
 
 /// An exact determinant and its permanent-like magnitude.
 #[derive(Clone, Debug)]
@@ -66,10 +66,13 @@ pub(crate) fn sign_of_rows<'r>(
     args: &[Vertex],
     row: impl Fn(Vertex) -> Cow<'r, Row>,
 ) -> Sign {
+    if let Question::Derived(derived) = question {
+        return sign_of(&formula::value(scene, derived, args));
+    }
     if args.iter().any(|v| v.is_constructed()) {
         assert_arity(question, args);
-        let lifted = matches!(question, Question::Incircle | Question::Insphere);
-        return integers::sign_of_rows(&args.iter().map(|&v| row(v)).collect::<Vec<_>>(), axes(&question), lifted);
+        let rows: Vec<_> = args.iter().map(|&v| row(v)).collect();
+        return integers::sign_of_rows(&rows, axes(&question), question.kind().is_lifted());
     }
     scaled(scene, question, args).0.cmp0().into()
 }
@@ -95,6 +98,9 @@ fn scaled(scene: &Scene, question: Question, args: &[Vertex]) -> (Integer, i32) 
 /// As [`sign`], or if `limit` is not finite.
 #[must_use]
 pub fn is_within(scene: &Scene, question: Question, args: &[Vertex], limit: f64) -> bool {
+    if let Question::Derived(derived) = question {
+        return formula::value(scene, derived, args).abs() <= rational(limit);
+    }
     if args.iter().any(|v| v.is_constructed()) {
         return verdict(scene, question, args).determinant.abs() <= rational(limit);
     }
@@ -108,6 +114,9 @@ pub fn is_within(scene: &Scene, question: Question, args: &[Vertex], limit: f64)
 /// As [`sign`].
 #[must_use]
 pub fn verdict(scene: &Scene, question: Question, args: &[Vertex]) -> Verdict {
+    if let Question::Derived(derived) = question {
+        return formula::verdict(scene, derived, args);
+    }
     verdict_of(question, args, |v| Cow::Owned(point(scene, v).unwrap_or_else(|| panic!("{v} is not a point"))))
 }
 
@@ -140,6 +149,7 @@ fn axes(question: &Question) -> &[Axis] {
         Question::Orient2d(Plane::Yz) => &[Axis::Y, Axis::Z],
         Question::Orient2d(Plane::Zx) => &[Axis::Z, Axis::X],
         Question::Orient3d | Question::Insphere => &[Axis::X, Axis::Y, Axis::Z],
+        Question::Derived(derived) => panic!("{} is not a determinant of rows", derived.formula().name()),
     }
 }
 
@@ -152,7 +162,7 @@ fn rows<'p>(question: Question, args: &[Vertex], point: impl Fn(Vertex) -> Cow<'
         axes.iter().map(|axis| point[axis.index()].clone()).collect::<Vec<_>>()
     };
     let origin = exact(last);
-    let lifted = matches!(question, Question::Incircle | Question::Insphere);
+    let lifted = question.kind().is_lifted();
     let row = |v: &Vertex| {
         let mut row: Vec<Rational> = exact(v).into_iter().zip(&origin).map(|(x, o)| x - o).collect();
         if lifted {

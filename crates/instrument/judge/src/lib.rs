@@ -23,6 +23,7 @@ mod constructed;
 pub mod contacts;
 pub mod cubes;
 mod determinant;
+mod formula;
 pub mod hull;
 mod integers;
 pub mod interval;
@@ -39,6 +40,7 @@ mod tests;
 
 pub use constructed::point;
 pub use determinant::{Verdict, determinant, is_within, log2_relative, rational, sign, verdict};
+pub use formula::formula_value;
 pub use nearest::nearest;
 pub use points::Points;
 pub use sample::Sample;

@@ -10,7 +10,7 @@ use predicament_predicates::{Construction, NoPoint, Question, Refused, Scene, Si
 use rug::Rational;
 
 use crate::constructed;
-use crate::determinant::{Verdict, sign_of_rows, verdict_of};
+use crate::determinant::{Verdict, sign_of_rows, verdict, verdict_of};
 use crate::row::Row;
 
 /// A constructed vertex over one denominator; its rationals are computed on first use.
@@ -86,6 +86,9 @@ impl Points {
     /// As [`sign`](Points::sign).
     #[must_use]
     pub fn verdict(&self, question: Question, args: &[Vertex]) -> Verdict {
+        if let Question::Derived(_) = question {
+            return verdict(&self.scene, question, args);
+        }
         verdict_of(question, args, |v| self.point(v).unwrap_or_else(|| panic!("{v} is not a point")))
     }
 

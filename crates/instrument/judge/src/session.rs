@@ -1,6 +1,8 @@
 //! Sessions that answer with the judge's signs, for algorithms that need predicates.
 
-use predicament_predicates::{Construction, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by};
+use predicament_predicates::{
+    Construction, Declined, Derived, PredicateKind, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
+};
 
 use crate::Points;
 
@@ -42,12 +44,16 @@ impl<'s> Judged<'s> {
         Judged { points: Points::of(scene), way: Way::Perturbed(ties) }
     }
 
-    fn sign<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        self.answer(question, &args)
+    }
+
+    fn answer(&self, question: Question, args: &[Vertex]) -> Sign {
         match self.way {
-            Way::Exact => self.points.sign(question, &args),
-            Way::Again => self.points.verdict(question, &args).sign(),
-            Way::Perturbed(ties) => match self.points.sign(question, &args) {
-                Sign::Zero => ties(self.points.scene(), question, &args),
+            Way::Exact => self.points.sign(question, args),
+            Way::Again => self.points.verdict(question, args).sign(),
+            Way::Perturbed(ties) => match self.points.sign(question, args) {
+                Sign::Zero => ties(self.points.scene(), question, args),
                 sign => sign,
             },
         }
@@ -63,5 +69,13 @@ impl Predicates for Judged<'_> {
         self.points.construct(definitions)
     }
 
-    answer_by!(sign);
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        self.scene().has_dimension_for(kind)
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        self.answer(Question::Derived(predicate), vertices)
+    }
+
+    answer_by!(ask);
 }

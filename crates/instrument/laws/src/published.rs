@@ -245,7 +245,7 @@ pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<B
             Question::Orient3d => figure(Dimension::Three, Symbol::Xi, extent(scene, &[Axis::X, Axis::Y, Axis::Z])),
             Question::Incircle => ours(INCIRCLE, 4, plane(Plane::Xy)),
             Question::Insphere => ours(INSPHERE, 5, extent(scene, &[Axis::X, Axis::Y, Axis::Z])),
-            Question::Compare(_) => claimed,
+            Question::Compare(_) | Question::Derived(_) => claimed,
         }
     };
     Some(nearest(claimed.upper, HALVINGS.map(of), |band| band.upper))

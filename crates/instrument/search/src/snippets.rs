@@ -7,7 +7,7 @@ use std::fmt::Write as _;
 
 use predicament_corpus::{Items, Spelled};
 use predicament_formats::hexfloat;
-use predicament_predicates::{Plane, Query, Question, Sign, Vertex};
+use predicament_predicates::{Query, Question, Sign, Vertex};
 use predicament_tasks::Finding;
 
 /// The content of a test.
@@ -64,13 +64,8 @@ impl Subject<'_> {
         let point = |v: &Vertex| self.spelled.points.get(v.index()).cloned();
         let points: Vec<Vec<f64>> = args.iter().map(point).collect::<Option<_>>()?;
         let (function, axes): (&'static str, &[usize]) = match question {
-            Question::Compare(axis) => ("compare", &[0, 1, 2][axis.index()..=axis.index()]),
-            Question::Orient2d(Plane::Xy) => ("orient2d", &[0, 1]),
-            Question::Orient2d(Plane::Yz) => ("orient2d", &[1, 2]),
-            Question::Orient2d(Plane::Zx) => ("orient2d", &[2, 0]),
-            Question::Orient3d => ("orient3d", &[0, 1, 2]),
-            Question::Incircle => ("incircle", &[0, 1]),
-            Question::Insphere => ("insphere", &[0, 1, 2]),
+            Question::Derived(derived) => (derived.formula().name(), &[0, 1, 2, 3][..derived.formula().coordinates()]),
+            other => (other.kind().name(), other.coordinates()),
         };
         let seen = |point: Vec<f64>| axes.iter().filter_map(|&axis| point.get(axis).copied()).collect();
         let truth = match self.finding.queries.as_slice() {

@@ -1,25 +1,38 @@
 //! Lists of tasks: the tasks of signs, which every tool has, and lists of tasks of other crates.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use predicament_corpus::{SceneFormat, Vocabulary};
-use predicament_predicates::Backend;
+use predicament_predicates::{Backend, Derived, PredicateKind};
 
 use crate::signs::Signs;
 use crate::{AnyTask, OnTask, Solver, Task};
 
-/// The tasks that ask for single signs, in the order of reports and messages.
-const SIGNS: [&Signs; 5] = [&Signs::COMPARE, &Signs::ORIENT2D, &Signs::ORIENT3D, &Signs::INCIRCLE, &Signs::INSPHERE];
+/// The tasks that ask for single signs, in the order of reports and messages: the five predicates, then those from
+/// formulas.
+///
+/// A task lives as long as the program, and each predicate has one.
+fn sign_tasks() -> Vec<&'static Signs> {
+    static KNOWN: Mutex<Vec<&'static Signs>> = Mutex::new(Vec::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let derived = Derived::all().into_iter().map(PredicateKind::Derived);
+    for kind in PredicateKind::ALL.into_iter().chain(derived) {
+        if known.iter().all(|task| task.kind() != kind) {
+            known.push(Box::leak(Box::new(Signs::of(kind))));
+        }
+    }
+    known.clone()
+}
 
 /// The tasks of signs, then the tasks of this list: all tasks of a tool with the list.
 #[must_use]
 pub fn with_signs(tasks: &impl TaskList) -> Vec<&'static dyn AnyTask> {
-    SIGNS.into_iter().map(|task| task as &'static dyn AnyTask).chain(tasks.tasks()).collect()
+    sign_tasks().into_iter().map(|task| task as &'static dyn AnyTask).chain(tasks.tasks()).collect()
 }
 
 /// A backend as a solver of the tasks of signs and of these tasks.
 pub(crate) fn solvers<B: Backend + 'static>(backend: &Arc<B>, tasks: &impl TaskList) -> Vec<Box<dyn Solver>> {
-    let signs = SIGNS.into_iter().map(|task| Box::new(OnTask::new(backend, *task)) as Box<dyn Solver>);
+    let signs = sign_tasks().into_iter().map(|task| Box::new(OnTask::new(backend, *task)) as Box<dyn Solver>);
     signs.chain(tasks.solvers(backend)).collect()
 }
 

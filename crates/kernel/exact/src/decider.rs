@@ -126,6 +126,7 @@ impl<'s> Decider<'s> {
             (PredicateKind::Incircle, _) => self.flat().incircle.is_double(),
             (PredicateKind::Orient3d, _) => self.solid().orient3d.is_double(),
             (PredicateKind::Insphere, _) => self.solid().insphere.is_double(),
+            (PredicateKind::Derived(_), _) => false,
         }
     }
 

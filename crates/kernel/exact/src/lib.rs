@@ -27,6 +27,7 @@ mod batch;
 mod common_unit;
 pub mod constructed;
 mod decider;
+pub mod derived;
 pub mod determinant;
 pub mod dyadic;
 pub mod estimate;

@@ -12,8 +12,8 @@
 //!   a, b, c, d with a positive `orient3d`.
 
 use crate::{
-    Axis, Band, Construction, Constructs, Contract, Counts, Declined, Dimension, Off, Plane, PredicateKind, Question,
-    Refused, Scene, Sessions, Sign, Tally, Vertex, contact,
+    Axis, Band, Construction, Constructs, Contract, Counts, Declined, Derived, Dimension, Off, Plane, PredicateKind,
+    Question, Refused, Scene, Sessions, Sign, Tally, Vertex, contact,
 };
 
 /// The way in which a backend answers a batch of queries.
@@ -124,11 +124,14 @@ pub trait Predicates: Send + Sync {
 
     /// Checks that the session answers this predicate.
     ///
-    /// The default checks that the scene has the dimension for it.
+    /// The default checks that the scene has the dimension for it, and declines predicates from formulas.
     ///
     /// # Errors
     /// [`Declined`] with the reason.
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        if let PredicateKind::Derived(_) = kind {
+            return Err(Declined::predicate(kind, "the backend does not evaluate formulas"));
+        }
         self.scene().has_dimension_for(kind)
     }
 
@@ -148,6 +151,24 @@ pub trait Predicates: Send + Sync {
 
     /// Positive when e is inside the sphere of a positively oriented a, b, c, d.
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign;
+
+    /// The sign of a predicate from a formula, with the formula's points in the order of the vertices.
+    ///
+    /// The five predicates above are fast paths; this method is the way to all others.
+    ///
+    /// # Panics
+    /// If the session does not [support](Predicates::supports) the predicate, as by default.
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        let _ = vertices;
+        panic!("{} is a formula, which this session does not evaluate", predicate.formula().name())
+    }
+
+    /// [`Predicates::sign`] for many queries, in order; `vertices` has their vertices, query after query.
+    fn sign_batch(&self, predicate: Derived, vertices: &[Vertex], out: &mut [Sign]) {
+        for (query, out) in vertices.chunks_exact(predicate.formula().arity()).zip(out) {
+            *out = self.sign(predicate, query);
+        }
+    }
 
     /// The floating-point determinant from which the answer was computed, or `None` if there was none.
     ///

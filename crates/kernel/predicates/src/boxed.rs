@@ -4,8 +4,8 @@
 //! query.
 
 use crate::{
-    Axis, Band, Construction, Declined, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions, Sign,
-    Vertex,
+    Axis, Band, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions,
+    Sign, Vertex,
 };
 
 // A method that is missing here would use the trait's default and bypass the session's own method.
@@ -41,6 +41,14 @@ impl<P: Predicates + ?Sized> Predicates for Box<P> {
 
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         (**self).insphere(a, b, c, d, e)
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        (**self).sign(predicate, vertices)
+    }
+
+    fn sign_batch(&self, predicate: Derived, vertices: &[Vertex], out: &mut [Sign]) {
+        (**self).sign_batch(predicate, vertices, out);
     }
 
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

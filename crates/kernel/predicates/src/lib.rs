@@ -9,6 +9,7 @@
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Sessions`]: prepares sessions for scenes that an algorithm makes.
 //! * [`Contract`]: the meaning of zero; [`Band`]: its width; [`Declined`]: the reason of a refusal.
+//! * [`Derived`]: a predicate from a formula, beside the five of [`PredicateKind`].
 //! * [`QuerySet`]: many queries as data; [`Query`]: one query as text and back.
 //! * [`Broken`]: the payload that a session throws if it cannot answer, for example because its process crashed.
 //! * [`Class`]: the comparison of an answer with the truth; [`Severity`]: its severity; [`Status`]: the gate's status
@@ -26,6 +27,7 @@ mod constructs;
 mod contact;
 mod contract;
 mod contradiction;
+mod derived;
 mod interned;
 mod query;
 mod question;
@@ -43,6 +45,8 @@ pub use class::{Class, Severity, Status};
 pub use construction::{Construction, ConstructionError};
 pub use constructs::{Constructs, DefinitionError, NoPoint, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
+pub use derived::Derived;
+pub use predicament_formula as formula;
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use crate::{Axis, Plane, Question, UnknownName, Vertex};
+use crate::{Axis, Derived, Plane, Question, UnknownName, Vertex};
 
 /// A query by name: the predicate or task, a detail, and vertices.
 ///
@@ -36,6 +36,7 @@ impl Query {
             ("orient3d", None) => Question::Orient3d,
             ("incircle", None) => Question::Incircle,
             ("insphere", None) => Question::Insphere,
+            (name, None) => Question::Derived(Derived::named(name)?),
             _ => return None,
         };
         let [args] = self.args.as_slice() else { return None };
@@ -101,7 +102,7 @@ impl Question {
         let detail = match self {
             Question::Compare(axis) => Some(axis.name().to_owned()),
             Question::Orient2d(plane) => Some(plane.name().to_owned()),
-            Question::Orient3d | Question::Incircle | Question::Insphere => None,
+            Question::Orient3d | Question::Incircle | Question::Insphere | Question::Derived(_) => None,
         };
         Query { what: self.kind().name().to_owned(), detail, args: vec![args.to_vec()] }
     }

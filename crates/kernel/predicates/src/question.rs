@@ -1,10 +1,10 @@
-//! Questions as data: a predicate, its parameters besides vertices, and sets of queries of one kind.
+//! Questions as data: a predicate with its descriptor, its parameters besides vertices, and sets of queries.
 
 use std::sync::atomic::{Ordering, compiler_fence};
 
-use crate::{Axis, Plane, Predicates, Sign, UnknownName, Vertex};
+use crate::{Axis, Derived, Dimension, Plane, Predicates, Sign, UnknownName, Vertex};
 
-/// The five sign predicates.
+/// A sign predicate: one of the five with methods of their own, or one from a formula.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum PredicateKind {
     /// The order of two vertices along an axis.
@@ -17,10 +17,15 @@ pub enum PredicateKind {
     Incircle,
     /// The position of a fifth vertex relative to the sphere through four.
     Insphere,
+    /// A predicate from a formula.
+    Derived(Derived),
 }
 
 impl PredicateKind {
-    /// All five predicates, in the order of their degrees.
+    /// The number of different values of [`PredicateKind::index`].
+    pub const COUNT: usize = 6;
+
+    /// The five predicates with methods of their own, in the order of their degrees.
     pub const ALL: [PredicateKind; 5] = [
         PredicateKind::Compare,
         PredicateKind::Orient2d,
@@ -31,8 +36,9 @@ impl PredicateKind {
 
     /// The predicate's name in suites, CSV files and on the command line.
     #[must_use]
-    pub const fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
+            PredicateKind::Derived(derived) => derived.formula().name(),
             PredicateKind::Compare => "compare",
             PredicateKind::Orient2d => "orient2d",
             PredicateKind::Orient3d => "orient3d",
@@ -43,8 +49,9 @@ impl PredicateKind {
 
     /// The number of vertices of a query.
     #[must_use]
-    pub const fn arity(self) -> usize {
+    pub fn arity(self) -> usize {
         match self {
+            PredicateKind::Derived(derived) => derived.formula().arity(),
             PredicateKind::Compare => 2,
             PredicateKind::Orient2d => 3,
             PredicateKind::Orient3d | PredicateKind::Incircle => 4,
@@ -52,11 +59,89 @@ impl PredicateKind {
         }
     }
 
-    /// The index in [`PredicateKind::ALL`].
+    /// The index in [`PredicateKind::ALL`]; the number behind it for all predicates from formulas.
     #[inline]
     #[must_use]
     pub const fn index(self) -> usize {
-        self as usize
+        match self {
+            PredicateKind::Compare => 0,
+            PredicateKind::Orient2d => 1,
+            PredicateKind::Orient3d => 2,
+            PredicateKind::Incircle => 3,
+            PredicateKind::Insphere => 4,
+            PredicateKind::Derived(_) => 5,
+        }
+    }
+
+    /// The degree of the polynomial in coordinates.
+    #[must_use]
+    pub fn degree(self) -> u32 {
+        match self {
+            PredicateKind::Compare => 1,
+            PredicateKind::Orient2d => 2,
+            PredicateKind::Orient3d => 3,
+            PredicateKind::Incircle => 4,
+            PredicateKind::Insphere => 5,
+            PredicateKind::Derived(derived) => derived.formula().polynomial().degree(),
+        }
+    }
+
+    /// The dimension of the scenes that the predicate is about; `None` if there are several.
+    #[must_use]
+    pub fn dimension(self) -> Option<Dimension> {
+        match self {
+            PredicateKind::Compare | PredicateKind::Orient2d => None,
+            PredicateKind::Orient3d | PredicateKind::Insphere => Some(Dimension::Three),
+            PredicateKind::Incircle => Some(Dimension::Two),
+            PredicateKind::Derived(derived) => Some(derived.dimension()),
+        }
+    }
+
+    /// Returns true if the determinant has a column of squared lengths.
+    #[must_use]
+    pub const fn is_lifted(self) -> bool {
+        matches!(self, PredicateKind::Incircle | PredicateKind::Insphere)
+    }
+
+    /// The formula of the predicate from which it could be derived; one of several, for predicates in a plane.
+    #[must_use]
+    pub fn formula_text(self) -> &'static str {
+        match self {
+            PredicateKind::Compare => "a.x - b.x",
+            PredicateKind::Orient2d => "det(a - c, b - c)",
+            PredicateKind::Orient3d => "det(a - d, b - d, c - d)",
+            PredicateKind::Incircle => "det([a - d, sq(a - d)], [b - d, sq(b - d)], [c - d, sq(c - d)])",
+            PredicateKind::Insphere => {
+                "det([a - e, sq(a - e)], [b - e, sq(b - e)], [c - e, sq(c - e)], [d - e, sq(d - e)])"
+            }
+            PredicateKind::Derived(derived) => derived.formula().text(),
+        }
+    }
+
+    /// The meaning of the sign, in one line.
+    #[must_use]
+    pub fn about(self) -> &'static str {
+        match self {
+            PredicateKind::Compare => "the order of two vertices along an axis",
+            PredicateKind::Orient2d => "the turn of three vertices in a coordinate plane",
+            PredicateKind::Orient3d => "the side of a plane through three vertices on which a fourth lies",
+            PredicateKind::Incircle => "whether a vertex is in the circle through three",
+            PredicateKind::Insphere => "whether a vertex is in the sphere through four",
+            PredicateKind::Derived(derived) => derived.formula().about(),
+        }
+    }
+
+    /// The question with the first axis or plane, if the predicate has these parameters.
+    #[must_use]
+    pub const fn first_question(self) -> Question {
+        match self {
+            PredicateKind::Compare => Question::Compare(Axis::X),
+            PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
+            PredicateKind::Orient3d => Question::Orient3d,
+            PredicateKind::Incircle => Question::Incircle,
+            PredicateKind::Insphere => Question::Insphere,
+            PredicateKind::Derived(derived) => Question::Derived(derived),
+        }
     }
 }
 
@@ -73,6 +158,7 @@ impl std::str::FromStr for PredicateKind {
         PredicateKind::ALL
             .into_iter()
             .find(|kind| kind.name() == name)
+            .or_else(|| Derived::named(name).map(PredicateKind::Derived))
             .ok_or_else(|| UnknownName::new("predicate", name))
     }
 }
@@ -90,6 +176,8 @@ pub enum Question {
     Incircle,
     /// [`Predicates::insphere`].
     Insphere,
+    /// [`Predicates::sign`] of a formula.
+    Derived(Derived),
 }
 
 impl Question {
@@ -103,6 +191,27 @@ impl Question {
             Question::Orient3d => PredicateKind::Orient3d,
             Question::Incircle => PredicateKind::Incircle,
             Question::Insphere => PredicateKind::Insphere,
+            Question::Derived(derived) => PredicateKind::Derived(derived),
+        }
+    }
+
+    /// The coordinates that the predicate reads, as indices of a point's coordinates; weights are not among them.
+    #[must_use]
+    pub fn coordinates(self) -> &'static [usize] {
+        match self {
+            Question::Compare(axis) => match axis {
+                Axis::X => &[0],
+                Axis::Y => &[1],
+                Axis::Z => &[2],
+            },
+            Question::Orient2d(plane) => match plane {
+                Plane::Xy => &[0, 1],
+                Plane::Yz => &[1, 2],
+                Plane::Zx => &[2, 0],
+            },
+            Question::Incircle => &[0, 1],
+            Question::Orient3d | Question::Insphere => &[0, 1, 2],
+            Question::Derived(derived) => &[0, 1, 2][..derived.formula().dimension()],
         }
     }
 
@@ -118,6 +227,9 @@ impl Question {
             (Question::Orient3d, &[a, b, c, d]) => session.orient3d(a, b, c, d),
             (Question::Incircle, &[a, b, c, d]) => session.incircle(a, b, c, d),
             (Question::Insphere, &[a, b, c, d, e]) => session.insphere(a, b, c, d, e),
+            (Question::Derived(derived), args) if args.len() == derived.formula().arity() => {
+                session.sign(derived, args)
+            }
             _ => panic!("{} takes {} vertices, not {}", self.kind(), self.kind().arity(), args.len()),
         }
     }
@@ -136,6 +248,7 @@ impl Question {
             Question::Orient3d => session.orient3d_batch(args.as_chunks().0, out),
             Question::Incircle => session.incircle_batch(args.as_chunks().0, out),
             Question::Insphere => session.insphere_batch(args.as_chunks().0, out),
+            Question::Derived(derived) => session.sign_batch(derived, args, out),
         }
     }
 
@@ -154,6 +267,12 @@ impl Question {
             Question::Orient3d => singly(args, out, |&[a, b, c, d]| session.orient3d(a, b, c, d)),
             Question::Incircle => singly(args, out, |&[a, b, c, d]| session.incircle(a, b, c, d)),
             Question::Insphere => singly(args, out, |&[a, b, c, d, e]| session.insphere(a, b, c, d, e)),
+            Question::Derived(derived) => {
+                for (query, out) in args.chunks_exact(derived.formula().arity()).zip(out) {
+                    *out = session.sign(derived, query);
+                    compiler_fence(Ordering::SeqCst);
+                }
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! The points that predicates are evaluated on.
 //!
-//! A scene holds only numbers: finite doubles, two or three per vertex. Tasks, queries and polygons live elsewhere. The
-//! scene refuses NaN and infinity once, so backends need not check.
+//! A scene holds only numbers: finite doubles, two or three per vertex, and a weight if the scene has weights. Tasks,
+//! queries and polygons live elsewhere. The scene refuses NaN and infinity once, so backends need not check.
 //!
 //! A session constructs vertices in its own scene, which begins as a copy of the scene that it was prepared for. A copy
 //! shares all lists with the original, so its cost is constant. Input vertices never change; the list of constructions
@@ -22,6 +22,16 @@ pub enum Dimension {
 }
 
 impl Dimension {
+    /// The dimension of points with this number of coordinates; `None` if there is no such dimension.
+    #[must_use]
+    pub const fn of(count: usize) -> Option<Dimension> {
+        match count {
+            2 => Some(Dimension::Two),
+            3 => Some(Dimension::Three),
+            _ => None,
+        }
+    }
+
     /// 2 or 3.
     #[inline]
     #[must_use]
@@ -52,6 +62,13 @@ pub enum SceneError {
         /// The number of coordinates of a point.
         dimension: usize,
     },
+    /// The number of weights is not the number of points.
+    Weights {
+        /// The number of weights.
+        weights: usize,
+        /// The number of points.
+        points: usize,
+    },
     /// There are more points than [`Vertex::MAX_INPUT`].
     TooMany {
         /// The number of points.
@@ -67,6 +84,9 @@ impl std::fmt::Display for SceneError {
             }
             SceneError::Ragged { coordinates, dimension } => {
                 write!(f, "{coordinates} coordinates don't divide into points of {dimension}")
+            }
+            SceneError::Weights { weights, points } => {
+                write!(f, "there are {weights} weights for {points} points; give one for each point")
             }
             SceneError::TooMany { points } => {
                 write!(f, "{points} points are more than the 2^31 that a scene can hold")
@@ -92,6 +112,8 @@ pub struct Scene {
     primitive_lengths: Option<[f64; 2]>,
     /// For each vertex, true if it is in the second of two meshes; empty if there are not two.
     second_mesh: Arc<[bool]>,
+    /// For each vertex its weight; empty if the scene has no weights.
+    weights: Arc<[f64]>,
 }
 
 impl Scene {
@@ -117,6 +139,7 @@ impl Scene {
             constructions: Arc::default(),
             primitive_lengths: None,
             second_mesh: Arc::default(),
+            weights: Arc::default(),
         })
     }
 
@@ -162,6 +185,40 @@ impl Scene {
         vertices.into_iter().for_each(|v| second[v.index()] = true);
         self.second_mesh = second.into();
         self
+    }
+
+    /// The scene with a weight for each input vertex: the coordinate w of formulas.
+    ///
+    /// # Errors
+    /// [`SceneError`] if there is not one weight for each vertex, or with the first weight that is not finite.
+    pub fn with_weights(mut self, weights: Vec<f64>) -> Result<Scene, SceneError> {
+        if weights.len() != self.len() {
+            return Err(SceneError::Weights { weights: weights.len(), points: self.len() });
+        }
+        if let Some(vertex) = weights.iter().position(|weight| !weight.is_finite()) {
+            return Err(SceneError::NotFinite { vertex, axis: self.dimension.count(), value: weights[vertex] });
+        }
+        self.weights = weights.into();
+        Ok(self)
+    }
+
+    /// The scene with the weights of another scene's first vertices, if that has weights.
+    ///
+    /// # Panics
+    /// If the other scene has weights for fewer vertices.
+    #[must_use]
+    pub fn with_weights_of(mut self, other: &Scene) -> Scene {
+        if !other.weights.is_empty() {
+            self.weights = other.weights[..self.len()].into();
+        }
+        self
+    }
+
+    /// The weights of the input vertices; empty if the scene has no weights.
+    #[inline]
+    #[must_use]
+    pub fn weights(&self) -> &[f64] {
+        &self.weights
     }
 
     /// For each input vertex, true if it is in the second mesh; `None` if the scene does not have two meshes.
@@ -305,8 +362,14 @@ impl Scene {
         use PredicateKind::{Compare, Incircle, Insphere, Orient2d, Orient3d};
         match (kind, self.dimension) {
             (Compare | Orient2d, _) | (Incircle, Dimension::Two) | (Orient3d | Insphere, Dimension::Three) => Ok(()),
-            (Incircle, Dimension::Three) => Err(Declined::predicate(kind, "the scene is 3D")),
-            (Orient3d | Insphere, Dimension::Two) => Err(Declined::predicate(kind, "the scene is 2D")),
+            (PredicateKind::Derived(derived), dimension) if derived.dimension() == dimension => {
+                if derived.formula().is_weighted() && self.weights.is_empty() && !self.is_empty() {
+                    return Err(Declined::predicate(kind, "the scene has no weights"));
+                }
+                Ok(())
+            }
+            (_, Dimension::Two) => Err(Declined::predicate(kind, "the scene is 2D")),
+            (_, Dimension::Three) => Err(Declined::predicate(kind, "the scene is 3D")),
         }
     }
 

@@ -13,7 +13,7 @@ use crate::PredicateKind;
 pub const MAX_STAGES: usize = 64;
 /// The number of threads that count without sharing a row.
 pub const ROWS: usize = 64;
-const KINDS: usize = PredicateKind::ALL.len();
+const KINDS: usize = PredicateKind::COUNT;
 
 /// A listener that counts which stage settled each query.
 pub trait Tally: Send + Sync {

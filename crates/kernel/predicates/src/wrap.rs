@@ -126,6 +126,11 @@ macro_rules! forward_to {
             self.$inner.incircle(a, b, c, d)
         }
     };
+    (@ $inner:tt sign) => {
+        fn sign(&self, predicate: $crate::Derived, vertices: &[$crate::Vertex]) -> $crate::Sign {
+            self.$inner.sign(predicate, vertices)
+        }
+    };
     (@ $inner:tt insphere) => {
         fn insphere(
             &self,

@@ -92,6 +92,7 @@ fn in_cache<const N: usize>(kind: PredicateKind, bits: u32) -> (Scene, Vec<[Vert
             PredicateKind::Orient2d => vec![x, 3.0 * x],
             PredicateKind::Orient3d => vec![x, y, 3.0 * x + 5.0 * y],
             PredicateKind::Incircle => vec![p, q],
+            PredicateKind::Derived(_) => unreachable!("the bench is about the five"),
             PredicateKind::Insphere => {
                 let mut point = vec![p, q, 0.0];
                 point.rotate_right(random.below(3));

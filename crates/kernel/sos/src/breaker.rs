@@ -22,7 +22,7 @@ pub(crate) const AS_EXACT: usize = usize::MAX;
 
 /// The exact backend and a perturbation scheme.
 pub(crate) struct Breaker<'s> {
-    scheme: Scheme,
+    pub scheme: Scheme,
     pub exact: predicament_exact::Session<'s, Off>,
     pub points: Points<'s>,
     memo: Memo,

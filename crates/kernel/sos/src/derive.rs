@@ -39,6 +39,7 @@ impl Shape {
             PredicateKind::Orient3d => (3, false),
             PredicateKind::Incircle => (2, true),
             PredicateKind::Insphere => (3, true),
+            PredicateKind::Derived(_) => unreachable!("tables are of the five predicates"),
         };
         Shape { axes, lifted }
     }

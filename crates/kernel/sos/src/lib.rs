@@ -22,6 +22,7 @@ mod deep;
 #[cfg(test)]
 mod definition;
 pub mod derive;
+mod derived;
 mod filter;
 pub mod infinitesimal;
 mod lanes;

@@ -11,11 +11,12 @@
 use predicament_exact::Exact;
 use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
 use predicament_predicates::{
-    Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
-    Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Constructs, Contract, Declined, Derived, MAX_STAGES, Off, Plane, PredicateKind,
+    Predicates, Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::constructed::{self, fixed, rigid};
+use crate::derived;
 use crate::shift::{self, PlaneTies};
 
 /// Simulation of Simplicity between two meshes: the second has moved by (ε, ε², ε³).
@@ -190,6 +191,21 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     fn unperturbed(&self) -> Option<&dyn Sessions> {
         Some(&Exact)
+    }
+
+    fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        predicament_exact::derived::supports(self.scene(), kind)
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        let kind = PredicateKind::Derived(predicate);
+        let (sign, stage) = predicament_exact::derived::decide(self.scene(), predicate, vertices);
+        if sign.is_zero() {
+            let decided = derived::moved_tie(self.second(), self.scene(), predicate, vertices);
+            return self.broken(kind, decided.map(|(sign, place)| (sign, place + 1)), || stage);
+        }
+        self.tally.settled(kind, stage);
+        sign
     }
 
     fn moves_second_mesh(&self) -> bool {

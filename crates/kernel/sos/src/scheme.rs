@@ -63,6 +63,8 @@ impl Scheme {
             (Scheme::EdelsbrunnerMucke, PredicateKind::Orient3d) => tables::EDELSBRUNNER_MUCKE_ORIENT3D,
             (Scheme::EdelsbrunnerMucke, PredicateKind::Incircle) => tables::EDELSBRUNNER_MUCKE_INCIRCLE,
             (Scheme::EdelsbrunnerMucke, PredicateKind::Insphere) => tables::EDELSBRUNNER_MUCKE_INSPHERE,
+            // Formulas derive their terms themselves.
+            (_, PredicateKind::Derived(_)) => &[],
         }
     }
 }

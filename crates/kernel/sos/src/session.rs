@@ -2,10 +2,12 @@
 
 use predicament_exact::{Exact, stage::COMPARE};
 use predicament_predicates::{
-    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
+    Axis, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally,
+    Vertex,
 };
 
 use crate::breaker::{AS_EXACT, Breaker};
+use crate::{derived, stage};
 
 /// The backend, prepared for one scene.
 pub struct Session<'s, T> {
@@ -72,10 +74,13 @@ impl<T: Tally> Predicates for Session<'_, T> {
     /// Circles and spheres take input vertices only.
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         let scene = self.scene();
-        if matches!(kind, PredicateKind::Incircle | PredicateKind::Insphere) && !scene.constructions().is_empty() {
+        if kind.is_lifted() && !scene.constructions().is_empty() {
             return Err(Declined::predicate(kind, "ties of circles through constructed vertices are not broken"));
         }
-        scene.has_dimension_for(kind)
+        if let PredicateKind::Derived(derived) = kind {
+            derived::is_derivable(derived).map_err(|why| Declined::predicate(kind, why))?;
+        }
+        predicament_exact::derived::supports(scene, kind)
     }
 
     #[inline]
@@ -113,6 +118,14 @@ impl<T: Tally> Predicates for Session<'_, T> {
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
         let exact = self.breaker.exact.decide_insphere(a, b, c, d, e);
         self.settle(PredicateKind::Insphere, exact, || self.breaker.tie_insphere(a, b, c, d, e))
+    }
+
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        let exact = predicament_exact::derived::decide(self.scene(), predicate, vertices);
+        self.settle(PredicateKind::Derived(predicate), exact, || {
+            let decided = derived::tie(self.breaker.scheme, self.scene(), predicate, vertices);
+            decided.map_or((Sign::Zero, AS_EXACT), |(sign, place)| (sign, stage::of_term(self.breaker.scheme, place)))
+        })
     }
 
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {

@@ -19,6 +19,11 @@ pub(crate) fn of_degree(degree: usize) -> usize {
     EXACT.len() + degree.clamp(1, DEGREES.len()) - 1
 }
 
+/// The stage of a tie that the term at this place decides; the last stage of the scheme if there are more terms.
+pub(crate) fn of_term(scheme: Scheme, place: usize) -> usize {
+    (FIRST_TERM + place).min(names(scheme).len() - 1)
+}
+
 #[rustfmt::skip]
 const TERMS: [&str; 60] = [
     "term 1", "term 2", "term 3", "term 4", "term 5", "term 6", "term 7", "term 8", "term 9", "term 10",

@@ -92,9 +92,7 @@ impl<F: Float> Backend for Tolerance<F> {
     fn contract(&self, kind: PredicateKind) -> Contract {
         match kind {
             PredicateKind::Compare => Contract { zero: ZeroMeaning::Exact, proved: true },
-            PredicateKind::Orient2d | PredicateKind::Orient3d | PredicateKind::Incircle | PredicateKind::Insphere => {
-                Contract { zero: ZeroMeaning::Band, proved: true }
-            }
+            _ => Contract { zero: ZeroMeaning::Band, proved: true },
         }
     }
 

@@ -22,6 +22,7 @@ mod band;
 pub mod bounds;
 pub mod circles;
 mod contacts;
+pub mod derived;
 mod extent;
 mod float;
 mod planted;

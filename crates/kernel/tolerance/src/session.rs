@@ -3,14 +3,16 @@
 //! A batch is computed in vector registers, in the order of operations of one query, so its answers are the same bit by
 //! bit.
 
+use std::sync::OnceLock;
+
 use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
-    Axis, Band, Construction, Declined, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
-    Tally, Vertex,
+    Axis, Band, Construction, Declined, Derived, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene,
+    Sign, Tally, Vertex,
 };
 
 use crate::contacts::{EdgeVertex, Pairs};
-use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, quantities};
+use crate::{ContactTolerances, Float, Tolerances2d, Tolerances3d, circles, derived, quantities};
 
 /// The reason to decline a scene with constructed vertices, or a construction.
 pub(crate) const INPUT_ONLY: &str = "the tolerances are for input vertices, not for constructed ones";
@@ -26,6 +28,8 @@ pub struct Session<'s, T, F = f64> {
     tally: T,
     tolerances: Tolerances<F>,
     form: EdgeVertex,
+    /// The band of the first formula that the session was asked about.
+    known: OnceLock<(Derived, Result<Band, Declined>)>,
 }
 
 /// The tolerances of a scene, or the reason why it has none.
@@ -127,7 +131,7 @@ impl<'s, T, F: Float> Session<'s, T, F> {
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
         };
         let widths = Widths::new(&tolerances, scene.dimension());
-        Session { scene, points2, points3, widths, tally, tolerances, form }
+        Session { scene, points2, points3, widths, tally, tolerances, form, known: OnceLock::new() }
     }
 }
 
@@ -209,9 +213,19 @@ impl<T, F: Float> Session<'_, T, F> {
             Question::Orient2d(plane) => self.tolerances2d(plane).err(),
             Question::Incircle => self.circular(Dimension::Two).err(),
             Question::Insphere => self.circular(Dimension::Three).err(),
+            Question::Derived(derived) => self.derived(derived).err(),
             Question::Compare(_) | Question::Orient3d => None,
         };
         panic!("{}", declined.unwrap_or_else(|| Declined::predicate(question.kind(), "needs a 3D scene")))
+    }
+
+    /// The band of a predicate from a formula, derived at its first use.
+    fn derived(&self, derived: Derived) -> Result<Band, Declined> {
+        let known = self.known.get_or_init(|| (derived, derived::prepared::<F>(self.scene, derived)));
+        match known {
+            (first, band) if *first == derived => band.clone(),
+            _ => derived::prepared::<F>(self.scene, derived),
+        }
     }
 
     /// The band of the predicate for circles that scenes of `dimension` have.
@@ -245,6 +259,7 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
             PredicateKind::Orient3d => Err(Declined::predicate(kind, "needs a 3D scene")),
             PredicateKind::Incircle => self.circular(Dimension::Two).map(|_| ()),
             PredicateKind::Insphere => self.circular(Dimension::Three).map(|_| ()),
+            PredicateKind::Derived(derived) => self.derived(derived).map(|_| ()),
         }
     }
 
@@ -286,12 +301,22 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         Sign::of(beyond(width, sphere::<F>(self.solid([a, b, c, d, e]))))
     }
 
+    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+        self.tally.settled(PredicateKind::Derived(predicate), 0);
+        let band = self.derived(predicate).unwrap_or_else(|declined| panic!("{declined}"));
+        let value = predicate.with_points(self.scene, vertices, |points| derived::value::<F>(predicate, points));
+        Sign::of(beyond(band.width, value))
+    }
+
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
         match (question, args) {
             (Question::Orient2d(plane), &[a, b, c]) => Some(area::<F>(self.flat(plane, [a, b, c]))),
             (Question::Orient3d, &[a, b, c, d]) => Some(volume::<F>(self.solid([a, b, c, d]))),
             (Question::Incircle, &[a, b, c, d]) => Some(circle::<F>(self.flat(Plane::Xy, [a, b, c, d]))),
             (Question::Insphere, &[a, b, c, d, e]) => Some(sphere::<F>(self.solid([a, b, c, d, e]))),
+            (Question::Derived(derived), args) if args.len() == derived.formula().arity() => {
+                Some(derived.with_points(self.scene, args, |points| derived::value::<F>(derived, points)))
+            }
             _ => None,
         }
     }
@@ -303,6 +328,7 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
             Question::Orient3d => self.tolerances.spatial.map(|tolerances| tolerances.xi),
             Question::Incircle => self.circular(Dimension::Two).ok(),
             Question::Insphere => self.circular(Dimension::Three).ok(),
+            Question::Derived(derived) => self.derived(derived).ok(),
             Question::Compare(_) => None,
         }
     }

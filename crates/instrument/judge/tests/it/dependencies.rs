@@ -1,4 +1,4 @@
-//! Checks that the judge depends on the vocabulary and on `rug` only, not on code that it judges.
+//! Checks that the judge depends on the vocabulary and on `rug`, not on code that it judges.
 
 /// The names under `[dependencies]` of a manifest.
 fn dependencies(manifest: &str) -> Vec<&str> {
@@ -15,7 +15,17 @@ fn no_path_leads_from_the_judge_to_what_it_judges() {
         ["predicament-predicates", "rug", "gmp-mpfr-sys"],
         "anything else needs a reason: the truth may share no code with a backend or an algorithm"
     );
-    assert_eq!(dependencies(include_str!("../../../../kernel/predicates/Cargo.toml")), ["serde"]);
+    assert_eq!(
+        dependencies(include_str!("../../../../kernel/predicates/Cargo.toml")),
+        ["predicament-formula", "serde"]
+    );
+    // Of formulas the judge reads the syntax tree, and no program, filter or term that backends use.
+    let formula = include_str!("../../src/formula.rs");
+    let used: Vec<&str> = formula.lines().filter(|line| line.contains("::formula::")).collect();
+    assert_eq!(used, ["use predicament_predicates::formula::{Formula, Ring, interpret};"]);
+    for other in [".program()", ".estimate(", ".sign(", ".certain(", ".polynomial()", ".terms("] {
+        assert!(!formula.contains(other), "the judge of formulas calls {other}");
+    }
     // The manifest reader finds a dependency that exists.
     assert!(dependencies(include_str!("../../../../systems/contacts/Cargo.toml")).contains(&"predicament-mesh"));
 }

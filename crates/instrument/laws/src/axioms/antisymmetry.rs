@@ -1,13 +1,14 @@
 //! The law of antisymmetry: an odd permutation of the arguments changes the sign.
 
-use std::sync::OnceLock;
+use std::collections::BTreeMap;
+use std::sync::{Mutex, OnceLock, PoisonError};
 
-use predicament_predicates::{PredicateKind, Predicates, Question, Sign, Vertex, ZeroMeaning};
+use predicament_predicates::{Derived, PredicateKind, Predicates, Question, Sign, Vertex, ZeroMeaning};
 
 use super::{Answer, Law, Violation, says_nothing};
 
 /// The maximum number of arguments of a predicate.
-const MOST: usize = 5;
+const MOST: usize = predicament_predicates::formula::MOST_POINTS;
 
 /// An order of arguments: the index of the argument at each position, and the parity.
 struct Order {
@@ -17,9 +18,9 @@ struct Order {
 
 /// Checks the signs of one query in every order of its arguments.
 ///
-/// All five predicates are signs of determinants with one row (or, for the comparison, one term) per vertex, so an odd
-/// permutation flips the sign. A violation has two answers: the first order whose answer is a sign, and an order that
-/// contradicts it.
+/// The five predicates are signs of determinants with one row (or, for the comparison, one term) per vertex, so an odd
+/// permutation flips the sign. A formula has the orders that keep or flip its sign. A violation has two answers: the
+/// first order whose answer is a sign, and an order that contradicts it.
 ///
 /// # Panics
 /// If the number of vertices in `args` is not the predicate's.
@@ -82,6 +83,9 @@ impl Order {
 /// All orders of a predicate's arguments, the given one first.
 fn orders(kind: PredicateKind) -> &'static [Order] {
     static ORDERS: [OnceLock<Vec<Order>>; PredicateKind::ALL.len()] = [const { OnceLock::new() }; 5];
+    if let PredicateKind::Derived(derived) = kind {
+        return orders_of_formula(derived);
+    }
     ORDERS[kind.index()].get_or_init(|| {
         let mut orders = Vec::new();
         let items: Vec<Vertex> = (0..kind.arity()).map(Vertex::input).collect();
@@ -91,6 +95,26 @@ fn orders(kind: PredicateKind) -> &'static [Order] {
             orders.push(Order { places, parity });
         });
         orders
+    })
+}
+
+/// The orders of a formula's arguments that keep or flip its sign, the given one first; kept for each formula.
+fn orders_of_formula(derived: Derived) -> &'static [Order] {
+    static KNOWN: Mutex<BTreeMap<Derived, &'static [Order]>> = Mutex::new(BTreeMap::new());
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    known.entry(derived).or_insert_with(|| {
+        let order = |to: &[usize], parity| {
+            let mut places = [0; MOST];
+            to.iter().zip(&mut places).for_each(|(&at, place)| *place = at);
+            Order { places, parity }
+        };
+        let given: Vec<usize> = (0..derived.formula().arity()).collect();
+        let mut orders = vec![order(&given, Sign::Positive)];
+        orders.extend(derived.formula().swaps().iter().map(|swap| {
+            let parity = if swap.turns { Sign::Negative } else { Sign::Positive };
+            order(&swap.to, parity)
+        }));
+        orders.leak()
     })
 }
 

@@ -100,7 +100,8 @@ impl Zeros {
     /// The meaning of a zero of this predicate.
     #[must_use]
     pub fn of(self, kind: PredicateKind) -> ZeroMeaning {
-        self.0[kind.index()]
+        // Laws between predicates have no formulas in them; a formula has the meaning of the turn.
+        self.0[if let PredicateKind::Derived(_) = kind { PredicateKind::Orient2d.index() } else { kind.index() }]
     }
 }
 

@@ -83,7 +83,7 @@ enum Vector {
 
 /// All relations that contain brackets of this predicate, starting with the relation without points at infinity.
 ///
-/// Empty for a comparison: its relations say that the order is transitive.
+/// Empty for a comparison, whose relations say that the order is transitive, and for predicates from formulas.
 #[must_use]
 pub fn relations(question: Question) -> Vec<Relation> {
     let directions = directions(question);
@@ -93,7 +93,7 @@ pub fn relations(question: Question) -> Vec<Relation> {
     });
     let mut all: Vec<Relation> = subsets.filter_map(|at_infinity| Relation::new(question, &at_infinity)).collect();
     all.sort_by_key(|relation| relation.at_infinity.len());
-    if let Question::Compare(_) = question { Vec::new() } else { all }
+    if let Question::Compare(_) | Question::Derived(_) = question { Vec::new() } else { all }
 }
 
 impl Relation {
@@ -286,8 +286,9 @@ fn directions(question: Question) -> Vec<Direction> {
         Question::Orient2d(plane) => return plane.axes().map(Direction::Axis).into(),
         Question::Incircle => &[Axis::X, Axis::Y],
         Question::Orient3d | Question::Insphere => &[Axis::X, Axis::Y, Axis::Z],
+        Question::Derived(_) => return Vec::new(),
     };
-    let lift = matches!(question, Question::Incircle | Question::Insphere).then_some(Lift);
+    let lift = question.kind().is_lifted().then_some(Lift);
     axes.iter().copied().map(Direction::Axis).chain(lift).collect()
 }
 

@@ -19,7 +19,7 @@ impl Session<'_> {
         let flat = |plane, v: &[Vertex]| v.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
         let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
-            Question::Compare(_) => None,
+            Question::Compare(_) | Question::Derived(_) => None,
             Question::Orient2d(plane) => {
                 let p = flat(plane, args);
                 filter::orient2d(p[0], p[1], p[2], share * bound(determinant::ORIENT2D, &p))
@@ -58,7 +58,7 @@ impl Session<'_> {
         };
         let flat = |plane: Plane| plane.axes().map(|axis| length(axis.index()));
         match question {
-            Question::Compare(_) => 0.0,
+            Question::Compare(_) | Question::Derived(_) => 0.0,
             Question::Orient2d(plane) => static_orient2d(flat(plane)),
             Question::Orient3d => static_orient3d([0, 1, 2].map(length)),
             Question::Incircle => static_incircle(flat(Plane::Xy)),
@@ -85,7 +85,7 @@ impl Session<'_> {
         let flat = |plane| args.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
         let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
-            Question::Compare(_) => None,
+            Question::Compare(_) | Question::Derived(_) => None,
             Question::Orient2d(plane) => rows(&flat(plane)).map(determinant::orient2d::<1, 2>),
             Question::Orient3d => rows(&solid()).map(determinant::orient3d::<1, 2, 3>),
             Question::Incircle => rows(&flat(Plane::Xy)).map(determinant::incircle::<1, 2, 4>),

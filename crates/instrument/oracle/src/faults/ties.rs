@@ -26,8 +26,8 @@ pub(super) fn break_tie<P: Predicates, const N: usize>(
         }
         Fault::SosMixedOrders => {
             let scheme = match question {
-                Question::Incircle | Question::Insphere => Scheme::EdelsbrunnerMucke,
-                Question::Compare(_) | Question::Orient2d(_) | Question::Orient3d => Scheme::PerCoordinate,
+                lifted if lifted.kind().is_lifted() => Scheme::EdelsbrunnerMucke,
+                _ => Scheme::PerCoordinate,
             };
             decide(scheme.terms(question.kind()), &sorted.vertices).map(|(sign, _)| sign * sorted.parity)
         }

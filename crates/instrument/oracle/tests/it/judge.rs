@@ -6,7 +6,7 @@
 
 use predicament_corpus::homogeneous;
 use predicament_judge as judge;
-use predicament_predicates::{Axis, Construction, Dimension, Plane, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Derived, Dimension, Plane, Question, Scene, Sign, Vertex};
 use predicament_tasks::signs::{SignQueries, Signs};
 use proptest::prelude::*;
 use rug::{Integer, Rational};
@@ -21,6 +21,9 @@ fn most() -> usize {
 /// The sign of the homogeneous determinant. Constructed vertices have a positive weight instead of the one, by joins
 /// and meets of integer vectors.
 fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    if let Question::Derived(derived) = question {
+        return expanded(scene, derived, args);
+    }
     let axes = match question {
         Question::Compare(axis) => vec![axis],
         Question::Orient2d(plane) => plane.axes().to_vec(),
@@ -47,6 +50,22 @@ fn third(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     let scale = rows.iter().flatten().map(Rational::denom).max().expect("coordinates").clone();
     let whole = |row: &Vec<Rational>| row.iter().map(|x| Integer::from(x.numer() * &scale) / x.denom()).collect();
     bareiss(rows.iter().map(whole).collect())
+}
+
+/// The sign of a formula's expanded polynomial, monomial by monomial.
+fn expanded(scene: &Scene, derived: Derived, args: &[Vertex]) -> Sign {
+    let coordinates: Vec<Rational> = derived.with_points(scene, args, |points| {
+        points.iter().flat_map(|point| point.iter().map(|&x| judge::rational(x))).collect()
+    });
+    let mut sum = Rational::new();
+    for (exponents, coefficient) in derived.formula().polynomial().terms() {
+        let mut product = Rational::from(coefficient);
+        for (x, &exponent) in coordinates.iter().zip(exponents) {
+            (0..exponent).for_each(|_| product *= x);
+        }
+        sum += product;
+    }
+    Sign::from(sum.cmp0())
 }
 
 fn bareiss(mut matrix: Vec<Vec<Integer>>) -> Sign {

@@ -60,7 +60,7 @@ pub fn heights(task: &str) -> &'static [Height] {
 
 /// The predicate of a task of signs.
 pub(super) fn kind_of(task: &str) -> Option<PredicateKind> {
-    PredicateKind::ALL.into_iter().find(|kind| kind.name() == task)
+    task.parse().ok()
 }
 
 /// The maximum degeneracy; larger values come from another range, not from more degeneracy.
@@ -96,7 +96,10 @@ fn of_signs(scene: &Scene, content: &SignQueries, backends: &[&dyn Contestant]) 
         let log2 = judge::log2_relative(&judge::verdict(scene, question, args)).map(|log2| -log2);
         degenerate = degenerate.max(log2.unwrap_or(0.0));
         relative.push(log2.unwrap_or(0.0));
-        if let Some(points) = points(scene, question, args) {
+        if let Question::Derived(derived) = question {
+            let one = Rounding::of_formula(derived, scene, args);
+            rounding = rounding.max(one.wrong().unwrap_or_else(|| one.carried(2.0)));
+        } else if let Some(points) = points(scene, question, args) {
             let one = Rounding::of(question.kind(), &points);
             rounding = rounding.max(one.wrong().unwrap_or_else(|| one.carried(2.0)));
         }
@@ -110,8 +113,13 @@ fn of_signs(scene: &Scene, content: &SignQueries, backends: &[&dyn Contestant]) 
     ]
 }
 
-/// The coordinates of a query's points, with those of its plane first; `None` if a vertex is constructed.
+/// The coordinates of a query's points, with those of its plane first.
+///
+/// `None` if a vertex is constructed, and for formulas.
 pub(super) fn points(scene: &Scene, question: Question, args: &[Vertex]) -> Option<Points> {
+    if let Question::Derived(_) = question {
+        return None;
+    }
     let mut points = [[0.0; 3]; 5];
     for (place, &v) in points.iter_mut().zip(args) {
         if v.is_constructed() {
@@ -126,12 +134,7 @@ pub(super) fn points(scene: &Scene, question: Question, args: &[Vertex]) -> Opti
 
 /// The axes that a question uses, in its order.
 pub(super) fn axes(question: Question) -> Vec<usize> {
-    match question {
-        Question::Compare(axis) => vec![axis.index()],
-        Question::Orient2d(plane) => plane.axes().iter().map(|axis| axis.index()).collect(),
-        Question::Incircle => vec![0, 1],
-        Question::Orient3d | Question::Insphere => vec![0, 1, 2],
-    }
+    question.coordinates().to_vec()
 }
 
 /// The degeneracy of the most degenerate query that a backend settles before its last stage.
@@ -169,6 +172,10 @@ fn ties_of(scene: &Scene, question: Question) -> i64 {
         (PredicateKind::Orient2d, (0..scene.dimension().count().min(2)).collect()),
         (PredicateKind::Compare, (0..scene.dimension().count()).collect()),
     ] {
+        if let PredicateKind::Derived(_) = kind {
+            // Turns and comparisons count; ties of a formula would need its exact value for each choice.
+            continue;
+        }
         subsets(vertices.len(), kind.arity(), &mut |chosen| {
             let mut points = [[0.0; 3]; 5];
             for (place, &at) in points.iter_mut().zip(chosen) {

@@ -296,8 +296,8 @@ impl<'a> Hunt<'a> {
             .wanted
             .class
             .is_none_or(|class| matches!(class, SignFlip | Overreach | MissedZero | Inconsistent));
-        let kind =
-            heights::kind_of(self.quarry.task.name()).filter(|&kind| kind != PredicateKind::Compare && of_signs)?;
+        let kind = heights::kind_of(self.quarry.task.name())
+            .filter(|&kind| !matches!(kind, PredicateKind::Compare | PredicateKind::Derived(_)) && of_signs)?;
         let loaded = parent.spelled.loaded(self.quarry.vocabulary, "climbed").ok()?;
         let content: &predicament_tasks::signs::SignQueries = loaded.content()?;
         let queries = &content.queries;
@@ -314,7 +314,7 @@ impl<'a> Hunt<'a> {
         let cost = match kind {
             PredicateKind::Orient3d | PredicateKind::Incircle => 3,
             PredicateKind::Insphere => 8,
-            PredicateKind::Compare | PredicateKind::Orient2d => 1,
+            PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Derived(_) => 1,
         };
         let steps = (6_000_u32 << doublings) / cost;
         let temperature = if anew { 0.1 } else { [0.0, 0.02, 0.1][at(random.unit(), 3)] };

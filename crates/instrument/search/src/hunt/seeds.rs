@@ -2,7 +2,7 @@
 
 use predicament_corpus::{Level, LoadedScene, Random, SceneDef, Spelled, Suite};
 use predicament_formats::{Cache, CorpusError};
-use predicament_predicates::{Axis, Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_predicates::{Dimension, QuerySet, Question, Scene, Vertex};
 use predicament_tasks::Budget;
 use predicament_tasks::signs::SignQueries;
 
@@ -76,20 +76,21 @@ pub fn has_shapes(task: &str) -> bool {
 #[must_use]
 pub(super) fn shape(task: &str, random: &mut Random) -> Option<Spelled> {
     let kind = kind_of(task)?;
-    let (question, dimension) = match kind {
-        PredicateKind::Compare => (Question::Compare(Axis::X), Dimension::Two),
-        PredicateKind::Orient2d => (Question::Orient2d(Plane::Xy), Dimension::Two),
-        PredicateKind::Orient3d => (Question::Orient3d, Dimension::Three),
-        PredicateKind::Incircle => (Question::Incircle, Dimension::Two),
-        PredicateKind::Insphere => (Question::Insphere, Dimension::Three),
-    };
+    let (question, dimension) = (kind.first_question(), kind.dimension().unwrap_or(Dimension::Two));
     let mut number = |low: i64, high: i64| random.integer(low, high);
     let arity = kind.arity();
     let more = usize::try_from(number(0, 3)).unwrap_or_default();
     let size = number(1, 8);
     #[allow(clippy::cast_precision_loss)] // small
     let coordinates: Vec<f64> = (0..(arity + more) * dimension.count()).map(|_| number(-size, size) as f64).collect();
-    let scene = Scene::new(dimension, coordinates).ok()?;
+    let mut scene = Scene::new(dimension, coordinates).ok()?;
+    if let Question::Derived(derived) = question
+        && derived.formula().is_weighted()
+    {
+        #[allow(clippy::cast_precision_loss)] // small
+        let weights = (0..scene.len()).map(|_| number(-size, size) as f64).collect();
+        scene = scene.with_weights(weights).ok()?;
+    }
     let mut args: Vec<Vertex> = Vec::new();
     for _ in 0..number(1, 3) {
         let mut left: Vec<Vertex> = scene.vertices().collect();

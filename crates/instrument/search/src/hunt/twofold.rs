@@ -4,7 +4,7 @@
 //! 106 bits, which is enough for an objective: it decides nothing. If a product underflows or overflows, pairs are as
 //! wrong as doubles.
 
-use predicament_predicates::PredicateKind;
+use predicament_predicates::{Derived, PredicateKind, Question, Scene, Vertex};
 
 /// The points of a query, with zeros for missing points and third coordinates.
 pub(super) type Points = [[f64; 3]; 5];
@@ -110,6 +110,7 @@ impl Ring for Magnitude {
 fn determinant<T: Ring>(kind: PredicateKind, points: &Points) -> T {
     let d = |row: usize, axis: usize, pivot: usize| T::difference(points[row][axis], points[pivot][axis]);
     match kind {
+        PredicateKind::Derived(_) => unreachable!("formulas have programs"),
         PredicateKind::Compare => d(0, 0, 1),
         PredicateKind::Orient2d => d(0, 0, 2).times(d(1, 1, 2)).minus(d(0, 1, 2).times(d(1, 0, 2))),
         PredicateKind::Orient3d => {
@@ -176,6 +177,17 @@ impl Rounding {
         Rounding { computed, nearly: pair.0, error, permanent }
     }
 
+    /// The rounding of a formula's estimate; its value is exact, and rounded once.
+    pub(super) fn of_formula(derived: Derived, scene: &Scene, args: &[Vertex]) -> Rounding {
+        let program = derived.formula().program();
+        let computed = derived.with_points(scene, args, |points| program.estimate(|point, axis| points[point][axis]));
+        let verdict = predicament_judge::verdict(scene, Question::Derived(derived), args);
+        let exact = verdict.determinant.to_f64();
+        let distance = |x| (predicament_judge::rational(x) - &verdict.determinant).abs().to_f64();
+        let error = if computed.is_finite() { distance(computed) } else { f64::NAN };
+        Rounding { computed, nearly: exact, error, permanent: verdict.permanent.to_f64() }
+    }
+
     /// The margin by which rounding carries the determinant to the other side, in units of u times the permanent: the
     /// error, less the price of a nonzero determinant. If that is not a number, the result is an arbitrary negative
     /// number.
@@ -207,22 +219,15 @@ impl Rounding {
 mod tests {
     use super::*;
     use predicament_judge::verdict;
-    use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Vertex};
+    use predicament_predicates::Dimension;
 
     #[test]
     fn pairs_agree_with_rationals() {
         let mut random = predicament_corpus::Random::new("hunt", "pairs", 1);
         for kind in PredicateKind::ALL {
-            let question = match kind {
-                PredicateKind::Compare => Question::Compare(Axis::X),
-                PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
-                PredicateKind::Orient3d => Question::Orient3d,
-                PredicateKind::Incircle => Question::Incircle,
-                PredicateKind::Insphere => Question::Insphere,
-            };
+            let question = kind.first_question();
             for _ in 0..50 {
-                let flat = !matches!(kind, PredicateKind::Orient3d | PredicateKind::Insphere);
-                let dimension = if flat { Dimension::Two } else { Dimension::Three };
+                let dimension = kind.dimension().unwrap_or(Dimension::Two);
                 let mut points = [[0.0; 3]; 5];
                 points.iter_mut().flatten().for_each(|x| *x = random.mantissa());
                 let coordinates = points.iter().take(kind.arity()).flat_map(|p| p[..dimension.count()].to_vec());

@@ -110,7 +110,7 @@ fn related(given: &Given<'_>, zeros: Zeros, budget: Budget, watch: &Watch) -> Re
             let look = |sample: &[[Vertex; 3]]| of_relations(transitivity_of_all(session, axis, sample, zero));
             found.merge(in_chunks(&sample, 3, budget, watch, look)?, budget);
         }
-        let lifted = matches!(question, Question::Incircle | Question::Insphere);
+        let lifted = question.kind().is_lifted();
         let wanted = |relation: &Relation| budget.thorough || (!lifted && relation.law() == Law::GrassmannPlucker);
         for relation in relations(question).into_iter().filter(wanted) {
             let supported = relation.questions().all(|question| session.supports(question.kind()).is_ok());
@@ -162,7 +162,7 @@ fn later_vertices(given: &Given<'_>, asked: &Asked<'_>, zeros: Zeros) -> Result<
     let listed = scene.constructions().is_empty() && scene.second_mesh().is_none();
     let half = scene.len().div_ceil(2);
     let coordinates = scene.coordinates()[..half * scene.dimension().count()].to_vec();
-    let first = Scene::new(scene.dimension(), coordinates).ok();
+    let first = Scene::new(scene.dimension(), coordinates).ok().map(|first| first.with_weights_of(scene));
     let first = first.filter(|_| listed && zeros.of(question.kind()) != ZeroMeaning::Band);
     let Some(first) = first else { return Ok(Violations::default()) };
     let within: Vec<&[Vertex]> = (0..given.queries.len())

@@ -3,8 +3,8 @@
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
 };
-use predicament_formats::{Cache, CorpusError, Entry, Field, Fields};
-use predicament_predicates::{PredicateKind, QuerySet, Question, Scene, Sign, Vertex};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, RowKind, read_rows};
+use predicament_predicates::{Derived, PredicateKind, QuerySet, Question, Scene, Sign, Vertex};
 
 use super::constructed::Constructions;
 use super::fixture::Fixture;
@@ -37,6 +37,8 @@ impl Content for SignQueries {
         let of = match question {
             Question::Compare(axis) => format!(" {}", axis.name()),
             Question::Orient2d(plane) => format!(" {}", plane.name()),
+            // The formula is part of the question; its name alone could be used for two.
+            Question::Derived(derived) => format!(" {}", derived.formula().text()),
             Question::Orient3d | Question::Incircle | Question::Insphere => String::new(),
         };
         canon.text(&format!("{}{of}", question.kind()));
@@ -49,7 +51,7 @@ impl Content for SignQueries {
         let words = match question {
             Question::Compare(axis) => vec![("axis", format!("\"{}\"", axis.name()))],
             Question::Orient2d(plane) => vec![("plane", format!("\"{}\"", plane.name()))],
-            Question::Orient3d | Question::Incircle | Question::Insphere => Vec::new(),
+            Question::Orient3d | Question::Incircle | Question::Insphere | Question::Derived(_) => Vec::new(),
         };
         let queries = self.queries.flat().chunks_exact(question.kind().arity()).map(<[Vertex]>::to_vec).collect();
         let lists = vec![List::required("queries", Items::Tuples(queries))];
@@ -76,6 +78,15 @@ fn from_points(
     fields: &Fields<'_, '_>,
     points: &Field<'_, '_>,
 ) -> Result<Source, CorpusError> {
+    if let PredicateKind::Derived(derived) = kind
+        && derived.formula().is_weighted()
+    {
+        let plan = Plan::read(fields, kind)?;
+        let scene = weighted(derived, points)?;
+        let queries = plan.queries(fields.file(), &scene)?;
+        let remarks = plan.remark(&scene).into_iter().collect();
+        return Ok(Source::Written(Parts { remarks, ..Parts::new(scene, SignQueries::new(queries)) }));
+    }
     let asked = Asked {
         plan: Plan::read(fields, kind)?,
         constructed: Constructions::read(fields, kind)?,
@@ -87,6 +98,22 @@ fn from_points(
         return Ok(Source::Written(asked.load(Level::Quick, &Cache::new(""))?));
     }
     Ok(Source::elsewhere(asked))
+}
+
+/// A scene of weighted points: the last number of each point is its weight.
+fn weighted(derived: Derived, points: &Field<'_, '_>) -> Result<Scene, CorpusError> {
+    let width = derived.formula().coordinates();
+    let kind = RowKind {
+        name: "weighted point",
+        widths: width..=width,
+        numbers: "numbers",
+        cure: "give every point its coordinates and then its weight",
+    };
+    let rows = read_rows(points, &kind)?;
+    let weights = rows.numbers.chunks_exact(width).map(|point| point[width - 1]).collect();
+    let coordinates = rows.numbers.chunks_exact(width).flat_map(|point| &point[..width - 1]).copied().collect();
+    let scene = Scene::new(derived.dimension(), coordinates).and_then(|scene| scene.with_weights(weights));
+    scene.map_err(|error| points.error(error.to_string(), "correct the points"))
 }
 
 /// Points, written out or in a data file beside the suite, and the queries about them.

@@ -8,8 +8,9 @@ use std::collections::BTreeMap;
 use std::fmt;
 
 use predicament_corpus::{homogeneous, integer, lowest_exponent};
+use predicament_judge::Verdict;
 use predicament_predicates::{Axis, QuerySet, Question, Scene, Vertex};
-use rug::Integer;
+use rug::{Integer, Rational};
 
 /// The maximum number of queries measured: of larger scenes, a deterministic sample.
 const SAMPLE: usize = 10_000;
@@ -59,6 +60,12 @@ pub fn degeneracy(scene: &Scene, queries: &QuerySet) -> Histogram {
 /// The value ⌊log₂(|det| / permanent)⌋, or `None` if the determinant is zero.
 fn relative(scene: &Scene, queries: &QuerySet, query: usize) -> Option<i64> {
     let args = queries.args(query);
+    if let Question::Derived(_) = queries.question() {
+        let Verdict { determinant, permanent } = predicament_judge::verdict(scene, queries.question(), args);
+        let over_one = |x: &Rational, y: &Rational| Integer::from(x.numer() * y.denom()).abs();
+        let [det, permanent] = [over_one(&determinant, &permanent), over_one(&permanent, &determinant)];
+        return (!det.is_zero()).then(|| floor_log2_of_ratio(&det, &permanent));
+    }
     let Magnitudes { det, permanent } = match queries.question() {
         Question::Compare(axis) => {
             let rows = weighted(scene, args, &[axis]);
@@ -71,6 +78,7 @@ fn relative(scene: &Scene, queries: &QuerySet, query: usize) -> Option<i64> {
         Question::Incircle | Question::Insphere => {
             minor(&lifted(relative_to_last(&integers(args, |v| scene.point(v).to_vec()))))
         }
+        Question::Derived(_) => return None,
     };
     let det = det.abs();
     if det.is_zero() {

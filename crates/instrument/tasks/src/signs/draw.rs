@@ -16,7 +16,7 @@ pub(super) fn draw(scene: &Scene, queries: &QuerySet, canvas: &mut Canvas) -> st
     let few = 0..queries.len().min(MOST_QUERIES);
     let bases: Vec<&[Vertex]> = few.map(|query| queries.args(query)).map(|args| &args[..args.len() - 1]).collect();
     match queries.kind() {
-        PredicateKind::Compare => {}
+        PredicateKind::Compare | PredicateKind::Derived(_) => {}
         PredicateKind::Orient2d => {
             canvas.lines(scene, "lines", Role::Faint, &bases)?;
         }

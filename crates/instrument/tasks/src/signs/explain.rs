@@ -2,7 +2,7 @@
 //! to permutations.
 
 use predicament_judge as judge;
-use predicament_predicates::{Declined, Query, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Declined, PredicateKind, Query, Question, Scene, Sign, Vertex};
 
 use crate::{Contestant, ExplainError, Explanation};
 
@@ -39,7 +39,7 @@ fn permuted(
     args: &[Vertex],
     backends: &[&dyn Contestant],
 ) -> Vec<(String, Vec<Sign>)> {
-    let orders = permutations(args.len());
+    let orders = orders(question.kind());
     let asked: Vec<Vertex> = orders.iter().flat_map(|(order, _)| order.iter().map(|&at| args[at])).collect();
     let turned = |signs: &[Sign]| -> Vec<Sign> {
         signs.iter().zip(&orders).map(|(&sign, &(_, is_odd))| if is_odd { -sign } else { sign }).collect()
@@ -59,6 +59,14 @@ fn permuted(
         rows.extend(prepared.ok().and(told).map(|signs| (backend.name(), signs)));
     }
     rows
+}
+
+/// The orders of a predicate's arguments, each with true if it turns the sign.
+fn orders(kind: PredicateKind) -> Vec<(Vec<usize>, bool)> {
+    let PredicateKind::Derived(derived) = kind else { return permutations(kind.arity()) };
+    let given = (0..kind.arity()).collect();
+    let swaps = derived.formula().swaps().iter().map(|swap| (swap.to.clone(), swap.turns));
+    std::iter::once((given, false)).chain(swaps).collect()
 }
 
 /// All permutations of `count` indices, in lexicographic order, each with true if it is odd.

@@ -4,7 +4,7 @@ use predicament_corpus::{Context, Elsewhere, Level, Origin, Parts};
 use predicament_formats::{
     Cache, CorpusError, Decimals, Entry, Field, ImportNotes, Place, TableKind, explain, shown, skipped,
 };
-use predicament_predicates::{Dimension, Plane, PredicateKind, QuerySet, Question, Scene, Sign};
+use predicament_predicates::{Dimension, PredicateKind, QuerySet, Question, Scene, Sign};
 
 use super::SignQueries;
 
@@ -25,14 +25,11 @@ impl Fixture {
         fixture: &Field<'_, '_>,
     ) -> Result<Fixture, CorpusError> {
         let question = match kind {
-            PredicateKind::Compare => {
+            PredicateKind::Compare | PredicateKind::Derived(_) => {
                 let cure = "use orient2d, orient3d, incircle or insphere";
                 return Err(fixture.error(format!("no fixture has rows for {kind}"), cure));
             }
-            PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
-            PredicateKind::Orient3d => Question::Orient3d,
-            PredicateKind::Incircle => Question::Incircle,
-            PredicateKind::Insphere => Question::Insphere,
+            other => other.first_question(),
         };
         let table = fixture.fields(&FIXTURE)?;
         let origin = Origin::fetched(context, &table.required("fetch")?)?;
@@ -66,10 +63,7 @@ fn read_fixture(
     kind: PredicateKind,
     decimals: &Decimals,
 ) -> Result<(Scene, Vec<Sign>), CorpusError> {
-    let dimension = match kind {
-        PredicateKind::Orient3d | PredicateKind::Insphere => Dimension::Three,
-        PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => Dimension::Two,
-    };
+    let dimension = kind.dimension().unwrap_or(Dimension::Two);
     let width = kind.arity() * dimension.count() + 2;
     let mut coordinates = Vec::new();
     let mut expected = Vec::new();

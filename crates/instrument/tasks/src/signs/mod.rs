@@ -24,13 +24,14 @@ mod write;
 
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
+use predicament_predicates::{Derived, PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
 pub use class::classify;
 pub use content::SignQueries;
 pub use degeneracy::{Histogram, degeneracy};
 pub use each_class::classes;
+pub use families::adversaries;
 pub use truth::truth;
 
 use crate::output::{self, Canvas, Files};
@@ -91,6 +92,10 @@ impl SceneFormat for Signs {
     fn template(&self) -> String {
         let indices: Vec<String> = (0..self.kind.arity()).map(|index| index.to_string()).collect();
         let points = first_points(self.kind).join(",\n@written     ");
+        let points = match self.kind {
+            PredicateKind::Derived(derived) => example_points(derived).join(",\n@written     "),
+            _ => points,
+        };
         include_str!("template.txt")
             .replace("{points}", &format!("[\n@written     {points},\n@written ]"))
             .replace("{arity}", &self.kind.arity().to_string())
@@ -98,13 +103,7 @@ impl SceneFormat for Signs {
     }
 
     fn about(&self) -> &'static str {
-        match self.kind {
-            PredicateKind::Compare => "the order of two vertices along an axis",
-            PredicateKind::Orient2d => "the turn of three vertices in a coordinate plane",
-            PredicateKind::Orient3d => "the side of a plane through three vertices on which a fourth lies",
-            PredicateKind::Incircle => "whether a vertex is in the circle through three",
-            PredicateKind::Insphere => "whether a vertex is in the sphere through four",
-        }
+        self.kind.about()
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -143,6 +142,7 @@ impl Task for Signs {
 
     fn compared(&self) -> &'static [Compared] {
         match self.kind {
+            PredicateKind::Derived(_) => &[],
             PredicateKind::Insphere => {
                 const {
                     &[
@@ -264,6 +264,18 @@ fn signs(session: &dyn Predicates, content: &SignQueries, how: &How<'_>, out: &m
     out.par_chunks_mut(CHUNK).enumerate().try_for_each(batch)
 }
 
+/// Example points of the template for a formula.
+fn example_points(derived: Derived) -> Vec<String> {
+    let point = |at: usize| {
+        let axis = at % derived.formula().dimension();
+        let coordinates =
+            (0..derived.formula().dimension()).map(|k| if k == axis { (at + 1).to_string() } else { "0".to_owned() });
+        let weight = derived.formula().is_weighted().then(|| "0".to_owned());
+        format!("[{}]", coordinates.chain(weight).collect::<Vec<_>>().join(", "))
+    };
+    (0..derived.formula().arity()).map(point).collect()
+}
+
 /// Example points of the template, for which plain doubles are wrong, or nearly.
 fn first_points(kind: PredicateKind) -> &'static [&'static str] {
     match kind {
@@ -271,6 +283,7 @@ fn first_points(kind: PredicateKind) -> &'static [&'static str] {
         PredicateKind::Orient2d => &["[0.5, \"0x1.0000000000001p-1\"]", "[12, 12]", "[24, 24]"],
         PredicateKind::Orient3d => &["[0, 0, 0]", "[1, 0, 0]", "[0, 1, 0]", "[0.25, 0.25, \"0x1p-60\"]"],
         PredicateKind::Incircle => &["[1, 0]", "[0, 1]", "[-1, 0]", "[0, \"-0x1.0000000000001p+0\"]"],
+        PredicateKind::Derived(_) => &[],
         PredicateKind::Insphere => {
             &["[1, 0, 0]", "[0, 1, 0]", "[0, 0, 1]", "[-1, 0, 0]", "[0, 0, \"-0x1.0000000000001p+0\"]"]
         }

@@ -134,9 +134,7 @@ pub(super) fn question(fields: &Fields<'_, '_>, kind: PredicateKind) -> Result<Q
                 .parse()
                 .map_err(|unknown: UnknownName| field.error(unknown.to_string(), "write xy, yz or zx"))?,
         }),
-        PredicateKind::Orient3d => Question::Orient3d,
-        PredicateKind::Incircle => Question::Incircle,
-        PredicateKind::Insphere => Question::Insphere,
+        other => other.first_question(),
     })
 }
 
@@ -151,8 +149,7 @@ pub fn axis(fields: &Fields<'_, '_>) -> Result<Axis, CorpusError> {
 pub(super) fn fits(question: Question, dimension: Dimension) -> Result<(), (String, String)> {
     let needed = match question {
         Question::Compare(Axis::X | Axis::Y) | Question::Orient2d(Plane::Xy) => return Ok(()),
-        Question::Incircle => Dimension::Two,
-        _ => Dimension::Three,
+        other => other.kind().dimension().unwrap_or(Dimension::Three),
     };
     if dimension == needed {
         return Ok(());

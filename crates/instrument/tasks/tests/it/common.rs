@@ -15,9 +15,19 @@ pub fn queries(loaded: &LoadedScene) -> &QuerySet {
 }
 
 /// The exact determinant of one query: the homogeneous one, with a column of ones and no translation, in the
-/// conventions of `Predicates`.
+/// conventions of `Predicates`. Of a formula it is the expanded polynomial, monomial by monomial.
 pub fn determinant(loaded: &LoadedScene, query: usize) -> Rational {
     let queries = queries(loaded);
+    if let Question::Derived(derived) = queries.question() {
+        let coordinates: Vec<Rational> = derived.with_points(&loaded.scene, queries.args(query), |points| {
+            points.iter().flat_map(|point| point.iter().map(|&x| Rational::from_f64(x).unwrap())).collect()
+        });
+        let monomial = |(exponents, coefficient): (&[u8], i128)| {
+            let powers = coordinates.iter().zip(exponents).flat_map(|(x, &power)| vec![x; power.into()]);
+            powers.fold(Rational::from(coefficient), |product, x| product * x)
+        };
+        return derived.formula().polynomial().terms().map(monomial).sum();
+    }
     let row = |v: &Vertex| -> Vec<Rational> {
         let all: Vec<f64> = match queries.question() {
             Question::Compare(axis) => vec![loaded.scene.coordinate(axis, *v)],

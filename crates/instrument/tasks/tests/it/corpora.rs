@@ -167,7 +167,7 @@ fn degenerate_families_are_degenerate() {
         }
         seen += 1;
     }
-    assert_eq!(seen, 11);
+    assert_eq!(seen, 20);
 }
 
 #[test]

@@ -94,7 +94,9 @@ pub(super) fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Quest
         Question::Compare(axis) => columns[0] = axis.index(),
         Question::Orient2d(plane) => columns[..2].copy_from_slice(&plane.axes().map(Axis::index)),
         Question::Orient3d => columns[..3].copy_from_slice(&[0, 1, 2]),
-        Question::Incircle | Question::Insphere => panic!("circles are about input vertices"),
+        Question::Incircle | Question::Insphere | Question::Derived(_) => {
+            panic!("{} is about input vertices", question.kind())
+        }
     }
     let meets = args.map(|v| v.construction().map(|index| rows.of(scene, index)));
     // A constructed vertex whose simplest definition is an input vertex is that input vertex.

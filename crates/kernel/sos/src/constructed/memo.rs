@@ -81,7 +81,7 @@ impl Memo {
 
 /// The slot index of a tie.
 fn place(question: Question, vertices: &[Vertex; MOST]) -> usize {
-    let kind = question.kind() as usize;
+    let kind = question.kind().index();
     let mixed = vertices.iter().fold(kind, |sum, v| {
         // (The multiplier is an odd number near 2^64 divided by the golden ratio; any other would do.)
         let number = 2 * v.construction().unwrap_or_else(|| v.index()) + usize::from(v.is_constructed());

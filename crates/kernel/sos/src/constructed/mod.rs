@@ -124,7 +124,9 @@ impl Expression for Determinant<'_> {
             Question::Compare(axis) => SmallVec::from_slice(&[axis]),
             Question::Orient2d(plane) => SmallVec::from_slice(&plane.axes()),
             Question::Orient3d => SmallVec::from_slice(&[Axis::X, Axis::Y, Axis::Z]),
-            Question::Incircle | Question::Insphere => panic!("circles are about input vertices"),
+            Question::Incircle | Question::Insphere | Question::Derived(_) => {
+                panic!("{} is about input vertices", self.question.kind())
+            }
         };
         let columns = axes.iter().map(|axis| axis.index()).chain([self.dimension]);
         Matrix { places: SmallVec::from_slice(self.places), columns: columns.collect() }

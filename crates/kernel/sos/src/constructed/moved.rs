@@ -47,7 +47,7 @@ impl<C: Coefficient> Moved<'_, C> {
             Question::Compare(axis) => self.minor(&rows(&[axis]), [0, 1], [0, 1]),
             Question::Orient2d(plane) => self.turn(&rows(&plane.axes())),
             Question::Orient3d => self.side(&rows(&[Axis::X, Axis::Y, Axis::Z])),
-            Question::Incircle | Question::Insphere => {
+            Question::Incircle | Question::Insphere | Question::Derived(_) => {
                 let input = |place: &Place| match place {
                     Place::Input(v) => *v,
                     Place::Meet(construction) => panic!("no circle goes through {construction}"),

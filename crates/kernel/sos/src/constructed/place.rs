@@ -110,7 +110,7 @@ pub(super) fn depend(question: Question, places: &[Place]) -> bool {
                 });
                 triples || coplanar(places)
             }
-            Question::Compare(_) | Question::Incircle | Question::Insphere => false,
+            Question::Compare(_) | Question::Incircle | Question::Insphere | Question::Derived(_) => false,
         }
 }
 

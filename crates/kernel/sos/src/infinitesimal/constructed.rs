@@ -235,6 +235,9 @@ pub(super) fn judge(scene: &Scene, question: Question, args: &[Vertex]) -> Sign 
 /// If the scene does not have two meshes.
 #[must_use]
 pub fn judge_per_mesh(scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
+    if let Question::Derived(derived) = question {
+        return super::formula::judge_per_mesh(scene, derived, args);
+    }
     let asked = Asked::new(scene, question, args);
     let points = asked.rigidly(scene.second_mesh().expect("a scene with two meshes"));
     asked.sign(|part| asked.value(part, &points).sign())

@@ -16,6 +16,7 @@
 //! up; if all of them cancel, the limit rises to include the next vertex.
 
 mod constructed;
+mod formula;
 mod polynomial;
 
 pub use constructed::judge_per_mesh;
@@ -34,6 +35,9 @@ use crate::Scheme;
 #[must_use]
 pub fn judge(scheme: Scheme, scene: &Scene, question: Question, args: &[Vertex]) -> Sign {
     assert_eq!(args.len(), question.kind().arity(), "{} has its number of vertices", question.kind());
+    if let Question::Derived(derived) = question {
+        return formula::judge(scheme, scene, derived, args);
+    }
     if args.iter().any(|v| v.is_constructed()) {
         assert_eq!(scheme, Scheme::PerCoordinate, "only this scheme moves constructed vertices");
         return constructed::judge(scene, question, args);
@@ -56,6 +60,7 @@ pub fn judge(scheme: Scheme, scene: &Scene, question: Question, args: &[Vertex])
             }
             matrix
         }
+        Question::Derived(_) => return Sign::Zero,
     };
     limits.map(|limit| determinant(&matrix, limit).sign()).find(|sign| !sign.is_zero()).unwrap_or(Sign::Zero)
 }

@@ -18,13 +18,7 @@ pub fn questions(dimension: usize) -> Vec<Question> {
 
 /// The question of a kind that uses the first axes.
 pub fn question(kind: PredicateKind) -> Question {
-    match kind {
-        PredicateKind::Compare => Question::Compare(Axis::X),
-        PredicateKind::Orient2d => Question::Orient2d(Plane::Xy),
-        PredicateKind::Orient3d => Question::Orient3d,
-        PredicateKind::Incircle => Question::Incircle,
-        PredicateKind::Insphere => Question::Insphere,
-    }
+    kind.first_question()
 }
 
 pub fn ids<const N: usize>(indices: [usize; N]) -> [Vertex; N] {

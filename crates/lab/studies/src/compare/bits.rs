@@ -51,6 +51,10 @@ fn exact(scene: &Scene, kinds: &[PredicateKind]) -> i32 {
             PredicateKind::Orient3d => ORIENT3D.form,
             PredicateKind::Incircle => INCIRCLE.form,
             PredicateKind::Insphere => INSPHERE.form,
+            PredicateKind::Derived(derived) => {
+                let bits = derived.formula().bits().of(bits.unsigned_abs());
+                return i32::try_from(bits).unwrap_or(i32::MAX);
+            }
         };
         form.degree * bits + form.growth
     };

@@ -159,7 +159,7 @@ fn zeros_have_the_meaning_that_is_promised_by_predicate() {
     let meaning = |kind: PredicateKind| match kind {
         PredicateKind::Compare => ZeroMeaning::Exact,
         PredicateKind::Orient2d | PredicateKind::Insphere => ZeroMeaning::Band,
-        PredicateKind::Orient3d | PredicateKind::Incircle => ZeroMeaning::Never,
+        _ => ZeroMeaning::Never,
     };
     let zeros = Zeros::promised(|kind| Contract { zero: meaning(kind), proved: true });
     assert_eq!(PredicateKind::ALL.map(|kind| zeros.of(kind)), PredicateKind::ALL.map(meaning));

@@ -3,6 +3,7 @@
 
 use predicament_predicates::PredicateKind;
 
+use super::formula;
 use predicament_corpus::{Random, Recipe};
 use predicament_formats::bits::{integer, power_of_two};
 use predicament_formats::{CorpusError, Fields};
@@ -22,6 +23,9 @@ struct Sizes {
 /// A query whose answer is 0, also after scaling by 2^k: the coordinates are integers of at most 48 bits times a power
 /// of two, hence doubles.
 pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+    if let PredicateKind::Derived(derived) = kind {
+        return formula::tie(derived.formula(), rng, out);
+    }
     let sizes = Sizes { origin: 1 << 30, step: 1 << 15, steps: 1 << 15, parameter: 12 };
     let unit = power_of_two(rng.integer(-40, 40));
     out.extend(integers(kind, &sizes, rng).into_iter().map(|n| integer(n) * unit));
@@ -52,6 +56,7 @@ fn integers(kind: PredicateKind, sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
         PredicateKind::Orient3d => plane(sizes, rng),
         PredicateKind::Incircle => round::<2>(4, sizes, rng),
         PredicateKind::Insphere => round::<3>(5, sizes, rng),
+        PredicateKind::Derived(_) => Vec::new(),
     }
 }
 

@@ -34,6 +34,7 @@ pub(super) fn kettner(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>)
             out.extend([high, low, high, high, low, high]);
             out.extend([p[0], p[1]]);
         }
+        PredicateKind::Derived(_) => unreachable!("the family is not for formulas"),
         PredicateKind::Insphere => {
             out.extend([high, low, low, low, high, low, low, low, high, high, high, high]);
             out.extend(p);

@@ -15,10 +15,14 @@ const SOLID: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2
 
 /// The families that make queries for a predicate.
 pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
-    static FAMILIES: [OnceLock<Vec<Family>>; PredicateKind::ALL.len()] = [const { OnceLock::new() }; 5];
+    static FAMILIES: [OnceLock<Vec<Family>>; PredicateKind::COUNT] = [const { OnceLock::new() }; PredicateKind::COUNT];
     FAMILIES[kind.index()].get_or_init(|| {
+        let fits = |kinds: &[PredicateKind], family: &Family| match kind {
+            PredicateKind::Derived(_) => kinds == ALL && family.name != "kettner",
+            _ => kinds.contains(&kind),
+        };
         let all = families().into_iter();
-        all.filter(|(kinds, _)| kinds.contains(&kind)).map(|(_, family)| family).collect()
+        all.filter(|(kinds, family)| fits(kinds, family)).map(|(_, family)| family).collect()
     })
 }
 

@@ -9,6 +9,7 @@ mod band;
 mod constructed;
 mod degenerate;
 mod far;
+mod formula;
 mod kettner;
 mod list;
 mod near;
@@ -20,17 +21,42 @@ mod wide;
 
 use predicament_corpus::{Making, Parts, Random, Recipe};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{Construction, Dimension, PredicateKind, QuerySet, Question, Scene, Vertex};
+use predicament_predicates::formula::Formula;
+use predicament_predicates::{
+    Construction, Dimension, PredicateKind, QuerySet, Question, Scene, SceneError, Sign, Vertex,
+};
 
 pub(super) use list::of;
 
 use super::{SignQueries, queries};
+
+/// Points near and on the zeros of a formula, at several scales, with the exact sign at each: half near, half ties.
+///
+/// If the formula has weights, each point ends with its weight. The same seed gives the same points.
+#[must_use]
+pub fn adversaries(formula: &Formula, count: usize, seed: u64) -> Vec<(Vec<Vec<f64>>, Sign)> {
+    let mut rng = Random::new("adversaries", formula.name(), seed);
+    let one = |at: usize| {
+        let mut all = Vec::new();
+        if at.is_multiple_of(2) {
+            formula::near(formula, 2, &mut rng, &mut all)
+        } else {
+            formula::tie(formula, &mut rng, &mut all)
+        }
+        let points: Vec<Vec<f64>> = all.chunks(formula.coordinates()).map(<[f64]>::to_vec).collect();
+        let slices: Vec<&[f64]> = points.iter().map(Vec::as_slice).collect();
+        let value = predicament_judge::formula_value(formula, &slices).unwrap_or_default();
+        (points, value.cmp0().into())
+    };
+    (0..count).map(one).collect()
+}
 
 /// The number of coordinates that a family uses for a predicate.
 fn native(kind: PredicateKind) -> usize {
     match kind {
         PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => 2,
         PredicateKind::Orient3d | PredicateKind::Insphere => 3,
+        PredicateKind::Derived(derived) => derived.formula().coordinates(),
     }
 }
 
@@ -67,6 +93,7 @@ impl Asked {
                 Dimension::Three
             }
             (PredicateKind::Orient3d | PredicateKind::Insphere, _) => Dimension::Three,
+            (PredicateKind::Derived(derived), _) => derived.dimension(),
             (PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle, _) => Dimension::Two,
         };
         fits(dimension, "write `dimension = 3`")
@@ -83,12 +110,24 @@ impl Asked {
 
     /// The scene of a cloud.
     fn parts(self, cloud: Cloud) -> Parts {
-        let mut scene = Scene::new(self.dimension, cloud.coordinates).expect("generators make finite points");
+        let mut scene = self.scene(cloud.coordinates).expect("generators make finite points");
         for construction in cloud.constructions {
             scene.construct(construction).expect("generators construct from the scene's points");
         }
         let args = cloud.args.unwrap_or_else(|| scene.vertices().collect());
         Parts::new(scene, SignQueries::new(QuerySet::new(self.question, args)))
+    }
+
+    /// The scene of points; each ends with its weight if the question is about weights.
+    fn scene(self, coordinates: Vec<f64>) -> Result<Scene, SceneError> {
+        let Question::Derived(derived) = self.question else { return Scene::new(self.dimension, coordinates) };
+        if !derived.formula().is_weighted() {
+            return Scene::new(self.dimension, coordinates);
+        }
+        let weighted = coordinates.chunks_exact(self.dimension.count() + 1);
+        let weights = weighted.clone().map(|point| point[point.len() - 1]).collect();
+        let points = weighted.flat_map(|point| &point[..point.len() - 1]).copied().collect();
+        Scene::new(self.dimension, points)?.with_weights(weights)
     }
 
     /// The scene of a cloud whose points are in the family's own plane.

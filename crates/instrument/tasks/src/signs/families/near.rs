@@ -2,6 +2,7 @@
 
 use predicament_predicates::PredicateKind;
 
+use super::formula;
 use predicament_corpus::{Random, Recipe};
 use predicament_formats::bits::step;
 use predicament_formats::{CorpusError, Fields};
@@ -18,6 +19,7 @@ pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut V
     let start = out.len();
     let dimension = super::native(kind);
     match kind {
+        PredicateKind::Derived(derived) => return formula::near(derived.formula(), ulps, rng, out),
         PredicateKind::Compare => {
             let x = rng.unit();
             out.extend([x, rng.unit(), x, rng.unit()]);

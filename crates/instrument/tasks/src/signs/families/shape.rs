@@ -11,7 +11,7 @@ pub(super) fn place(coordinates: Vec<f64>, question: Question, dimension: Dimens
         Question::Compare(axis) => (axis, if axis == Axis::Y { Axis::X } else { Axis::Y }),
         Question::Orient2d(plane) => (plane.axes()[0], plane.axes()[1]),
         Question::Incircle => (Axis::X, Axis::Y),
-        Question::Orient3d | Question::Insphere => return coordinates,
+        Question::Orient3d | Question::Insphere | Question::Derived(_) => return coordinates,
     };
     if dimension == Dimension::Two && (first, second) == (Plane::Xy.axes()[0], Plane::Xy.axes()[1]) {
         return coordinates;

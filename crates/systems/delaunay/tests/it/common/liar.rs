@@ -15,7 +15,7 @@ impl Liar<'_> {
             Question::Compare(axis) => axis.index(),
             Question::Orient2d(plane) => 3 + plane as usize,
             Question::Orient3d => 6,
-            Question::Incircle | Question::Insphere => 7,
+            Question::Incircle | Question::Insphere | Question::Derived(_) => 7,
         };
         let hash = args.iter().map(|v| v.index()).chain([of_kind]).fold(self.seed, |hash, x| {
             let hash = (hash ^ x as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15);

@@ -250,7 +250,7 @@ impl Draft {
         let first = match self.question {
             Question::Compare(axis) => axis.index(),
             Question::Orient2d(plane) => plane.axes()[0].index(),
-            Question::Orient3d | Question::Incircle | Question::Insphere => 0,
+            Question::Orient3d | Question::Incircle | Question::Insphere | Question::Derived(_) => 0,
         };
         let width = self.arrangement.dimension().count();
         let vertex = Vertex::input(self.coordinates.len() / width);

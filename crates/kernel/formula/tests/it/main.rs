@@ -1,0 +1,8 @@
+//! The crate, held to rationals, to explicit infinitesimals and to the hand-made predicates.
+
+mod common;
+mod filters;
+mod grammar;
+mod perturbed;
+mod random;
+mod written;

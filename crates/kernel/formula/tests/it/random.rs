@@ -1,0 +1,93 @@
+//! Random polynomials: filter and exact stages against rationals, on inputs near and on the zero set.
+
+// Small numbers, and random bits of which any part is as good.
+#![allow(clippy::cast_possible_truncation, clippy::cast_precision_loss, clippy::cast_sign_loss)]
+
+use std::cmp::Ordering;
+
+use predicament_effort::some_or_all;
+use predicament_formula::{Definition, Formula};
+use predicament_judge::formula_value;
+
+use crate::common::{HAND_MADE, Input, Random, formula, slices, solve};
+
+/// A random formula of degree up to 6 in up to 12 coordinates.
+fn random_formula(random: &mut Random) -> Formula {
+    loop {
+        let dimension = 1 + random.below(3) as usize;
+        let points = (2 + random.below(4) as usize).min(12 / dimension);
+        let terms = 2 + random.below(3);
+        let mut text = String::new();
+        for term in 0..terms {
+            if term > 0 {
+                text += if random.below(2) == 0 { " + " } else { " - " };
+            }
+            for factor in 0..1 + random.below(6) {
+                let name = |random: &mut Random| (b'a' + random.below(points as u64) as u8) as char;
+                let axis = |random: &mut Random| ["x", "y", "z"][random.below(dimension as u64) as usize];
+                if factor > 0 {
+                    text += " * ";
+                }
+                let (p, q, axis) = (name(random), name(random), axis(random));
+                text += &match random.below(6) {
+                    0 => format!("{p}.{axis}"),
+                    1 if factor == 0 => format!("{} * {p}.{axis}", 2 + random.below(7)),
+                    2 => format!("({p}.{axis} + {q}.{axis})"),
+                    _ => format!("({p}.{axis} - {q}.{axis})"),
+                };
+            }
+        }
+        let definition = Definition { dimension: Some(dimension), ..Definition::anonymous(&text) };
+        if let Ok(formula) = Formula::new(definition)
+            && (2..=6).contains(&formula.polynomial().degree())
+        {
+            return formula;
+        }
+    }
+}
+
+/// The numbers of inputs, of certain signs and of ties among some inputs of a formula; panics at a wrong sign.
+fn check(formula: &Formula, inputs: usize, random: &mut Random) -> [usize; 3] {
+    let mut seen = [0; 3];
+    for at in 0..inputs {
+        let kind = Input::ALL[at % Input::ALL.len()];
+        let mut points = kind.points(formula, random);
+        if (at / Input::ALL.len()).is_multiple_of(2)
+            && matches!(kind, Input::Uniform | Input::Far | Input::Mixed | Input::Grid | Input::Faint)
+        {
+            solve(formula, &mut points, random);
+        }
+        let slices = slices(&points);
+        let truth = formula_value(formula, &slices).expect("finite").cmp0();
+        let context = || format!("{} at {points:?} ({kind:?})", formula.text());
+        let certain = formula.certain(&slices);
+        assert!(certain.is_none_or(|sign| sign == truth), "filter: {}", context());
+        assert_eq!(formula.unfiltered(&slices).0, truth, "exact: {}", context());
+        seen[0] += 1;
+        seen[1] += usize::from(certain.is_some());
+        seen[2] += usize::from(truth == Ordering::Equal);
+    }
+    seen
+}
+
+#[test]
+fn signs_of_random_polynomials_are_right() {
+    let mut random = Random(2026);
+    let mut all = [0; 3];
+    for _ in 0..50 {
+        let formula = random_formula(&mut random);
+        let seen = check(&formula, some_or_all(700, 1_000_000), &mut random);
+        all = std::array::from_fn(|i| all[i] + seen[i]);
+    }
+    let [inputs, certain, ties] = all;
+    assert!(certain > inputs / 4 && ties > inputs / 100, "{all:?}");
+}
+
+#[test]
+fn signs_of_the_determinants_are_right() {
+    let mut random = Random(4);
+    for (name, text, dimension) in HAND_MADE {
+        let [inputs, certain, ties] = check(&formula(text, dimension), some_or_all(3000, 300_000), &mut random);
+        assert!(certain > inputs / 4 && ties > inputs / 30, "{name}: {inputs} {certain} {ties}");
+    }
+}
