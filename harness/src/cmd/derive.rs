@@ -23,8 +23,8 @@ Examples:
   predicament derive 'det(a - c, b - c)'
   predicament derive 'sq(a - p) - sq(b - p)' --dimension 3 --name nearer --out nearer
   predicament derive power.toml --terms 40
-  predicament ask --formula nearer.toml nearer 0,0 1,0 0,1
-  predicament hunt --formula nearer.toml nearer -b naive";
+  predicament ask --formula nearer/nearer.toml nearer 0,0 1,0 0,1
+  predicament hunt --formula nearer/nearer.toml nearer -b naive";
 
 /// Derive a robust predicate from a polynomial: its filter, bits, perturbation and code
 #[derive(clap::Args)]

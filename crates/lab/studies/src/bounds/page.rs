@@ -130,7 +130,7 @@ still holds in the plane, and in space if 5/2 · 7ε^¼ ≤ 1 − 7ε^¼, that i
 
 fn others(page: &mut String) {
     heading(page, "With true division");
-    paragraph(page, "With u = û/m, the bounds that depend on u are smaller than the published bounds.");
+    paragraph(page, "The bounds that depend on u are smaller than the published bounds, as u is û/m here.");
     let (ours, other) = (derivations(), other_orders());
     let before = |row: &Derivation| {
         let same = |other: &&Derivation| (other.section, &other.name) == (row.section, &row.name);
