@@ -48,6 +48,9 @@ pub fn test() -> Result<(), String> {
     cargo("format", &["fmt", "--all", "--check"])?;
     let compiler = compiler::environment()?;
     let doc_tests = run_tests("clippy, docs and tests", &compiler)?;
+    // As other libraries get it: without the features that this workspace turns on.
+    let alone = ["check", "--profile", "ci", "-p", "predicament-exact", "--no-default-features"];
+    cargo("the exact kernel without the standard library", &alone)?;
     let planted = selftest()?;
     engine_examples(&compiler)?;
     gate()?;

@@ -11,6 +11,8 @@ use crate::select::Planned;
 
 /// The typical number of samples of a scene until a backend's median is known.
 const SAMPLES: u64 = 6;
+/// The typical number of interfaces of a backend: single queries and batches.
+const INTERFACES: u64 = 2;
 
 /// A limit on the time of a bench.
 pub struct Limit<'r> {
@@ -27,7 +29,7 @@ pub struct Limit<'r> {
 /// The scenes of a sample, in the given order, and a line that says what was left out.
 pub fn sample(mut scenes: Vec<Planned>, limit: &Limit<'_>) -> Result<(Vec<Planned>, String), Failure> {
     let costs = Costs::read(std::slice::from_ref(limit.run)).map_err(Failure::usage)?;
-    let least = limit.backends.len() as u64 * SAMPLES * limit.sample_ms * 1000;
+    let least = limit.backends.len() as u64 * INTERFACES * SAMPLES * limit.sample_ms * 1000;
     // A bench asks for each answer more often than a run, in several ways.
     let cost = |planned: &Planned| 2 * costs.of(&planned.plan, limit.backends).0.unwrap_or(0).max(least);
     // For each task: the cheapest scene of each family, cheapest families first.

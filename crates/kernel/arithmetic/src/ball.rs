@@ -25,8 +25,8 @@
 //! u|m|; scaled, it is at least u·2^−500 and loses nothing. A center below 1 has a radius of 1 or more: if such a
 //! center underflows in a product or by scaling, by 2^−1075 at most, the radius has 2^−551 to spare.
 
-use std::cmp::Ordering;
-use std::ops::{Add, Mul, Neg, Sub};
+use core::cmp::Ordering;
+use core::ops::{Add, Mul, Neg, Sub};
 
 use crate::parts::{field, power_of_two};
 

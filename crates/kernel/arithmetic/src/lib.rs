@@ -10,12 +10,19 @@
 //! * [`Parts`]: a double as an integer times a power of two.
 //! * [`Fixed`]: integers of a fixed size; [`dyadic`]: exact numbers, limbs times a power of two; [`Ball`]: doubles with
 //!   a proved radius. All on the stack.
-//! * [`rational`], [`Scaled`]: doubles as exact numbers.
+//! * [`BigInt`]: integers of any length.
+//! * `rational`, `Scaled` (feature `gmp`): doubles as exact numbers of GMP.
 //! * [`difference_up`]: a difference rounded up, for lengths that bound others.
 
+#![cfg_attr(not(test), no_std)]
+
+extern crate alloc;
+
 mod ball;
+mod big;
 pub mod bound;
 pub mod dyadic;
+#[cfg(any(test, feature = "gmp"))]
 mod exact;
 mod fixed;
 mod parts;
@@ -23,6 +30,8 @@ mod plan;
 mod short;
 
 pub use ball::Ball;
+pub use big::BigInt;
+#[cfg(any(test, feature = "gmp"))]
 pub use exact::{Scaled, rational};
 pub use fixed::Fixed;
 pub use parts::{Parts, power_of_two};

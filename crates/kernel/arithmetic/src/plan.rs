@@ -30,6 +30,7 @@
 //! the other values need; a [`Form`] carries the result.
 
 use crate::{Parts, power_of_two};
+use alloc::vec::Vec;
 
 /// The lowest exponent of a nonzero sum whose product with u is still normal.
 const LOWEST: i32 = -1022 + 53;
@@ -161,7 +162,7 @@ impl<const D: usize> Plan<D> {
     /// The plan for these points.
     #[must_use]
     pub fn of(points: &[[f64; D]]) -> Plan<D> {
-        let axes = std::array::from_fn(|axis| {
+        let axes = core::array::from_fn(|axis| {
             let column = || points.iter().map(|point| &point[axis]);
             let min = column().fold(f64::INFINITY, |min, &x| if x < min { x } else { min });
             let max = column().fold(f64::NEG_INFINITY, |max, &x| if x > max { x } else { max });

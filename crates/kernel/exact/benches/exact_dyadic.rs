@@ -12,9 +12,12 @@
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, Throughput, criterion_group, criterion_main};
-use predicament_exact::{dyadic, rational};
+use predicament_exact::dyadic;
 use predicament_predicates::Sign;
 use robust::{Coord, Coord3D};
+
+#[path = "../tests/rational/mod.rs"]
+mod rational;
 
 const QUERIES: usize = 1024;
 const FAMILIES: [&str; 7] = ["uniform", "near", "degenerate", "mixed", "mixed-tie", "wide", "wide-tie"];

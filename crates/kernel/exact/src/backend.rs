@@ -1,5 +1,6 @@
 //! The exact backend: its name, its contract and its stages.
 
+use alloc::{borrow::ToOwned, string::String};
 use predicament_predicates::{
     Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
 };

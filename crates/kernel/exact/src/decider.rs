@@ -7,10 +7,10 @@
 //! bound. A query that the filter leaves open needs the scene's plan, which is made on first use: a scene whose filters
 //! decide everything never makes one.
 
+use alloc::{boxed::Box, vec::Vec};
+
 mod batches;
 mod open;
-
-use std::sync::OnceLock;
 
 use predicament_arithmetic::bound;
 use predicament_predicates::{
@@ -20,6 +20,7 @@ use predicament_predicates::{
 use crate::constructed::Constructed;
 use crate::first::{self, First, extents};
 use crate::ladder::{Flat, Prepared, Solid};
+use crate::once::Once;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::stage;
 
@@ -41,8 +42,8 @@ pub(crate) struct Decider<'s> {
     /// The extent of the scene along each of its axes.
     extent2: [f64; 2],
     extent3: [f64; 3],
-    flat: OnceLock<Box<Flat>>,
-    solid: OnceLock<Box<Solid>>,
+    flat: Once<Box<Flat>>,
+    solid: Once<Box<Solid>>,
     /// The scene, including the vertices constructed since.
     constructed: Constructed,
 }
@@ -65,8 +66,8 @@ impl<'s> Decider<'s> {
             insphere_by_query: false,
             extent2: [0.0; 2],
             extent3: [0.0; 3],
-            flat: OnceLock::new(),
-            solid: OnceLock::new(),
+            flat: Once::new(),
+            solid: Once::new(),
             constructed: Constructed::new(scene)?,
         };
         match scene.dimension() {

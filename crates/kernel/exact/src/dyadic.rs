@@ -246,7 +246,7 @@ fn insphere_ball([a, b, c, d, e]: [[f64; 3]; 5]) -> Ball {
 
 #[inline(always)]
 fn ball_minus<const D: usize>(p: [f64; D], q: [f64; D]) -> [Ball; D] {
-    std::array::from_fn(|i| Ball::difference(p[i], q[i]))
+    core::array::from_fn(|i| Ball::difference(p[i], q[i]))
 }
 
 #[inline(always)]

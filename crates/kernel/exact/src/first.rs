@@ -43,7 +43,7 @@ pub(crate) fn extents<const D: usize>(points: &[[f64; D]]) -> [f64; D] {
         four.iter().enumerate().for_each(|(lane, point)| widen(lane, point));
     }
     rest.iter().for_each(|point| widen(0, point));
-    std::array::from_fn(|axis| {
+    core::array::from_fn(|axis| {
         let min = |x: f64, y: f64| if x < y { x } else { y };
         let max = |x: f64, y: f64| if x > y { x } else { y };
         let least = min(min(low[0][axis], low[1][axis]), min(low[2][axis], low[3][axis]));
@@ -136,9 +136,9 @@ pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
 fn looked_at<const N: usize>(look: usize, are_neighbours: bool, count: usize) -> [usize; N] {
     if are_neighbours {
         let first = place(look, count / N) * N;
-        std::array::from_fn(|i| first + i)
+        core::array::from_fn(|i| first + i)
     } else {
-        std::array::from_fn(|i| place(look * N + i, count))
+        core::array::from_fn(|i| place(look * N + i, count))
     }
 }
 

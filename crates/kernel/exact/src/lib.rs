@@ -14,12 +14,15 @@
 //! vertices. `docs/EXACT.md` has the conditions and the bits of each.
 //!
 //! [`constructed`] vertices have a separate ladder of two rungs. [`raw`] predicates take coordinates and no scene.
-//! [`rational`] is not on the ladder: it returns the exact values of determinants.
 //!
 //! [`Partial`] is a control that uses the first rungs alone.
 //!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that build on this one and count their own
 //! stages.
+
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+
+extern crate alloc;
 
 pub mod anywhere;
 mod backend;
@@ -27,6 +30,7 @@ mod batch;
 mod common_unit;
 pub mod constructed;
 mod decider;
+#[cfg(feature = "formulas")]
 pub mod derived;
 pub mod determinant;
 pub mod dyadic;
@@ -34,11 +38,15 @@ pub mod estimate;
 pub mod filter;
 mod first;
 mod ladder;
+mod once;
 mod partial;
+mod points;
 mod precision;
 mod predicate;
 mod products;
-pub mod rational;
+#[cfg(test)]
+#[path = "../tests/rational/mod.rs"]
+mod rational;
 pub mod raw;
 mod scene_integers;
 mod session;
@@ -48,5 +56,14 @@ mod truncate;
 
 pub use backend::Exact;
 pub use partial::{Partial, PartialSession};
+pub use points::{
+    f32, i32, i64, incircle, insphere, orient2d, orient3d, try_incircle, try_insphere, try_orient2d, try_orient3d,
+};
 pub use precision::{Choice, Precision};
+pub use predicament_predicates::{self as predicates, Sign};
+pub use raw::NotFinite;
 pub use session::Session;
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -4,6 +4,7 @@
 //! answers and returns them anyway. Stages run in the order of [`stage`], without the shortcuts of [`Session`]: with
 //! all of them the signs are those of [`Exact`](crate::Exact).
 
+use alloc::{format, string::String, vec::Vec};
 use predicament_arithmetic::Plan;
 use predicament_predicates::{
     Axis, Backend, Construction, Constructs, Contract, Declined, Dimension, Off, Plane, PredicateKind, Predicates,

@@ -2,6 +2,7 @@
 //!
 //! It describes the scene's coordinates and the arithmetic chosen for each predicate.
 
+use alloc::{vec, vec::Vec};
 use predicament_arithmetic::{Arithmetic, Plan, Span};
 use predicament_predicates::{Dimension, PredicateKind, Scene};
 

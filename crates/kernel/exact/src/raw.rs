@@ -1,109 +1,127 @@
-//! Predicates on bare coordinates, without a prepared scene.
+//! Predicates on arrays of points, without a prepared scene.
 //!
-//! They are for callers that have points and no scene. The filter is the one for any finite doubles
-//! ([`anywhere`](crate::anywhere)): one comparison, and no branch before it. Queries that it leaves open use integers
-//! of one limb if the differences are doubles that span few bits, else dyadic numbers.
+//! They are for callers that have points and no scene; the root of the crate has the same predicates with one argument
+//! for each point. The filter is the one for any finite doubles ([`anywhere`](crate::anywhere)): one comparison, and no
+//! branch before it. Queries that it leaves open use integers of one limb if the differences are doubles that span few
+//! bits, else dyadic numbers.
 //!
-//! Coordinates must be finite; the functions panic otherwise.
+//! Coordinates must be finite. A filter never decides about others, so their check costs nothing where it decides.
+
+use core::fmt;
 
 use predicament_predicates::Sign;
 
 use crate::ladder::alone;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
-// Open queries are passed on number by number: an array that must be in memory there would be built in memory before
-// the filter, and every query would wait for it. (The same holds for values that a closure captures, if it is not
-// inlined, and for points that a caller picks from a list: that is why filters are always inlined.)
+/// The error of a predicate on points: a coordinate is NaN or infinite.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct NotFinite {
+    /// The index of the point among the arguments.
+    pub point: usize,
+    /// The index of the coordinate.
+    pub axis: usize,
+    /// The coordinate.
+    pub value: f64,
+}
 
-/// The sign of (a − c) × (b − c): positive if a, b, c turn counterclockwise.
-#[inline(always)]
-#[must_use]
-pub fn orient2d([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> Sign {
-    #[cold]
-    #[inline(never)]
-    fn climb(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64) -> Sign {
-        alone::<Orient2d, 2, 3>(&[[ax, ay], [bx, by], [cx, cy]]).0
-    }
-    match Orient2d::anywhere([[ax, ay], [bx, by], [cx, cy]]).certain() {
-        Some(sign) => sign,
-        None => climb(ax, ay, bx, by, cx, cy),
+impl fmt::Display for NotFinite {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let NotFinite { point, axis, value } = self;
+        write!(f, "coordinate {axis} of point {point} is {value}; predicates are about finite numbers")
     }
 }
 
-/// The sign of det(a − d, b − d, c − d): positive if d lies below the plane of a, b, c.
+impl core::error::Error for NotFinite {}
+
+/// The sign of a query that the filter has left open, or the first coordinate that is not finite.
 #[inline(always)]
-#[must_use]
-pub fn orient3d([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]: [[f64; 3]; 4]) -> Sign {
-    #[cold]
-    #[inline(never)]
-    #[allow(clippy::too_many_arguments)]
-    fn climb(
-        ax: f64,
-        ay: f64,
-        az: f64,
-        bx: f64,
-        by: f64,
-        bz: f64,
-        cx: f64,
-        cy: f64,
-        cz: f64,
-        dx: f64,
-        dy: f64,
-        dz: f64,
-    ) -> Sign {
-        alone::<Orient3d, 3, 4>(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]).0
-    }
-    match Orient3d::anywhere([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]]).certain() {
-        Some(sign) => sign,
-        None => climb(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz),
+fn open<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Result<Sign, NotFinite> {
+    match points.as_flattened().iter().position(|x| !x.is_finite()) {
+        None => Ok(alone::<P, D, N>(points).0),
+        Some(at) => Err(NotFinite { point: at / D, axis: at % D, value: points[at / D][at % D] }),
     }
 }
 
-/// The sign of the circle test: positive if d is in the circle of a counterclockwise a, b, c.
-#[inline(always)]
-#[must_use]
-pub fn incircle([[ax, ay], [bx, by], [cx, cy], [dx, dy]]: [[f64; 2]; 4]) -> Sign {
-    #[cold]
-    #[inline(never)]
-    #[allow(clippy::too_many_arguments)]
-    fn climb(ax: f64, ay: f64, bx: f64, by: f64, cx: f64, cy: f64, dx: f64, dy: f64) -> Sign {
-        alone::<Incircle, 2, 4>(&[[ax, ay], [bx, by], [cx, cy], [dx, dy]]).0
-    }
-    match Incircle::anywhere([[ax, ay], [bx, by], [cx, cy], [dx, dy]]).certain() {
-        Some(sign) => sign,
-        None => climb(ax, ay, bx, by, cx, cy, dx, dy),
-    }
+#[cold]
+#[inline(never)]
+fn refuse(error: NotFinite) -> ! {
+    panic!("{error}")
 }
 
-/// The sign of the sphere test: positive if e is in the sphere of a positively oriented a, b, c, d.
+/// Writes a predicate in two forms: the second one returns the error of the first one's panic.
+///
+/// Open queries are passed on number by number: an array that must be in memory there would be built in memory before
+/// the filter, and every query would wait for it. (The same holds for values that a closure captures, if it is not
+/// inlined, and for points that a caller picks from a list: that is why filters are always inlined.)
+macro_rules! predicate {
+    (
+        $(#[$doc:meta])*
+        $name:ident, $try_name:ident, $predicate:ident<$dimension:literal, $arity:literal>, $([$($x:ident),+]),+
+    ) => {
+        $(#[$doc])*
+        ///
+        /// # Panics
+        /// If a coordinate is NaN or infinite.
+        #[inline(always)]
+        #[must_use]
+        pub fn $name([$([$($x),+]),+]: [[f64; $dimension]; $arity]) -> Sign {
+            #[cold]
+            #[inline(never)]
+            #[allow(clippy::too_many_arguments)]
+            fn climb($($($x: f64),+),+) -> Sign {
+                open::<$predicate, $dimension, $arity>(&[$([$($x),+]),+]).unwrap_or_else(|error| refuse(error))
+            }
+            match $predicate::anywhere([$([$($x),+]),+]).certain() {
+                Some(sign) => sign,
+                None => climb($($($x),+),+),
+            }
+        }
+
+        $(#[$doc])*
+        ///
+        /// # Errors
+        /// The first coordinate that is NaN or infinite.
+        #[inline(always)]
+        pub fn $try_name([$([$($x),+]),+]: [[f64; $dimension]; $arity]) -> Result<Sign, NotFinite> {
+            #[cold]
+            #[inline(never)]
+            #[allow(clippy::too_many_arguments)]
+            fn climb($($($x: f64),+),+) -> Result<Sign, NotFinite> {
+                open::<$predicate, $dimension, $arity>(&[$([$($x),+]),+])
+            }
+            match $predicate::anywhere([$([$($x),+]),+]).certain() {
+                Some(sign) => Ok(sign),
+                None => climb($($($x),+),+),
+            }
+        }
+    };
+}
+
+predicate! {
+    /// The sign of (a − c) × (b − c): positive if a, b, c turn counterclockwise.
+    orient2d, try_orient2d, Orient2d<2, 3>, [ax, ay], [bx, by], [cx, cy]
+}
+predicate! {
+    /// The sign of det(a − d, b − d, c − d): positive if d lies below the plane of a, b, c.
+    orient3d, try_orient3d, Orient3d<3, 4>, [ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz]
+}
+predicate! {
+    /// The sign of the circle test: positive if d is in the circle of a counterclockwise a, b, c.
+    incircle, try_incircle, Incircle<2, 4>, [ax, ay], [bx, by], [cx, cy], [dx, dy]
+}
+predicate! {
+    /// The sign of the sphere test: positive if e is in the sphere of a positively oriented a, b, c, d.
+    insphere, try_insphere, Insphere<3, 5>, [ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz], [ex, ey, ez]
+}
+
+/// The sign of any predicate for finite points, for callers that are generic.
 #[inline(always)]
-#[must_use]
-pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Sign {
+pub(crate) fn sign<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
     #[cold]
     #[inline(never)]
-    #[allow(clippy::too_many_arguments)]
-    fn climb(
-        ax: f64,
-        ay: f64,
-        az: f64,
-        bx: f64,
-        by: f64,
-        bz: f64,
-        cx: f64,
-        cy: f64,
-        cz: f64,
-        dx: f64,
-        dy: f64,
-        dz: f64,
-        ex: f64,
-        ey: f64,
-        ez: f64,
-    ) -> Sign {
-        alone::<Insphere, 3, 5>(&[[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz], [ex, ey, ez]]).0
+    fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
+        alone::<P, D, N>(&points).0
     }
-    let ([ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz], [ex, ey, ez]) = (a, b, c, d, e);
-    match Insphere::anywhere([[ax, ay, az], [bx, by, bz], [cx, cy, cz], [dx, dy, dz], [ex, ey, ez]]).certain() {
-        Some(sign) => sign,
-        None => climb(ax, ay, az, bx, by, bz, cx, cy, cz, dx, dy, dz, ex, ey, ez),
-    }
+    P::anywhere(points).certain().unwrap_or_else(|| climb::<P, D, N>(points))
 }

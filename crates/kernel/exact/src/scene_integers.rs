@@ -9,6 +9,8 @@
 // Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
+use alloc::vec::Vec;
+
 use predicament_arithmetic::{Fixed, Plan, units};
 use predicament_predicates::Vertex;
 
@@ -84,6 +86,18 @@ impl<const D: usize, const N: usize> Rows<D, N> {
             let last = units(points[N - 1][axis], lowest);
             for row in 0..N - 1 {
                 rows[row][axis] = units(points[row][axis], lowest).wrapping_sub(last);
+            }
+        }
+        Rows(rows)
+    }
+
+    /// The differences to the last of some points of integers.
+    #[inline(always)]
+    pub fn of_integers(points: &[[i64; D]; N]) -> Rows<D, N> {
+        let mut rows = [[0; D]; N];
+        for axis in 0..D {
+            for row in 0..N - 1 {
+                rows[row][axis] = i128::from(points[row][axis]) - i128::from(points[N - 1][axis]);
             }
         }
         Rows(rows)

@@ -2,15 +2,16 @@
 //!
 //! Nothing else is generic over the tally, so a crate with its own tally compiles only this type.
 
+use alloc::vec::Vec;
 use predicament_predicates::{
-    Axis, Construction, Declined, DefinitionError, Derived, Plane, PredicateKind, Predicates, Refused, Scene, Sessions,
-    Sign, Tally, Vertex,
+    Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign,
+    Tally, Vertex,
 };
 
+use crate::Exact;
 use crate::batch::Settled;
 use crate::constructed::Constructed;
 use crate::decider::Decider;
-use crate::{Exact, derived};
 
 /// The exact backend's session, prepared for one scene.
 pub struct Session<'s, T> {
@@ -137,12 +138,14 @@ impl<T: Tally> Predicates for Session<'_, T> {
         self.construct_where(definitions, |_| Ok(()))
     }
 
+    #[cfg(feature = "formulas")]
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        derived::supports(self.scene(), kind)
+        crate::derived::supports(self.scene(), kind)
     }
 
-    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
-        self.tallied(PredicateKind::Derived(predicate), derived::decide(self.scene(), predicate, vertices))
+    #[cfg(feature = "formulas")]
+    fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
+        self.tallied(PredicateKind::Derived(predicate), crate::derived::decide(self.scene(), predicate, vertices))
     }
 
     fn unperturbed(&self) -> Option<&dyn Sessions> {

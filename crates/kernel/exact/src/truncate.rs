@@ -11,7 +11,7 @@
 pub(crate) fn to_integer(x: f64) -> i64 {
     #[cfg(target_arch = "x86_64")]
     {
-        use std::arch::x86_64::{_mm_cvttsd_si64, _mm_set_sd};
+        use core::arch::x86_64::{_mm_cvttsd_si64, _mm_set_sd};
         // SAFETY: all processors of this target have SSE2; the operation is defined for all doubles.
         unsafe { _mm_cvttsd_si64(_mm_set_sd(x)) }
     }

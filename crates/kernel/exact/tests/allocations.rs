@@ -1,7 +1,7 @@
 //! A test that no query allocates on any rung, except the first that needs the exact row of a constructed vertex.
 //!
 //! Scenes are made so that every rung is needed, and the stages that queries report prove it. The test counts all
-//! allocations of Rust on the querying thread, and those of GMP, which bypass Rust's allocator.
+//! allocations of the querying thread.
 #![allow(unsafe_code)] // an allocator needs it
 
 #[path = "it/common.rs"]
@@ -10,12 +10,10 @@ mod common;
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
-use std::ffi::c_void;
 use std::hint::black_box;
-use std::sync::Once;
 
 use common::Random;
-use predicament_exact::{Exact, Session, constructed::Constructed, rational, raw, stage};
+use predicament_exact::{Exact, Session, constructed::Constructed, raw, stage};
 use predicament_predicates::{
     Axis, Backend, Construction, Counts, Dimension, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex,
 };
@@ -24,17 +22,13 @@ thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
-fn count_one() {
-    ALLOCATIONS.set(ALLOCATIONS.get() + 1);
-}
-
 /// The system's allocator, counted by thread.
 struct Counting;
 
 // SAFETY: the system's allocator does all the work. The counter needs neither allocation nor destructor.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        count_one();
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
         // SAFETY: the caller's promise.
         unsafe { System.alloc(layout) }
     }
@@ -47,34 +41,8 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static COUNTING: Counting = Counting;
 
-unsafe extern "C" {
-    fn malloc(size: usize) -> *mut c_void;
-    fn realloc(memory: *mut c_void, size: usize) -> *mut c_void;
-    /// GMP's `mp_set_memory_functions`.
-    fn __gmp_set_memory_functions(
-        allocate: Option<extern "C" fn(usize) -> *mut c_void>,
-        reallocate: Option<extern "C" fn(*mut c_void, usize, usize) -> *mut c_void>,
-        free: Option<extern "C" fn(*mut c_void, usize)>,
-    );
-}
-
-extern "C" fn counted_malloc(size: usize) -> *mut c_void {
-    count_one();
-    // SAFETY: any size is allowed.
-    unsafe { malloc(size) }
-}
-
-extern "C" fn counted_realloc(memory: *mut c_void, _: usize, size: usize) -> *mut c_void {
-    count_one();
-    // SAFETY: GMP's memory comes from malloc, before and after the replacement.
-    unsafe { realloc(memory, size) }
-}
-
 /// The number of allocations of `work`.
 fn allocations(work: impl FnOnce()) -> u64 {
-    static GMP: Once = Once::new();
-    // SAFETY: GMP's earlier allocations came from malloc as well; without a free function GMP uses C's.
-    GMP.call_once(|| unsafe { __gmp_set_memory_functions(Some(counted_malloc), Some(counted_realloc), None) });
     let before = ALLOCATIONS.get();
     work();
     ALLOCATIONS.get() - before
@@ -369,8 +337,6 @@ fn what_allocates_is_counted() {
     assert_eq!(allocations(|| drop(black_box(Box::new(1)))), 1);
     let mut grows = vec![0; 1];
     assert!(allocations(|| grows.extend(black_box([1; 100]))) > 0, "moved to a larger place");
-    let turn = allocations(|| drop(black_box(rational::orient2d([1.0, 0.0], [0.0, 1e300], [0.1, 1e-300]))));
-    assert!(turn > 0, "rationals are GMP's");
 
     // The counter detects a single query that allocates.
     let scene = scene(stage::INTEGER, Dimension::Two);

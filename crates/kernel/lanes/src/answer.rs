@@ -4,7 +4,7 @@
 // Loops over indices stay in registers.
 #![allow(clippy::needless_range_loop)]
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use predicament_predicates::{Sign, Vertex};
 

@@ -138,7 +138,7 @@ impl<const D: usize, const N: usize> Block<D, N> {
 /// Registers of eight doubles.
 #[cfg(target_arch = "x86_64")]
 mod wide {
-    use std::arch::x86_64::{
+    use core::arch::x86_64::{
         __m256d, __m512d, _mm_loadu_pd, _mm256_castpd128_pd256, _mm256_insertf128_pd, _mm256_loadu_pd,
         _mm512_castpd256_pd512, _mm512_insertf64x4, _mm512_shuffle_f64x2, _mm512_storeu_pd, _mm512_unpackhi_pd,
         _mm512_unpacklo_pd,

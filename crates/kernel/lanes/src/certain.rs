@@ -2,7 +2,7 @@
 
 #![allow(unsafe_code)]
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use predicament_predicates::{Sign, Vertex};
 

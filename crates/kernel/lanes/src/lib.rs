@@ -11,6 +11,10 @@
 //!
 //! Backends share this crate so that their timings differ by arithmetic and not by the fetching of points.
 
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+
+extern crate alloc;
+
 mod answer;
 mod block;
 mod certain;

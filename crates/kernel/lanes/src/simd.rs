@@ -31,6 +31,22 @@ pub enum Width {
     Eight,
 }
 
+/// True if the machine has these instructions, as far as the build can know.
+#[cfg(all(target_arch = "x86_64", feature = "std"))]
+macro_rules! has {
+    ($feature:tt) => {
+        std::is_x86_feature_detected!($feature)
+    };
+}
+
+/// True if the build is for machines with these instructions.
+#[cfg(all(target_arch = "x86_64", not(feature = "std")))]
+macro_rules! has {
+    ($feature:tt) => {
+        cfg!(target_feature = $feature)
+    };
+}
+
 impl Width {
     /// All widths, widest first.
     pub const ALL: [Width; 3] = [Width::Eight, Width::Four, Width::Any];
@@ -41,13 +57,8 @@ impl Width {
         #[cfg(target_arch = "x86_64")]
         match self {
             Width::Any => true,
-            Width::Four => std::is_x86_feature_detected!("avx2"),
-            Width::Eight => {
-                std::is_x86_feature_detected!("avx512f")
-                    && std::is_x86_feature_detected!("avx512bw")
-                    && std::is_x86_feature_detected!("avx512dq")
-                    && std::is_x86_feature_detected!("avx512vl")
-            }
+            Width::Four => has!("avx2"),
+            Width::Eight => has!("avx512f") && has!("avx512bw") && has!("avx512dq") && has!("avx512vl"),
         }
         #[cfg(not(target_arch = "x86_64"))]
         return self == Width::Any;

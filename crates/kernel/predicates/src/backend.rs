@@ -15,6 +15,7 @@ use crate::{
     Axis, Band, Construction, Constructs, Contract, Counts, Declined, Derived, Dimension, Off, Plane, PredicateKind,
     Question, Refused, Scene, Sessions, Sign, Tally, Vertex, contact,
 };
+use alloc::{boxed::Box, string::String, vec::Vec};
 
 /// The way in which a backend answers a batch of queries.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -160,12 +161,12 @@ pub trait Predicates: Send + Sync {
     /// If the session does not [support](Predicates::supports) the predicate, as by default.
     fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
         let _ = vertices;
-        panic!("{} is a formula, which this session does not evaluate", predicate.formula().name())
+        panic!("{} is a formula, which this session does not evaluate", predicate.name())
     }
 
     /// [`Predicates::sign`] for many queries, in order; `vertices` has their vertices, query after query.
     fn sign_batch(&self, predicate: Derived, vertices: &[Vertex], out: &mut [Sign]) {
-        for (query, out) in vertices.chunks_exact(predicate.formula().arity()).zip(out) {
+        for (query, out) in vertices.chunks_exact(predicate.arity()).zip(out) {
             *out = self.sign(predicate, query);
         }
     }

@@ -7,6 +7,7 @@ use crate::{
     Axis, Band, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions,
     Sign, Vertex,
 };
+use alloc::{boxed::Box, vec::Vec};
 
 // A method that is missing here would use the trait's default and bypass the session's own method.
 #[deny(clippy::missing_trait_methods)]

@@ -1,6 +1,7 @@
 //! The payload that a session throws if it cannot answer.
 
 use crate::Class;
+use alloc::string::String;
 
 /// The reason why a session stopped in the middle of a scene: its process crashed, hung, or answered nonsense.
 ///
@@ -22,15 +23,16 @@ impl Broken {
     ///
     /// # Panics
     /// Always.
+    #[cfg(feature = "std")]
     pub fn throw(self) -> ! {
-        std::panic::resume_unwind(Box::new(self))
+        std::panic::resume_unwind(std::boxed::Box::new(self))
     }
 }
 
-impl std::fmt::Display for Broken {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Broken {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "{}: {}", self.check, self.message)
     }
 }
 
-impl std::error::Error for Broken {}
+impl core::error::Error for Broken {}

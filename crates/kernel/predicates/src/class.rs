@@ -3,13 +3,11 @@
 //! They live in the lowest crate because the oracle assigns them and the report prints them, and neither depends on the
 //! other.
 
-use serde::{Deserialize, Serialize};
-
 use crate::UnknownName;
 
 /// The comparison of an answer with the truth and with the backend's promise.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Class {
     /// The answer is the exact sign.
     Agree,
@@ -118,13 +116,13 @@ impl Class {
     }
 }
 
-impl std::fmt::Display for Class {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Class {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
     }
 }
 
-impl std::str::FromStr for Class {
+impl core::str::FromStr for Class {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Class, UnknownName> {
@@ -138,8 +136,8 @@ impl std::str::FromStr for Class {
 /// The severity of a result, for every backend alike.
 ///
 /// Pages colour by severity and gates can filter by it.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Severity {
     /// Nothing is wrong: the exact answer, or a tie broken as promised.
     Right,
@@ -171,13 +169,13 @@ impl Severity {
     }
 }
 
-impl std::fmt::Display for Severity {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Severity {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
     }
 }
 
-impl std::str::FromStr for Severity {
+impl core::str::FromStr for Severity {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<Severity, UnknownName> {
@@ -189,8 +187,8 @@ impl std::str::FromStr for Severity {
 }
 
 /// The gate's status of one scene on one backend.
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Serialize, Deserialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 pub enum Status {
     /// Every answer is legal.
     Ok,
@@ -224,8 +222,8 @@ impl Status {
     }
 }
 
-impl std::fmt::Display for Status {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Status {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.pad(self.name())
     }
 }

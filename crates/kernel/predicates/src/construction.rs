@@ -8,6 +8,10 @@
 //! A definition names vertices that exist already, input or constructed, so definitions are never circular.
 
 use crate::{Dimension, Vertex};
+use alloc::{
+    string::{String, ToString},
+    vec::Vec,
+};
 
 /// The definition of a constructed vertex: the identities of other vertices.
 ///
@@ -89,22 +93,22 @@ impl Construction {
         let (line, plane, rest): (&[Vertex], &[Vertex], &[[Vertex; 3]]) = match self {
             Construction::Ssi([first, second]) => (first, second, &[]),
             Construction::Lpi { line, plane } => (line, plane, &[]),
-            Construction::Tpi([first, second, third]) => (first, second, std::slice::from_ref(third)),
+            Construction::Tpi([first, second, third]) => (first, second, core::slice::from_ref(third)),
         };
         [line, plane].into_iter().chain(rest.iter().map(<[Vertex; 3]>::as_slice))
     }
 }
 
 /// Writes the kind, then each line or plane, as in `SSI(0 1, 2 3)`.
-impl std::fmt::Display for Construction {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Construction {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let kind = match self {
             Construction::Ssi(_) => "SSI",
             Construction::Lpi { .. } => "LPI",
             Construction::Tpi(_) => "TPI",
         };
         let flats: Vec<String> =
-            self.flats().map(|flat| flat.iter().map(Vertex::to_string).collect::<Vec<_>>().join(" ")).collect();
+            self.flats().map(|flat| flat.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")).collect();
         write!(f, "{kind}({})", flats.join(", "))
     }
 }
@@ -133,8 +137,8 @@ pub enum ConstructionError {
     TooMany,
 }
 
-impl std::fmt::Display for ConstructionError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for ConstructionError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             ConstructionError::Dimension { scene, construction } => {
                 let [scene, construction] = [scene, construction].map(|dimension| dimension.count());
@@ -150,7 +154,7 @@ impl std::fmt::Display for ConstructionError {
     }
 }
 
-impl std::error::Error for ConstructionError {}
+impl core::error::Error for ConstructionError {}
 
 /// Vertices, lines and planes with a sort key.
 trait Place: Copy {

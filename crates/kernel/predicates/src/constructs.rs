@@ -4,7 +4,8 @@
 //! points from then on; a backend that stores definitions does not. The backend's promise says which of the two
 //! applies.
 
-use std::borrow::Cow;
+use alloc::borrow::Cow;
+use alloc::string::{String, ToString};
 
 use crate::{Construction, ConstructionError, Declined};
 
@@ -62,8 +63,8 @@ impl Refused {
     }
 }
 
-impl std::fmt::Display for Refused {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Refused {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             Refused::Session { reason } => write!(f, "no vertex is constructed: {reason}"),
             Refused::Definition { index, definition, reason } => {
@@ -73,8 +74,8 @@ impl std::fmt::Display for Refused {
     }
 }
 
-impl std::error::Error for Refused {
-    fn source(&self) -> Option<&(dyn std::error::Error + 'static)> {
+impl core::error::Error for Refused {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
         match self {
             Refused::Session { .. } => None,
             Refused::Definition { reason, .. } => Some(reason),
@@ -112,8 +113,8 @@ impl From<NoPoint> for DefinitionError {
     }
 }
 
-impl std::fmt::Display for DefinitionError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for DefinitionError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             DefinitionError::Scene(error) => error.fmt(f),
             DefinitionError::NoPoint(error) => error.fmt(f),
@@ -123,7 +124,7 @@ impl std::fmt::Display for DefinitionError {
     }
 }
 
-impl std::error::Error for DefinitionError {}
+impl core::error::Error for DefinitionError {}
 
 /// The reason why the lines and planes of a construction do not meet in a unique point.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -145,8 +146,8 @@ pub enum NoPoint {
     Unspecified,
 }
 
-impl std::fmt::Display for NoPoint {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for NoPoint {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(match self {
             NoPoint::SegmentEnds => "the ends of a segment coincide",
             NoPoint::LineEnds => "the two vertices of the line coincide",
@@ -159,7 +160,7 @@ impl std::fmt::Display for NoPoint {
     }
 }
 
-impl std::error::Error for NoPoint {}
+impl core::error::Error for NoPoint {}
 
 /// Declines the scene, for algorithms that need the constructed vertices.
 impl From<Refused> for Declined {

@@ -157,13 +157,14 @@ fn parts<const N: usize>(of: [f64; N]) -> [f64; N] {
 ///
 /// Nor do all products underflow to zero if all points are near each other.
 fn scaled<const N: usize, const D: usize>(points: [[f64; D]; N]) -> [[f64; D]; N] {
-    const SAFE: std::ops::Range<f64> = 1e-90..1e90;
+    const SAFE: core::ops::Range<f64> = 1e-90..1e90;
     let largest = points.as_flattened().iter().fold(0.0_f64, |largest, x| largest.max(x.abs()));
     if SAFE.contains(&largest) {
         return points;
     }
-    let exponent = i32::try_from(largest.to_bits() >> 52).expect("11 bits") - 1023;
-    let by = 2.0_f64.powi(-exponent);
+    // The inverse of the largest number's power of two. That of 2^1023 is subnormal.
+    let biased = 2 * 1023 - (largest.to_bits() >> 52);
+    let by = f64::from_bits(if biased == 0 { 1 << 51 } else { biased << 52 });
     points.map(|point| point.map(|x| x * by))
 }
 

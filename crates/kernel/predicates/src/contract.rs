@@ -1,6 +1,7 @@
 //! A backend's promise about its answers, and the way it declines.
 
 use crate::PredicateKind;
+use alloc::string::String;
 
 /// The meaning of an answer of zero.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -61,8 +62,8 @@ impl Declined {
     }
 }
 
-impl std::fmt::Display for Declined {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Declined {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self.predicate {
             Some(kind) => write!(f, "{kind} declined: {}", self.reason),
             None => write!(f, "scene declined: {}", self.reason),
@@ -70,4 +71,4 @@ impl std::fmt::Display for Declined {
     }
 }
 
-impl std::error::Error for Declined {}
+impl core::error::Error for Declined {}

@@ -70,15 +70,15 @@ macro_rules! contradiction {
         })+)?
 
         /// Writes the description of the failure.
-        impl ::std::fmt::Display for $name {
-            fn fmt(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
+        impl ::core::fmt::Display for $name {
+            fn fmt(&self, f: &mut ::core::fmt::Formatter<'_>) -> ::core::fmt::Result {
                 match self {
                     $($name::$case => f.write_str($failure),)+
-                    $($($name::$from(inner) => ::std::fmt::Display::fmt(inner, f),)+)?
+                    $($($name::$from(inner) => ::core::fmt::Display::fmt(inner, f),)+)?
                 }
             }
         }
 
-        impl ::std::error::Error for $name {}
+        impl ::core::error::Error for $name {}
     };
 }

@@ -1,7 +1,8 @@
 //! Predicates from formulas, as values of the vocabulary.
 
-use std::cmp::Ordering;
-use std::hash::{Hash, Hasher};
+use alloc::{borrow::ToOwned, boxed::Box, format, string::String, vec::Vec};
+use core::cmp::Ordering;
+use core::hash::{Hash, Hasher};
 use std::sync::{OnceLock, PoisonError, RwLock};
 
 use predicament_formula::{Formula, MOST_COORDINATES, MOST_POINTS};
@@ -37,6 +38,42 @@ impl Derived {
     #[must_use]
     pub fn dimension(self) -> Dimension {
         Dimension::of(self.0.dimension()).unwrap_or(Dimension::Two)
+    }
+
+    /// The name.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        self.0.name()
+    }
+
+    /// The number of points of a query.
+    #[must_use]
+    pub fn arity(self) -> usize {
+        self.0.arity()
+    }
+
+    /// The degree of the polynomial in coordinates.
+    #[must_use]
+    pub fn degree(self) -> u32 {
+        self.0.polynomial().degree()
+    }
+
+    /// The text of the formula.
+    #[must_use]
+    pub fn text(self) -> &'static str {
+        self.0.text()
+    }
+
+    /// The meaning of the sign, in one line.
+    #[must_use]
+    pub fn about(self) -> &'static str {
+        self.0.about()
+    }
+
+    /// Returns true if the formula reads weights of points.
+    #[must_use]
+    pub fn is_weighted(self) -> bool {
+        self.0.is_weighted()
     }
 
     /// Calls a function with the coordinates of input vertices, and with their weights if the formula reads them.
@@ -131,7 +168,7 @@ impl Derived {
 
 impl PartialEq for Derived {
     fn eq(&self, other: &Derived) -> bool {
-        std::ptr::eq(self.0, other.0) || self.0 == other.0
+        core::ptr::eq(self.0, other.0) || self.0 == other.0
     }
 }
 

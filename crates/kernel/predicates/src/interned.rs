@@ -8,6 +8,7 @@
 //! vertex.
 
 use crate::{Construction, Vertex};
+use alloc::{vec, vec::Vec};
 
 /// Constructions in canonical form, by id, and the id of each.
 #[derive(Clone, Default)]
@@ -124,8 +125,8 @@ impl PartialEq for Interned {
 }
 
 /// Writes the list alone.
-impl std::fmt::Debug for Interned {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Debug for Interned {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         self.list.fmt(f)
     }
 }

@@ -18,6 +18,10 @@
 //! * [`answer_by!`], [`forward_to!`]: write the methods of a session that wraps another one.
 //! * [`contradiction!`]: declares the error of an algorithm that stops when signs contradict each other.
 
+#![cfg_attr(not(any(test, feature = "std")), no_std)]
+
+extern crate alloc;
+
 mod backend;
 mod boxed;
 mod broken;
@@ -27,6 +31,7 @@ mod constructs;
 mod contact;
 mod contract;
 mod contradiction;
+#[cfg(feature = "formulas")]
 mod derived;
 mod interned;
 mod query;
@@ -35,9 +40,17 @@ mod scene;
 mod sessions;
 mod sign;
 mod tally;
+#[cfg(not(feature = "formulas"))]
+mod underived;
 mod unknown_name;
 mod vertex;
 mod wrap;
+
+/// The types that macros of this crate name in other crates.
+#[doc(hidden)]
+pub mod alloc_of_macros {
+    pub use alloc::boxed::Box;
+}
 
 pub use backend::{Backend, Batches, Predicates};
 pub use broken::Broken;
@@ -45,7 +58,9 @@ pub use class::{Class, Severity, Status};
 pub use construction::{Construction, ConstructionError};
 pub use constructs::{Constructs, DefinitionError, NoPoint, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
+#[cfg(feature = "formulas")]
 pub use derived::Derived;
+#[cfg(feature = "formulas")]
 pub use predicament_formula as formula;
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
@@ -53,5 +68,11 @@ pub use scene::{Dimension, Scene, SceneError};
 pub use sessions::Sessions;
 pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
+#[cfg(not(feature = "formulas"))]
+pub use underived::Derived;
 pub use unknown_name::UnknownName;
 pub use vertex::{Axis, ParseVertexError, Plane, Vertex};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

@@ -1,7 +1,8 @@
 //! One query as text and back: findings name it, and `replay` asks it again.
 
-use std::fmt;
-use std::str::FromStr;
+use alloc::{borrow::ToOwned, string::String, vec, vec::Vec};
+use core::fmt;
+use core::str::FromStr;
 
 use crate::{Axis, Derived, Plane, Question, UnknownName, Vertex};
 
@@ -75,7 +76,7 @@ impl fmt::Display for ParseQueryError {
     }
 }
 
-impl std::error::Error for ParseQueryError {}
+impl core::error::Error for ParseQueryError {}
 
 /// Reads what `Display` writes.
 impl FromStr for Query {

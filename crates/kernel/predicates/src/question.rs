@@ -1,6 +1,7 @@
 //! Questions as data: a predicate with its descriptor, its parameters besides vertices, and sets of queries.
 
-use std::sync::atomic::{Ordering, compiler_fence};
+use alloc::vec::Vec;
+use core::sync::atomic::{Ordering, compiler_fence};
 
 use crate::{Axis, Derived, Dimension, Plane, Predicates, Sign, UnknownName, Vertex};
 
@@ -38,7 +39,7 @@ impl PredicateKind {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            PredicateKind::Derived(derived) => derived.formula().name(),
+            PredicateKind::Derived(derived) => derived.name(),
             PredicateKind::Compare => "compare",
             PredicateKind::Orient2d => "orient2d",
             PredicateKind::Orient3d => "orient3d",
@@ -51,7 +52,7 @@ impl PredicateKind {
     #[must_use]
     pub fn arity(self) -> usize {
         match self {
-            PredicateKind::Derived(derived) => derived.formula().arity(),
+            PredicateKind::Derived(derived) => derived.arity(),
             PredicateKind::Compare => 2,
             PredicateKind::Orient2d => 3,
             PredicateKind::Orient3d | PredicateKind::Incircle => 4,
@@ -82,7 +83,7 @@ impl PredicateKind {
             PredicateKind::Orient3d => 3,
             PredicateKind::Incircle => 4,
             PredicateKind::Insphere => 5,
-            PredicateKind::Derived(derived) => derived.formula().polynomial().degree(),
+            PredicateKind::Derived(derived) => derived.degree(),
         }
     }
 
@@ -114,7 +115,7 @@ impl PredicateKind {
             PredicateKind::Insphere => {
                 "det([a - e, sq(a - e)], [b - e, sq(b - e)], [c - e, sq(c - e)], [d - e, sq(d - e)])"
             }
-            PredicateKind::Derived(derived) => derived.formula().text(),
+            PredicateKind::Derived(derived) => derived.text(),
         }
     }
 
@@ -127,7 +128,7 @@ impl PredicateKind {
             PredicateKind::Orient3d => "the side of a plane through three vertices on which a fourth lies",
             PredicateKind::Incircle => "whether a vertex is in the circle through three",
             PredicateKind::Insphere => "whether a vertex is in the sphere through four",
-            PredicateKind::Derived(derived) => derived.formula().about(),
+            PredicateKind::Derived(derived) => derived.about(),
         }
     }
 
@@ -145,13 +146,13 @@ impl PredicateKind {
     }
 }
 
-impl std::fmt::Display for PredicateKind {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for PredicateKind {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         f.write_str(self.name())
     }
 }
 
-impl std::str::FromStr for PredicateKind {
+impl core::str::FromStr for PredicateKind {
     type Err = UnknownName;
 
     fn from_str(name: &str) -> Result<PredicateKind, UnknownName> {
@@ -211,7 +212,7 @@ impl Question {
             },
             Question::Incircle => &[0, 1],
             Question::Orient3d | Question::Insphere => &[0, 1, 2],
-            Question::Derived(derived) => &[0, 1, 2][..derived.formula().dimension()],
+            Question::Derived(derived) => &[0, 1, 2][..derived.dimension().count()],
         }
     }
 
@@ -227,9 +228,7 @@ impl Question {
             (Question::Orient3d, &[a, b, c, d]) => session.orient3d(a, b, c, d),
             (Question::Incircle, &[a, b, c, d]) => session.incircle(a, b, c, d),
             (Question::Insphere, &[a, b, c, d, e]) => session.insphere(a, b, c, d, e),
-            (Question::Derived(derived), args) if args.len() == derived.formula().arity() => {
-                session.sign(derived, args)
-            }
+            (Question::Derived(derived), args) if args.len() == derived.arity() => session.sign(derived, args),
             _ => panic!("{} takes {} vertices, not {}", self.kind(), self.kind().arity(), args.len()),
         }
     }
@@ -268,7 +267,7 @@ impl Question {
             Question::Incircle => singly(args, out, |&[a, b, c, d]| session.incircle(a, b, c, d)),
             Question::Insphere => singly(args, out, |&[a, b, c, d, e]| session.insphere(a, b, c, d, e)),
             Question::Derived(derived) => {
-                for (query, out) in args.chunks_exact(derived.formula().arity()).zip(out) {
+                for (query, out) in args.chunks_exact(derived.arity()).zip(out) {
                     *out = session.sign(derived, query);
                     compiler_fence(Ordering::SeqCst);
                 }
@@ -354,7 +353,7 @@ impl QuerySet {
     ///
     /// # Panics
     /// If `out` is not as long as `range`, or `range` reaches past the end.
-    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: std::ops::Range<usize>, out: &mut [Sign]) {
+    pub fn ask_batch<P: Predicates + ?Sized>(&self, session: &P, range: core::ops::Range<usize>, out: &mut [Sign]) {
         assert_eq!(range.len(), out.len(), "one place for each answer");
         let arity = self.kind().arity();
         self.question.ask_batch(session, &self.args[range.start * arity..range.end * arity], out);

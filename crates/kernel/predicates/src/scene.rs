@@ -7,7 +7,8 @@
 //! shares all lists with the original, so its cost is constant. Input vertices never change; the list of constructions
 //! is copied when the first construction is added.
 
-use std::sync::Arc;
+use alloc::sync::Arc;
+use alloc::{vec, vec::Vec};
 
 use crate::interned::Interned;
 use crate::{Axis, Construction, ConstructionError, Declined, DefinitionError, Plane, PredicateKind, Refused, Vertex};
@@ -76,8 +77,8 @@ pub enum SceneError {
     },
 }
 
-impl std::fmt::Display for SceneError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for SceneError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self {
             SceneError::NotFinite { vertex, axis, value } => {
                 write!(f, "point {vertex}: coordinate {axis} is {value}; every coordinate must be finite")
@@ -95,7 +96,7 @@ impl std::fmt::Display for SceneError {
     }
 }
 
-impl std::error::Error for SceneError {}
+impl core::error::Error for SceneError {}
 
 /// The vertices of one scene, by index; all coordinates are finite.
 ///
@@ -363,7 +364,7 @@ impl Scene {
         match (kind, self.dimension) {
             (Compare | Orient2d, _) | (Incircle, Dimension::Two) | (Orient3d | Insphere, Dimension::Three) => Ok(()),
             (PredicateKind::Derived(derived), dimension) if derived.dimension() == dimension => {
-                if derived.formula().is_weighted() && self.weights.is_empty() && !self.is_empty() {
+                if derived.is_weighted() && self.weights.is_empty() && !self.is_empty() {
                     return Err(Declined::predicate(kind, "the scene has no weights"));
                 }
                 Ok(())

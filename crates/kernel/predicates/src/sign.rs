@@ -3,8 +3,8 @@
 //! There are three values and no fourth: a backend whose arithmetic produced a NaN still has to answer, as real code
 //! does. The oracle detects the NaN through [`Predicates::estimate`](crate::Predicates::estimate).
 
-use std::cmp::Ordering;
-use std::ops::{Mul, Neg};
+use core::cmp::Ordering;
+use core::ops::{Mul, Neg};
 
 /// The sign of a real number.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
@@ -106,8 +106,8 @@ impl From<Ordering> for Sign {
     }
 }
 
-impl std::fmt::Display for Sign {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Sign {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "{}", self.symbol())
     }
 }

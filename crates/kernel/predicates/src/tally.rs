@@ -4,8 +4,8 @@
 //! counts. Each thread counts in its own row, with plain loads and stores, so counting costs about as much as an
 //! increment. Only threads after the [`ROWS`]th share a row and pay for atomic operations.
 
-use std::cell::Cell;
-use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
+use alloc::{boxed::Box, vec::Vec};
+use core::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use crate::PredicateKind;
 
@@ -86,8 +86,8 @@ impl Default for Counts {
     }
 }
 
-impl std::fmt::Debug for Counts {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Debug for Counts {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let mut map = f.debug_map();
         for kind in PredicateKind::ALL {
             for stage in 0..MAX_STAGES {
@@ -101,17 +101,41 @@ impl std::fmt::Debug for Counts {
     }
 }
 
-thread_local!(static ME: Cell<usize> = const { Cell::new(usize::MAX) });
+/// The rows of threads.
+#[cfg(feature = "std")]
+mod row {
+    use core::cell::Cell;
+    use core::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The index of the thread's own row; threads beyond the limit share the last row.
-#[cold]
-#[inline(never)]
-fn first_count() -> usize {
-    static NEXT: AtomicUsize = AtomicUsize::new(0);
-    if ME.get() == usize::MAX {
-        ME.set(NEXT.fetch_add(1, Relaxed).min(ROWS - 1));
+    thread_local!(static ME: Cell<usize> = const { Cell::new(usize::MAX) });
+
+    /// The index of the thread's row, if the thread has counted before.
+    #[inline(always)]
+    pub(super) fn known() -> usize {
+        ME.get()
     }
-    ME.get()
+
+    /// The index of the thread's own row; threads beyond the limit share the last row.
+    pub(super) fn first_count() -> usize {
+        static NEXT: AtomicUsize = AtomicUsize::new(0);
+        if ME.get() == usize::MAX {
+            ME.set(NEXT.fetch_add(1, Relaxed).min(super::ROWS - 1));
+        }
+        ME.get()
+    }
+}
+
+/// The row of all threads, where threads cannot be told apart.
+#[cfg(not(feature = "std"))]
+mod row {
+    #[inline(always)]
+    pub(super) fn known() -> usize {
+        super::ROWS - 1
+    }
+
+    pub(super) fn first_count() -> usize {
+        super::ROWS - 1
+    }
 }
 
 impl Tally for &Counts {
@@ -124,7 +148,7 @@ impl Tally for &Counts {
 
     #[inline(always)]
     fn settled_many(&self, kind: PredicateKind, stage: usize, count: u64) {
-        let me = ME.get();
+        let me = row::known();
         if me < ROWS - 1 {
             let cell = &self.rows[me].0[kind.index()][stage];
             cell.store(cell.load(Relaxed) + count, Relaxed);
@@ -139,7 +163,7 @@ impl Counts {
     #[inline(never)]
     fn settled_elsewhere(&self, kind: PredicateKind, stage: usize, count: u64) {
         // (The last row is shared.)
-        self.rows[first_count()].0[kind.index()][stage].fetch_add(count, Relaxed);
+        self.rows[row::first_count()].0[kind.index()][stage].fetch_add(count, Relaxed);
     }
 }
 

@@ -1,5 +1,7 @@
 //! The error of a name that is not in a vocabulary.
 
+use alloc::{borrow::ToOwned, string::String, vec::Vec};
+
 /// A text that is not the name of any item of a vocabulary, such as the classes.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct UnknownName {
@@ -25,8 +27,8 @@ impl UnknownName {
     }
 }
 
-impl std::fmt::Display for UnknownName {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for UnknownName {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "no {} is called `{}`", self.kind, self.name)?;
         match &self.known {
             Some((plural, names)) => write!(f, "; the {plural} are {}", names.join(", ")),
@@ -35,4 +37,4 @@ impl std::fmt::Display for UnknownName {
     }
 }
 
-impl std::error::Error for UnknownName {}
+impl core::error::Error for UnknownName {}

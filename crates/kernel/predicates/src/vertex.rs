@@ -1,5 +1,7 @@
 //! The arguments of predicates: vertices by identity, axes and projections.
 
+use alloc::{borrow::ToOwned, string::String};
+
 /// A vertex of a scene, by identity.
 ///
 /// Symbolic perturbation moves a vertex by its identity (its index in the scene), never by its position in an argument
@@ -66,8 +68,8 @@ impl Vertex {
 }
 
 /// Writes the index, with a `c` before it for constructed vertices.
-impl std::fmt::Display for Vertex {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for Vertex {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         match self.construction() {
             None => write!(f, "{}", self.0),
             Some(index) => write!(f, "c{index}"),
@@ -79,16 +81,16 @@ impl std::fmt::Display for Vertex {
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseVertexError(String);
 
-impl std::fmt::Display for ParseVertexError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+impl core::fmt::Display for ParseVertexError {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         write!(f, "`{}` is not a vertex: neither an index nor c and the index of a construction", self.0)
     }
 }
 
-impl std::error::Error for ParseVertexError {}
+impl core::error::Error for ParseVertexError {}
 
 /// Reads what `Display` writes.
-impl std::str::FromStr for Vertex {
+impl core::str::FromStr for Vertex {
     type Err = ParseVertexError;
 
     fn from_str(text: &str) -> Result<Vertex, ParseVertexError> {

@@ -153,10 +153,10 @@ macro_rules! boxed_here {
             &'s self,
             scene: &'s $crate::Scene,
             counts: Option<&'s $crate::Counts>,
-        ) -> Result<Box<dyn $crate::Predicates + 's>, $crate::Declined> {
+        ) -> Result<$crate::alloc_of_macros::Box<dyn $crate::Predicates + 's>, $crate::Declined> {
             Ok(match counts {
-                Some(counts) => Box::new($crate::Backend::prepare(self, scene, counts)?),
-                None => Box::new($crate::Backend::prepare(self, scene, $crate::Off)?),
+                Some(counts) => $crate::alloc_of_macros::Box::new($crate::Backend::prepare(self, scene, counts)?),
+                None => $crate::alloc_of_macros::Box::new($crate::Backend::prepare(self, scene, $crate::Off)?),
             })
         }
     };

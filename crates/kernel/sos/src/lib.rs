@@ -45,3 +45,7 @@ pub use per_mesh::PerMesh;
 pub use scheme::Scheme;
 pub use session::Session;
 pub use term::{Gap, Lift, Term};
+
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

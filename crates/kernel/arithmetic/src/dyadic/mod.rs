@@ -22,7 +22,7 @@
 
 mod limbs;
 
-use std::cmp::Ordering;
+use core::cmp::Ordering;
 
 use crate::Parts;
 
@@ -44,7 +44,7 @@ impl<'a> Space<'a> {
     /// If fewer limbs remain: then the caller's proof is wrong.
     #[inline(always)]
     fn take(&mut self, limbs: usize) -> &'a mut [u64] {
-        let (taken, rest) = std::mem::take(&mut self.0).split_at_mut_checked(limbs).expect("the space suffices");
+        let (taken, rest) = core::mem::take(&mut self.0).split_at_mut_checked(limbs).expect("the space suffices");
         self.0 = rest;
         taken
     }

@@ -11,7 +11,7 @@ mod sweep;
 #[cfg(test)]
 mod tests;
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use predicament_lanes::{BLOCK, Block, Kernel, View, dispatch};
 use predicament_predicates::{Sign, Vertex};
@@ -117,7 +117,7 @@ where
 
 /// The positions of the ones in a mask, in order.
 fn ones(mut mask: u64) -> impl Iterator<Item = usize> {
-    std::iter::from_fn(move || {
+    core::iter::from_fn(move || {
         let at = mask.trailing_zeros() as usize;
         (mask != 0).then(|| mask &= mask - 1).map(|()| at)
     })

@@ -46,7 +46,7 @@
 //! is more than that and the later losses of products and quotients. A C may lose 2^-1074, which is negligible beside
 //! one of 2^-600, and the other factors leave it more. Differences underflow exactly.
 
-use std::ops::{Add, Mul, Sub};
+use core::ops::{Add, Mul, Sub};
 
 use predicament_arithmetic::{bound::UNIT_ROUNDOFF, power_of_two};
 
@@ -110,7 +110,7 @@ struct Way<const D: usize> {
 impl<const D: usize> Way<D> {
     #[inline(always)]
     fn new(from: &Near<D>, to: &Near<D>) -> Way<D> {
-        let by: [f64; D] = std::array::from_fn(|i| to.point[i] - from.point[i]);
+        let by: [f64; D] = core::array::from_fn(|i| to.point[i] - from.point[i]);
         let slack = from.slack + to.slack;
         Way { by, norm: largest(by) + slack, slack }
     }
@@ -197,8 +197,8 @@ pub(super) fn planes(planes: &[[Near<3>; 3]; 3]) -> Option<Near<3>> {
         return None;
     }
     let [second, third] = [inner(m.by, to_second.by), inner(n.by, to_third.by)];
-    let way: [f64; 3] = std::array::from_fn(|i| mixed([second, third], [nl[i], lm[i]]) / w);
-    let point: [f64; 3] = std::array::from_fn(|i| p.point[i] + way[i]);
+    let way: [f64; 3] = core::array::from_fn(|i| mixed([second, third], [nl[i], lm[i]]) / w);
+    let point: [f64; 3] = core::array::from_fn(|i| p.point[i] + way[i]);
     let (g, ways) = (largest(way), to_second.norm + to_third.norm);
     let quotient = g + (g * errors + PLANES_POINT * all * ways) / w.abs();
     near(point, p.slack + quotient)
@@ -207,7 +207,7 @@ pub(super) fn planes(planes: &[[Near<3>; 3]; 3]) -> Option<Near<3>> {
 /// The point p + g·u, where g is off by u·g and u times `quotient` of its magnitude.
 #[inline(always)]
 fn moved<const D: usize>(p: &Near<D>, g: f64, u: &Way<D>, quotient: impl Fn(f64) -> f64) -> Option<Near<D>> {
-    let point = std::array::from_fn(|i| p.point[i] + g * u.by[i]);
+    let point = core::array::from_fn(|i| p.point[i] + g * u.by[i]);
     let g = g.abs();
     near(point, p.slack + u.norm * (3.0 * g + quotient(g)))
 }

@@ -8,13 +8,15 @@
 //! through three are the cross products of their rows, and so is the point of two lines or three planes; the line p, q
 //! meets the plane f at f(q)·p − f(p)·q.
 
+use alloc::vec::Vec;
+use predicament_arithmetic::{
+    BigInt,
+    dyadic::{Number, Space},
+};
 use predicament_predicates::{
     Axis::{X, Y, Z},
     Construction, NoPoint, Vertex,
 };
-use rug::{Integer, integer::Order};
-
-use predicament_arithmetic::dyadic::{Number, Space};
 
 use super::{
     rows::{Row as Stored, View},
@@ -22,7 +24,7 @@ use super::{
 };
 
 /// A homogeneous row: coordinates and weight.
-type Row<const N: usize> = [Integer; N];
+type Row<const N: usize> = [BigInt; N];
 
 /// The construction's row, or the reason why it defines no point.
 ///
@@ -61,7 +63,7 @@ fn solid(rows: View, v: Vertex) -> Row<4> {
 fn join([p, q]: &[Row<3>; 2]) -> Result<Row<3>, NoPoint> {
     let line = cross(p, q);
     // Two points with weights have a line through them unless they are equal.
-    if line.iter().all(Integer::is_zero) { Err(NoPoint::SegmentEnds) } else { Ok(line) }
+    if line.iter().all(BigInt::is_zero) { Err(NoPoint::SegmentEnds) } else { Ok(line) }
 }
 
 /// The point of two lines.
@@ -73,7 +75,7 @@ fn meet(first: Row<3>, second: Row<3>) -> Result<Row<3>, NoPoint> {
 /// The plane through three points.
 fn span(points: &[Row<4>; 3]) -> Result<Row<4>, NoPoint> {
     let plane = minors(points);
-    if plane.iter().all(Integer::is_zero) { Err(NoPoint::CollinearPlane) } else { Ok(plane) }
+    if plane.iter().all(BigInt::is_zero) { Err(NoPoint::CollinearPlane) } else { Ok(plane) }
 }
 
 /// The point of a line and a plane.
@@ -81,14 +83,14 @@ fn pierce([p, q]: &[Row<4>; 2], plane: &Row<4>) -> Result<Row<4>, NoPoint> {
     if (0..3).all(|i| minor(p, q, i, 3).is_zero()) {
         return Err(NoPoint::LineEnds);
     }
-    let at = |point: &Row<4>| plane.iter().zip(point).map(|(f, x)| Integer::from(f * x)).sum::<Integer>();
+    let at = |point: &Row<4>| plane.iter().zip(point).fold(BigInt::ZERO, |sum, (f, x)| &sum + &(f * x));
     let (at_p, at_q) = (at(p), at(q));
-    let point: Row<4> = std::array::from_fn(|i| Integer::from(&at_q * &p[i]) - Integer::from(&at_p * &q[i]));
+    let point: Row<4> = core::array::from_fn(|i| &(&at_q * &p[i]) - &(&at_p * &q[i]));
     if point[3].is_zero() { Err(NoPoint::ParallelToPlane) } else { Ok(point) }
 }
 
-fn minor<const N: usize>(p: &Row<N>, q: &Row<N>, i: usize, j: usize) -> Integer {
-    Integer::from(&p[i] * &q[j]) - Integer::from(&p[j] * &q[i])
+fn minor<const N: usize>(p: &Row<N>, q: &Row<N>, i: usize, j: usize) -> BigInt {
+    &(&p[i] * &q[j]) - &(&p[j] * &q[i])
 }
 
 fn cross(p: &Row<3>, q: &Row<3>) -> Row<3> {
@@ -99,21 +101,23 @@ fn cross(p: &Row<3>, q: &Row<3>) -> Row<3> {
 fn minors([p, q, r]: &[Row<4>; 3]) -> Row<4> {
     let without = |column: usize| {
         let [i, j, k] = [[1, 2, 3], [0, 2, 3], [0, 1, 3], [0, 1, 2]][column];
-        let sum = minor(q, r, j, k) * &p[i] - minor(q, r, i, k) * &p[j] + minor(q, r, i, j) * &p[k];
+        let [first, second, third] =
+            [(i, [j, k]), (j, [i, k]), (k, [i, j])].map(|(at, [j, k])| &minor(q, r, j, k) * &p[at]);
+        let sum = &(&first - &second) + &third;
         if column.is_multiple_of(2) { sum } else { -sum }
     };
-    std::array::from_fn(without)
+    core::array::from_fn(without)
 }
 
 /// Stores a row in lowest terms.
 fn store<const N: usize>(rows: View, row: Row<N>) -> Stored {
-    let mut divisor = Integer::new();
-    row.iter().for_each(|x| divisor.gcd_mut(x));
-    let limbs = row.each_ref().map(|x| Integer::from(x.div_exact_ref(&divisor)).to_digits::<u64>(Order::Lsf));
+    let divisor = row.iter().fold(BigInt::ZERO, |divisor, x| divisor.gcd(x));
+    let lowest = row.each_ref().map(|x| x.div_exact(&divisor));
     let number = |i: usize| {
-        let zeros = limbs[i].iter().take_while(|&&limb| limb == 0).count();
+        let limbs = lowest[i].limbs();
+        let zeros = limbs.iter().take_while(|&&limb| limb == 0).count();
         let low = i32::try_from(zeros).expect("fewer than 2^31 limbs");
-        Number { limbs: &limbs[i][zeros..], low, negative: row[i].is_negative() }
+        Number { limbs: &limbs[zeros..], low, negative: row[i].is_negative() }
     };
     let coordinates: Vec<Number> = (0..N - 1).map(number).collect();
     rows.store(&coordinates, number(N - 1))

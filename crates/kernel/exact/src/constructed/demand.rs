@@ -4,6 +4,7 @@
 //! thread asks first. The vertices that define a vertex come before it: their rows are computed first, one by one from
 //! a work list, as a cascade can be deeper than the stack.
 
+use alloc::vec;
 use predicament_predicates::{Construction, NoPoint, Vertex};
 
 use super::points;

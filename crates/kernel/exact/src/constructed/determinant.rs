@@ -49,7 +49,7 @@ pub(super) fn orient3d(rows: &[[Number; 4]; 4]) -> Sign {
         };
     };
     // A cyclic permutation of four elements is odd.
-    let [d, a, b, c] = std::array::from_fn(|i| &rows[(pivot + i) % 4]);
+    let [d, a, b, c] = core::array::from_fn(|i| &rows[(pivot + i) % 4]);
     let needed = span(a) + span(b) + span(c) + 3 * span(d) + 1;
     if needed > LARGEST {
         return whole::sign(rows);

@@ -22,6 +22,8 @@
 //! vertices in the others; incircle has no filter and is a determinant of `whole` integers. Insphere takes input
 //! vertices only.
 
+use alloc::{format, vec::Vec};
+
 #[macro_use]
 mod capacity;
 mod approximate;
@@ -98,7 +100,7 @@ impl Constructed {
         let vertices = scene.construct_all(definitions, |scene, vertex| {
             let construction = scene.construction(vertex).expect("just constructed");
             accepts(construction)?;
-            if std::mem::take(&mut is_first) && definitions.len() > 1 {
+            if core::mem::take(&mut is_first) && definitions.len() > 1 {
                 table.reserve(scene.dimension(), definitions.len());
                 rows.reserve(definitions.len());
             }

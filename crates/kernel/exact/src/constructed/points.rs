@@ -129,7 +129,7 @@ fn normal<'a>(space: &mut Space<'a>, [r, s, t]: [Point<'a, 3>; 3]) -> Result<Poi
 }
 
 fn minus<'a, const D: usize>(space: &mut Space<'a>, p: Point<D>, q: Point<D>) -> Point<'a, D> {
-    std::array::from_fn(|i| Number::sum(space, [(p[i], Number::ONE, Plus), (q[i], Number::ONE, Minus)]))
+    core::array::from_fn(|i| Number::sum(space, [(p[i], Number::ONE, Plus), (q[i], Number::ONE, Minus)]))
 }
 
 fn minor<'a, const D: usize>(space: &mut Space<'a>, p: Point<D>, q: Point<D>, i: usize, j: usize) -> Number<'a> {
@@ -152,7 +152,7 @@ fn moved<'a, const D: usize>(
     along: Number,
     u: Point<D>,
 ) -> Point<'a, D> {
-    std::array::from_fn(|i| Number::sum(space, [(p[i], weight, Plus), (along, u[i], Plus)]))
+    core::array::from_fn(|i| Number::sum(space, [(p[i], weight, Plus), (along, u[i], Plus)]))
 }
 
 fn is_zero<const D: usize>(vector: Point<D>) -> bool {

@@ -11,15 +11,17 @@
 //! Rows of vertices that constructed vertices define have no such limit. They are in lowest terms instead: see
 //! [`deep`](super::deep).
 
-use std::sync::OnceLock;
+use alloc::{boxed::Box, vec::Vec};
 
 use predicament_arithmetic::{
     ExponentRange,
     dyadic::{Number, Space},
+    power_of_two,
 };
 use predicament_predicates::{Axis, Scene, Vertex};
 
 use super::filter::Approximate;
+use crate::once::Once;
 
 /// The bit length of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
@@ -32,14 +34,14 @@ pub(super) const ERRORS: f64 = 1.0 + 1.0 / 64.0;
 /// The number of vertices whose slots are allocated together, when the first of their rows is needed.
 const TOGETHER: usize = 16;
 
-type Slots = [OnceLock<Row>; TOGETHER];
+type Slots = [Once<Row>; TOGETHER];
 
 /// The rows that have been computed.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rows {
     /// The exponent of the scale, computed on first use.
-    shift: OnceLock<i32>,
-    slots: Vec<OnceLock<Box<Slots>>>,
+    shift: Once<i32>,
+    slots: Vec<Once<Box<Slots>>>,
     pub count: usize,
 }
 
@@ -48,7 +50,7 @@ impl Rows {
     #[inline]
     pub fn push(&mut self) {
         if self.count.is_multiple_of(TOGETHER) {
-            self.slots.push(OnceLock::new());
+            self.slots.push(Once::new());
         }
         self.count += 1;
     }
@@ -56,8 +58,8 @@ impl Rows {
     /// Removes all constructed vertices after the first `count`.
     pub fn truncate(&mut self, count: usize) {
         self.slots.truncate(count.div_ceil(TOGETHER));
-        if let Some(slots) = self.slots.get_mut(count / TOGETHER).and_then(OnceLock::get_mut) {
-            slots[count % TOGETHER..].fill_with(OnceLock::new);
+        if let Some(slots) = self.slots.get_mut(count / TOGETHER).and_then(Once::get_mut) {
+            slots[count % TOGETHER..].fill_with(Once::new);
         }
         self.count = count;
     }
@@ -208,9 +210,8 @@ impl<'a> View<'a> {
     }
 
     /// The slot for the row of the constructed vertex with this index.
-    pub fn slot(self, index: usize) -> &'a OnceLock<Row> {
-        let slots =
-            self.rows.slots[index / TOGETHER].get_or_init(|| Box::new(std::array::from_fn(|_| OnceLock::new())));
+    pub fn slot(self, index: usize) -> &'a Once<Row> {
+        let slots = self.rows.slots[index / TOGETHER].get_or_init(|| Box::new(core::array::from_fn(|_| Once::new())));
         &slots[index % TOGETHER]
     }
 
@@ -239,7 +240,7 @@ impl<'a> View<'a> {
         // A number of 65 bits at this exponent: no double here is subnormal or infinite.
         let magnitude = match exponent {
             ..-465 => 0.0,
-            -465..=935 => quotient * 2f64.powi(exponent),
+            -465..=935 => quotient * power_of_two(exponent),
             936.. => f64::NAN,
         };
         if x.negative == w.negative { magnitude } else { -magnitude }

@@ -1,19 +1,18 @@
 //! Determinants of rows in integers of any length, for rows that are too long for the stack.
 
+use alloc::{vec, vec::Vec};
 use predicament_predicates::Sign;
-use rug::{Integer, integer::Order};
 
-use predicament_arithmetic::dyadic::Number;
+use predicament_arithmetic::{BigInt, dyadic::Number};
 
 /// A row as integers: times a power of two, which does not change the point.
-pub(super) fn integers<const N: usize>(row: &[Number; N]) -> [Integer; N] {
+pub(super) fn integers<const N: usize>(row: &[Number; N]) -> [BigInt; N] {
     let lowest = row.iter().filter(|x| !x.is_zero()).map(|x| x.low).min().unwrap_or(0);
     row.map(|x| {
-        let mut integer = Integer::from_digits(x.limbs, Order::Lsf);
-        if !x.is_zero() {
-            integer <<= 64 * (x.low - lowest).unsigned_abs();
-        }
-        if x.negative { -integer } else { integer }
+        let zeros = if x.is_zero() { 0 } else { usize::try_from(x.low - lowest).expect("not below the lowest") };
+        let mut limbs = vec![0; zeros];
+        limbs.extend_from_slice(x.limbs);
+        BigInt::new(x.negative, limbs)
     })
 }
 
@@ -21,7 +20,7 @@ pub(super) fn integers<const N: usize>(row: &[Number; N]) -> [Integer; N] {
 #[cold]
 #[inline(never)]
 pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
-    let rows: Vec<[Integer; N]> = rows.iter().map(integers).collect();
+    let rows: Vec<[BigInt; N]> = rows.iter().map(integers).collect();
     minor(&rows, 0).cmp0().into()
 }
 
@@ -33,32 +32,27 @@ pub(super) fn sign<const N: usize>(rows: &[[Number; N]; N]) -> Sign {
 #[inline(never)]
 pub(super) fn incircle(points: &[[Number; 3]; 4]) -> Sign {
     let [a, b, c, [x, y, w]] = points.each_ref().map(integers);
-    let row = |[px, py, pw]: [Integer; 3]| {
-        let difference = |p: Integer, q: &Integer| p * &w - Integer::from(q * &pw);
-        let [dx, dy] = [difference(px, &x), difference(py, &y)];
-        let weight = Integer::from(&pw * &w);
-        let square = Integer::from(dx.square_ref()) + Integer::from(dy.square_ref());
-        [dx * &weight, dy * weight, square]
+    let row = |[px, py, pw]: [BigInt; 3]| {
+        let [dx, dy] = [(&px, &x), (&py, &y)].map(|(p, q)| &(p * &w) - &(q * &pw));
+        let weight = &pw * &w;
+        let square = &(&dx * &dx) + &(&dy * &dy);
+        [&dx * &weight, &dy * &weight, square]
     };
     minor(&[row(a), row(b), row(c)], 0).cmp0().into()
 }
 
 /// The minor of these rows and the columns from `column` on, by Laplace's expansion.
-fn minor<const N: usize>(rows: &[[Integer; N]], column: usize) -> Integer {
+fn minor<const N: usize>(rows: &[[BigInt; N]], column: usize) -> BigInt {
     if let [row] = rows {
         return row[column].clone();
     }
-    let mut sum = Integer::new();
+    let mut sum = BigInt::ZERO;
     for at in 0..rows.len() {
         if rows[at][column].is_zero() {
             continue;
         }
-        let term = minor(&[&rows[..at], &rows[at + 1..]].concat(), column + 1) * &rows[at][column];
-        if at.is_multiple_of(2) {
-            sum += term;
-        } else {
-            sum -= term;
-        }
+        let term = &minor(&[&rows[..at], &rows[at + 1..]].concat(), column + 1) * &rows[at][column];
+        sum = if at.is_multiple_of(2) { &sum + &term } else { &sum - &term };
     }
     sum
 }

@@ -11,9 +11,10 @@ mod traced;
 mod verdict;
 
 use crate::common::{self, Random};
+use crate::rational;
 use climb::{Recipe, minus, over, steer, under};
 use predicament_arithmetic::bound;
-use predicament_exact::{estimate, rational, side::Side};
+use predicament_exact::{estimate, side::Side};
 use predicament_predicates::Sign;
 use traced::Formula;
 use verdict::Verdict;

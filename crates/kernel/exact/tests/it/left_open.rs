@@ -5,9 +5,10 @@
 //! just fails: determinants have their maximum there.
 
 use crate::common::Random;
+use crate::rational::Value;
 use predicament_arithmetic::{bound, rational};
 use predicament_exact::determinant::{self, Determinant};
-use predicament_exact::{Exact, Session, estimate, rational::Value, stage};
+use predicament_exact::{Exact, Session, estimate, stage};
 use predicament_predicates::{Backend, Dimension, Off, Scene, Sign, Vertex};
 use rug::Rational;
 
@@ -113,7 +114,7 @@ fn orient3d() {
         determinant: determinant::ORIENT3D,
         static_bound: bound::static_orient3d,
         estimate: |&[a, b, c, d]| estimate::orient3d(a, b, c, d).determinant,
-        value: |&[a, b, c, d]| predicament_exact::rational::orient3d(a, b, c, d),
+        value: |&[a, b, c, d]| crate::rational::orient3d(a, b, c, d),
         decide: |session, v| session.decide_orient3d(v[0], v[1], v[2], v[3]),
     }
     .check();
@@ -125,7 +126,7 @@ fn incircle() {
         determinant: determinant::INCIRCLE,
         static_bound: bound::static_incircle,
         estimate: |&[a, b, c, d]| estimate::incircle(a, b, c, d).determinant,
-        value: |&[a, b, c, d]| predicament_exact::rational::incircle(a, b, c, d),
+        value: |&[a, b, c, d]| crate::rational::incircle(a, b, c, d),
         decide: |session, v| session.decide_incircle(v[0], v[1], v[2], v[3]),
     }
     .check();
@@ -137,7 +138,7 @@ fn insphere() {
         determinant: determinant::INSPHERE,
         static_bound: bound::static_insphere,
         estimate: |&[a, b, c, d, e]| estimate::insphere(a, b, c, d, e).determinant,
-        value: |&[a, b, c, d, e]| predicament_exact::rational::insphere(a, b, c, d, e),
+        value: |&[a, b, c, d, e]| crate::rational::insphere(a, b, c, d, e),
         decide: |session, v| session.decide_insphere(v[0], v[1], v[2], v[3], v[4]),
     }
     .check();

@@ -11,5 +11,7 @@ mod equality;
 mod exponents;
 mod left_open;
 mod partial;
+#[path = "../rational/mod.rs"]
+mod rational;
 mod session;
 mod truth;

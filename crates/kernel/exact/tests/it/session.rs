@@ -1,7 +1,8 @@
 //! A session's properties besides its signs: conventions, stages, refusals.
 
 use crate::common::Random;
-use predicament_exact::{Exact, Session, determinant, estimate, rational, stage};
+use crate::rational;
+use predicament_exact::{Exact, Session, determinant, estimate, stage};
 use predicament_predicates::{
     Axis, Backend, Construction, Counts, DefinitionError, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Question,
     Scene, Sign, Tally, Vertex, ZeroMeaning,

@@ -2,15 +2,13 @@
 
 use predicament_arithmetic::bound::{self, static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_effort::scaled;
-use predicament_exact::{
-    estimate::{self, Estimate},
-    rational,
-};
+use predicament_exact::estimate::{self, Estimate};
 
 use super::climb;
 use super::traced;
 use super::verdict::Verdict;
 use crate::common::{Random, nudge};
+use crate::rational;
 
 /// Every query that the static filter accepts, the semi-static filter must accept.
 ///

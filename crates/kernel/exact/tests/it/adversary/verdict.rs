@@ -1,7 +1,7 @@
 //! The rounding error of some points, in rationals.
 
+use crate::rational::Value;
 use predicament_arithmetic::bound::UNIT_ROUNDOFF;
-use predicament_exact::rational::Value;
 use rug::Rational;
 
 use super::traced::Formula;

@@ -4,11 +4,12 @@ use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows, units};
 use predicament_exact::{
     Exact,
     determinant::{self, Determinant},
-    dyadic, filter, rational, raw,
+    dyadic, filter, raw,
 };
 use predicament_predicates::{Backend, Dimension, Off, Plane, QuerySet, Question, Scene, Sign, Vertex};
 
 use crate::common::{self, Random};
+use crate::rational;
 
 /// One of this many queries is judged again, by elimination.
 const AGAIN: usize = 16;

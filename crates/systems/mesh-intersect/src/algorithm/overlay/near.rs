@@ -10,7 +10,7 @@ const PART: usize = 16384;
 
 /// The triangles of a mesh that may meet the other one.
 pub(super) struct Near {
-    /// Their indices in the mesh, ascending.
+    /// The indices of the triangles in the mesh, ascending.
     pub triangles: Vec<u32>,
     /// Their edges, each once, from the smaller vertex to the larger, ascending.
     pub edges: Vec<[Vertex; 2]>,

@@ -1,17 +1,17 @@
-//! Exact values of the determinants; not part of the ladder, which needs signs only.
+//! Exact values of the determinants, in integers of GMP: the truth for tests and benches.
 //!
 //! The coordinates of a query are integers times one power of two. The determinant is computed in those integers, and
 //! scaled back only if its value is needed. No exponent is too wide: doubles span 2100 bits.
 //!
 //! Coordinates must be finite, as those of a scene are; the functions panic otherwise.
 
+#![allow(dead_code)] // each test uses some of the functions
+
 use std::cmp::Ordering;
 
 use predicament_arithmetic::Scaled;
 use predicament_predicates::Sign;
 use rug::{Integer, Rational};
-
-use crate::determinant;
 
 /// A determinant's exact value: an integer over a power of two.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -50,14 +50,14 @@ impl Value {
 #[must_use]
 pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Value {
     let ([a, b, c], exponent) = scale([a, b, c]);
-    value(cross(&minus(&a, &c), &minus(&b, &c)), determinant::ORIENT2D, exponent)
+    value(cross(&minus(&a, &c), &minus(&b, &c)), 2, exponent)
 }
 
 /// The exact value of det(a − d, b − d, c − d).
 #[must_use]
 pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Value {
     let ([a, b, c, d], exponent) = scale([a, b, c, d]);
-    value(triple(&minus(&a, &d), &minus(&b, &d), &minus(&c, &d)), determinant::ORIENT3D, exponent)
+    value(triple(&minus(&a, &d), &minus(&b, &d), &minus(&c, &d)), 3, exponent)
 }
 
 /// The exact value of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
@@ -69,7 +69,7 @@ pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Value {
         let lift = square(&x) + square(&y);
         [x, y, lift]
     };
-    value(triple(&lifted(&a), &lifted(&b), &lifted(&c)), determinant::INCIRCLE, exponent)
+    value(triple(&lifted(&a), &lifted(&b), &lifted(&c)), 4, exponent)
 }
 
 /// The exact value of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
@@ -80,11 +80,11 @@ pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3])
     let term = |p: &[Integer; 3], minor: Integer| (square(&p[0]) + square(&p[1]) + square(&p[2])) * minor;
     let even = term(&d, triple(&a, &b, &c)) + term(&b, triple(&a, &c, &d));
     let odd = term(&c, triple(&a, &b, &d)) + term(&a, triple(&b, &c, &d));
-    value(even - odd, determinant::INSPHERE, exponent)
+    value(even - odd, 5, exponent)
 }
 
-fn value(integer: Integer, determinant: determinant::Determinant, exponent: i32) -> Value {
-    Value { integer, exponent: determinant.form.degree * exponent }
+fn value(integer: Integer, degree: i32, exponent: i32) -> Value {
+    Value { integer, exponent: degree * exponent }
 }
 
 fn scale<const D: usize, const N: usize>(points: [[f64; D]; N]) -> ([[Integer; D]; N], i32) {

@@ -1,0 +1,79 @@
+//! Integers of any length against GMP's.
+
+use alloc::vec::Vec;
+
+use proptest::prelude::*;
+use rug::{Integer, integer::Order};
+
+use super::BigInt;
+
+fn value(integer: &BigInt) -> Integer {
+    let magnitude = Integer::from_digits(integer.limbs(), Order::Lsf);
+    if integer.is_negative() { -magnitude } else { magnitude }
+}
+
+/// Limbs that are often all zeros or all ones, as carries and wrong estimates of quotients need them.
+fn limb() -> impl Strategy<Value = u64> {
+    prop_oneof![3 => any::<u64>(), 1 => Just(0), 1 => Just(u64::MAX), 1 => Just(1), 1 => Just(1 << 63)]
+}
+
+fn integer(most: usize) -> impl Strategy<Value = BigInt> {
+    (any::<bool>(), prop::collection::vec(limb(), 0..=most)).prop_map(|(negative, limbs)| BigInt::new(negative, limbs))
+}
+
+fn check(a: &BigInt, b: &BigInt, common: &BigInt) {
+    let [x, y] = [a, b].map(value);
+    assert_eq!(value(&(a + b)), Integer::from(&x + &y));
+    assert_eq!(value(&(a - b)), Integer::from(&x - &y));
+    let product = a * b;
+    assert_eq!(value(&product), Integer::from(&x * &y));
+    assert_eq!(product.cmp0(), Integer::from(&x * &y).cmp0());
+    assert_eq!(value(&a.gcd(b)), Integer::from(x.gcd_ref(&y)));
+    let [left, right] = [a, b].map(|number| number * common);
+    let divisor = left.gcd(&right);
+    assert_eq!(value(&divisor), value(&left).gcd(&value(&right)));
+    if !divisor.is_zero() {
+        for number in [&left, &right] {
+            assert_eq!(value(&number.div_exact(&divisor)), value(number) / value(&divisor));
+        }
+    }
+    if !b.is_zero() {
+        assert_eq!(&product.div_exact(b), a);
+        let mut rest = a.limbs().to_vec();
+        super::divisor::remainder(&mut rest, b.limbs());
+        assert_eq!(value(&BigInt::new(false, rest)), value(a).abs() % value(b).abs());
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(predicament_effort::cases(2000)))]
+
+    #[test]
+    fn short_numbers_agree_with_gmp(a in integer(5), b in integer(5), common in integer(3)) {
+        check(&a, &b, &common);
+    }
+
+    #[test]
+    fn long_numbers_agree_with_gmp(a in integer(150), b in integer(150), common in integer(60)) {
+        check(&a, &b, &common);
+    }
+}
+
+#[test]
+fn remainders_of_the_fibonacci_numbers_are_the_most_steps() {
+    let (mut a, mut b) = (BigInt::from(1), BigInt::from(1));
+    for _ in 0..2000 {
+        (a, b) = (b.clone(), &a + &b);
+    }
+    check(&a, &b, &BigInt::from(12));
+    assert_eq!(a.gcd(&b), BigInt::from(1));
+}
+
+#[test]
+fn zero_has_no_limbs_and_no_sign() {
+    let zero = BigInt::new(true, Vec::from([0, 0]));
+    assert_eq!((&zero, zero.is_negative(), zero.limbs().len()), (&BigInt::ZERO, false, 0));
+    assert_eq!(-zero, BigInt::ZERO);
+    assert_eq!(BigInt::ZERO.gcd(&-BigInt::from(6)), BigInt::from(6));
+    assert_eq!(BigInt::ZERO.div_exact(&BigInt::from(6)), BigInt::ZERO);
+}
