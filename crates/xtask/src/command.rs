@@ -151,7 +151,7 @@ fn not_started(what: &str, words: &[String]) -> impl FnOnce(std::io::Error) -> S
 }
 
 /// Says that a step has ended, with its time and the processor time of children since `cpu`.
-fn ended(what: &str, is_fine: bool, status: &str, start: Instant, cpu: Option<f64>) -> Result<(), String> {
+pub fn ended(what: &str, is_fine: bool, status: &str, start: Instant, cpu: Option<f64>) -> Result<(), String> {
     if !is_fine {
         return Err(format!("{what} failed: {status}"));
     }

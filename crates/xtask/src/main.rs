@@ -9,6 +9,7 @@
 mod advisories;
 mod book;
 mod browser;
+mod c_library;
 mod ci_page;
 mod command;
 mod compiler;
@@ -51,6 +52,9 @@ Commands:
   advisories [--db DIR]
          the lock files of cargo against a RustSec advisory database on this machine: DIR, or what cargo-audit or cargo-deny
          has left in cargo's folder; red if a version is vulnerable or unsound. Asks no network
+  c-library [--prefix DIR | check | bench]
+         the C library in release, with headers and files for pkg-config and CMake, under DIR or target/c-library/release.
+         check compiles and runs its examples, as `test` does; bench times calls from C beside calls from Rust
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
@@ -83,7 +87,7 @@ fn main() -> ExitCode {
     let command = args.next().unwrap_or_else(|| "help".to_owned());
     let rest: Vec<String> = args.collect();
     let is_known = |argument: &str| {
-        ["advisories", "engines", "mutants", "test"].contains(&command.as_str())
+        ["advisories", "c-library", "engines", "mutants", "test"].contains(&command.as_str())
             || command == "browser" && argument == "--accept"
     };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
@@ -98,6 +102,7 @@ fn main() -> ExitCode {
         "book" => book::build(),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "advisories" => advisories::check(&rest),
+        "c-library" => m4::ensure().and_then(|()| c_library::make(&rest)),
         "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),

@@ -4,7 +4,7 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use crate::command::{Beside, answers, cargo, cargo_command, fresh, root, step, target_directory, words};
-use crate::compiler;
+use crate::{c_library, compiler};
 
 /// The folder of `demo`. Cargo has `target/demo`, the build of the profile.
 const DEMO: &str = "target/demo-report";
@@ -53,6 +53,7 @@ pub fn test() -> Result<(), String> {
     cargo("the exact kernel without the standard library", &alone)?;
     let planted = selftest()?;
     engine_examples(&compiler)?;
+    c_library::check()?;
     gate()?;
     planted.finish()?;
     doc_tests.map_or(Ok(()), Beside::finish)
@@ -60,7 +61,7 @@ pub fn test() -> Result<(), String> {
 
 /// Runs format, clippy, docs and the tests of these crates alone, named by folder: `delaunay`, `exact`.
 pub fn test_of(crates: &[String]) -> Result<(), String> {
-    let folders = ["kernel", "instrument", "systems", "lab"].map(|group| root().join("crates").join(group));
+    let folders = ["kernel", "instrument", "systems", "lab", "bindings"].map(|group| root().join("crates").join(group));
     let is_one = |name: &String| folders.iter().any(|group| group.join(name).join("Cargo.toml").is_file());
     if let Some(strange) = crates.iter().find(|name| !is_one(name)) {
         return Err(format!("no crate is called `{strange}`: name a folder of crates/*, such as `delaunay`"));
@@ -194,6 +195,10 @@ pub fn nightly() -> Result<(), String> {
         // The table about wrong answers of crates is checked against the published fixtures.
         cargo("fetch data", &["run", "--quiet", "--profile", "ci", "--", "corpus", "fetch"]),
         run_tests("tests", &[(EFFORT.0, EFFORT.1.to_owned())]).and_then(|docs| docs.map_or(Ok(()), Beside::finish)),
+        cargo(
+            "the header of the C library",
+            &["test", "--profile", "ci", "-p", "predicament-c", "--features", "header", "header"],
+        ),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         packages(),
