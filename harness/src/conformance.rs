@@ -6,13 +6,14 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
 use predicament_bundle::Systems;
-use predicament_corpus::Level;
+use predicament_conformance::{Answer, regression_test};
+use predicament_corpus::{Level, LoadedScene};
 use predicament_judge::TieJudge;
 use predicament_oracle::expect::Expectations;
 use predicament_oracle::roster::Roster;
 use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_records::{RunWriter, Shard};
-use predicament_tasks::{Contestant, Entry, Task, Watch};
+use predicament_tasks::{Contestant, Entry, Finding, Task, Watch};
 
 use crate::exit::Failure;
 use crate::planning::{budget, env_of, plan, tables};
@@ -20,6 +21,24 @@ use crate::rows;
 use crate::select::Selector;
 use crate::told::point_lines;
 use crate::tool::{Guests, Tool};
+
+/// The test of a function of points that reproduces a finding; `None` if the finding is not about the sign of one query
+/// about input points.
+fn regression(loaded: &LoadedScene, finding: &Finding) -> Option<String> {
+    let [query] = finding.queries.as_slice() else { return None };
+    let (question, args) = query.question()?;
+    let sign = |text: &str| text.chars().next().and_then(Sign::from_symbol);
+    let point = |v: &Vertex| {
+        let point = (!v.is_constructed()).then(|| loaded.scene.point(*v))?;
+        question.coordinates().iter().map(|&axis| point.get(axis).copied()).collect::<Option<Vec<f64>>>()
+    };
+    let points: Vec<Vec<f64>> = args.iter().map(point).collect::<Option<_>>()?;
+    let points: Vec<&[f64]> = points.iter().map(Vec::as_slice).collect();
+    let (kind, name) = (question.kind(), &loaded.name);
+    let got = sign(&finding.got).map_or(Answer::NotANumber, Answer::Sign);
+    let test = regression_test(kind, kind.name(), name, &points, got, sign(&finding.truth)?)?;
+    Some(format!("  as a test of a function of points:\n{test}"))
+}
 
 /// The number of findings printed in full.
 const SHOWN: usize = 5;
@@ -196,6 +215,7 @@ impl<B: Backend + 'static, T: Roster> Conformance<B, T> {
                     "  again, with a tool that has this backend: replay {id} --run {}",
                     folder.display()
                 );
+                shown.push_str(&regression(&loaded, finding).unwrap_or_default());
             }
         }
         writer.finish(predicament_records::Outcome::Complete).map_err(Failure::usage)?;

@@ -20,6 +20,9 @@
 //! }
 //! ```
 //!
+//! A predicate that is a function of points needs no backend: [`check`] tests it. The crate `predicament-conformance`
+//! has this module alone, with few dependencies.
+//!
 //! `docs/BACKENDS.md` explains how to write a backend, `docs/TASKS.md` how to write a task. This crate parses command
 //! lines and writes rows into folders; the crate `tasks` decides what is judged, `oracle` what is run, and `report`
 //! what is drawn.
@@ -75,6 +78,8 @@ pub use conformance::{Conformance, conformance};
 pub use exit::{CORPUS, INCOMPLETE, NOTHING_SELECTED, OK, SLOWER, UNEXPECTED, UNEXPECTED_PASS, USAGE};
 /// The built-in systems.
 pub use predicament_bundle::Systems;
+/// Checks of predicates that are functions of points; they need no backend.
+pub use predicament_conformance::check;
 pub use predicament_corpus::{self as corpus, Level};
 pub use predicament_formats as formats;
 pub use predicament_judge as judge;

@@ -13,7 +13,7 @@ const GATE: &str = "target/gate";
 /// The crates that use the tool as a library.
 ///
 /// In the workspace they share its builds; `nightly` builds them outside, as a user would.
-const EXAMPLES: [&str; 3] = ["leftmost", "convexity", "mine"];
+const EXAMPLES: [&str; 4] = ["leftmost", "convexity", "mine", "own-predicate"];
 /// The package of benches.
 ///
 /// It has no tests, and its dependencies would be compiled or checked for them: `nightly` does that.
@@ -240,18 +240,17 @@ fn minimum_version() -> Result<(), String> {
 /// Runs the tests of the examples in separate folders, each a workspace as in a user's repository.
 fn strangers() -> Result<(), String> {
     let folder = fresh("target/strangers")?;
-    let harness = format!("\"{}\"", root().join("harness").display());
+    let here = format!("\"{}/", root().display());
     let mut failed = Vec::new();
     for name in EXAMPLES {
         let (from, to) = (root().join("examples").join(name), root().join(&folder).join(name));
         copy(&from, &to).map_err(|error| format!("{}: {error}", from.display()))?;
         let manifest = to.join("Cargo.toml");
         let text = std::fs::read_to_string(&manifest).map_err(|error| format!("{}: {error}", manifest.display()))?;
-        let alone = text.replace("\"../../harness\"", &harness)
-            + "\n[workspace]\n\n[profile.dev.package.\"*\"]\nopt-level = 1\n";
+        let alone = text.replace("\"../../", &here) + "\n[workspace]\n\n[profile.dev.package.\"*\"]\nopt-level = 1\n";
         std::fs::write(&manifest, alone).map_err(|error| format!("{}: {error}", manifest.display()))?;
         let manifest = manifest.display().to_string();
-        // One folder for the three, since their dependencies are the same.
+        // One folder for all, since they share dependencies.
         let target = root().join(&folder).join("target").display().to_string();
         let test = ["test", "--manifest-path", &manifest, "--target-dir", &target];
         failed.extend(cargo(&format!("tests of {name} as a crate of its own"), &test).err());

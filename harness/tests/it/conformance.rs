@@ -20,6 +20,7 @@ fn findings_and_expectations_that_nothing_can_meet_fail_it() {
     assert!(holds.starts_with("mine: 10000 answers to 2 scenes, none unexpected"), "{holds}");
     let found = check("^families/kettner-orient2d", "").unwrap_err();
     assert!(found.contains("mine: 1 of 1 scenes are not as expected") && found.contains("vertex"), "{found}");
+    assert!(found.contains("let answer = orient2d(a, b, c);") && found.contains("f64::from_bits(0x"), "{found}");
     let never = check("^families/uniform-orient2d", &entry("families/unifrom-*")).unwrap_err();
     assert!(never.contains("mine: expectations that nothing can meet\n"), "{never}");
     assert!(never.contains("expected.toml:1: no scene is called `families/unifrom-*`"), "{never}");

@@ -15,7 +15,6 @@ mod level;
 mod library;
 mod loaded;
 mod numbering;
-mod random;
 mod spelled;
 mod suite;
 
@@ -29,6 +28,6 @@ pub use level::Level;
 pub use library::Library;
 pub use loaded::{LoadedScene, MoveError};
 pub use numbering::{Unnumbered, numbered, unnumbered};
-pub use random::Random;
+pub use predicament_families::Random;
 pub use spelled::{Heading, Items, List, Spelled, coordinate, spelled_points};
 pub use suite::{Context, SceneDef, Suite};

@@ -13,7 +13,6 @@
 //! * [`read_bytes`], [`read_suite`]: files, within bounds.
 //! * [`Manifest`], [`Cache`], [`fetch`]: real data from package registries.
 
-pub mod bits;
 mod cache;
 mod coordinate;
 mod csv;
@@ -46,6 +45,7 @@ pub use import::{ImportNotes, ImportedMap, Keeps, Places, geometry, mesh, points
 pub use lines::Lines;
 pub use manifest::{Entry, Manager, Manifest};
 pub use nearest::{nearest, use_one_of};
+pub use predicament_families::bits;
 pub use rows::{POINT, RowKind, Rows, read_points, read_rows};
 pub use tables::{POINTS, TableKind};
 

@@ -10,6 +10,7 @@ use predicament_predicates::{Axis, Sign};
 use rug::Integer;
 
 use crate::row::Row;
+use crate::split::split;
 
 /// The maximum number of rows of a determinant: insphere has four, of three differences and a lift.
 const MOST: usize = 4;
@@ -100,20 +101,6 @@ fn determinant(rows: &[[Integer; MOST]; MOST], size: usize) -> Integer {
         minors[set] = minor;
     }
     std::mem::take(&mut minors[(1 << size) - 1])
-}
-
-/// Returns s and e with |x| = s·2^e, for a finite x: e is the exponent of the last place, −1074 at least.
-///
-/// The arithmetic under test reads doubles with `Parts` of `predicament-arithmetic`. The judge has its own reader on
-/// purpose: with a shared reader, one fault would hide in both.
-fn split(x: f64) -> (u64, i32) {
-    let bits = x.to_bits();
-    let fraction = bits & ((1 << 52) - 1);
-    match i32::try_from(bits >> 52 & 0x7ff).expect("11 bits") {
-        0x7ff => panic!("scenes hold finite coordinates only"),
-        0 => (fraction, -1074),
-        biased => (fraction | 1 << 52, biased - 1075),
-    }
 }
 
 /// x / 2^`lowest`, which must be an integer.

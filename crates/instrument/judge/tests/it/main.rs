@@ -8,6 +8,7 @@ mod hull;
 mod interval;
 mod locate;
 mod nearest;
+mod portable;
 mod random;
 mod rational_solids;
 mod sample;

@@ -3,11 +3,11 @@
 use std::sync::OnceLock;
 
 use predicament_corpus::{Family, Recipe};
+use predicament_families::{self as families, Kind};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::PredicateKind;
 
-use super::constructed::{self, Kind};
-use super::{band, by_query, degenerate, far, kettner, near, pixels, plain, scattered, wide};
+use super::{by_query, read};
 
 const ALL: &[PredicateKind] = &PredicateKind::ALL;
 const FLAT: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d];
@@ -21,7 +21,7 @@ pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
             PredicateKind::Derived(_) => kinds == ALL && family.name != "kettner",
             _ => kinds.contains(&kind),
         };
-        let all = families().into_iter();
+        let all = list().into_iter();
         all.filter(|(kinds, family)| fits(kinds, family)).map(|(_, family)| family).collect()
     })
 }
@@ -39,10 +39,10 @@ fn family(
     (kinds, Family { name, reported_as: Some(reported_as), parameters, about, read })
 }
 
-fn families() -> Vec<(&'static [PredicateKind], Family)> {
+fn list() -> Vec<(&'static [PredicateKind], Family)> {
     vec![
         family("uniform", "uniform", ALL, &[], "multiples of 2^-53, uniform in [0, 1)", |task, fields| {
-            by_query(task, fields, plain::uniform)
+            by_query(task, fields, families::uniform)
         }),
         family(
             "scattered",
@@ -50,19 +50,19 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient2d, PredicateKind::Orient3d, PredicateKind::Incircle, PredicateKind::Insphere],
             &[],
             "random vertices among five times as many uniform points as queries",
-            scattered::read,
+            read::scattered,
         ),
         family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, few bits", |task, fields| {
-            by_query(task, fields, plain::grid)
+            by_query(task, fields, families::grid)
         }),
-        family("near", "near", ALL, &["ulps"], "at most `ulps` ulps off a line, plane, circle or sphere", near::read),
+        family("near", "near", ALL, &["ulps"], "at most `ulps` ulps off a line, plane, circle or sphere", read::near),
         family(
             "kettner",
             "kettner",
             ALL,
             &[],
             "0.5 + k·2^-53, k < 256, against a line, plane, circle or sphere through 0.5",
-            |task, fields| by_query(task, fields, kettner::kettner),
+            |task, fields| by_query(task, fields, families::kettner),
         ),
         family(
             "degen",
@@ -70,7 +70,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             ALL,
             &[],
             "exactly degenerate in general position: every answer is 0",
-            |task, fields| by_query(task, fields, degenerate::scaled),
+            |task, fields| by_query(task, fields, read::degenerate),
         ),
         family(
             "decimal-collinear",
@@ -78,7 +78,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient2d],
             &["digits"],
             "collinear decimals, rounded to doubles",
-            degenerate::read_decimal,
+            read::decimal,
         ),
         family(
             "decimal-coplanar",
@@ -86,7 +86,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient3d],
             &["digits"],
             "coplanar decimals, rounded to doubles",
-            degenerate::read_decimal,
+            read::decimal,
         ),
         family(
             "decimal-cocircular",
@@ -94,7 +94,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Incircle],
             &["digits"],
             "cocircular decimals, rounded to doubles",
-            degenerate::read_decimal,
+            read::decimal,
         ),
         family(
             "decimal-cospherical",
@@ -102,7 +102,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Insphere],
             &["digits"],
             "cospherical decimals, rounded to doubles",
-            degenerate::read_decimal,
+            read::decimal,
         ),
         family(
             "midpoint-collinear",
@@ -110,7 +110,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient2d, PredicateKind::Orient3d],
             &[],
             "two points and their rounded midpoint; in 3D with any fourth",
-            |task, fields| by_query(task, fields, near::midpoint),
+            |task, fields| by_query(task, fields, families::midpoint),
         ),
         family(
             "wide-scaled",
@@ -118,7 +118,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             ALL,
             &[],
             "uniform, near and degen queries scaled by 2^k, subnormal to 2^1023",
-            |task, fields| by_query(task, fields, wide::scaled),
+            |task, fields| by_query(task, fields, read::wide_scaled),
         ),
         family(
             "wide-mixed",
@@ -126,10 +126,10 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             ALL,
             &[],
             "every coordinate with its own exponent, subnormal to 2^1023",
-            |task, fields| by_query(task, fields, wide::mixed),
+            |task, fields| by_query(task, fields, families::wide_mixed),
         ),
         family("far", "far", ALL, &[], "unit clusters 2^20 to 2^45 away from the origin", |task, fields| {
-            by_query(task, fields, far::far)
+            by_query(task, fields, families::far)
         }),
         family(
             "band",
@@ -137,7 +137,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient2d, PredicateKind::Orient3d],
             &[],
             "determinants around the tolerance scheme's thresholds",
-            band::read,
+            read::band,
         ),
         family(
             "pixel-map",
@@ -145,7 +145,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             &[PredicateKind::Orient2d],
             &["p", "q", "r", "side", "step"],
             "a square of neighbours of p against fixed q and r (Kettner et al.)",
-            pixels::read,
+            read::pixels,
         ),
         family(
             "ssi-uniform",
@@ -153,7 +153,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             FLAT,
             &["halvings"],
             "two lines' meeting points and input points, all uniform in [0, 1)",
-            |task, fields| constructed::uniform(task, fields, &[Kind::Ssi]),
+            |task, fields| read::constructed_uniform(task, fields, &[Kind::Ssi]),
         ),
         family(
             "ssi-near",
@@ -161,7 +161,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             FLAT,
             &["ulps", "halvings"],
             "two lines' meeting points at most `ulps` ulps off a tie",
-            |task, fields| constructed::near(task, fields, &[Kind::Ssi]),
+            |task, fields| read::constructed_near(task, fields, &[Kind::Ssi]),
         ),
         family(
             "ssi-degen",
@@ -169,7 +169,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             FLAT,
             &["halvings"],
             "two lines' meeting points in exact ties: every answer is 0",
-            |task, fields| constructed::degenerate(task, fields, &[Kind::Ssi]),
+            |task, fields| read::constructed_degenerate(task, fields, &[Kind::Ssi]),
         ),
         family(
             "lpi-uniform",
@@ -177,7 +177,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "meeting points of lines and planes and input points, all uniform in [0, 1)",
-            |task, fields| constructed::uniform(task, fields, &[Kind::Lpi]),
+            |task, fields| read::constructed_uniform(task, fields, &[Kind::Lpi]),
         ),
         family(
             "lpi-near",
@@ -185,7 +185,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["ulps", "halvings"],
             "meeting points of lines and planes at most `ulps` ulps off a tie",
-            |task, fields| constructed::near(task, fields, &[Kind::Lpi]),
+            |task, fields| read::constructed_near(task, fields, &[Kind::Lpi]),
         ),
         family(
             "lpi-degen",
@@ -193,7 +193,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "meeting points of lines and planes in exact ties: every answer is 0",
-            |task, fields| constructed::degenerate(task, fields, &[Kind::Lpi]),
+            |task, fields| read::constructed_degenerate(task, fields, &[Kind::Lpi]),
         ),
         family(
             "tpi-uniform",
@@ -201,7 +201,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "three planes' meeting points and input points, all uniform in [0, 1)",
-            |task, fields| constructed::uniform(task, fields, &[Kind::Tpi]),
+            |task, fields| read::constructed_uniform(task, fields, &[Kind::Tpi]),
         ),
         family(
             "tpi-near",
@@ -209,7 +209,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["ulps", "halvings"],
             "three planes' meeting points at most `ulps` ulps off a tie",
-            |task, fields| constructed::near(task, fields, &[Kind::Tpi]),
+            |task, fields| read::constructed_near(task, fields, &[Kind::Tpi]),
         ),
         family(
             "tpi-degen",
@@ -217,7 +217,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "three planes' meeting points in exact ties: every answer is 0",
-            |task, fields| constructed::degenerate(task, fields, &[Kind::Tpi]),
+            |task, fields| read::constructed_degenerate(task, fields, &[Kind::Tpi]),
         ),
         family(
             "lpi-tpi-uniform",
@@ -225,7 +225,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "both kinds of meeting points in space and input points, all uniform in [0, 1)",
-            |task, fields| constructed::uniform(task, fields, &[Kind::Lpi, Kind::Tpi]),
+            |task, fields| read::constructed_uniform(task, fields, &[Kind::Lpi, Kind::Tpi]),
         ),
         family(
             "lpi-tpi-near",
@@ -233,7 +233,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["ulps", "halvings"],
             "both kinds of meeting points in space at most `ulps` ulps off a tie",
-            |task, fields| constructed::near(task, fields, &[Kind::Lpi, Kind::Tpi]),
+            |task, fields| read::constructed_near(task, fields, &[Kind::Lpi, Kind::Tpi]),
         ),
         family(
             "lpi-tpi-degen",
@@ -241,7 +241,7 @@ fn families() -> Vec<(&'static [PredicateKind], Family)> {
             SOLID,
             &["halvings"],
             "both kinds of meeting points in space in exact ties: every answer is 0",
-            |task, fields| constructed::degenerate(task, fields, &[Kind::Lpi, Kind::Tpi]),
+            |task, fields| read::constructed_degenerate(task, fields, &[Kind::Lpi, Kind::Tpi]),
         ),
     ]
 }

@@ -1,30 +1,16 @@
-//! Families of generated sign scenes.
+//! Families of generated sign scenes: the keys of their tables, and the scenes of their queries.
 //!
-//! The same family, predicate, parameters and seed give the same bits on every
-//! platform: ChaCha8 is seeded with a hash of them, and coordinates come from
-//! integer arithmetic, + − · / and square roots only, which IEEE 754 rounds the
-//! same everywhere.
+//! The crate `families` makes the queries of the five predicates; [`formula`] makes those of formulas.
 
-mod band;
-mod constructed;
-mod degenerate;
-mod far;
 mod formula;
-mod kettner;
 mod list;
-mod near;
-mod pixels;
-mod plain;
-mod scattered;
-mod shape;
-mod wide;
+mod read;
 
 use predicament_corpus::{Making, Parts, Random, Recipe};
+use predicament_families::{Cloud, native, place};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::formula::Formula;
-use predicament_predicates::{
-    Construction, Dimension, PredicateKind, QuerySet, Question, Scene, SceneError, Sign, Vertex,
-};
+use predicament_predicates::{Dimension, PredicateKind, QuerySet, Question, Scene, SceneError, Sign};
 
 pub(super) use list::of;
 
@@ -49,23 +35,6 @@ pub fn adversaries(formula: &Formula, count: usize, seed: u64) -> Vec<(Vec<Vec<f
         (points, value.cmp0().into())
     };
     (0..count).map(one).collect()
-}
-
-/// The number of coordinates that a family uses for a predicate.
-fn native(kind: PredicateKind) -> usize {
-    match kind {
-        PredicateKind::Compare | PredicateKind::Orient2d | PredicateKind::Incircle => 2,
-        PredicateKind::Orient3d | PredicateKind::Insphere => 3,
-        PredicateKind::Derived(derived) => derived.formula().coordinates(),
-    }
-}
-
-/// Points, constructions from them, and the queries unless these are consecutive tuples.
-#[derive(Default)]
-struct Cloud {
-    coordinates: Vec<f64>,
-    args: Option<Vec<Vertex>>,
-    constructions: Vec<Construction>,
 }
 
 /// The keys of a generator's table that all families share.
@@ -133,7 +102,7 @@ impl Asked {
     /// The scene of a cloud whose points are in the family's own plane.
     fn placed(self, cloud: Cloud, making: &Making) -> Parts {
         let mut rest = Random::new(making.family, "coordinates that nobody asks about", making.seed);
-        let coordinates = shape::place(cloud.coordinates, self.question, self.dimension, &mut rest);
+        let coordinates = place(cloud.coordinates, self.question, self.dimension, &mut rest);
         self.parts(Cloud { coordinates, ..cloud })
     }
 }

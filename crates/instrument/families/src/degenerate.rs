@@ -3,10 +3,8 @@
 
 use predicament_predicates::PredicateKind;
 
-use super::formula;
-use predicament_corpus::{Random, Recipe};
-use predicament_formats::bits::{integer, power_of_two};
-use predicament_formats::{CorpusError, Fields};
+use crate::Random;
+use crate::bits::{integer, power_of_two};
 
 /// The magnitudes of a query's integers.
 struct Sizes {
@@ -22,24 +20,21 @@ struct Sizes {
 
 /// A query whose answer is 0, also after scaling by 2^k: the coordinates are integers of at most 48 bits times a power
 /// of two, hence doubles.
-pub(super) fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
-    if let PredicateKind::Derived(derived) = kind {
-        return formula::tie(derived.formula(), rng, out);
-    }
+///
+/// # Panics
+/// For a predicate from a formula.
+pub fn scaled(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let sizes = Sizes { origin: 1 << 30, step: 1 << 15, steps: 1 << 15, parameter: 12 };
     let unit = power_of_two(rng.integer(-40, 40));
     out.extend(integers(kind, &sizes, rng).into_iter().map(|n| integer(n) * unit));
 }
 
-/// Reads `digits`.
-pub(super) fn read_decimal(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-    let digits = fields.integer_or("digits", 1, 1..=9).map(|n| u32::try_from(n).unwrap_or(9))?;
-    super::by_query(task, fields, move |kind, rng, out| decimal(kind, digits, rng, out))
-}
-
 /// A query that is degenerate as decimals with a few fractional digits; the nearest doubles miss it by their roundings.
 /// Dividing an integer by a power of ten (both doubles) rounds as reading the decimal does.
-fn decimal(kind: PredicateKind, digits: u32, rng: &mut Random, out: &mut Vec<f64>) {
+///
+/// # Panics
+/// For a predicate from a formula, or for more than 18 digits.
+pub fn decimal(kind: PredicateKind, digits: u32, rng: &mut Random, out: &mut Vec<f64>) {
     let sizes = Sizes { origin: 100, step: 12, steps: 12, parameter: 3 };
     let power = integer(10_i64.pow(digits));
     out.extend(integers(kind, &sizes, rng).into_iter().map(|n| integer(n) / power));
@@ -56,7 +51,7 @@ fn integers(kind: PredicateKind, sizes: &Sizes, rng: &mut Random) -> Vec<i64> {
         PredicateKind::Orient3d => plane(sizes, rng),
         PredicateKind::Incircle => round::<2>(4, sizes, rng),
         PredicateKind::Insphere => round::<3>(5, sizes, rng),
-        PredicateKind::Derived(_) => Vec::new(),
+        PredicateKind::Derived(derived) => panic!("{}: formulas have families of their own", derived.name()),
     }
 }
 

@@ -3,26 +3,20 @@
 //! In the other families the points of a query are adjacent in memory, and those of the next query follow. Here each
 //! vertex has a random address, so the time of a query is that of fetching its points, once these exceed the cache.
 
-use predicament_corpus::{Random, Recipe};
-use predicament_formats::{CorpusError, Fields};
+use crate::Random;
 use predicament_predicates::{PredicateKind, Vertex};
 
-use super::{Asked, Cloud};
+use super::Cloud;
 
 /// The number of points for each query: 10^6 for 200,000.
-const POINTS: usize = 5;
-
-/// Reads a table of the family, which has no parameters of its own.
-pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-    let asked = Asked::read(task, fields, None)?;
-    let coordinates = move |n| POINTS as u64 * n * asked.dimension.count() as u64;
-    Ok(Recipe::new(coordinates, move |making| {
-        asked.placed(scattered(asked.kind(), making.n, &mut making.random()), making)
-    }))
-}
+pub const POINTS: usize = 5;
 
 /// A scene of `n` queries of distinct vertices, with points uniform in [0, 1).
-fn scattered(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
+///
+/// # Panics
+/// If `n` is so large that the points cannot be numbered.
+#[must_use]
+pub fn scattered(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
     let points = POINTS * n;
     let coordinates = (0..points * super::native(kind)).map(|_| rng.unit()).collect();
     let last = i64::try_from(points).expect("so many points fit into memory") - 1;

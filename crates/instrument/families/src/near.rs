@@ -2,24 +2,19 @@
 
 use predicament_predicates::PredicateKind;
 
-use super::formula;
-use predicament_corpus::{Random, Recipe};
-use predicament_formats::bits::step;
-use predicament_formats::{CorpusError, Fields};
-
-/// Reads `ulps`.
-pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-    let ulps = fields.integer_or("ulps", 4, 1..=1 << 20)?.cast_signed();
-    super::by_query(task, fields, move |kind, rng, out| near(kind, ulps, rng, out))
-}
+use crate::Random;
+use crate::bits::step;
 
 /// A query whose last point is at a degenerate position, up to rounding, moved by at most `ulps` ulps in every
 /// coordinate.
-pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut Vec<f64>) {
+///
+/// # Panics
+/// For a predicate from a formula.
+pub fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut Vec<f64>) {
     let start = out.len();
     let dimension = super::native(kind);
     match kind {
-        PredicateKind::Derived(derived) => return formula::near(derived.formula(), ulps, rng, out),
+        PredicateKind::Derived(derived) => panic!("{}: formulas have families of their own", derived.name()),
         PredicateKind::Compare => {
             let x = rng.unit();
             out.extend([x, rng.unit(), x, rng.unit()]);
@@ -59,7 +54,7 @@ pub(super) fn near(kind: PredicateKind, ulps: i64, rng: &mut Random, out: &mut V
 }
 
 /// Two points and their midpoint, rounded; for `orient3d` with an arbitrary fourth point.
-pub(super) fn midpoint(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+pub fn midpoint(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let dimension = super::native(kind);
     let a: Vec<_> = (0..dimension).map(|_| rng.unit()).collect();
     let b: Vec<_> = (0..dimension).map(|_| rng.unit()).collect();
@@ -71,11 +66,11 @@ pub(super) fn midpoint(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>
     }
 }
 
-pub(super) fn unit2(rng: &mut Random) -> [f64; 2] {
+pub(crate) fn unit2(rng: &mut Random) -> [f64; 2] {
     [rng.unit(), rng.unit()]
 }
 
-pub(super) fn unit3(rng: &mut Random) -> [f64; 3] {
+pub(crate) fn unit3(rng: &mut Random) -> [f64; 3] {
     [rng.unit(), rng.unit(), rng.unit()]
 }
 

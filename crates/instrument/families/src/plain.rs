@@ -3,15 +3,15 @@
 use predicament_predicates::PredicateKind;
 
 use super::native;
-use predicament_corpus::Random;
-use predicament_formats::bits::integer;
+use crate::Random;
+use crate::bits::integer;
 
 /// Points uniform in the unit square or cube.
-pub(super) fn uniform(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+pub fn uniform(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     out.extend((0..kind.arity() * native(kind)).map(|_| rng.unit()));
 }
 
 /// Points with small integer coordinates.
-pub(super) fn grid(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+pub fn grid(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     out.extend((0..kind.arity() * native(kind)).map(|_| integer(rng.integer(0, 15))));
 }

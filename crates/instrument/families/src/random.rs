@@ -4,7 +4,7 @@ use rand_chacha::ChaCha8Rng;
 use rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
 
-use predicament_formats::bits::power_of_two;
+use crate::bits::power_of_two;
 
 /// A stream of random numbers.
 pub struct Random(ChaCha8Rng);

@@ -2,11 +2,11 @@
 
 use predicament_predicates::{Axis, Dimension, Plane, Question};
 
-use predicament_corpus::Random;
+use crate::Random;
 
 /// Maps points to the axes of the question: a family's first coordinate to the compared axis, its plane to the
 /// question's plane. Coordinates that the question does not use are uniform in [0, 1).
-pub(super) fn place(coordinates: Vec<f64>, question: Question, dimension: Dimension, rng: &mut Random) -> Vec<f64> {
+pub fn place(coordinates: Vec<f64>, question: Question, dimension: Dimension, rng: &mut Random) -> Vec<f64> {
     let (first, second) = match question {
         Question::Compare(axis) => (axis, if axis == Axis::Y { Axis::X } else { Axis::Y }),
         Question::Orient2d(plane) => (plane.axes()[0], plane.axes()[1]),

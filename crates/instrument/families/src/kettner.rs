@@ -3,12 +3,15 @@
 
 use predicament_predicates::PredicateKind;
 
-use predicament_corpus::Random;
-use predicament_formats::bits::{integer, power_of_two};
+use crate::Random;
+use crate::bits::{integer, power_of_two};
 
 /// A point from the 256 × 256 doubles next to (0.5, 0.5), against points on a line, plane, circle or sphere through
 /// (0.5, 0.5) with coordinates up to 130: the differences cancel, the rest is rounding.
-pub(super) fn kettner(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
+///
+/// # Panics
+/// For a predicate from a formula.
+pub fn kettner(kind: PredicateKind, rng: &mut Random, out: &mut Vec<f64>) {
     let mut near_half = || 0.5 + integer(rng.integer(0, 255)) * power_of_two(-53);
     let p = [near_half(), near_half(), near_half()];
     let other = [near_half(), near_half()];

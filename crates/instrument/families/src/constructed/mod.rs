@@ -16,12 +16,10 @@ mod flats;
 
 use predicament_predicates::{Construction, Dimension, Question, Vertex};
 
-use super::{Asked, Cloud};
+use super::Cloud;
+use crate::Random;
+use crate::bits::{scale, step};
 use flats::{Flat, Point, Source, meet};
-use predicament_corpus::{Random, Recipe};
-use predicament_formats::CorpusError;
-use predicament_formats::Fields;
-use predicament_formats::bits::{scale, step};
 
 /// The number of constructions in a patch: the maximum number of arguments of a query.
 const CONSTRUCTIONS: usize = 4;
@@ -31,48 +29,20 @@ const QUERIES: usize = 8;
 /// constructions.
 const MOST_IN_PATCH: u64 = 3 * 10 * CONSTRUCTIONS as u64;
 
-/// Constructions from independent random points.
-pub(super) fn uniform(
-    task: &'static str,
-    fields: &Fields<'_, '_>,
-    kinds: &'static [Kind],
-) -> Result<Recipe, CorpusError> {
-    Arrangement { kinds, trouble: Trouble::Uniform, halvings: halvings(fields)? }.recipe(task, fields)
-}
-
-/// Constructions in exact ties.
-pub(super) fn degenerate(
-    task: &'static str,
-    fields: &Fields<'_, '_>,
-    kinds: &'static [Kind],
-) -> Result<Recipe, CorpusError> {
-    Arrangement { kinds, trouble: Trouble::Degenerate, halvings: halvings(fields)? }.recipe(task, fields)
-}
-
-/// Reads `halvings`: the number of times that all coordinates are halved. Coordinates keep all bits, but their products
-/// underflow.
-fn halvings(fields: &Fields<'_, '_>) -> Result<i64, CorpusError> {
-    fields.integer_or("halvings", 0, 0..=900).map(u64::cast_signed)
-}
-
-/// Constructions beside ties; reads `ulps`.
-pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>, kinds: &'static [Kind]) -> Result<Recipe, CorpusError> {
-    let ulps = fields.integer_or("ulps", 1, 1..=1 << 20)?.cast_signed();
-    Arrangement { kinds, trouble: Trouble::Near { ulps }, halvings: halvings(fields)? }.recipe(task, fields)
-}
-
 /// The kinds of constructions in a scene, and their degeneracy.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-struct Arrangement {
-    kinds: &'static [Kind],
-    trouble: Trouble,
-    /// The number of times that all coordinates are halved.
-    halvings: i64,
+pub struct Arrangement {
+    /// The kinds: one, or two between which each construction chooses.
+    pub kinds: &'static [Kind],
+    /// The degeneracy.
+    pub trouble: Trouble,
+    /// The number of times that all coordinates are halved. Coordinates keep all bits, but their products underflow.
+    pub halvings: i64,
 }
 
 /// A kind of construction.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Kind {
+pub enum Kind {
     /// Two lines in the plane.
     Ssi,
     /// A line and a plane.
@@ -81,33 +51,36 @@ pub(super) enum Kind {
     Tpi,
 }
 
+/// The degeneracy of constructed vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Trouble {
+pub enum Trouble {
     /// Independent random points.
     Uniform,
     /// Ties.
     Degenerate,
     /// At most `ulps` ulps beside ties.
-    Near { ulps: i64 },
+    Near {
+        /// The number of ulps.
+        ulps: i64,
+    },
 }
 
 impl Arrangement {
-    /// The recipe for a table of the family.
-    fn recipe(self, task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-        let asked = Asked::read(task, fields, Some(self.dimension()))?;
-        Ok(Recipe::new(
-            |n| n.div_ceil(QUERIES as u64) * MOST_IN_PATCH,
-            move |making| asked.parts(self.queries(asked.question, making.n, making.random())),
-        ))
+    /// An approximate upper bound on the number of coordinates of `n` queries.
+    #[must_use]
+    pub fn coordinates(n: u64) -> u64 {
+        n.div_ceil(QUERIES as u64) * MOST_IN_PATCH
     }
 
     /// The dimension of the points.
-    fn dimension(self) -> Dimension {
+    #[must_use]
+    pub fn dimension(self) -> Dimension {
         if self.kinds == [Kind::Ssi] { Dimension::Two } else { Dimension::Three }
     }
 
     /// A scene of `n` queries with their points, placed for the question.
-    fn queries(self, question: Question, n: usize, rng: Random) -> Cloud {
+    #[must_use]
+    pub fn queries(self, question: Question, n: usize, rng: Random) -> Cloud {
         let arity = question.kind().arity();
         let mut scene = Draft { arrangement: self, question, rng, coordinates: Vec::new(), constructions: Vec::new() };
         let mut args = Vec::with_capacity((n + QUERIES) * arity);

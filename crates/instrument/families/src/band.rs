@@ -6,28 +6,19 @@
 
 use predicament_predicates::{PredicateKind, Vertex};
 
+use super::Cloud;
 use super::near::{unit2, unit3};
-use super::{Asked, Cloud};
-use predicament_corpus::{Random, Recipe};
-use predicament_formats::bits::power_of_two;
-use predicament_formats::{CorpusError, Fields};
+use crate::Random;
+use crate::bits::power_of_two;
 
 /// The thresholds T₋, T and T₊ of κ, in units of ε·L².
-pub(super) const PLANE: [f64; 3] = [10.0, 21.0, 32.0];
+const PLANE: [f64; 3] = [10.0, 21.0, 32.0];
 /// The thresholds T₋, T and T₊ of ξ and ρ, in units of ε^(3/4)·L³.
-pub(super) const SPACE: [f64; 3] = [28.0, 56.0, 83.14];
+const SPACE: [f64; 3] = [28.0, 56.0, 83.14];
 
-/// Reads a table of the family, which has no parameters of its own.
-pub(super) fn read(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-    let asked = Asked::read(task, fields, None)?;
-    Ok(Recipe::new(
-        move |n| asked.coordinates(n + 1),
-        move |making| asked.placed(band(asked.kind(), making.n, &mut making.random()), making),
-    ))
-}
-
-/// A scene of `n` queries between two anchors that make L exactly 1.
-fn band(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
+/// A scene of `n` queries between two anchors that make L exactly 1, for `orient2d` and `orient3d`.
+#[must_use]
+pub fn band(kind: PredicateKind, n: usize, rng: &mut Random) -> Cloud {
     let space = kind == PredicateKind::Orient3d;
     let dimension = super::native(kind);
     let mut coordinates = vec![0.0; dimension];

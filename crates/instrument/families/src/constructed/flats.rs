@@ -2,8 +2,8 @@
 
 use predicament_predicates::{Dimension, Question};
 
-use predicament_corpus::Random;
-use predicament_formats::bits::{integer, power_of_two};
+use crate::Random;
+use crate::bits::{integer, power_of_two};
 
 /// A point with coordinates in the family's own order: coordinates that the question uses come first. In the plane the
 /// third one is 0.
