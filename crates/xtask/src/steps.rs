@@ -199,6 +199,10 @@ pub fn nightly() -> Result<(), String> {
             "the header of the C library",
             &["test", "--profile", "ci", "-p", "predicament-c", "--features", "header", "header"],
         ),
+        cargo(
+            "the C library without GMP",
+            &["check", "--profile", "ci", "-p", "predicament-c", "--no-default-features"],
+        ),
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         packages(),

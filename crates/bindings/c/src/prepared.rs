@@ -5,6 +5,7 @@
 use predicament_exact::Exact;
 use predicament_predicates::{Axis, Backend, Construction, Dimension, Plane, PredicateKind, Predicates, Question};
 use predicament_predicates::{Scene, SceneError, Sign, Vertex};
+#[cfg(feature = "sos")]
 use predicament_sos::{Scheme, Sos};
 
 use crate::failure::Failure;
@@ -14,6 +15,7 @@ use crate::failure::predicament_result::*;
 const PART: usize = 1024;
 
 /// The perturbation of scenes whose ties are broken.
+#[cfg(feature = "sos")]
 static SOS: Sos = Sos { scheme: Scheme::PerCoordinate };
 
 type Session<'s> = Box<dyn Predicates + 's>;
@@ -58,7 +60,12 @@ impl Prepared {
         })?;
         let pair = Pair::try_new(scene, |scene| match rule {
             Rule::Exact => Exact.boxed(scene, None),
+            #[cfg(feature = "sos")]
             Rule::Sos => SOS.boxed(scene, None),
+            #[cfg(not(feature = "sos"))]
+            Rule::Sos => {
+                Err(predicament_predicates::Declined::scene("the library was built without the feature `sos`"))
+            }
         });
         let pair = pair.map_err(|_| Failure::from(PREDICAMENT_UNSUPPORTED))?;
         let mut prepared = Prepared { pair, counts: [0; 2], ends: [0; 2], answered: [false; 5], is_broken: false };

@@ -78,7 +78,7 @@ unsafe fn coordinates<T: Number, const D: usize>(points: Points<T>) -> Result<Ve
 /// @param scene  receives the scene, or NULL after a failure
 /// @param bad  receives the index of the bad point after a failure; may be NULL
 /// @return PREDICAMENT_OK; PREDICAMENT_NOT_FINITE for the first bad point; PREDICAMENT_NULL, PREDICAMENT_ARGUMENT or
-/// PREDICAMENT_TOO_MANY
+/// PREDICAMENT_TOO_MANY; PREDICAMENT_UNSUPPORTED if the library was built without PREDICAMENT_SOS
 ///
 /// The caller owns the scene and frees it by predicament_scene_free(). The arrays are borrowed for the call. A scene
 /// takes memory of 8 bytes a coordinate. The process ends if the system has not enough memory.
