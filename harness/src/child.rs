@@ -5,7 +5,7 @@ use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 use crate::exit::Failure;
-use crate::interrupt;
+use crate::{host, interrupt};
 
 /// The environment variable that marks a process as a worker.
 const VARIABLE: &str = "PREDICAMENT_WORKER";
@@ -25,8 +25,16 @@ pub const FAREWELL: Duration = Duration::from_secs(2);
 
 /// A command that runs this program again.
 pub fn command() -> Result<Command, Failure> {
-    let program = std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")))?;
+    let own = || std::env::current_exe().map_err(|error| Failure::usage(format!("this program: {error}")));
+    let words = match host::again() {
+        Some(words) => words,
+        None => vec![own()?.into()],
+    };
+    let [program, arguments @ ..] = words.as_slice() else {
+        return Err(Failure::usage("the program around the tool does not say how it is started"));
+    };
     let mut command = Command::new(program);
+    command.args(arguments);
     command.arg("--quiet");
     Ok(command)
 }

@@ -13,8 +13,9 @@ use predicament_predicates::{Backend, Question, Scene, Sign, Vertex};
 use predicament_studies::{Entry, Ready, Study};
 use predicament_tasks::{self as tasks, Contestant, Task, TaskList};
 
+use crate::host::{Called, Host, Stream};
 use crate::tool::{Guests, ReportSection, Tool};
-use crate::{cmd, exit, formulas, interrupt, layout, names, out};
+use crate::{cmd, exit, formulas, host, interrupt, layout, names, out};
 
 /// The id of the option `--quiet`.
 const QUIET: &str = "quiet";
@@ -143,9 +144,39 @@ impl<B: BackendList, T: Roster> Cli<B, T> {
     /// Reads the command line, runs the command, and returns the exit code.
     #[must_use]
     pub fn main(self) -> ExitCode {
+        ExitCode::from(self.main_with(std::env::args_os()))
+    }
+
+    /// Runs the command of these words, the program's name first, and returns the exit code.
+    ///
+    /// It is for programs whose own command line is another: the main function of a binding.
+    #[must_use]
+    pub fn main_with(self, words: impl IntoIterator<Item = OsString>) -> u8 {
         interrupt::outlive_limits();
+        let words: Vec<OsString> = words.into_iter().collect();
+        host::set_words(words.clone());
+        self.run(words)
+    }
+
+    /// Runs the command of these words, the program's name first, inside the process of another program.
+    ///
+    /// The call prints nothing, keeps Ctrl-C as it is, and does not end the process: it returns the texts and the exit
+    /// code. [`interrupt`](crate::interrupt) stops it. Calls wait for each other.
+    #[must_use]
+    pub fn call(self, words: impl IntoIterator<Item = OsString>) -> Called {
+        host::call(words.into_iter().collect(), |words| self.run(words))
+    }
+
+    /// Says that the tool is inside another program.
+    #[must_use]
+    pub fn hosted(self, host: Host) -> Cli<B, T> {
+        host::set(host);
+        self
+    }
+
+    fn run(self, words: Vec<OsString>) -> u8 {
         // Formulas are tasks too, so they must be known before the tool lists its tasks.
-        match formulas::registered(std::env::args_os().collect()) {
+        match formulas::registered(words) {
             Ok(words) => main(words, &Tool::new(self.backends, &self.tasks, self.guests)),
             Err(failure) => exit::code(Err(failure)),
         }
@@ -153,17 +184,22 @@ impl<B: BackendList, T: Roster> Cli<B, T> {
 }
 
 /// The rest of [`Cli::main`]: not generic, so that programs with backends of their own do not compile it again.
-fn main(words: Vec<OsString>, tool: &Tool) -> ExitCode {
+fn main(words: Vec<OsString>, tool: &Tool) -> u8 {
     let command = whole(tool);
     let words: Vec<OsString> = words.into_iter().map(point).collect();
     if let Some(at) = words.iter().skip(1).position(is_empty) {
         return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
     }
     let (words, renamed) = names::current(words, tool.studies());
-    let matches = layout::laid_out(command.clone()).get_matches_from(words);
-    let asked = Asked::from_matches(&matches, tool.studies()).unwrap_or_else(|error| error.exit());
-    if matches.get_flag(QUIET) {
-        out::be_quiet();
+    let matches = layout::laid_out(command.clone()).try_get_matches_from(words);
+    let asked =
+        matches.and_then(|matches| Ok((matches.get_flag(QUIET), Asked::from_matches(&matches, tool.studies())?)));
+    let (is_quiet, asked) = match asked {
+        Ok(asked) => asked,
+        Err(error) => return refused(&error),
+    };
+    if is_quiet {
+        out::be_quiet(true);
     }
     for line in renamed {
         note!("{line}");
@@ -174,6 +210,16 @@ fn main(words: Vec<OsString>, tool: &Tool) -> ExitCode {
         Asked::Command(asked) => asked.run(tool, command),
     });
     exit::code(done.unwrap_or_else(|broken| Err(exit::Failure::usage(broken))))
+}
+
+/// Prints a help text, or the error of a command line; returns the exit code.
+fn refused(error: &clap::Error) -> u8 {
+    let stream = if error.use_stderr() { Stream::Told } else { Stream::Out };
+    if !host::keeps(stream, &error.render().to_string()) {
+        // Nobody is left to tell that the message can't be printed.
+        let _ = error.print();
+    }
+    u8::try_from(error.exit_code()).unwrap_or(exit::USAGE)
 }
 
 /// The command line, with backends and studies of other crates in its help.

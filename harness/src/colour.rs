@@ -23,9 +23,13 @@ impl Paint {
     }
 }
 
-/// True if stdout is a terminal that shows colours. The variable `NO_COLOR`, with any value, turns colours off.
+/// True if stdout is a terminal that shows colours. The variable `NO_COLOR`, with any value, turns colours off. Texts
+/// for a program that calls the tool have none.
 fn is_on() -> bool {
     static ON: OnceLock<bool> = OnceLock::new();
+    if crate::host::is_called() {
+        return false;
+    }
     *ON.get_or_init(|| {
         let has = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
         let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");

@@ -1,7 +1,5 @@
 //! The exit code of a command, and its output on failure.
 
-use std::process::ExitCode;
-
 use predicament_records::{self as records, RunDir, Status, SummaryRow};
 
 pub use crate::failure::{
@@ -31,18 +29,18 @@ pub fn of_rows(ended: records::Outcome, rows: &[SummaryRow]) -> u8 {
 }
 
 /// Prints a failure and turns an outcome into the exit code of the process.
-pub fn code(outcome: Outcome) -> ExitCode {
+pub fn code(outcome: Outcome) -> u8 {
     match outcome {
         Ok(code) => match crate::out::lost() {
             Some(why) => {
                 tell!("{}: stdout: {why}; some of the output is lost", program());
-                ExitCode::from(if code == OK { USAGE } else { code })
+                if code == OK { USAGE } else { code }
             }
-            None => ExitCode::from(code),
+            None => code,
         },
         Err(failure) => {
             tell!("{}: {}", program(), failure.message);
-            ExitCode::from(failure.code)
+            failure.code
         }
     }
 }

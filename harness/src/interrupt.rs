@@ -1,8 +1,10 @@
 //! Ctrl-C asks the work to stop at the next chunk; finished work is kept and the run is marked as incomplete. A second
-//! Ctrl-C kills.
+//! Ctrl-C kills. A program that calls the tool in its own process keeps its Ctrl-C ([`host`]).
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
+
+use crate::host;
 
 static STOP: AtomicBool = AtomicBool::new(false);
 
@@ -17,6 +19,9 @@ pub fn listen_for_all() {
 }
 
 fn listen_and_say(kept: &'static str) {
+    if host::is_called() {
+        return;
+    }
     let installed = ctrlc::set_handler(move || {
         if STOP.swap(true, Ordering::SeqCst) {
             leave();
@@ -32,6 +37,9 @@ fn listen_and_say(kept: &'static str) {
 /// what was committed to a run folder stays.
 pub fn listen_for(grace: Duration) {
     listen();
+    if host::is_called() {
+        return;
+    }
     std::thread::spawn(move || {
         while !STOP.load(Ordering::SeqCst) {
             std::thread::sleep(Duration::from_millis(50));
@@ -44,6 +52,9 @@ pub fn listen_for(grace: Duration) {
 
 /// Ctrl-C ends the process at once: for commands whose complete files stay and whose other work is worth nothing.
 pub fn leave_at_once() {
+    if host::is_called() {
+        return;
+    }
     let installed = ctrlc::set_handler(|| {
         tell!("\n{}: stopped; complete files are kept", crate::out::program());
         leave();

@@ -48,6 +48,7 @@ mod expectations;
 mod failure;
 mod formulas;
 mod found;
+mod host;
 mod hunting;
 mod interrupt;
 mod judged;
@@ -76,6 +77,7 @@ mod worker;
 pub use cli::{BackendList, Cli, cli};
 pub use conformance::{Conformance, conformance};
 pub use exit::{CORPUS, INCOMPLETE, NOTHING_SELECTED, OK, SLOWER, UNEXPECTED, UNEXPECTED_PASS, USAGE};
+pub use host::{Called, Host, interrupt};
 /// The built-in systems.
 pub use predicament_bundle::Systems;
 /// Checks of predicates that are functions of points; they need no backend.

@@ -10,6 +10,7 @@ use predicament_records::Hold;
 
 use crate::colour::obeyed;
 use crate::failure::Failure;
+use crate::host::{self, Stream};
 use crate::progress::aside;
 use std::fmt::Arguments;
 use std::io::{ErrorKind, Write};
@@ -20,10 +21,13 @@ static FAILED: Mutex<Option<std::io::Error>> = Mutex::new(None);
 
 /// Writes to stdout; after the first failure it writes nothing.
 pub fn print(text: Arguments<'_>) {
+    let text = text.to_string();
+    if host::keeps(Stream::Out, &harmless(&text)) {
+        return;
+    }
     let mut failed = FAILED.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     if failed.is_none() {
         let mut stdout = std::io::stdout().lock();
-        let text = text.to_string();
         let text = obeyed(harmless(&text).into_owned());
         *failed = aside(|| stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush())).err();
     }
@@ -65,7 +69,10 @@ macro_rules! say_text {
 
 /// Writes a line to stderr. If stderr is closed or full, the line is lost but the command and its exit code are not.
 pub fn tell(line: Arguments<'_>) {
-    let _ = aside(|| writeln!(std::io::stderr(), "{}", harmless(&line.to_string())));
+    let line = format!("{line}\n");
+    if !host::keeps(Stream::Told, &harmless(&line)) {
+        let _ = aside(|| std::io::stderr().write_all(harmless(&line).as_bytes()));
+    }
 }
 
 /// Prints a line to stderr.
@@ -75,9 +82,9 @@ macro_rules! tell {
 
 static QUIET: AtomicBool = AtomicBool::new(false);
 
-/// Turns off notes and progress; requested output and errors stay.
-pub fn be_quiet() {
-    QUIET.store(true, Ordering::Relaxed);
+/// Turns notes and progress off, or on again; requested output and errors stay.
+pub fn be_quiet(is_quiet: bool) {
+    QUIET.store(is_quiet, Ordering::Relaxed);
 }
 
 /// True if notes and progress are off.
@@ -96,15 +103,14 @@ macro_rules! note {
 
 /// Locks a file that is edited in place, waiting for other processes that edit it. Read the file after this.
 pub fn hold(file: &Path) -> Result<Hold, Failure> {
-    let words: Vec<String> = std::env::args().skip(1).take(2).collect();
+    let words = host::words();
+    let words: Vec<_> = words.iter().skip(1).take(2).map(|word| word.to_string_lossy()).collect();
     Hold::take(file, &format!("{} {}", program(), words.join(" "))).map_err(Failure::usage)
 }
 
 /// The name under which the tool was called, for lines that suggest a command.
 pub fn program() -> String {
-    let called = std::env::args_os().next();
-    let name = called.as_ref().and_then(|path| Path::new(path).file_stem());
-    name.map_or_else(|| "predicament".to_owned(), |name| name.to_string_lossy().into_owned())
+    host::name()
 }
 
 /// A text quoted as one word of a shell command.

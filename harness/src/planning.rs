@@ -101,6 +101,7 @@ pub fn env() -> Env {
     env.commit = option_env!("PREDICAMENT_COMMIT").map(str::to_owned);
     env.dirty = option_env!("PREDICAMENT_DIRTY").map(|dirty| dirty == "true");
     env.peers.insert("robust".to_owned(), env!("PREDICAMENT_ROBUST").to_owned());
+    env.command_line = crate::host::words().iter().map(|word| word.to_string_lossy().into_owned()).collect();
     env
 }
 

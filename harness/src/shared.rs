@@ -6,6 +6,7 @@ use predicament_corpus::LoadedScene;
 use predicament_records::NotSelected;
 
 use crate::exit::Failure;
+use crate::host;
 use crate::out::program;
 use crate::select::NOT_NAMED;
 
@@ -20,15 +21,23 @@ pub fn seconds(text: &str) -> Result<Duration, String> {
 /// The maximum number of threads, more than any machine has cores.
 const MOST_THREADS: usize = 4096;
 
-/// Sets the size of the thread pool.
+/// Sets the size of the thread pool. A process that calls the tool keeps the pool that it has.
 pub fn set_threads(threads: Option<usize>) -> Result<(), Failure> {
     if let Some(threads) = threads.filter(|threads| !(1..=MOST_THREADS).contains(threads)) {
         return Err(Failure::usage(format!("--threads: {threads} threads; choose from 1 to {MOST_THREADS}")));
     }
-    rayon::ThreadPoolBuilder::new()
-        .num_threads(threads.unwrap_or(0))
-        .build_global()
-        .map_err(|error| Failure::usage(format!("--threads: {error}")))
+    if threads.is_none() && host::is_called() {
+        return Ok(());
+    }
+    let built = rayon::ThreadPoolBuilder::new().num_threads(threads.unwrap_or(0)).build_global();
+    let has = rayon::current_num_threads();
+    match built {
+        Err(_) if host::is_called() && threads == Some(has) => Ok(()),
+        Err(_) if host::is_called() => {
+            Err(Failure::usage(format!("--threads: this process already has a pool of {has}; start a new process")))
+        }
+        built => built.map_err(|error| Failure::usage(format!("--threads: {error}"))),
+    }
 }
 
 /// Prints the remarks about a scene as notes, one a line.

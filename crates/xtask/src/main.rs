@@ -21,6 +21,7 @@ mod house;
 mod m4;
 mod mutants;
 mod pages;
+mod python;
 #[cfg(test)]
 mod recipes;
 mod sample;
@@ -56,6 +57,8 @@ Commands:
          the C library in release, with headers and files for pkg-config and CMake, under DIR or target/c-library/release.
          check compiles and runs its examples, as `test` does; bench times calls from C beside calls from Rust
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
+  wheel  the Python package by maturin: a wheel and its sources, each installed in an environment of its own, the wheel
+         tested (minutes)
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, docs/COMMANDS.md, the schema in docs/DATA.md
@@ -106,6 +109,7 @@ fn main() -> ExitCode {
         "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
+        "wheel" => m4::ensure().and_then(|()| python::wheel()),
         "spread" => m4::ensure().and_then(|()| spread::check()),
         "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "pages" => m4::ensure().and_then(|()| pages::write()),

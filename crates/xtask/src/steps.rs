@@ -52,10 +52,12 @@ pub fn test() -> Result<(), String> {
     let alone = ["check", "--profile", "ci", "-p", "predicament-exact", "--no-default-features"];
     cargo("the exact kernel without the standard library", &alone)?;
     let planted = selftest()?;
+    let in_python = crate::python::start()?;
     engine_examples(&compiler)?;
     c_library::check()?;
     gate()?;
     planted.finish()?;
+    in_python.map_or(Ok(()), Beside::finish)?;
     doc_tests.map_or(Ok(()), Beside::finish)
 }
 
@@ -212,6 +214,7 @@ pub fn nightly() -> Result<(), String> {
         crate::book::build_if_at_hand(),
         crate::browser::check(true, false),
         crate::data::check(),
+        crate::python::wheel(),
         crate::spread::check(),
         minimum_version(),
         strangers(),
@@ -223,7 +226,7 @@ pub fn nightly() -> Result<(), String> {
 
 /// Packages what goes to a registry, and compiles each package as somebody else's, in a folder of its own.
 fn packages() -> Result<(), String> {
-    let others = EXAMPLES.into_iter().chain([BENCHES, "predicament-effort", "xtask"]);
+    let others = EXAMPLES.into_iter().chain([BENCHES, "predicament-effort", "predicament-python", "xtask"]);
     let excluded: Vec<&str> = others.flat_map(|name| ["--exclude", name]).collect();
     let package = ["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"];
     cargo("packages", &[&package[..], &excluded].concat())

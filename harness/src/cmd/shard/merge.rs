@@ -72,6 +72,6 @@ fn env(runs: &[RunDir]) -> Env {
     sorted.sort_by_key(|run| run.plan.shard);
     let mut env = sorted.first().map_or_else(Env::default, |run| run.env.clone());
     env.parts = sorted.into_iter().map(part).collect();
-    env.command_line = std::env::args_os().map(|arg| arg.to_string_lossy().into_owned()).collect();
+    env.command_line = crate::host::words().iter().map(|word| word.to_string_lossy().into_owned()).collect();
     env
 }
