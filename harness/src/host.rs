@@ -1,8 +1,8 @@
 //! The process that the tool runs in: its own program, or another program that calls it.
 //!
 //! A binding for another language calls the tool inside the process of that language. There the command line belongs to
-//! the other program, and so do Ctrl-C, stdout and the end of the process. A [call](crate::Cli::call) leaves all of them
-//! alone: it takes its words from the caller, returns the texts and the exit code, and stops when the caller
+//! the other program, and so do Ctrl-C, stdout and the end of the process. A [call](crate::Cli::call) does not touch
+//! them: it takes its words from the caller, returns the texts and the exit code, and stops when the caller
 //! [interrupts](interrupt) it. There is one call at a time, because the commands share the flag that stops them.
 
 use std::ffi::OsString;

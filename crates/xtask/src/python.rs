@@ -19,7 +19,8 @@ fn interpreter() -> String {
     std::env::var("PREDICAMENT_PYTHON").unwrap_or_else(|_| "python3".to_owned())
 }
 
-/// Starts the tests of the package on the library of the profile `ci`; `None` if something is missing, which is printed.
+/// Starts the tests of the package on the library of the profile `ci`; `None` if something is missing, which is
+/// printed.
 ///
 /// # Errors
 /// If the library was not built, or the package can't be laid out.

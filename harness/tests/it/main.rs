@@ -3,6 +3,7 @@
 mod bad_input;
 mod bad_meshes;
 mod bounds;
+mod called;
 mod cite;
 mod common;
 mod conformance;

@@ -1,11 +1,11 @@
 //! Predicates on arrays: a query is a row of each array.
 //!
-//! Rows are copied into a block that stays in the fast cache, widened to doubles and checked there, and answered from
-//! there. Widening is exact, so single precision needs no code of its own. The copies also make all arrays look alike:
-//! those of one row, which is part of every query, too.
+//! Arrays of doubles with a row for each query are read where they are. Other arrays are copied, a block at a time, and
+//! answered from there: single precision is widened, which is exact, and an array of one row has that row in every
+//! query. The predicates find coordinates that are not finite: their filters never decide about these.
 
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray2, PyUntypedArrayMethods};
-use predicament_exact::raw;
+use predicament_exact::{NotFinite, raw};
 use predicament_predicates::{PredicateKind, Sign};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
@@ -43,19 +43,18 @@ pub fn signs<'py>(
         debug_assert_eq!(rows.len(), had * width);
     }
     let done = py.detach(|| match kind {
-        PredicateKind::Compare => {
-            blocks::<1, 2>(&rows, count, |[[a], [b]]| Sign::of(f64::from(i8::from(a > b) - i8::from(a < b))))
-        }
-        PredicateKind::Orient2d => blocks::<2, 3>(&rows, count, raw::orient2d),
-        PredicateKind::Orient3d => blocks::<3, 4>(&rows, count, raw::orient3d),
-        PredicateKind::Incircle => blocks::<2, 4>(&rows, count, raw::incircle),
-        PredicateKind::Insphere => blocks::<3, 5>(&rows, count, raw::insphere),
+        PredicateKind::Compare => all(&rows, count, compare),
+        PredicateKind::Orient2d => all(&rows, count, raw::try_orient2d),
+        PredicateKind::Orient3d => all(&rows, count, raw::try_orient3d),
+        PredicateKind::Incircle => all(&rows, count, raw::try_incircle),
+        PredicateKind::Insphere => all(&rows, count, raw::try_insphere),
         PredicateKind::Derived(_) => Ok(Vec::new()),
     });
     match done {
         Ok(signs) => Ok(signs.into_pyarray(py)),
-        Err(NotFinite { array, row, column, value }) => {
-            Err(PyValueError::new_err((format!("{name}: {}", not_finite(column, value)), array, row)))
+        Err((query, NotFinite { point, axis, value })) => {
+            let row = if held[point].shape()[0] == count { query } else { 0 };
+            Err(PyValueError::new_err((format!("{name}: {}", not_finite(axis, value)), point, row)))
         }
     }
 }
@@ -113,22 +112,16 @@ impl Rows<'_> {
         }
     }
 
-    /// Copies the rows from `first` on; returns false if a coordinate is not finite.
+    /// Copies the rows from `first` on.
     #[inline(always)]
-    fn copy<const D: usize>(&self, first: usize, to: &mut [[f64; D]]) -> bool {
+    fn copy<const D: usize>(&self, first: usize, to: &mut [[f64; D]]) {
         let (to, first) = (to.as_flattened_mut(), first * D);
         let end = first + to.len();
         match self {
             Rows::Double(all) => to.copy_from_slice(&all[first..end]),
             Rows::Single(all) => to.iter_mut().zip(&all[first..end]).for_each(|(to, &x)| *to = f64::from(x)),
         }
-        are_finite(to)
     }
-}
-
-/// True if all of these are finite; without branches, so that it costs little.
-fn are_finite(numbers: &[f64]) -> bool {
-    numbers.iter().fold(true, |all, x| all & x.is_finite())
 }
 
 /// The message about a coordinate, which is spelled as Python spells it.
@@ -137,45 +130,58 @@ pub fn not_finite(column: usize, value: f64) -> String {
     format!("coordinate {column} is {value}; coordinates must be finite")
 }
 
-/// The first coordinate that is not finite.
-struct NotFinite {
-    array: usize,
-    row: usize,
-    column: usize,
-    value: f64,
+/// The order of two numbers.
+fn compare([[a], [b]]: [[f64; 1]; 2]) -> Result<Sign, NotFinite> {
+    match [a, b].iter().position(|x| !x.is_finite()) {
+        None => Ok(Sign::of(f64::from(i8::from(a > b) - i8::from(a < b)))),
+        Some(point) => Err(NotFinite { point, axis: 0, value: [a, b][point] }),
+    }
 }
 
-/// The signs of all queries, block after block.
-fn blocks<const D: usize, const N: usize>(
+/// The signs of all queries, or the first row with a coordinate that is not finite.
+fn all<const D: usize, const N: usize>(
     arrays: &[Rows<'_>],
     count: usize,
-    sign: impl Fn([[f64; D]; N]) -> Sign,
-) -> Result<Vec<i8>, NotFinite> {
-    let mut signs = Vec::with_capacity(count);
+    sign: impl Fn([[f64; D]; N]) -> Result<Sign, NotFinite>,
+) -> Result<Vec<i8>, (usize, NotFinite)> {
+    let mut signs = vec![0; count];
+    let whole: [Option<&[[f64; D]]>; N] = std::array::from_fn(|of| match arrays[of] {
+        Rows::Double(all) => Some(all.as_chunks().0).filter(|rows| rows.len() == count),
+        Rows::Single(_) => None,
+    });
+    if whole.iter().all(Option::is_some) {
+        return answer(&whole.map(Option::unwrap_or_default), 0, &mut signs, &sign).map(|()| signs);
+    }
     let mut block = [[[0.0; D]; BLOCK]; N];
     let is_one: [bool; N] = std::array::from_fn(|of| arrays[of].len() == D && count != 1);
     for (of, points) in block.iter_mut().enumerate().filter(|(of, _)| is_one[*of]) {
         let mut one = [[0.0; D]];
-        if !arrays[of].copy(0, &mut one) {
-            return Err(found(&one, of, 0));
-        }
+        arrays[of].copy(0, &mut one);
         points.fill(one[0]);
     }
-    for first in (0..count).step_by(BLOCK) {
-        let length = BLOCK.min(count - first);
+    for (at, signs) in signs.chunks_mut(BLOCK).enumerate() {
         for (of, points) in block.iter_mut().enumerate().filter(|(of, _)| !is_one[*of]) {
-            if !arrays[of].copy(first, &mut points[..length]) {
-                return Err(found(&points[..length], of, first));
-            }
+            arrays[of].copy(at * BLOCK, &mut points[..signs.len()]);
         }
-        signs.extend((0..length).map(|at| sign(std::array::from_fn(|of| block[of][at])).as_i8()));
+        answer(&block.each_ref().map(<[_; BLOCK]>::as_slice), at * BLOCK, signs, &sign)?;
     }
     Ok(signs)
 }
 
-/// The first number that is not finite, in rows from `first` on.
-#[cold]
-fn found<const D: usize>(points: &[[f64; D]], array: usize, first: usize) -> NotFinite {
-    let at = points.as_flattened().iter().position(|x| !x.is_finite()).unwrap_or(0);
-    NotFinite { array, row: first + at / D, column: at % D, value: points.as_flattened()[at] }
+/// Answers queries of which the first one is that of row `first`.
+#[inline(always)]
+fn answer<const D: usize, const N: usize>(
+    rows: &[&[[f64; D]]; N],
+    first: usize,
+    signs: &mut [i8],
+    sign: &impl Fn([[f64; D]; N]) -> Result<Sign, NotFinite>,
+) -> Result<(), (usize, NotFinite)> {
+    let rows: [&[[f64; D]]; N] = std::array::from_fn(|of| &rows[of][..signs.len()]);
+    for (at, to) in signs.iter_mut().enumerate() {
+        match sign(std::array::from_fn(|of| rows[of][at])) {
+            Ok(sign) => *to = sign.as_i8(),
+            Err(error) => return Err((first + at, error)),
+        }
+    }
+    Ok(())
 }

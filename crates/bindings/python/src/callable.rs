@@ -26,7 +26,7 @@ pub struct Callable {
     pub ask: Py<PyAny>,
     /// The meaning of zero that it promises.
     pub zero: ZeroMeaning,
-    /// What ended the work, if it was not a fault of the function: Ctrl-C.
+    /// The end of the work, if it was not a fault of the function: Ctrl-C.
     pub ended: Arc<Ended>,
 }
 

@@ -100,6 +100,10 @@ def test_the_row_of_a_coordinate_that_is_not_finite_is_named(bad, dtype):
         predicament.orient2d(*[array.reshape(5, 200, 2) for array in arrays])
     with pytest.raises(ValueError, match=r"^orient2d: c: coordinate 0"):
         predicament.orient2d(arrays[0], arrays[2], (bad, 0))
+    with pytest.raises(ValueError, match=r"^orient2d: c\[0, 0\]: coordinate 0"):
+        predicament.orient2d(arrays[0], arrays[2], [[(bad, 0)]])
+    with pytest.raises(ValueError, match=r"^compare: b\[777\]: coordinate 0 is"):
+        predicament.compare(arrays[0], arrays[1], axis=1)
 
 
 @pytest.mark.parametrize(
