@@ -49,8 +49,11 @@ pub fn test() -> Result<(), String> {
     let compiler = compiler::environment()?;
     let doc_tests = run_tests("clippy, docs and tests", &compiler)?;
     // As other libraries get it: without the features that this workspace turns on.
-    let alone = ["check", "--profile", "ci", "-p", "predicament-exact", "--no-default-features"];
-    cargo("the exact kernel without the standard library", &alone)?;
+    for features in ["", "scenes"] {
+        let alone =
+            ["check", "--profile", "ci", "-p", "predicament-exact", "--no-default-features", "--features", features];
+        cargo("the exact kernel without the standard library", &alone)?;
+    }
     let planted = selftest()?;
     let in_python = crate::python::start()?;
     engine_examples(&compiler)?;

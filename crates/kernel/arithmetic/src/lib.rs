@@ -4,6 +4,7 @@
 //! exact arithmetic for the others. A [`Form`] describes the geometry: the degree of a polynomial in differences of
 //! coordinates, and the growth of its intermediates.
 //!
+//! * [`Sign`]: the answer of a predicate.
 //! * [`ExponentRange`]: the lowest bit and the highest exponent of a list.
 //! * [`Plan`]: the consequences of that range for a [`Form`]; the proof is in its docs.
 //! * [`bound`]: the constants of semi-static filters, and their derivation.
@@ -28,6 +29,7 @@ mod fixed;
 mod parts;
 mod plan;
 mod short;
+mod sign;
 
 pub use ball::Ball;
 pub use big::BigInt;
@@ -37,3 +39,4 @@ pub use fixed::Fixed;
 pub use parts::{Parts, power_of_two};
 pub use plan::{Arithmetic, ExponentRange, Form, Plan, Span, difference_up, exact_tail, units};
 pub use short::{exact_differences, short_rows};
+pub use sign::Sign;

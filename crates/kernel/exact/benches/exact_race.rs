@@ -3,7 +3,8 @@
 //! * `uniform`: points of a unit cube.
 //! * `kettner`: the first point is a few ulps from (0.5, …), the others are (12, …), (24, …), (18, …): nearly
 //!   degenerate (Kettner et al., Classroom examples of robustness problems, 2008).
-//! * `ties`: corners of a box with long coordinates; every answer is zero.
+//! * `ties`: corners of a box with long coordinates, and three points of a line through the origin; every answer is
+//!   zero.
 //! * `tiny`, `huge`: uniform points times 1e-200, and times 1e200. Products of differences underflow or overflow.
 //! * `wide`: every coordinate has its own exponent, from −1000 to 1000.
 //!
@@ -37,6 +38,7 @@ fn query<const D: usize, const N: usize>(family: &str, random: &mut Random) -> [
             "uniform" => random.unit(),
             "tiny" => random.unit() * 1e-200,
             "huge" => random.unit() * 1e200,
+            "ties" if N == 3 => corner[axis][0] * [1.0, 2.0, 4.0][point],
             "ties" => corner[axis][usize::from(point >> axis & 1 == 1)],
             "wide" => (random.unit() - 0.5) * 2f64.powf(random.unit() * 2000.0 - 1000.0),
             _ if point == 0 => 0.5 + (random.unit() * 256.0).floor() * f64::EPSILON / 2.0,

@@ -40,8 +40,8 @@
 //!
 //! A determinant of zero is never certain: its sign comes from the rungs above.
 
+use predicament_arithmetic::Sign;
 use predicament_arithmetic::{bound, power_of_two};
-use predicament_predicates::Sign;
 
 use crate::estimate::{self, Estimate};
 

@@ -29,8 +29,8 @@
 //! its possible maximum. So it is known up to multiples of a power of two, and the code computes it modulo that power.
 //! The upper limbs are omitted; see [`Determinant::limbs_left_open`].
 
+use predicament_arithmetic::Sign;
 use predicament_arithmetic::{Fixed, Form, Parts, bound};
-use predicament_predicates::Sign;
 
 /// The data of a determinant for a plan, and the constant of its filter.
 #[derive(Clone, Copy, PartialEq, Debug)]

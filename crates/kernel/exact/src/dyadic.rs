@@ -27,6 +27,7 @@
 //!
 //! Coordinates must be finite, as those of a scene are; the functions panic otherwise.
 
+use predicament_arithmetic::Sign;
 use predicament_arithmetic::{
     Ball, ExponentRange, Fixed, Parts,
     dyadic::{
@@ -34,7 +35,6 @@ use predicament_arithmetic::{
         Take::{Minus, Plus},
     },
 };
-use predicament_predicates::Sign;
 
 use crate::determinant;
 

@@ -3,7 +3,7 @@
 //! The permanent is the same sum with the magnitude of every term. It measures how much a determinant can cancel, and
 //! how far rounding can move it.
 
-use predicament_predicates::Sign;
+use predicament_arithmetic::Sign;
 
 /// A determinant and its permanent, computed in plain floating point.
 #[derive(Clone, Copy, PartialEq, Debug)]

@@ -6,9 +6,11 @@
 use predicament_arithmetic::{Arithmetic, Fixed, Plan};
 use predicament_predicates::{Axis, Plane, Sign, Vertex};
 
+use crate::alone::SLACK_IS_LESS;
 use crate::common_unit::{self, Short};
+use crate::differences::Rows;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
-use crate::scene_integers::{Integers, Rows, scaled};
+use crate::scene_integers::{Integers, scaled};
 use crate::stage;
 
 /// The consequences of a plan for one predicate.
@@ -35,16 +37,6 @@ pub(crate) struct Prepared {
     /// Every coordinate is a multiple of two to this power.
     two_limbs: Option<i32>,
 }
-
-/// The lowest bit of determinants for which the slack of [`anywhere`](crate::anywhere) is less than that bit, as an
-/// exponent.
-///
-/// A determinant of degree k is a multiple of 2^(k·l). With differences below 2^(l + b), b ≤ 126, the slack is less
-/// than 2^-960 · (4·2^(l + b) + 1) for orient3d, 2^-960 · (6·4^(l + b) + 1) for incircle, 2^-960 · (12·4^(l +
-/// b)·(4·2^(l + b) + 1) + 1) for insphere. Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows, k·(l + b) ≤
-/// 1023: the largest is insphere's, at 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 + 360 + 378),
-/// less than 1.
-const SLACK_IS_LESS: i32 = -900;
 
 impl Prepared {
     pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
@@ -182,36 +174,6 @@ impl Prepared {
 #[inline(never)]
 fn wide_integer<P: Predicate<D, N>, const D: usize, const N: usize>(rows: [[Fixed<2>; D]; N], limbs: usize) -> Sign {
     P::wide_integer(rows, limbs)
-}
-
-/// The sign of a query without a scene that its own filter has left open.
-#[inline(always)]
-pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
-    if let Some(sign) = P::products(*points) {
-        return (sign, stage::INTEGER);
-    }
-    // Two equal rows. (A point that is named twice is the most frequent tie of random queries.)
-    for row in 1..N {
-        if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
-            return (Sign::Zero, stage::DOUBLE);
-        }
-    }
-    if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
-        let (determinant, form) = (P::DETERMINANT, P::DETERMINANT.form);
-        // If nothing overflows and the slack is less than a unit, the filter has bounded the determinant.
-        let leaves_little = (form.degree * low >= SLACK_IS_LESS) & (form.degree * (low + bits) + form.growth <= 1023);
-        let limbs = if leaves_little { determinant.limbs_left_open(bits) } else { determinant.limbs(bits) };
-        return (P::integer(rows, limbs), stage::INTEGER);
-    }
-    alone_at_length::<P, D, N>(points)
-}
-
-#[inline(never)]
-fn alone_at_length<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
-    if let Some(sign) = P::short(*points) {
-        return (sign, stage::INTEGER);
-    }
-    (P::dyadic(*points), stage::DYADIC)
 }
 
 /// The plan of a scene of the plane.

@@ -22,46 +22,70 @@
 
 #![cfg_attr(not(any(test, feature = "std")), no_std)]
 
+#[cfg(feature = "scenes")]
 extern crate alloc;
 
+mod alone;
 pub mod anywhere;
+#[cfg(feature = "scenes")]
 mod backend;
+#[cfg(feature = "scenes")]
 mod batch;
 mod common_unit;
+#[cfg(feature = "scenes")]
 pub mod constructed;
+#[cfg(feature = "scenes")]
 mod decider;
 #[cfg(feature = "formulas")]
 pub mod derived;
 pub mod determinant;
+#[cfg_attr(not(feature = "scenes"), allow(dead_code))] // sessions use the rest
+mod differences;
 pub mod dyadic;
 pub mod estimate;
+#[cfg(feature = "scenes")]
 pub mod filter;
+#[cfg(feature = "scenes")]
 mod first;
+#[cfg(feature = "scenes")]
 mod ladder;
+#[cfg(feature = "scenes")]
 mod once;
+#[cfg(feature = "scenes")]
 mod partial;
 mod points;
+#[cfg(feature = "scenes")]
 mod precision;
+#[cfg_attr(not(feature = "scenes"), allow(dead_code))] // sessions use the rest
 mod predicate;
 mod products;
 #[cfg(test)]
 #[path = "../tests/rational/mod.rs"]
 mod rational;
 pub mod raw;
+#[cfg(feature = "scenes")]
 mod scene_integers;
+#[cfg(feature = "scenes")]
 mod session;
+#[cfg(feature = "scenes")]
 pub mod side;
 pub mod stage;
 mod truncate;
 
+#[cfg(feature = "scenes")]
 pub use backend::Exact;
+#[cfg(feature = "scenes")]
 pub use partial::{Partial, PartialSession};
 pub use points::{
     f32, i32, i64, incircle, insphere, orient2d, orient3d, try_incircle, try_insphere, try_orient2d, try_orient3d,
 };
+#[cfg(feature = "scenes")]
 pub use precision::{Choice, Precision};
-pub use predicament_predicates::{self as predicates, Sign};
+pub use predicament_arithmetic::Sign;
+#[cfg(feature = "scenes")]
+pub use predicament_predicates as predicates;
 pub use raw::NotFinite;
+#[cfg(feature = "scenes")]
 pub use session::Session;
 
 #[cfg(doctest)]

@@ -4,7 +4,7 @@
 //! points of these numbers, whose answers are as exact: the first two are doubles too, and integers of 64 bits are
 //! subtracted without rounding.
 
-use predicament_predicates::Sign;
+use predicament_arithmetic::Sign;
 
 use crate::raw::{self, NotFinite};
 
@@ -74,7 +74,7 @@ macro_rules! of_numbers {
 /// Each number is converted to a double without rounding.
 pub mod f32 {
     use super::NotFinite;
-    use predicament_predicates::Sign;
+    use predicament_arithmetic::Sign;
 
     macro_rules! widened {
         ($name:ident, $try_name:ident, $dimension:literal, $($point:ident),+) => {
@@ -109,7 +109,7 @@ pub mod f32 {
 ///
 /// Each number is converted to a double without rounding.
 pub mod i32 {
-    use predicament_predicates::Sign;
+    use predicament_arithmetic::Sign;
 
     use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
     use crate::raw;
@@ -127,11 +127,11 @@ pub mod i32 {
 /// Numbers up to 2^53 in magnitude are converted to doubles without rounding. With others, the differences take 65
 /// bits, and determinants of integers of a fixed size decide.
 pub mod i64 {
-    use predicament_predicates::Sign;
+    use predicament_arithmetic::Sign;
 
+    use crate::differences::Rows;
     use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
     use crate::raw;
-    use crate::scene_integers::Rows;
 
     /// The largest magnitude up to which all integers are doubles.
     const DOUBLES: u64 = 1 << f64::MANTISSA_DIGITS;

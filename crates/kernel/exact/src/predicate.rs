@@ -3,8 +3,10 @@
 //! The four predicates differ only in their formulas, not in the ladder, so the ladder is written once, generic over
 //! this trait.
 
+use predicament_arithmetic::Sign;
 use predicament_arithmetic::{Fixed, bound, short_rows};
-use predicament_predicates::{PredicateKind, Sign};
+#[cfg(feature = "scenes")]
+use predicament_predicates::PredicateKind;
 
 use crate::anywhere::{self, Bounded};
 use crate::determinant::{self, Determinant};
@@ -14,6 +16,7 @@ use crate::{dyadic, products};
 /// A predicate on `N` points of `D` coordinates.
 pub(crate) trait Predicate<const D: usize, const N: usize> {
     /// The kind of the predicate.
+    #[cfg(feature = "scenes")]
     const KIND: PredicateKind;
     /// The determinant as a polynomial.
     const DETERMINANT: Determinant;
@@ -58,6 +61,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
 pub(crate) struct Orient2d;
 
 impl Predicate<2, 3> for Orient2d {
+    #[cfg(feature = "scenes")]
     const KIND: PredicateKind = PredicateKind::Orient2d;
     const DETERMINANT: Determinant = determinant::ORIENT2D;
 
@@ -101,6 +105,7 @@ impl Predicate<2, 3> for Orient2d {
 pub(crate) struct Orient3d;
 
 impl Predicate<3, 4> for Orient3d {
+    #[cfg(feature = "scenes")]
     const KIND: PredicateKind = PredicateKind::Orient3d;
     const DETERMINANT: Determinant = determinant::ORIENT3D;
 
@@ -135,6 +140,7 @@ impl Predicate<3, 4> for Orient3d {
 pub(crate) struct Incircle;
 
 impl Predicate<2, 4> for Incircle {
+    #[cfg(feature = "scenes")]
     const KIND: PredicateKind = PredicateKind::Incircle;
     const DETERMINANT: Determinant = determinant::INCIRCLE;
 
@@ -170,6 +176,7 @@ impl Predicate<2, 4> for Incircle {
 pub(crate) struct Insphere;
 
 impl Predicate<3, 5> for Insphere {
+    #[cfg(feature = "scenes")]
     const KIND: PredicateKind = PredicateKind::Insphere;
     const DETERMINANT: Determinant = determinant::INSPHERE;
 
@@ -205,8 +212,9 @@ impl Predicate<3, 5> for Insphere {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::differences::Rows;
     use crate::rational;
-    use crate::scene_integers::{Rows, scaled};
+    use crate::scene_integers::scaled;
 
     /// A small generator for reproducible samples (splitmix64).
     struct Random(u64);

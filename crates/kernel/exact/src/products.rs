@@ -10,8 +10,8 @@
 //!
 //! **In integers**, for products outside this range: two products of 106 bits each, and their exponents.
 
+use predicament_arithmetic::Sign;
 use predicament_arithmetic::{Parts, exact_differences, power_of_two};
-use predicament_predicates::Sign;
 
 /// The turn of three points in floating point, if their differences are doubles and their products in range.
 #[inline(always)]

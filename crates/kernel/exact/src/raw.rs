@@ -9,9 +9,9 @@
 
 use core::fmt;
 
-use predicament_predicates::Sign;
+use predicament_arithmetic::Sign;
 
-use crate::ladder::alone;
+use crate::alone::alone;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 
 /// The error of a predicate on points: a coordinate is NaN or infinite.
@@ -35,7 +35,7 @@ impl fmt::Display for NotFinite {
 impl core::error::Error for NotFinite {}
 
 /// The sign of a query that the filter has left open, or the first coordinate that is not finite.
-#[inline(always)]
+#[inline(never)] // one copy for both forms of a predicate
 fn open<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Result<Sign, NotFinite> {
     match points.as_flattened().iter().position(|x| !x.is_finite()) {
         None => Ok(alone::<P, D, N>(points).0),
@@ -121,7 +121,7 @@ pub(crate) fn sign<P: Predicate<D, N>, const D: usize, const N: usize>(points: [
     #[cold]
     #[inline(never)]
     fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
-        alone::<P, D, N>(&points).0
+        open::<P, D, N>(&points).unwrap_or_else(|error| refuse(error))
     }
     P::anywhere(points).certain().unwrap_or_else(|| climb::<P, D, N>(points))
 }

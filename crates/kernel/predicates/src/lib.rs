@@ -38,7 +38,6 @@ mod query;
 mod question;
 mod scene;
 mod sessions;
-mod sign;
 mod tally;
 #[cfg(not(feature = "formulas"))]
 mod underived;
@@ -60,13 +59,13 @@ pub use constructs::{Constructs, DefinitionError, NoPoint, Refused};
 pub use contract::{Band, Contract, Declined, ZeroMeaning};
 #[cfg(feature = "formulas")]
 pub use derived::Derived;
+pub use predicament_arithmetic::Sign;
 #[cfg(feature = "formulas")]
 pub use predicament_formula as formula;
 pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};
 pub use sessions::Sessions;
-pub use sign::Sign;
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
 #[cfg(not(feature = "formulas"))]
 pub use underived::Derived;

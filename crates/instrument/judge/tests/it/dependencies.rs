@@ -17,8 +17,12 @@ fn no_path_leads_from_the_judge_to_what_it_judges() {
     );
     assert_eq!(
         dependencies(include_str!("../../../../kernel/predicates/Cargo.toml")),
-        ["predicament-formula", "serde"]
+        ["predicament-arithmetic", "predicament-formula", "serde"]
     );
+    // Of arithmetic the vocabulary has the type of an answer, and no operation.
+    let vocabulary = include_str!("../../../../kernel/predicates/src/lib.rs");
+    let used: Vec<&str> = vocabulary.lines().filter(|line| line.contains("predicament_arithmetic")).collect();
+    assert_eq!(used, ["pub use predicament_arithmetic::Sign;"]);
     // Of formulas the judge reads the syntax tree, and no program, filter or term that backends use.
     let formula = include_str!("../../src/formula.rs");
     let used: Vec<&str> = formula.lines().filter(|line| line.contains("::formula::")).collect();

@@ -1,7 +1,7 @@
 //! Signs: the answers to predicates.
 //!
-//! There are three values and no fourth: a backend whose arithmetic produced a NaN still has to answer, as real code
-//! does. The oracle detects the NaN through [`Predicates::estimate`](crate::Predicates::estimate).
+//! There are three values and no fourth: a predicate whose arithmetic produced a NaN still has to answer, as real code
+//! does.
 
 use core::cmp::Ordering;
 use core::ops::{Mul, Neg};
@@ -12,7 +12,7 @@ use core::ops::{Mul, Neg};
 pub enum Sign {
     /// Less than zero.
     Negative = -1,
-    /// Zero, exactly or within a band; the backend's [`Contract`](crate::Contract) says which.
+    /// Zero, exactly or within a band; the contract of the backend says which.
     #[default]
     Zero = 0,
     /// Greater than zero.
