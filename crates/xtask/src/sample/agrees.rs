@@ -114,7 +114,7 @@ fn the_headline_is_the_rule_applied_to_the_figures() {
     let everything = cheapest(&figures, &["all"]);
     let predicates = ["compare", "orient2d", "orient3d", "incircle", "insphere"];
     let (backend, ratio) = everything.or_else(|| cheapest(&figures, &predicates)).expect("a backend that is right");
-    assert_eq!(headline.contains("of predicates alone"), everything.is_none(), "{headline}");
+    assert_eq!(headline.contains("on predicates alone"), everything.is_none(), "{headline}");
     assert!(headline.contains(&format!(": {backend} is the cheapest backend")), "{headline}");
     let shown = headline.split("**").nth(1).expect("a number in large print");
     assert!(is_rounded(shown, ratio), "{headline}: {ratio}");
