@@ -7,10 +7,14 @@
 //! All tolerances are stored as squares, since the exact quantities are compared as squares. An irrational root is
 //! rounded outward from T, so that no promise is stricter than the paper's.
 
+mod formula;
+
 use predicament_arithmetic::difference_up;
 use predicament_error_calculus::Enclosure;
 use predicament_predicates::{Axis, Band, Dimension, Plane, Predicates, Question, Scene};
 use rug::{Integer, Rational};
+
+pub use formula::units;
 
 /// A tolerance of the paper, by its symbol in the paper.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -222,8 +226,11 @@ impl Published {
     }
 }
 
-/// The band that a sign must satisfy: κ, ξ and our own of the circles, with L the largest extent of all points. `None`
-/// if the session claims no band.
+/// The band that a sign must satisfy: κ, ξ and our own of the circles, with L the largest extent of all points, and for
+/// a formula the band that its program and the scene give. `None` if the session claims no band.
+///
+/// The claim decides only whether the band is of single precision: it is if the claim is within a factor of two of it.
+/// A comparison has no published band, so the claim holds for it.
 #[must_use]
 pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<Band> {
     let claimed = session.band(question)?;
@@ -245,10 +252,13 @@ pub fn band<S: Predicates + ?Sized>(session: &S, question: Question) -> Option<B
             Question::Orient3d => figure(Dimension::Three, Symbol::Xi, extent(scene, &[Axis::X, Axis::Y, Axis::Z])),
             Question::Incircle => ours(INCIRCLE, 4, plane(Plane::Xy)),
             Question::Insphere => ours(INSPHERE, 5, extent(scene, &[Axis::X, Axis::Y, Axis::Z])),
-            Question::Compare(_) | Question::Derived(_) => claimed,
+            Question::Derived(derived) => formula::band(scene, derived, halvings),
+            Question::Compare(_) => claimed,
         }
     };
-    Some(nearest(claimed.upper, HALVINGS.map(of), |band| band.upper))
+    let [double, single] = HALVINGS.map(of);
+    let is_single = (0.5..=2.0).contains(&(claimed.upper / single.upper));
+    Some(if is_single { single } else { double })
 }
 
 /// The length L of Algorithm 1 or 6.

@@ -4,6 +4,7 @@
 //! part wrong, claims the real contract, and `selftest` must detect it on the embedded corpora.
 
 mod area;
+mod boastful;
 mod catches;
 mod colliding;
 mod contacts;
@@ -80,6 +81,8 @@ pub enum Fault {
     ToleranceNarrow,
     /// Tolerance, with the band wider than its promise.
     ToleranceWide,
+    /// Tolerance, with bands of formulas that are far too wide, in its claims too.
+    ToleranceBoastfulFormula,
     /// Exact comparisons, but a tie answers "greater": an endpoint counts twice.
     CompareGreaterOnTies,
     /// Exact, but an edge extends beyond its ends.
@@ -106,7 +109,7 @@ impl Fault {
     }
 
     /// All faults except wrongly scaled tolerances.
-    const ALL: [Fault; 29] = [
+    const ALL: [Fault; 30] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
@@ -129,6 +132,7 @@ impl Fault {
         Fault::ExactRoundedVertex,
         Fault::ToleranceNarrow,
         Fault::ToleranceWide,
+        Fault::ToleranceBoastfulFormula,
         Fault::CompareGreaterOnTies,
         Fault::ContactsEndlessEdge,
         Fault::ContactsOneSided,
@@ -164,6 +168,7 @@ impl Fault {
             Fault::ExactRoundedVertex => "exact-rounded-vertex",
             Fault::ToleranceNarrow => "tolerance-narrow",
             Fault::ToleranceWide => "tolerance-wide",
+            Fault::ToleranceBoastfulFormula => "tolerance-boastful-formula",
             Fault::CompareGreaterOnTies => "compare-greater-on-ties",
             Fault::ContactsEndlessEdge => "contacts-endless-edge",
             Fault::ContactsOneSided => "contacts-one-sided",
@@ -213,6 +218,7 @@ impl Fault {
             Fault::ExactRoundedVertex => "constructed vertices are rounded to doubles; later steps are exact",
             Fault::ToleranceNarrow => "the band is a third of its promised width",
             Fault::ToleranceWide => "the band is twice its promised width",
+            Fault::ToleranceBoastfulFormula => "bands of formulas, also as claimed, are 2^30 times as wide as allowed",
             Fault::CompareGreaterOnTies => "equal coordinates compare as greater, in both orders",
             Fault::ContactsEndlessEdge => "a vertex on an edge's line counts as on the edge",
             Fault::ContactsOneSided => {
@@ -256,6 +262,7 @@ impl Fault {
             Fault::ContactsEndlessEdge | Fault::ContactsOneSided => Area::Answers,
             Fault::ToleranceNarrow
             | Fault::ToleranceWide
+            | Fault::ToleranceBoastfulFormula
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
@@ -291,6 +298,7 @@ impl Fault {
             | Fault::ContactsOneSided => ZeroMeaning::Exact,
             Fault::ToleranceNarrow
             | Fault::ToleranceWide
+            | Fault::ToleranceBoastfulFormula
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
@@ -316,6 +324,7 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
         Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
             visitor.visit(Boxed::new(contacts::Faulty::tolerance(fault)), None)
         }
+        Fault::ToleranceBoastfulFormula => visitor.visit(Boxed::new(boastful::Boastful), None),
         Fault::ToleranceAsPrinted => hand(visitor, Tolerance::<f64>::as_printed(), None),
         Fault::Misscaled(misscaled) => hand(visitor, Tolerance::<f64>::misscaled(misscaled), None),
         _ => match fault.poses_as() {
@@ -453,6 +462,7 @@ impl Session<'_> {
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight
+            | Fault::ToleranceBoastfulFormula
             | Fault::Misscaled(_) => exact,
         }
     }
@@ -498,6 +508,9 @@ impl Predicates for Session<'_> {
     }
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
+        if matches!(kind, PredicateKind::Derived(_)) {
+            return Err(Declined::predicate(kind, "the fault is in predicates with methods of their own"));
+        }
         match &self.tolerance {
             Some(tolerance) => tolerance.supports(kind),
             None => self.exact.supports(kind),

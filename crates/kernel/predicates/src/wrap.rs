@@ -27,10 +27,12 @@
 #[macro_export]
 macro_rules! answer_by {
     ($ask:ident) => {
+        #[inline]
         fn compare(&self, axis: $crate::Axis, a: $crate::Vertex, b: $crate::Vertex) -> $crate::Sign {
             self.$ask($crate::Question::Compare(axis), [a, b])
         }
 
+        #[inline]
         fn orient2d(
             &self,
             plane: $crate::Plane,
@@ -41,14 +43,17 @@ macro_rules! answer_by {
             self.$ask($crate::Question::Orient2d(plane), [a, b, c])
         }
 
+        #[inline]
         fn orient3d(&self, a: $crate::Vertex, b: $crate::Vertex, c: $crate::Vertex, d: $crate::Vertex) -> $crate::Sign {
             self.$ask($crate::Question::Orient3d, [a, b, c, d])
         }
 
+        #[inline]
         fn incircle(&self, a: $crate::Vertex, b: $crate::Vertex, c: $crate::Vertex, d: $crate::Vertex) -> $crate::Sign {
             self.$ask($crate::Question::Incircle, [a, b, c, d])
         }
 
+        #[inline]
         fn insphere(
             &self,
             a: $crate::Vertex,
@@ -63,6 +68,8 @@ macro_rules! answer_by {
 }
 
 /// Writes the named predicates of a session that forwards them to another session that it holds.
+///
+/// The name `predicates` stands for the five predicates; formulas are forwarded by `sign`.
 ///
 /// ```
 /// use predicament_predicates::{Predicates, Plane, Scene, Sign, Vertex, forward_to};
@@ -82,6 +89,9 @@ macro_rules! answer_by {
 macro_rules! forward_to {
     ($inner:tt: $($method:ident),+ $(,)?) => {
         $($crate::forward_to!(@ $inner $method);)+
+    };
+    (@ $inner:tt predicates) => {
+        $crate::forward_to!($inner: compare, orient2d, orient3d, incircle, insphere);
     };
     (@ $inner:tt scene) => {
         fn scene(&self) -> &$crate::Scene {

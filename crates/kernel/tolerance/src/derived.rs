@@ -7,7 +7,7 @@
 //! different degrees E is the static bound of the formula's filter, in the units of the value.
 
 use predicament_error_calculus::Quantity;
-use predicament_predicates::formula::Op;
+use predicament_predicates::formula::{Op, Program};
 use predicament_predicates::{Axis, Band, Declined, Derived, PredicateKind, Scene};
 use rug::Integer;
 
@@ -21,7 +21,7 @@ use crate::extent::largest_extent;
 #[must_use]
 pub fn error_bound(derived: Derived) -> Option<(Integer, u32)> {
     let formula = derived.formula();
-    if formula.is_weighted() || !formula.polynomial().is_homogeneous() {
+    if formula.is_weighted() || !formula.polynomial().is_homogeneous() || !is_about_differences(formula.program()) {
         return None;
     }
     let name = |point: usize, axis: usize| format!("{}{axis}", formula.points()[point]);
@@ -40,6 +40,21 @@ pub fn error_bound(derived: Derived) -> Option<(Integer, u32)> {
         return None;
     }
     Some((value.absolute()?.rounded_up(), formula.polynomial().degree()))
+}
+
+/// Returns true if coordinates occur in differences of two coordinates of one axis only.
+///
+/// The calculus shifts the scene, so that coordinates are at most L/2. Other operands do not follow the shift.
+fn is_about_differences(program: &Program) -> bool {
+    let ops = program.ops();
+    let axis = |at: usize| match ops[at] {
+        Op::Coordinate { axis, .. } => Some(axis),
+        _ => None,
+    };
+    ops.iter().all(|&op| match op {
+        Op::Sub(a, b) => axis(a) == axis(b),
+        op => op.operands().into_iter().flatten().all(|at| axis(at).is_none()),
+    })
 }
 
 /// The band of a formula for a scene; zero if all points coincide.

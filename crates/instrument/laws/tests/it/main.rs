@@ -4,3 +4,4 @@ mod axioms;
 #[allow(dead_code, reason = "tilings are tried with more faults")]
 mod common;
 mod constructs;
+mod formula_bands;

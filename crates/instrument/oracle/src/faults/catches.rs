@@ -3,7 +3,7 @@
 //! A fault that another check detects too proves nothing about the check that was made for it: `selftest` fails if any
 //! of these checks does not detect its fault.
 
-use predicament_predicates::Dimension;
+use predicament_predicates::{Derived, Dimension};
 use predicament_tasks::{Catch, Class};
 use predicament_tolerance::Misscaled;
 
@@ -112,7 +112,7 @@ impl Fault {
                 &[(Class::Overreach, "sign"), (Class::MissedZero, "sign"), (Class::SignFlip, "sign")]
             }
             Fault::ToleranceNarrow => &[(Class::MissedZero, "sign")],
-            Fault::ToleranceWide => &[(Class::Overreach, "sign")],
+            Fault::ToleranceWide | Fault::ToleranceBoastfulFormula => &[(Class::Overreach, "sign")],
             Fault::CompareGreaterOnTies => &[
                 (Class::SignFlip, "half-open rule"),
                 (Class::Inconsistent, "antisymmetry"),
@@ -147,7 +147,7 @@ impl Fault {
     }
 
     /// True if the fault can show in a task, given by name: a fault in the queries about pairs of simplices shows only
-    /// in tasks that make them.
+    /// in tasks that make them, and a fault of the five predicates not in tasks of formulas.
     #[must_use]
     pub fn shows_in(self, task: &str) -> bool {
         match self {
@@ -157,13 +157,14 @@ impl Fault {
             Fault::Misscaled(Misscaled { dimension: Dimension::Three, symbol, .. }) => {
                 task == "contacts3d" || symbol == "ξ" && task == "orient3d"
             }
+            Fault::ToleranceBoastfulFormula => Derived::named(task).is_some(),
             Fault::ContactsEndlessEdge
             | Fault::ContactsOneSided
             | Fault::ToleranceNarrowContacts
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight => task.starts_with("contacts"),
-            _ => true,
+            _ => Derived::named(task).is_none(),
         }
     }
 }

@@ -68,7 +68,7 @@ impl<P: Predicates> Session<P> {
 }
 
 impl<P: Predicates> Predicates for Session<P> {
-    forward_to!(honest: scene, compare, orient2d, orient3d, incircle, insphere);
+    forward_to!(honest: scene, predicates, sign);
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         self.honest.supports(kind)
