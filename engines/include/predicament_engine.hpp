@@ -30,6 +30,10 @@
 //         batch excludes this call. It may throw `predicament::Declined`.
 //     static constexpr const char* precision = "f32"
 //         for predicates that round coordinates to singles.
+//     static constexpr auto formulas = std::make_tuple(predicament::formula<3>("nearer", 2, nearer))
+//         other predicates: the number of vertices, the name, the dimension of the points and a function, which takes
+//         vertices as the predicates above do. The tool knows them by formula (`predicament derive`). Points with
+//         weights get the weight as last coordinate, and `prepare` then gets a `dimension` that counts the weight.
 //
 // This header needs C++17 and POSIX only. Compile with -ffp-contract=off, and without -ffast-math.
 
@@ -48,6 +52,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -75,6 +80,21 @@ struct Vertex {
     std::uint32_t id;
     operator const double*() const { return at; }
 };
+
+/// A predicate that the tool knows by formula; `formula` makes it.
+template <std::size_t Arity, class F>
+struct Formula {
+    static constexpr std::size_t arity = Arity;
+    const char* name;
+    int dimension;
+    F sign;
+};
+
+/// A predicate about `Arity` vertices that the tool knows by formula, for the member `formulas` of an engine.
+template <std::size_t Arity, class F>
+constexpr Formula<Arity, F> formula(const char* name, int dimension, F sign) {
+    return {name, dimension, sign};
+}
 
 namespace detail {
 
@@ -302,6 +322,15 @@ struct Prepares<E, std::void_t<decltype(std::declval<E&>().prepare(static_cast<c
     : std::true_type {};
 
 template <class E>
+constexpr auto formulas_of(int) -> std::decay_t<decltype(E::formulas)> {
+    return E::formulas;
+}
+template <class E>
+constexpr std::tuple<> formulas_of(long) {
+    return {};
+}
+
+template <class E>
 auto precision_of(int) -> decltype(std::string(E::precision)) {
     return E::precision;
 }
@@ -358,7 +387,8 @@ public:
 
     /// Answers messages until stdin ends.
     void run() {
-        static_assert(offers<Compare>() || offers<Orient2d>() || offers<Orient3d>() || offers<Incircle>() || offers<Insphere>(),
+        static_assert(offers<Compare>() || offers<Orient2d>() || offers<Orient3d>() || offers<Incircle>() || offers<Insphere>() ||
+                          std::tuple_size_v<decltype(formulas_of<E>(0))> != 0,
                       "the engine has no predicate with the parameters that predicament_engine.hpp expects");
         Message message;
         while (message.read()) {
@@ -370,7 +400,7 @@ public:
     }
 
 private:
-    enum class View { none, scene, xy, yz, zx };
+    enum class View { none, scene, weighted, xy, yz, zx };
 
     template <class P>
     static constexpr bool offers() {
@@ -401,6 +431,8 @@ private:
         std::string predicates;
         list<Compare>(predicates), list<Orient2d>(predicates), list<Orient3d>(predicates), list<Incircle>(predicates),
             list<Insphere>(predicates);
+        std::apply([&](const auto&... of) { ((predicates += (predicates.empty() ? "" : " ") + std::string(of.name)), ...); },
+                   formulas_of<E>(0));
         const char* const zero = E::zero == Zero::exact ? "exact" : "never";
         return Reply("hello")
             .text("protocol", "1")
@@ -425,6 +457,11 @@ private:
             malformed("points of " + std::to_string(points.size) + " bytes are no whole points");
         scene_.coordinates.resize(points.size / 8);
         for (std::size_t i = 0; i < scene_.coordinates.size(); ++i) scene_.coordinates[i] = read_f64(points.at + 8 * i);
+        const Bytes weights = message.value("weights");
+        if (weights.size != 0 && weights.size != 8 * scene_.count())
+            malformed("weights of " + std::to_string(weights.size) + " bytes for " + std::to_string(scene_.count()) + " points");
+        weights_.resize(weights.size / 8);
+        for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = read_f64(weights.at + 8 * i);
         view_ = View::none;
         const auto start = std::chrono::steady_clock::now();
         look(View::scene);
@@ -441,7 +478,22 @@ private:
         if (predicate == "orient3d") return ask<Orient3d>(message, is_empty, in_dimension(3, predicate), 0);
         if (predicate == "incircle") return ask<Incircle>(message, is_empty, in_dimension(2, predicate), 0);
         if (predicate == "insphere") return ask<Insphere>(message, is_empty, in_dimension(3, predicate), 0);
-        throw Declined("this engine has no `" + predicate + "`");
+        Reply reply("declined");
+        bool found = false;
+        const auto one = [&](const auto& of) {
+            if (found || predicate != of.name) return;
+            found = true;
+            reply = ask_formula(of, message, is_empty);
+        };
+        std::apply([&](const auto&... of) { (one(of), ...); }, formulas_of<E>(0));
+        if (!found) throw Declined("this engine has no `" + predicate + "`");
+        return reply;
+    }
+
+    template <std::size_t Arity, class F>
+    Reply ask_formula(const Formula<Arity, F>& formula, const Message& message, bool is_empty) {
+        const View view = in_dimension(static_cast<std::size_t>(formula.dimension), formula.name);
+        return ask_each<Arity>(message, is_empty, weights_.empty() ? view : View::weighted, formula.name, formula.sign);
     }
 
     int axis(const Message& message) const {
@@ -471,7 +523,15 @@ private:
     void look(View view) {
         if (view == view_) return;
         view_ = View::none;
-        if (view != View::scene) {
+        if (view == View::weighted) {
+            projected_.stride = scene_.stride + 1;
+            projected_.coordinates.clear();
+            for (std::size_t i = 0; i < scene_.count(); ++i) {
+                const double* const point = scene_.coordinates.data() + scene_.stride * i;
+                projected_.coordinates.insert(projected_.coordinates.end(), point, point + scene_.stride);
+                projected_.coordinates.push_back(weights_[i]);
+            }
+        } else if (view != View::scene) {
             const std::size_t u = view == View::xy ? 0 : view == View::yz ? 1 : 2;
             const std::size_t v = (u + 1) % 3;
             projected_.stride = 2;
@@ -492,27 +552,34 @@ private:
         if constexpr (!Offers<P, E>::value) {
             throw Declined(std::string("this engine has no `") + P::name + "`");
         } else {
-            const Bytes bytes = message.need("ids");
-            if (bytes.size % (4 * P::arity) != 0)
-                malformed("ids of " + std::to_string(bytes.size) + " bytes are no whole queries of " + P::name);
-            std::vector<std::uint32_t> ids(bytes.size / 4);
-            for (std::size_t i = 0; i < ids.size(); ++i) {
-                ids[i] = read_u32(bytes.at + 4 * i);
-                if (ids[i] >= scene_.count())
-                    malformed("vertex " + std::to_string(ids[i]) + " of a scene of " + std::to_string(scene_.count()));
-            }
-            std::vector<std::uint8_t> signs(ids.size() / P::arity);
-            look(view);
-            const Points& points = view == View::scene ? scene_ : projected_;
-            const auto indices = std::make_index_sequence<P::arity>();
-            const auto start = std::chrono::steady_clock::now();
-            if (is_empty)
-                each([](auto... v) { return empty(v...); }, points, ids, signs.data(), indices);
-            else
-                each([&](auto... v) { return P::call(engine_, axis, v...); }, points, ids, signs.data(), indices);
-            const std::string ns = nanoseconds_since(start);
-            return Reply("signs").text("ns", ns).bytes("signs", signs.data(), signs.size());
+            const auto call = [&](auto... v) { return P::call(engine_, axis, v...); };
+            return ask_each<P::arity>(message, is_empty, view, P::name, call);
         }
+    }
+
+    /// Calls `f` for each query of the message.
+    template <std::size_t Arity, class F>
+    Reply ask_each(const Message& message, bool is_empty, View view, const char* name, const F& f) {
+        const Bytes bytes = message.need("ids");
+        if (bytes.size % (4 * Arity) != 0)
+            malformed("ids of " + std::to_string(bytes.size) + " bytes are no whole queries of " + name);
+        std::vector<std::uint32_t> ids(bytes.size / 4);
+        for (std::size_t i = 0; i < ids.size(); ++i) {
+            ids[i] = read_u32(bytes.at + 4 * i);
+            if (ids[i] >= scene_.count())
+                malformed("vertex " + std::to_string(ids[i]) + " of a scene of " + std::to_string(scene_.count()));
+        }
+        std::vector<std::uint8_t> signs(ids.size() / Arity);
+        look(view);
+        const Points& points = view == View::scene ? scene_ : projected_;
+        const auto indices = std::make_index_sequence<Arity>();
+        const auto start = std::chrono::steady_clock::now();
+        if (is_empty)
+            each([](auto... v) { return empty(v...); }, points, ids, signs.data(), indices);
+        else
+            each(f, points, ids, signs.data(), indices);
+        const std::string ns = nanoseconds_since(start);
+        return Reply("signs").text("ns", ns).bytes("signs", signs.data(), signs.size());
     }
 
     static std::string nanoseconds_since(std::chrono::steady_clock::time_point start) {
@@ -523,7 +590,8 @@ private:
     int out_;
     E engine_{};
     Points scene_;
-    Points projected_;
+    Points projected_;  // or with weights
+    std::vector<double> weights_;
     View view_ = View::none;
 };
 

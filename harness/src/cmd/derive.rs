@@ -50,7 +50,7 @@ pub struct Args {
     #[arg(long, value_name = "N", default_value_t = 8)]
     pub terms: usize,
 
-    /// A folder for the predicate in Rust, C++ and Python, with tests, and for its engine in Python
+    /// A folder for the predicate in Rust, C++ and Python, with tests, and for its engines in C++ and Python
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
 }
@@ -172,7 +172,7 @@ fn again(formula: &Formula) -> Result<Formula, Failure> {
     formulas::derive(formula.definition().clone())
 }
 
-/// The files of the predicate: code in three languages, the formula, and an engine.
+/// The files of the predicate: code in three languages, the formula, and engines in Python and C++.
 fn files(formula: &Formula) -> Vec<(String, String)> {
     let cases: Vec<(Vec<Vec<f64>>, i8)> =
         adversaries(formula, CASES, 1).into_iter().map(|(points, sign): (_, Sign)| (points, sign.as_i8())).collect();
@@ -189,15 +189,27 @@ fn files(formula: &Formula) -> Vec<(String, String)> {
         "name    = \"{name}\"\nabout   = \"A predicate from a formula, in Python\"\nneeds   = \"Python 3.8 or newer as python3\"\n\
          version = [\"python3\", \"{name}.py\", \"--version\"]\nrun     = [\"python3\", \"{name}.py\"]\n"
     );
-    let helper = include_str!("../../templates/engine/python/predicament_engine.py");
-    vec![
+    let in_cpp = format!("{name}-cpp");
+    let flags = "\"-std=c++17\", \"-O2\", \"-ffp-contract=off\", \"-Wall\", \"-Wextra\"";
+    let cpp_engine = format!(
+        "name    = \"{in_cpp}\"\nabout   = \"A predicate from a formula, in C++\"\nneeds   = \"a C++17 compiler as c++\"\n\
+         version = [\"./{in_cpp}\", \"--version\"]\nbuild   = [[\"c++\", {flags}, \"{name}.cpp\", \"-o\", \"{in_cpp}\"]]\n\
+         run     = [\"./{in_cpp}\"]\nclean   = [[\"rm\", \"-f\", \"{in_cpp}\"]]\n"
+    );
+    let helpers = [
+        ("predicament_engine.py", include_str!("../../templates/engine/python/predicament_engine.py")),
+        ("predicament_engine.hpp", include_str!("../../templates/engine/cpp/predicament_engine.hpp")),
+    ];
+    let written = [
         (format!("{name}.toml"), definition),
         (format!("{name}.rs"), write::rust(formula, &cases)),
         (format!("{name}.hpp"), write::cpp(formula, &cases)),
+        (format!("{name}.cpp"), write::cpp_engine(formula, &in_cpp)),
         (format!("{name}.py"), write::python(formula, &cases)),
         ("engine.toml".to_owned(), engine),
-        ("predicament_engine.py".to_owned(), helper.to_owned()),
-    ]
+        ("engine-cpp.toml".to_owned(), cpp_engine),
+    ];
+    written.into_iter().chain(helpers.map(|(name, text)| (name.to_owned(), text.to_owned()))).collect()
 }
 
 fn write_file(path: &Path, text: &str) -> Result<(), Failure> {

@@ -72,9 +72,7 @@ fn a_written_predicate_is_asked_and_compiled() {
 fn a_written_predicate_is_an_engine_in_python() {
     let folder = tempdir().unwrap();
     let out = folder.path().join("power");
-    let circle = "u = a - d; v = b - d; s = c - d; \
-                  det([u, sq(u) - (a.w - d.w)], [v, sq(v) - (b.w - d.w)], [s, sq(s) - (c.w - d.w)])";
-    expect(0, &["derive", circle, "--name", "power", "--out", out.to_str().unwrap()]);
+    expect(0, &["derive", POWER, "--name", "power", "--out", out.to_str().unwrap()]);
     succeeds(&out, "python3", &["power.py", "--test"]);
     let suite = folder.path().join("mine.toml");
     std::fs::write(&suite, "title = \"t\"\n[[generate]]\nfamily = \"near\"\ntask = \"power\"\nn = 100\n").unwrap();
@@ -110,4 +108,52 @@ fn a_written_predicate_is_right_in_cpp() {
     ];
     succeeds(out, "c++", &flags);
     succeeds(out, "./main", &[]);
+}
+
+/// Builds the engine of a predicate and runs it on the adversaries; returns the exit code and what was printed.
+fn judged_in_cpp(out: &Path, name: &str) -> (i32, String) {
+    let toml = out.join("engine-cpp.toml");
+    expect(0, &["engines", "build", toml.to_str().unwrap()]);
+    let suite = out.join("suite.toml");
+    let family = |family: &str| format!("[[generate]]\nfamily = \"{family}\"\ntask = \"{name}\"\nn = 100\n");
+    std::fs::write(&suite, format!("title = \"t\"\n{}{}{}", family("near"), family("degen"), family("wide-mixed")))
+        .unwrap();
+    let (engine, runs) = (format!("engine:{}", toml.display()), out.join("run"));
+    let (formula, suite, runs) = (out.join(format!("{name}.toml")), suite.to_str().unwrap(), runs.to_str().unwrap());
+    let ran = run(&["run", "--formula", formula.to_str().unwrap(), suite, "-b", &engine, "--out", runs]);
+    (ran.code, ran.stdout + &ran.stderr)
+}
+
+const POWER: &str = "u = a - d; v = b - d; s = c - d; \
+                     det([u, sq(u) - (a.w - d.w)], [v, sq(v) - (b.w - d.w)], [s, sq(s) - (c.w - d.w)])";
+
+#[test]
+#[ignore = "needs a C++ compiler: run by `cargo xtask test`"]
+fn a_written_predicate_is_an_engine_in_cpp() {
+    let folder = tempdir().unwrap();
+    for (name, formula) in [("power", POWER), ("nearer", "sq(a - p) - sq(b - p)")] {
+        let out = folder.path().join(name);
+        expect(0, &["derive", formula, "--name", name, "--out", out.to_str().unwrap()]);
+        let (code, said) = judged_in_cpp(&out, name);
+        assert_eq!(code, 0, "{name}: {said}");
+        succeeds(&out, &format!("./{name}-cpp"), &["--test"]);
+    }
+}
+
+/// The planted fault is a filter whose bound is zero: every estimate passes.
+#[test]
+#[ignore = "needs a C++ compiler: run by `cargo xtask test`"]
+fn a_written_predicate_in_cpp_that_is_wrong_is_seen() {
+    let folder = tempdir().unwrap();
+    let out = folder.path().join("power");
+    expect(0, &["derive", POWER, "--name", "power", "--out", out.to_str().unwrap()]);
+    let header = out.join("power.hpp");
+    let text = std::fs::read_to_string(&header).unwrap();
+    let other = text.replace("const double bound = ", "const double bound = 0 * ");
+    assert!(text != other, "the bound is there");
+    std::fs::write(&header, other).unwrap();
+    let (code, said) = judged_in_cpp(&out, "power");
+    assert!(code == 100 && said.contains("sign_flip"), "{code}: {said}");
+    let tests = Command::new("./power-cpp").arg("--test").current_dir(&out).status().unwrap();
+    assert_eq!(tests.code(), Some(1), "the tests of the header");
 }

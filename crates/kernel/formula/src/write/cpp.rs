@@ -89,3 +89,57 @@ pub fn cpp(formula: &Formula, cases: &Cases) -> String {
     let _ = writeln!(text, "    return wrong;\n}}\n\n}}  // namespace {name}_predicate");
     text
 }
+
+/// An engine of the predicate in C++, for the header of [`cpp`] and `predicament_engine.hpp`; with `--test` it runs the
+/// tests.
+///
+/// The engine's name is `engine`.
+#[must_use]
+pub fn cpp_engine(formula: &Formula, engine: &str) -> String {
+    let (name, called) = (identifier(formula), formula.name());
+    let (mut parameters, mut arguments) = (Vec::new(), Vec::new());
+    for point in formula.points() {
+        let coordinates: Vec<String> = (0..formula.coordinates()).map(|axis| format!("{point}[{axis}]")).collect();
+        parameters.push(format!("const double* {point}"));
+        arguments.push(format!("{{{}}}", coordinates.join(", ")));
+    }
+    format!(
+        "// The engine {engine} of the tool predicament; with --test, the tests of {called}.hpp.
+#include <cstdio>
+#include <cstring>
+#include <string>
+#include <tuple>
+
+#include \"{called}.hpp\"
+#include \"predicament_engine.hpp\"
+
+namespace {{
+
+int sign({parameters}) {{
+    return {name}_predicate::{name}({arguments});
+}}
+
+struct Engine {{
+    static constexpr const char* name = \"{engine}\";
+    static constexpr predicament::Zero zero = predicament::Zero::exact;
+    static std::string version() {{ return \"1.0\"; }}
+    static constexpr auto formulas = std::make_tuple(predicament::formula<{arity}>(\"{called}\", {dimension}, sign));
+}};
+
+}}  // namespace
+
+int main(int argc, char** argv) {{
+    if (argc == 2 && std::strcmp(argv[1], \"--test\") == 0) {{
+        const int wrong = {name}_predicate::failures();
+        std::printf(\"%d wrong signs\\n\", wrong);
+        return wrong == 0 ? 0 : 1;
+    }}
+    return predicament::serve<Engine>(argc, argv);
+}}
+",
+        parameters = parameters.join(", "),
+        arguments = arguments.join(", "),
+        arity = formula.arity(),
+        dimension = formula.dimension(),
+    )
+}

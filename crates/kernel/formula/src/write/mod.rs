@@ -7,7 +7,7 @@ mod cpp;
 mod python;
 mod rust;
 
-pub use cpp::cpp;
+pub use cpp::{cpp, cpp_engine};
 pub use python::python;
 pub use rust::rust;
 
