@@ -1,7 +1,8 @@
 //! A backend for examples, with comparisons and orientations in plain floating point.
 
 use predicament_predicates::{
-    Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    Backend, Contract, Declined, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex, ZeroMeaning,
+    answer_by,
 };
 
 /// A backend with predicates in plain doubles.
@@ -38,6 +39,19 @@ fn turn([ax, ay]: [f64; 2], [bx, by]: [f64; 2], [cx, cy]: [f64; 2]) -> f64 {
     (ax - cx) * (by - cy) - (ay - cy) * (bx - cx)
 }
 
+impl Session<'_> {
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        Sign::of(match (question, &args[..]) {
+            (Question::Compare(axis), &[a, b]) => self.0.coordinate(axis, a) - self.0.coordinate(axis, b),
+            (Question::Orient2d(plane), &[a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|v| self.0.point2(plane, v));
+                turn(a, b, c)
+            }
+            _ => unreachable!("`supports` refuses it"),
+        })
+    }
+}
+
 impl Predicates for Session<'_> {
     fn scene(&self) -> &Scene {
         self.0
@@ -50,28 +64,5 @@ impl Predicates for Session<'_> {
         }
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        Sign::of(self.0.coordinate(axis, a) - self.0.coordinate(axis, b))
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let [a, b, c] = [a, b, c].map(|v| self.0.point2(plane, v));
-        Sign::of(turn(a, b, c))
-    }
-
-    fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented_predicate()
-    }
-
-    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented_predicate()
-    }
-
-    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unimplemented_predicate()
-    }
-}
-
-fn unimplemented_predicate() -> Sign {
-    unreachable!("`supports` refuses it")
+    answer_by!(ask);
 }

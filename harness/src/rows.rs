@@ -145,15 +145,5 @@ pub fn precision(scene: &PlannedScene, plan: &Precision) -> PrecisionRow {
         let choice = plan.choices.iter().find(|choice| choice.predicate == predicate);
         choice.map(|choice| choice.arithmetic.name().to_owned()).unwrap_or_default()
     };
-    PrecisionRow {
-        suite: scene.suite.clone(),
-        scene: scene.scene.clone(),
-        scene_id: scene.scene_id.clone(),
-        lowest: plan.lowest,
-        bits: plan.bits,
-        orient2d: arithmetic(PredicateKind::Orient2d),
-        orient3d: arithmetic(PredicateKind::Orient3d),
-        incircle: arithmetic(PredicateKind::Incircle),
-        insphere: arithmetic(PredicateKind::Insphere),
-    }
+    PrecisionRow::new(scene, [plan.lowest, plan.bits], arithmetic)
 }

@@ -28,7 +28,7 @@ threads. docs/SEARCH.md explains the method.
 
 Examples:
   predicament hunt orient2d -b naive                             one find of each class and check
-  predicament hunt insphere -b shewchuk --class overreach        a class
+  predicament hunt incircle -b shewchuk --class overreach        a class
   predicament hunt incircle -b mine --class inconsistent --check mixed-grassmann-plucker --seconds 60
   predicament hunt orient3d -b naive,naive:first --not-by shewchuk   shown by both, and not by another
   predicament hunt contacts2d -b tolerance --check 'crossing parity' --evaluations 50000

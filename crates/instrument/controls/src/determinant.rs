@@ -17,49 +17,71 @@ pub enum Pivot {
     Homogeneous,
 }
 
+/// The determinant of a predicate about `N` points of `D` coordinates; each computation of determinants is a type.
+pub(crate) trait Determinant<const D: usize, const N: usize> {
+    /// The determinant of these points, in the order of the arguments.
+    fn determinant(&self, points: [[f64; D]; N]) -> f64;
+}
+
+/// The difference of two coordinates. It is zero for equal ones only, since differences underflow gradually.
+impl Determinant<1, 2> for Pivot {
+    #[inline(always)]
+    fn determinant(&self, [[a], [b]]: [[f64; 1]; 2]) -> f64 {
+        a - b
+    }
+}
+
 /// The turn a, b, c. For [`Pivot::First`], with p, q, r for a, b, c: (q.x − p.x)(r.y − p.y) − (q.y − p.y)(r.x − p.x).
-#[inline(always)]
-pub(crate) fn orient2d(pivot: Pivot, [a, b, c]: [[f64; 2]; 3]) -> f64 {
-    match pivot {
-        Pivot::Last => cross(minus(a, c), minus(b, c)),
-        Pivot::First => cross(minus(b, a), minus(c, a)),
-        Pivot::Homogeneous => homogeneous::orient2d([a, b, c]),
+impl Determinant<2, 3> for Pivot {
+    #[inline(always)]
+    fn determinant(&self, [a, b, c]: [[f64; 2]; 3]) -> f64 {
+        match self {
+            Pivot::Last => cross(minus(a, c), minus(b, c)),
+            Pivot::First => cross(minus(b, a), minus(c, a)),
+            Pivot::Homogeneous => homogeneous::turn([a, b, c]),
+        }
     }
 }
 
-/// The determinant for the side of d relative to the plane of a, b, c.
-#[inline(always)]
-pub(crate) fn orient3d(pivot: Pivot, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
-    match pivot {
-        Pivot::Last => triple(minus(a, d), minus(b, d), minus(c, d)),
-        // Moving the first of four rows to the end is an odd permutation.
-        Pivot::First => -triple(minus(b, a), minus(c, a), minus(d, a)),
-        Pivot::Homogeneous => homogeneous::orient3d([a, b, c, d]),
+/// The side of d relative to the plane of a, b, c.
+impl Determinant<3, 4> for Pivot {
+    #[inline(always)]
+    fn determinant(&self, [a, b, c, d]: [[f64; 3]; 4]) -> f64 {
+        match self {
+            Pivot::Last => triple(minus(a, d), minus(b, d), minus(c, d)),
+            // Moving the first of four rows to the end is an odd permutation.
+            Pivot::First => -triple(minus(b, a), minus(c, a), minus(d, a)),
+            Pivot::Homogeneous => homogeneous::side([a, b, c, d]),
+        }
     }
 }
 
-/// The determinant for the position of d relative to the circle of a, b, c.
-#[inline(always)]
-pub(crate) fn incircle(pivot: Pivot, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
-    let lifted = |p, q| {
-        let [x, y] = minus(p, q);
-        [x, y, x * x + y * y]
-    };
-    match pivot {
-        Pivot::Last => triple(lifted(a, d), lifted(b, d), lifted(c, d)),
-        Pivot::First => -triple(lifted(b, a), lifted(c, a), lifted(d, a)),
-        Pivot::Homogeneous => homogeneous::incircle([a, b, c, d]),
+/// The position of d relative to the circle of a, b, c.
+impl Determinant<2, 4> for Pivot {
+    #[inline(always)]
+    fn determinant(&self, [a, b, c, d]: [[f64; 2]; 4]) -> f64 {
+        let lifted = |p, q| {
+            let [x, y] = minus(p, q);
+            [x, y, x * x + y * y]
+        };
+        match self {
+            Pivot::Last => triple(lifted(a, d), lifted(b, d), lifted(c, d)),
+            Pivot::First => -triple(lifted(b, a), lifted(c, a), lifted(d, a)),
+            Pivot::Homogeneous => homogeneous::circle([a, b, c, d]),
+        }
     }
 }
 
-/// The determinant for the position of e relative to the sphere of a, b, c, d.
-#[inline(always)]
-pub(crate) fn insphere(pivot: Pivot, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
-    match pivot {
-        Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
-        // For five rows it is an even permutation.
-        Pivot::First => lifted_quadruple(minus(b, a), minus(c, a), minus(d, a), minus(e, a)),
-        Pivot::Homogeneous => homogeneous::insphere([a, b, c, d, e]),
+/// The position of e relative to the sphere of a, b, c, d.
+impl Determinant<3, 5> for Pivot {
+    #[inline(always)]
+    fn determinant(&self, [a, b, c, d, e]: [[f64; 3]; 5]) -> f64 {
+        match self {
+            Pivot::Last => lifted_quadruple(minus(a, e), minus(b, e), minus(c, e), minus(d, e)),
+            // For five rows it is an even permutation.
+            Pivot::First => lifted_quadruple(minus(b, a), minus(c, a), minus(d, a), minus(e, a)),
+            Pivot::Homogeneous => homogeneous::sphere([a, b, c, d, e]),
+        }
     }
 }
 
@@ -69,23 +91,23 @@ mod homogeneous {
     use nalgebra::{Matrix3, Matrix4, Matrix5};
 
     #[inline(never)]
-    pub(super) fn orient2d(points: [[f64; 2]; 3]) -> f64 {
+    pub(super) fn turn(points: [[f64; 2]; 3]) -> f64 {
         Matrix3::from_fn(|row, column| points[row].get(column).copied().unwrap_or(1.0)).determinant()
     }
 
     #[inline(never)]
-    pub(super) fn orient3d(points: [[f64; 3]; 4]) -> f64 {
+    pub(super) fn side(points: [[f64; 3]; 4]) -> f64 {
         Matrix4::from_fn(|row, column| points[row].get(column).copied().unwrap_or(1.0)).determinant()
     }
 
     #[inline(never)]
-    pub(super) fn incircle(points: [[f64; 2]; 4]) -> f64 {
+    pub(super) fn circle(points: [[f64; 2]; 4]) -> f64 {
         let rows = points.map(|[x, y]| [x, y, x * x + y * y, 1.0]);
         Matrix4::from_fn(|row, column| rows[row][column]).determinant()
     }
 
     #[inline(never)]
-    pub(super) fn insphere(points: [[f64; 3]; 5]) -> f64 {
+    pub(super) fn sphere(points: [[f64; 3]; 5]) -> f64 {
         let rows = points.map(|[x, y, z]| [x, y, z, x * x + y * y + z * z, 1.0]);
         Matrix5::from_fn(|row, column| rows[row][column]).determinant()
     }

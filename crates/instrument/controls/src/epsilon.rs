@@ -4,6 +4,7 @@ use predicament_predicates::{
     Backend, Batches, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning,
 };
 
+use crate::determinant::Determinant;
 use crate::naive_session::Last;
 use crate::session::{Float, Session};
 
@@ -55,28 +56,18 @@ impl Default for Epsilon {
     }
 }
 
+impl<const D: usize, const N: usize> Determinant<D, N> for Epsilon
+where
+    Last: Determinant<D, N>,
+{
+    #[inline(always)]
+    fn determinant(&self, points: [[f64; D]; N]) -> f64 {
+        Last.determinant(points)
+    }
+}
+
 impl Float for Epsilon {
     const IN_LANES: bool = true;
-
-    #[inline(always)]
-    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-        Last.orient2d(points)
-    }
-
-    #[inline(always)]
-    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-        Last.orient3d(points)
-    }
-
-    #[inline(always)]
-    fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-        Last.incircle(points)
-    }
-
-    #[inline(always)]
-    fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-        Last.insphere(points)
-    }
 
     #[inline(always)]
     fn value(&self, determinant: f64) -> f64 {

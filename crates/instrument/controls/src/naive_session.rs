@@ -6,10 +6,10 @@
 
 use predicament_predicates::{
     Axis, Band, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sessions,
-    Sign, Tally, Vertex,
+    Sign, Tally, Vertex, answer_by,
 };
 
-use crate::determinant::{self, Pivot};
+use crate::determinant::{Determinant, Pivot};
 use crate::session::{Float, Session};
 
 /// Defines types of determinants with a pivot that is fixed at compile time.
@@ -19,28 +19,18 @@ macro_rules! about {
         #[derive(Clone, Copy, Debug)]
         pub struct $name;
 
+        impl<const D: usize, const N: usize> Determinant<D, N> for $name
+        where
+            Pivot: Determinant<D, N>,
+        {
+            #[inline(always)]
+            fn determinant(&self, points: [[f64; D]; N]) -> f64 {
+                Pivot::$name.determinant(points)
+            }
+        }
+
         impl Float for $name {
             const IN_LANES: bool = $in_lanes;
-
-            #[inline(always)]
-            fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-                determinant::orient2d(Pivot::$name, points)
-            }
-
-            #[inline(always)]
-            fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-                determinant::orient3d(Pivot::$name, points)
-            }
-
-            #[inline(always)]
-            fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-                determinant::incircle(Pivot::$name, points)
-            }
-
-            #[inline(always)]
-            fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-                determinant::insphere(Pivot::$name, points)
-            }
         }
     )*};
 }
@@ -87,6 +77,13 @@ fn sign(x: f64) -> Sign {
     SIGNS[usize::from(x > 0.0) | usize::from(x < 0.0) << 1]
 }
 
+impl<T: Tally> NaiveSession<'_, T> {
+    #[inline(always)]
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        sign(each!(self, session => session.value(question, args)))
+    }
+}
+
 // An omitted method would use its default instead of the session's own method.
 #[deny(clippy::missing_trait_methods)]
 impl<T: Tally> Predicates for NaiveSession<'_, T> {
@@ -103,30 +100,7 @@ impl<T: Tally> Predicates for NaiveSession<'_, T> {
         each!(self, session => session.supports(kind))
     }
 
-    #[inline]
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        sign(each!(self, session => session.compare_value(axis, [a, b])))
-    }
-
-    #[inline]
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        sign(each!(self, session => session.orient2d_value(plane, [a, b, c])))
-    }
-
-    #[inline]
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        sign(each!(self, session => session.orient3d_value([a, b, c, d])))
-    }
-
-    #[inline]
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        sign(each!(self, session => session.incircle_value([a, b, c, d])))
-    }
-
-    #[inline]
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        sign(each!(self, session => session.insphere_value([a, b, c, d, e])))
-    }
+    answer_by!(ask);
 
     fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
         each!(self, session => session.sign(predicate, vertices))

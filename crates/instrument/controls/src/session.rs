@@ -3,23 +3,21 @@
 use predicament_lanes::{self as lanes, Along, View, Whole, Xy, Yz, Zx};
 use predicament_predicates::{
     Axis, Construction, Declined, Derived, Dimension, Plane, PredicateKind, Predicates, Question, Refused, Scene, Sign,
-    Tally, Vertex,
+    Tally, Vertex, answer_by,
 };
 
+use crate::determinant::Determinant;
 use crate::rounded;
 
 /// A control's arithmetic: a determinant for each predicate, and the number whose sign it answers.
-pub(crate) trait Float: Send + Sync {
+pub(crate) trait Float:
+    Determinant<1, 2> + Determinant<2, 3> + Determinant<3, 4> + Determinant<2, 4> + Determinant<3, 5> + Send + Sync
+{
     /// True if batches use vector registers, for formulas without branches; else batches are loops over single queries.
     const IN_LANES: bool;
 
     /// True if formulas are evaluated: not for the predicates of a library.
     const EVALUATES_FORMULAS: bool = true;
-
-    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64;
-    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64;
-    fn incircle(&self, points: [[f64; 2]; 4]) -> f64;
-    fn insphere(&self, points: [[f64; 3]; 5]) -> f64;
 
     /// The number whose sign is the answer, computed from the determinant.
     #[inline(always)]
@@ -28,35 +26,10 @@ pub(crate) trait Float: Send + Sync {
     }
 }
 
-/// A formula for `N` points of `D` coordinates; [`Float`] types implement it for all their determinants.
-trait Formula<const D: usize, const N: usize>: Float {
-    fn determinant(&self, points: [[f64; D]; N]) -> f64;
-}
-
-macro_rules! formulas {
-    ($(($d:literal, $n:literal): |$float:ident, $points:ident| $determinant:expr;)+) => {
-        $(impl<F: Float> Formula<$d, $n> for F {
-            #[inline(always)]
-            fn determinant(&self, $points: [[f64; $d]; $n]) -> f64 {
-                let $float = self;
-                $determinant
-            }
-        })+
-    };
-}
-
-formulas! {
-    (1, 2): |_float, points| points[0][0] - points[1][0];
-    (2, 3): |float, points| float.orient2d(points);
-    (3, 4): |float, points| float.orient3d(points);
-    (2, 4): |float, points| float.incircle(points);
-    (3, 5): |float, points| float.insphere(points);
-}
-
 /// Answers a batch in vector registers. It is generic over the formula rather than over the session, since each formula
 /// has two session types.
 #[inline(never)]
-fn in_lanes<F: Formula<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+fn in_lanes<F: Float + Determinant<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
     float: &F,
     points: &[[f64; E]],
     (queries, out): (&[[Vertex; N]], &mut [Sign]),
@@ -170,21 +143,20 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         Points { dimension, points2, points3, input: self.scene.len() }
     }
 
-    /// The difference a − b, whose sign is the comparison. It is zero for equal coordinates only, since differences
-    /// underflow gradually.
+    /// The difference a − b, whose sign is the comparison.
     #[inline(always)]
-    fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, [a, b]: [Vertex; 2]) -> f64 {
-        points.coordinate(axis, a) - points.coordinate(axis, b)
+    fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, vertices: [Vertex; 2]) -> f64 {
+        self.float.determinant(vertices.map(|v| [points.coordinate(axis, v)]))
     }
 
     #[inline(always)]
     fn turn<const ALL: bool>(&self, points: Points<ALL>, plane: Plane, vertices: [Vertex; 3]) -> f64 {
-        self.float.orient2d(points.flat(plane, vertices))
+        self.float.determinant(points.flat(plane, vertices))
     }
 
     #[inline(always)]
     fn side<const ALL: bool>(&self, points: Points<ALL>, vertices: [Vertex; 4]) -> f64 {
-        self.float.orient3d(points.solid(vertices))
+        self.float.determinant(points.solid(vertices))
     }
 
     // Kept out of line, for the sake of scenes without constructed vertices.
@@ -249,41 +221,36 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.float.value(determinant)
     }
 
-    // The numbers whose signs are the answers.
-
+    /// The determinant of one of the five predicates; `None` for a wrong number of vertices and for formulas. For a
+    /// comparison it is the difference.
     #[inline(always)]
-    pub(crate) fn compare_value(&self, axis: Axis, vertices: [Vertex; 2]) -> f64 {
-        self.settled(PredicateKind::Compare, self.difference_of(axis, vertices))
+    fn determinant_of(&self, question: Question, vertices: &[Vertex]) -> Option<f64> {
+        Some(match (question, vertices) {
+            (Question::Compare(axis), &[a, b]) => self.difference_of(axis, [a, b]),
+            (Question::Orient2d(plane), &[a, b, c]) => self.turn_of(plane, [a, b, c]),
+            (Question::Orient3d, &[a, b, c, d]) => self.side_of([a, b, c, d]),
+            (Question::Incircle, &[a, b, c, d]) => self.float.determinant(self.circle([a, b, c, d])),
+            (Question::Insphere, &[a, b, c, d, e]) => self.float.determinant(self.input().solid([a, b, c, d, e])),
+            _ => return None,
+        })
+    }
+
+    /// The number whose sign is the answer to one of the five predicates.
+    #[inline(always)]
+    pub(crate) fn value<const N: usize>(&self, question: Question, vertices: [Vertex; N]) -> f64 {
+        let determinant = self.determinant_of(question, &vertices);
+        self.settled(question.kind(), determinant.unwrap_or_else(|| unreachable!("{question:?} of {N} vertices")))
     }
 
     #[inline(always)]
-    pub(crate) fn orient2d_value(&self, plane: Plane, vertices: [Vertex; 3]) -> f64 {
-        self.settled(PredicateKind::Orient2d, self.turn_of(plane, vertices))
-    }
-
-    #[inline(always)]
-    pub(crate) fn orient3d_value(&self, vertices: [Vertex; 4]) -> f64 {
-        self.settled(PredicateKind::Orient3d, self.side_of(vertices))
-    }
-
-    #[inline(always)]
-    pub(crate) fn incircle_value(&self, vertices: [Vertex; 4]) -> f64 {
-        self.settled(PredicateKind::Incircle, self.float.incircle(self.circle(vertices)))
+    fn ask<const N: usize>(&self, question: Question, vertices: [Vertex; N]) -> Sign {
+        Sign::of(self.value(question, vertices))
     }
 
     /// The value of a formula, in the order of operations of its program.
     fn formula_estimate(&self, derived: Derived, vertices: &[Vertex]) -> f64 {
         let program = derived.formula().program();
         derived.with_points(&self.scene, vertices, |points| program.estimate(|point, axis| points[point][axis]))
-    }
-
-    pub(crate) fn formula_value(&self, derived: Derived, vertices: &[Vertex]) -> f64 {
-        self.settled(PredicateKind::Derived(derived), self.formula_estimate(derived, vertices))
-    }
-
-    #[inline(always)]
-    pub(crate) fn insphere_value(&self, vertices: [Vertex; 5]) -> f64 {
-        self.settled(PredicateKind::Insphere, self.float.insphere(self.input().solid(vertices)))
     }
 }
 
@@ -310,30 +277,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         vertices
     }
 
-    #[inline]
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        Sign::of(self.compare_value(axis, [a, b]))
-    }
-
-    #[inline]
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        Sign::of(self.orient2d_value(plane, [a, b, c]))
-    }
-
-    #[inline]
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        Sign::of(self.orient3d_value([a, b, c, d]))
-    }
-
-    #[inline]
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        Sign::of(self.incircle_value([a, b, c, d]))
-    }
-
-    #[inline]
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        Sign::of(self.insphere_value([a, b, c, d, e]))
-    }
+    answer_by!(ask);
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
         if matches!(kind, PredicateKind::Derived(_)) {
@@ -348,21 +292,15 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
-        Sign::of(self.formula_value(predicate, vertices))
+        Sign::of(self.settled(PredicateKind::Derived(predicate), self.formula_estimate(predicate, vertices)))
     }
 
     /// The determinant; `None` for a wrong number of vertices. For a comparison it is the difference.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {
-        match (question, args) {
-            (Question::Compare(axis), &[a, b]) => Some(self.difference_of(axis, [a, b])),
-            (Question::Orient2d(plane), &[a, b, c]) => Some(self.turn_of(plane, [a, b, c])),
-            (Question::Orient3d, &[a, b, c, d]) => Some(self.side_of([a, b, c, d])),
-            (Question::Incircle, &[a, b, c, d]) => Some(self.float.incircle(self.circle([a, b, c, d]))),
-            (Question::Insphere, &[a, b, c, d, e]) => Some(self.float.insphere(self.input().solid([a, b, c, d, e]))),
-            (Question::Derived(derived), args) if F::EVALUATES_FORMULAS && args.len() == derived.formula().arity() => {
-                Some(self.formula_estimate(derived, args))
-            }
-            _ => None,
+        match question {
+            Question::Derived(derived) => (F::EVALUATES_FORMULAS && args.len() == derived.formula().arity())
+                .then(|| self.formula_estimate(derived, args)),
+            question => self.determinant_of(question, args),
         }
     }
 
@@ -402,12 +340,12 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
-        let one = |quadruple| self.float.incircle(self.circle(quadruple));
+        let one = |quadruple| self.float.determinant(self.circle(quadruple));
         self.many::<Whole, 2, 2, 4>(PredicateKind::Incircle, self.points2, (queries, out), one);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
-        let one = |quintuple| self.float.insphere(self.input().solid(quintuple));
+        let one = |quintuple| self.float.determinant(self.input().solid(quintuple));
         self.many::<Whole, 3, 3, 5>(PredicateKind::Insphere, self.points3, (queries, out), one);
     }
 }
@@ -444,7 +382,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         (queries, out): (&[[Vertex; N]], &mut [Sign]),
         one: impl Fn([Vertex; N]) -> f64,
     ) where
-        F: Formula<D, N>,
+        F: Determinant<D, N>,
     {
         if !F::IN_LANES {
             return self.one_by_one(kind, queries, out, one);

@@ -3,6 +3,7 @@
 use predicament_predicates::{Backend, Constructs, Contract, Declined, PredicateKind, Scene, Tally, ZeroMeaning};
 use robust::{Coord, Coord3D};
 
+use crate::determinant::Determinant;
 use crate::session::{Float, Session};
 
 /// The crate `robust`, without a guard: correct unless a computation underflows or overflows.
@@ -12,30 +13,26 @@ pub struct Shewchuk;
 impl Float for Shewchuk {
     const IN_LANES: bool = false;
     const EVALUATES_FORMULAS: bool = false;
+}
 
-    #[inline]
-    fn orient2d(&self, points: [[f64; 2]; 3]) -> f64 {
-        let [a, b, c] = points;
-        robust::orient2d(point2(a), point2(b), point2(c))
-    }
+/// Writes the determinants of the crate: the points, and the call.
+macro_rules! determinants {
+    ($(($d:literal, $n:literal): |$points:pat_param| $call:expr;)+) => {
+        $(impl Determinant<$d, $n> for Shewchuk {
+            #[inline]
+            fn determinant(&self, $points: [[f64; $d]; $n]) -> f64 {
+                $call
+            }
+        })+
+    };
+}
 
-    #[inline]
-    fn orient3d(&self, points: [[f64; 3]; 4]) -> f64 {
-        let [a, b, c, d] = points;
-        robust::orient3d(point3(a), point3(b), point3(c), point3(d))
-    }
-
-    #[inline]
-    fn incircle(&self, points: [[f64; 2]; 4]) -> f64 {
-        let [a, b, c, d] = points;
-        robust::incircle(point2(a), point2(b), point2(c), point2(d))
-    }
-
-    #[inline]
-    fn insphere(&self, points: [[f64; 3]; 5]) -> f64 {
-        let [a, b, c, d, e] = points;
-        robust::insphere(point3(a), point3(b), point3(c), point3(d), point3(e))
-    }
+determinants! {
+    (1, 2): |[[a], [b]]| a - b;
+    (2, 3): |[a, b, c]| robust::orient2d(point2(a), point2(b), point2(c));
+    (3, 4): |[a, b, c, d]| robust::orient3d(point3(a), point3(b), point3(c), point3(d));
+    (2, 4): |[a, b, c, d]| robust::incircle(point2(a), point2(b), point2(c), point2(d));
+    (3, 5): |[a, b, c, d, e]| robust::insphere(point3(a), point3(b), point3(c), point3(d), point3(e));
 }
 
 #[inline]

@@ -12,7 +12,7 @@ use rug::Integer;
 use crate::row::Row;
 use crate::split::split;
 
-/// The maximum number of rows of a determinant: insphere has four, of three differences and a lift.
+/// The maximum number of rows of a determinant: spheres have four, of three differences and a lift.
 const MOST: usize = 4;
 
 /// The determinant of the differences to the last point: an integer and the exponent of the power of two that scales

@@ -7,8 +7,8 @@ use std::hint::black_box;
 
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Construction, Constructs, Contract, Declined, Plane, PredicateKind, Predicates, Refused, Scene,
-    Sessions, Sign, Tally, Vertex,
+    Axis, Backend, Construction, Constructs, Contract, Declined, Plane, PredicateKind, Predicates, Question, Refused,
+    Scene, Sessions, Sign, Tally, Vertex, answer_by,
 };
 
 /// The exact backend, which computes each answer twice.
@@ -43,14 +43,13 @@ impl Backend for Twice {
     }
 }
 
-/// Implements methods by the second of two calls.
-macro_rules! twice {
-    ($($method:ident($($name:ident: $type:ty),*);)+) => {
-        $(fn $method(&self, $($name: $type),*) -> Sign {
-            black_box(self.0.$method($(black_box($name)),*));
-            self.0.$method($($name),*)
-        })+
-    };
+impl<P: Predicates> Asked<P> {
+    /// The second of two answers.
+    #[inline(always)]
+    fn twice<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        black_box(question.ask(&self.0, &black_box(args)));
+        question.ask(&self.0, &args)
+    }
 }
 
 /// Implements batches by the second of two calls.
@@ -85,13 +84,7 @@ impl<P: Predicates> Predicates for Asked<P> {
         self.0.rounded_point(v)
     }
 
-    twice! {
-        compare(axis: Axis, a: Vertex, b: Vertex);
-        orient2d(plane: Plane, a: Vertex, b: Vertex, c: Vertex);
-        orient3d(a: Vertex, b: Vertex, c: Vertex, d: Vertex);
-        incircle(a: Vertex, b: Vertex, c: Vertex, d: Vertex);
-        insphere(a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex);
-    }
+    answer_by!(twice);
 
     batches_twice! {
         compare_batch(axis: Axis, queries: &[[Vertex; 2]]);

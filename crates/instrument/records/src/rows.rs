@@ -345,3 +345,25 @@ crate::table! {
         if self.bits < 0 { Err(RowError::Number { column, value, wanted }) } else { Ok(()) }
     }
 }
+
+impl PrecisionRow {
+    /// The names of the predicates that [`choices`](PrecisionRow::choices) are about.
+    #[must_use]
+    pub fn predicates() -> [&'static str; 4] {
+        PredicateKind::DETERMINANTS.map(PredicateKind::name)
+    }
+
+    /// The arithmetic chosen for each of [`PredicateKind::DETERMINANTS`].
+    #[must_use]
+    pub fn choices(&self) -> [&str; 4] {
+        [&self.orient2d, &self.orient3d, &self.incircle, &self.insphere]
+    }
+
+    /// The row of a scene with the arithmetic of each predicate, empty if the scene has no such predicate.
+    #[must_use]
+    pub fn new(scene: &PlannedScene, [lowest, bits]: [i32; 2], choice: impl FnMut(PredicateKind) -> String) -> Self {
+        let [orient2d, orient3d, incircle, insphere] = PredicateKind::DETERMINANTS.map(choice);
+        let PlannedScene { suite, scene, scene_id, .. } = scene.clone();
+        PrecisionRow { suite, scene, scene_id, lowest, bits, orient2d, orient3d, incircle, insphere }
+    }
+}

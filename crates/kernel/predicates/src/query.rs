@@ -4,7 +4,7 @@ use alloc::{borrow::ToOwned, string::String, vec, vec::Vec};
 use core::fmt;
 use core::str::FromStr;
 
-use crate::{Axis, Derived, Plane, Question, UnknownName, Vertex};
+use crate::{Axis, Plane, PredicateKind, Question, UnknownName, Vertex};
 
 /// A query by name: the predicate or task, a detail, and vertices.
 ///
@@ -31,14 +31,11 @@ impl Query {
     #[must_use]
     pub fn question(&self) -> Option<(Question, &[Vertex])> {
         let detail = self.detail.as_deref();
-        let question = match (self.what.as_str(), detail) {
-            ("compare", Some(axis)) => Question::Compare(axis.parse().ok()?),
-            ("orient2d", Some(plane)) => Question::Orient2d(plane.parse().ok()?),
-            ("orient3d", None) => Question::Orient3d,
-            ("incircle", None) => Question::Incircle,
-            ("insphere", None) => Question::Insphere,
-            (name, None) => Question::Derived(Derived::named(name)?),
-            _ => return None,
+        let question = match (self.what.parse::<PredicateKind>().ok()?.first_question(), detail) {
+            (Question::Compare(_), Some(axis)) => Question::Compare(axis.parse().ok()?),
+            (Question::Orient2d(_), Some(plane)) => Question::Orient2d(plane.parse().ok()?),
+            (Question::Compare(_) | Question::Orient2d(_), None) | (_, Some(_)) => return None,
+            (question, None) => question,
         };
         let [args] = self.args.as_slice() else { return None };
         (args.len() == question.kind().arity()).then_some((question, args))

@@ -35,6 +35,10 @@ impl PredicateKind {
         PredicateKind::Insphere,
     ];
 
+    /// The predicates of [`PredicateKind::ALL`] that multiply coordinates: a comparison needs no arithmetic.
+    pub const DETERMINANTS: [PredicateKind; 4] =
+        [PredicateKind::Orient2d, PredicateKind::Orient3d, PredicateKind::Incircle, PredicateKind::Insphere];
+
     /// The predicate's name in suites, CSV files and on the command line.
     #[must_use]
     pub fn name(self) -> &'static str {

@@ -19,7 +19,7 @@ use polynomial::{AXES, Polynomial, Powers, determinant};
 
 /// The largest degree of powers of a coefficient that are searched for in the ideal.
 ///
-/// At 5 the linear algebra of `insphere` would take minutes instead of seconds.
+/// At 5 the linear algebra of spheres would take minutes instead of seconds.
 const POWER_DEGREE: u8 = 4;
 
 /// The columns of a predicate's matrix.

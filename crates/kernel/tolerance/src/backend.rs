@@ -18,7 +18,7 @@ const STAGES: [&str; 1] = ["float"];
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///
-/// The paper has no tolerance for the other predicates. The tolerances of `incircle` and `insphere` are ours, derived
+/// The paper has no tolerance for the other predicates. The tolerances of circles and spheres are ours, derived
 /// with its calculus in [`circles`]. The order of coordinates is exact, and zero if they are equal (the caller decides
 /// how to treat the tie).
 ///
@@ -34,7 +34,7 @@ const STAGES: [&str; 1] = ["float"];
 /// the rounding of determinants of input vertices, not that of a computed vertex as well.
 ///
 /// The backend declines a scene if L, a product of coordinate differences or a tolerance leaves the range of normal
-/// numbers of `F`, as the paper assumes "no underflow or overflow". If this happens only for `incircle` or `insphere`,
+/// numbers of `F`, as the paper assumes "no underflow or overflow". If this happens only for circles or spheres,
 /// the backend declines that predicate. If all points coincide (L = 0) the tolerances are zero and everything is
 /// degenerate, which is right. If all primitives are points, only equal points are in contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

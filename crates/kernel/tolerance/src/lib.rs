@@ -7,7 +7,7 @@
 //! * [`Tolerances2d`] and [`Tolerances3d`]: the paper's Figures 1 and 5, made from lengths by its Algorithms 1 and 6.
 //! * [`quantities`]: the quantities that the tolerances are compared with, over any number type.
 //! * [`algorithms`]: Algorithms 2 to 5 and 7 to 12, over any [`Float`].
-//! * [`circles`]: bands for `incircle` and `insphere`, which are ours.
+//! * [`circles`]: bands for circles and spheres, which are ours.
 //! * [`bounds`]: every bound and constraint of the paper, derived and decided.
 //! * [`struct@Tolerance`]: the backend; [`Misscaled`]: planted faults of its tolerances.
 //!

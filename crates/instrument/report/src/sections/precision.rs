@@ -19,12 +19,13 @@ struct Group<'r> {
 
 /// The section, or `None` if no arithmetic was recorded.
 pub fn section(runs: &[RunDir]) -> Option<Section> {
+    let predicates = PrecisionRow::predicates();
     let mut table = Table::new("")
         .words(run_head(runs))
         .words(["suite", "families"])
-        .of(Origin::of("precision.csv").keys(["suite", "orient2d", "orient3d", "incircle", "insphere"]))
+        .of(Origin::of("precision.csv").keys(std::iter::once("suite").chain(predicates)))
         .numbers(["scenes", "bits", "lowest bit"])
-        .words(["orient2d", "orient3d", "incircle", "insphere"]);
+        .words(predicates);
     for (index, run) in runs.iter().enumerate() {
         let mut groups: Vec<_> = groups(run).into_iter().collect();
         // Within a suite the plane comes before space, then scenes with fewer bits first.
@@ -62,8 +63,7 @@ fn groups(run: &RunDir) -> BTreeMap<(&str, [&str; 4]), Group<'_>> {
     let families: BTreeMap<[&str; 3], &str> = families.collect();
     let mut groups: BTreeMap<(&str, [&str; 4]), Group> = BTreeMap::new();
     for row in &run.precision {
-        let PrecisionRow { orient2d, orient3d, incircle, insphere, .. } = row;
-        let group = groups.entry((&row.suite, [orient2d, orient3d, incircle, insphere])).or_insert_with(|| Group {
+        let group = groups.entry((&row.suite, row.choices())).or_insert_with(|| Group {
             scenes: 0,
             bits: [row.bits; 2],
             lowest: [row.lowest; 2],

@@ -3,6 +3,7 @@
 use std::sync::atomic::AtomicBool;
 
 use predicament_corpus::Library;
+use predicament_predicates::PredicateKind;
 use predicament_tasks::{Class, Contestant, Watch};
 
 use super::{Hunt, Options, Quarry, Seed, State, seeds};
@@ -95,8 +96,8 @@ fn what_is_derived_is_the_same_from_memory_and_from_a_file() {
 
 #[test]
 fn a_right_backend_gives_no_find() {
-    for task in ["orient2d", "insphere"] {
-        let state = Order::new(task, "exact", None).hunt(250, State::default());
+    for kind in [PredicateKind::Orient2d, PredicateKind::Insphere] {
+        let state = Order::new(kind.name(), "exact", None).hunt(250, State::default());
         assert!(state.finds.is_empty(), "{:?}", state.finds);
         assert!(state.evaluations >= 250);
     }

@@ -24,13 +24,11 @@ impl Fixture {
         context: &Context<'_>,
         fixture: &Field<'_, '_>,
     ) -> Result<Fixture, CorpusError> {
-        let question = match kind {
-            PredicateKind::Compare | PredicateKind::Derived(_) => {
-                let cure = "use orient2d, orient3d, incircle or insphere";
-                return Err(fixture.error(format!("no fixture has rows for {kind}"), cure));
-            }
-            other => other.first_question(),
-        };
+        if !PredicateKind::DETERMINANTS.contains(&kind) {
+            let cure = format!("use {}", PredicateKind::DETERMINANTS.map(PredicateKind::name).join(", "));
+            return Err(fixture.error(format!("no fixture has rows for {kind}"), cure));
+        }
+        let question = kind.first_question();
         let table = fixture.fields(&FIXTURE)?;
         let origin = Origin::fetched(context, &table.required("fetch")?)?;
         table.finish()?;

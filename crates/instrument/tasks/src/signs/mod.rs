@@ -1,4 +1,4 @@
-//! The tasks `compare`, `orient2d`, `orient3d`, `incircle` and `insphere`: signs of one predicate.
+//! The tasks of predicates, one for each, formulas too: signs of one predicate.
 //!
 //! They cover Shewchuk's tests and every degenerate scene that fits into a list of queries. Each answer is compared
 //! with the exact sign, and samples of answers with each other (the laws of predicates).

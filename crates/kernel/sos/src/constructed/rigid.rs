@@ -15,7 +15,7 @@ use super::{Determinant, Weight};
 
 /// The powers at which polynomials are cut off, one after the other.
 ///
-/// About input vertices the largest power is 12: ε, ε², ε³ and the square of ε³ in the four columns of `insphere`. Four
+/// About input vertices the largest power is 12: ε, ε², ε³ and the square of ε³ in the four columns of spheres. Four
 /// points of three planes each have products of 4 · 7 coordinates, each with ε³ at most.
 const POWERS: [usize; 3] = [3, 12, 84];
 

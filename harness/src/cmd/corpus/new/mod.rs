@@ -27,7 +27,7 @@ Examples:
   predicament corpus new mine.toml                                 three points and an orient2d, with all that can be changed
   predicament corpus new mine.toml --points survey.csv             points of a file beside it
   predicament corpus new mine.toml --points towns.csv --columns lon,lat
-  predicament corpus new mine.toml --task insphere --points cloud.ply
+  predicament corpus new mine.toml --task orient3d --points cloud.ply
   predicament corpus new land.toml --points land.geojson";
 
 /// Write a commented suite to start from

@@ -1,6 +1,7 @@
 //! Wrong answers by degeneracy of queries, and the bit length of answers.
 
 use crate::folder::FolderError;
+use predicament_predicates::PredicateKind;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Kind;
 
@@ -67,7 +68,7 @@ fn cell(rows: &[Conditioned], task: &str, backend: &str) -> String {
 pub(super) fn bits(files: &Files) -> Result<String, FolderError> {
     let measures = files.measures()?;
     let mut table = Table::new("").words(["predicate"]).numbers(Kind::ALL.map(Kind::name));
-    for task in ["orient2d", "orient3d", "incircle", "insphere"] {
+    for task in PredicateKind::DETERMINANTS.map(PredicateKind::name) {
         let cells = Kind::ALL.map(|kind| {
             let is = |row: &&crate::compare::Measure| {
                 [&*row.task, &row.kind, &row.backend, &row.measure] == [task, kind.name(), REFERENCE, "bits"]

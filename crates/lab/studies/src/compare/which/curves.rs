@@ -1,6 +1,7 @@
 //! Backends that differ in one parameter.
 
 use crate::folder::FolderError;
+use predicament_predicates::PredicateKind;
 use predicament_report::{Cell, Table};
 use predicament_tasks::Kind;
 
@@ -21,7 +22,7 @@ pub(super) fn curves(files: &Files) -> Result<String, FolderError> {
 /// The stages of exact arithmetic: wrong answers of the predicates by the number of stages.
 pub(super) fn stages(files: &Files) -> Result<String, FolderError> {
     let measures = files.curves()?;
-    let is_predicate = |task: &str| ["orient2d", "orient3d", "incircle", "insphere"].contains(&task);
+    let is_predicate = |task: &str| PredicateKind::DETERMINANTS.iter().any(|kind| kind.name() == task);
     let inputs: Vec<_> = inputs_of(&measures)
         .into_iter()
         .map(|(input, _)| input)

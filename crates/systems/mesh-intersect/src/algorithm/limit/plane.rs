@@ -3,7 +3,9 @@
 
 use std::collections::HashMap;
 
-use predicament_predicates::{Axis, Construction, DefinitionError, Plane, Predicates, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Axis, Construction, DefinitionError, Plane, Predicates, Question, Refused, Scene, Sign, Vertex, answer_by,
+};
 
 use super::places::Places;
 
@@ -72,6 +74,21 @@ impl<'a> InPlane<'a> {
     }
 }
 
+impl InPlane<'_> {
+    /// The sign of the question in this plane; an overlay asks for orders and turns only.
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let args = args.map(|v| self.vertex(v));
+        let in_space = match question {
+            Question::Compare(axis) => Question::Compare(self.plane.axes()[axis.index()]),
+            // The scene has two vertices for a point without segments.
+            Question::Orient2d(_) if (1..N).any(|at| args[..at].contains(&args[at])) => return Sign::Zero,
+            Question::Orient2d(_) => Question::Orient2d(self.plane),
+            other => unreachable!("no overlay in a plane asks for {}", other.kind()),
+        };
+        in_space.ask(&*self.session, &args)
+    }
+}
+
 impl Predicates for InPlane<'_> {
     fn scene(&self) -> &Scene {
         &self.flat
@@ -101,25 +118,5 @@ impl Predicates for InPlane<'_> {
         })
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.session.compare(self.plane.axes()[axis.index()], self.vertex(a), self.vertex(b))
-    }
-
-    fn orient2d(&self, _: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let [a, b, c] = [a, b, c].map(|v| self.vertex(v));
-        // The scene has two vertices for a point without segments.
-        if a == b || b == c || c == a { Sign::Zero } else { self.session.orient2d(self.plane, a, b, c) }
-    }
-
-    fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unreachable!("no 2D scene has an orient3d")
-    }
-
-    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unreachable!("no overlay asks for circles")
-    }
-
-    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unreachable!("no 2D scene has an insphere")
-    }
+    answer_by!(ask);
 }

@@ -7,7 +7,7 @@
 
 use std::sync::OnceLock;
 
-use predicament_predicates::{Axis, Plane, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Predicates, Question, Scene, Sign, Vertex, answer_by};
 
 /// A session that knows lines through some vertices.
 pub(super) struct Known<'a> {
@@ -61,35 +61,21 @@ impl<'a> Known<'a> {
     }
 }
 
+impl Known<'_> {
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let is_known = match (question, &args[..]) {
+            (Question::Compare(axis), &[a, b]) => self.level()[axis.index()] & self.lines(a) & self.lines(b) != 0,
+            (Question::Orient2d(_), &[a, b, c]) => self.are_in_line(a, b, c),
+            _ => false,
+        };
+        if is_known { Sign::Zero } else { question.ask(self.session, &args) }
+    }
+}
+
 impl Predicates for Known<'_> {
     fn scene(&self) -> &Scene {
         self.session.scene()
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        let level = self.level()[AXES.iter().position(|&other| other == axis).unwrap_or_default()];
-        if level & self.lines(a) & self.lines(b) != 0 {
-            return Sign::Zero;
-        }
-        self.session.compare(axis, a, b)
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        if self.are_in_line(a, b, c) {
-            return Sign::Zero;
-        }
-        self.session.orient2d(plane, a, b, c)
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.session.orient3d(a, b, c, d)
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.session.incircle(a, b, c, d)
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.session.insphere(a, b, c, d, e)
-    }
+    answer_by!(ask);
 }

@@ -10,7 +10,8 @@ use std::sync::Arc;
 
 use predicament_mesh::{Complex, MaterialMesh, Simplices};
 use predicament_predicates::{
-    Axis, Construction, Declined, DefinitionError, Plane, PredicateKind, Predicates, Refused, Scene, Sign, Vertex,
+    Construction, Declined, DefinitionError, PredicateKind, Predicates, Question, Refused, Scene, Sign, Vertex,
+    answer_by,
 };
 
 use super::meet::Hit;
@@ -135,8 +136,29 @@ impl Registered {
     }
 }
 
-fn difference(a: f64, b: f64) -> f64 {
-    a - b
+fn minus<const D: usize>(a: [f64; D], b: [f64; D]) -> [f64; D] {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+impl Registered {
+    /// The sign of the determinant of the positions; `supports` refuses circles and spheres.
+    fn ask<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let places = args.map(|v| self.place(v));
+        Sign::of(match (question, &places[..]) {
+            (Question::Compare(axis), [a, b]) => a[axis.index()] - b[axis.index()],
+            (Question::Orient2d(plane), &[a, b, c]) => {
+                let [a, b, c] = [a, b, c].map(|point: [f64; 3]| plane.axes().map(|axis| point[axis.index()]));
+                let [p, q] = [minus(a, c), minus(b, c)];
+                p[0] * q[1] - p[1] * q[0]
+            }
+            (Question::Orient3d, &[a, b, c, d]) => {
+                let [p, q, r] = [minus(a, d), minus(b, d), minus(c, d)];
+                let minor = |i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
+                minor(1, 2) * r[0] + minor(2, 0) * r[1] + minor(0, 1) * r[2]
+            }
+            _ => unreachable!("{} is declined", question.kind()),
+        })
+    }
 }
 
 impl Predicates for Registered {
@@ -166,37 +188,5 @@ impl Predicates for Registered {
         Some(&self.points.get(v.construction()?)?[..])
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        Sign::of(difference(self.place(a)[axis.index()], self.place(b)[axis.index()]))
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        let [x, y] = plane.axes().map(Axis::index);
-        let [a, b, c] = [a, b, c].map(|v| self.place(v));
-        let [p, q] = [a, b].map(|p| [x, y].map(|axis| difference(p[axis], c[axis])));
-        Sign::of(p[0] * q[1] - p[1] * q[0])
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        let [a, b, c, d] = [a, b, c, d].map(|v| self.place(v));
-        let [p, q, r] = [a, b, c].map(|p| [0, 1, 2].map(|axis| difference(p[axis], d[axis])));
-        let minor = |i: usize, j: usize| p[i] * q[j] - p[j] * q[i];
-        Sign::of(minor(1, 2) * r[0] + minor(2, 0) * r[1] + minor(0, 1) * r[2])
-    }
-
-    /// Not supported.
-    ///
-    /// # Panics
-    /// Always: it is not supported.
-    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unreachable!("declined")
-    }
-
-    /// Not supported.
-    ///
-    /// # Panics
-    /// Always: it is not supported.
-    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        unreachable!("declined")
-    }
+    answer_by!(ask);
 }
