@@ -14,12 +14,15 @@
 //! rounding costs nothing, as rounding is monotone: n = max(k₁, k₂) for a last sum, k₁ + k₂ for a last product. So d
 //! has the sign of D if |d| ≥ B·p with B = [`semi_static`]`(n, m)`, provided that nothing underflows or overflows.
 //!
-//! **Underflow.** A product that underflows is off by η ≤ 2^-1075 besides. Later factors multiply η. Let x̂ be the sum
-//! of the magnitudes of all exact values and sums of two that are factors of a product. By induction the absolute error
-//! of each value is at most c·max(1, x̂)^e·η: of a product c₁N₂ + c₂N₁ + 1 with e the larger of e₁ + deg₂ and e₂ +
-//! deg₁, where N is the number of terms of M; of a sum c₁ + c₂, and the larger e. The slack s = σ·(1 + x̂^e) with σ =
-//! 2^-960 exceeds the sum of these errors by 2^70, as c < 2^40 is required. So **d has the sign of D if |d| >
-//! fl(fl(B·p) + s)**.
+//! **Underflow.** A product that underflows is off by η ≤ 2^-1075 besides. Later factors multiply η. Let the *leaves*
+//! be the exact values and sums of two of which factors of products consist, and x̂ the sum of their magnitudes. By
+//! induction the absolute error of each value is at most c·max(1, x̂)^e·η: of a product c₁N₂ + c₂N₁ + 1 with e the
+//! larger of e₁ + deg₂ and e₂ + deg₁, where N is the number of terms of M; of a sum c₁ + c₂, and the larger e. The
+//! slack s = σ·(1 + x̂^e) with σ = 2^-960 exceeds the sum of these errors by 2^70, as c < 2^40 is required. So **d has
+//! the sign of D if |d| > fl(fl(B·p) + s)**.
+//!
+//! If the program has sums of squares whose terms are the squares of all N leaves, let ŷ be their sum. A leaf is at
+//! most max(1, ŷ^½), so max(1, x̂)^e ≤ N^e·max(1, ŷ^⌈e/2⌉), and s = σ·(1 + ŷ^⌈e/2⌉) does as well if c·N^e < 2^40.
 //!
 //! **Overflow.** M contains the magnitude of every product. If a product or a sum is infinite or NaN then p or x̂ is,
 //! and so is the bound. No d is larger.
@@ -75,7 +78,7 @@ pub struct Error {
 #[derive(Clone, PartialEq, Debug)]
 pub struct Filter {
     errors: Vec<Error>,
-    /// Leaves that are factors of products: the slack depends on the sum of their magnitudes.
+    /// Leaves of factors of products, or sums of their squares: the slack depends on the sum of their magnitudes.
     leaves: Vec<usize>,
     roundings: [u32; 2],
     constant: f64,
@@ -87,7 +90,7 @@ pub struct Filter {
 pub enum Slack {
     /// Nothing can underflow: the program has no products.
     None,
-    /// σ·(1 + x̂^e).
+    /// σ·(1 + x̂^e), or σ·(1 + ŷ^⌈e/2⌉).
     Power(u32),
 }
 
@@ -126,15 +129,12 @@ impl Filter {
         }
         let [n, m] = roundings.map(|count| u8::try_from(count).unwrap_or(u8::MAX));
         let constant = if roundings[0] == 0 { 0.0 } else { semi_static(n, m) };
-        let mut leaves: Vec<usize> = ops
-            .iter()
-            .flat_map(|&op| if let Op::Mul(a, b) = op { [Some(a), Some(b)] } else { [None; 2] })
-            .flatten()
-            .filter(|&at| errors[at].is_leaf && !matches!(ops[at], Op::Constant(_)))
-            .collect();
-        leaves.sort_unstable();
-        leaves.dedup();
-        let slack = if root.factor > 0.0 { Slack::Power(root.exponent) } else { Slack::None };
+        let leaves = leaves(ops, &errors);
+        let (leaves, exponent) = match squares(ops, &errors, &leaves) {
+            Some(squares) if covers(root, leaves.len()) => (squares, root.exponent.div_ceil(2)),
+            _ => (leaves, root.exponent),
+        };
+        let slack = if root.factor > 0.0 { Slack::Power(exponent) } else { Slack::None };
         Ok(Filter { errors, leaves, roundings, constant, slack })
     }
 
@@ -295,6 +295,49 @@ fn derive(op: Op, ops: &[Op], errors: &[Error]) -> Error {
             }
         }
     }
+}
+
+/// The leaves of which factors of products consist.
+fn leaves(ops: &[Op], errors: &[Error]) -> Vec<usize> {
+    let mut is_factor = vec![false; ops.len()];
+    for (at, &op) in ops.iter().enumerate().rev() {
+        let is_inner = matches!(op, Op::Mul(..)) || is_factor[at] && !errors[at].is_leaf;
+        if is_inner {
+            op.operands().into_iter().flatten().for_each(|operand| is_factor[operand] = true);
+        }
+    }
+    (0..ops.len()).filter(|&at| is_factor[at] && errors[at].is_leaf && !matches!(ops[at], Op::Constant(_))).collect()
+}
+
+/// Sums of squares that the program has anyway, if their squares are those of all leaves.
+fn squares(ops: &[Op], errors: &[Error], leaves: &[usize]) -> Option<Vec<usize>> {
+    let mut squared: Vec<Vec<usize>> = vec![Vec::new(); ops.len()];
+    let mut is_part = vec![false; ops.len()];
+    for (at, &op) in ops.iter().enumerate() {
+        match op {
+            Op::Mul(a, b) if a == b && errors[a].is_leaf => squared[at].push(a),
+            Op::Add(a, b) if !squared[a].is_empty() && !squared[b].is_empty() => {
+                squared[at] = [&squared[a][..], &squared[b]].concat();
+                [is_part[a], is_part[b]] = [true; 2];
+            }
+            _ => {}
+        }
+    }
+    let (mut chosen, mut missing) = (Vec::new(), leaves.to_vec());
+    for at in (0..ops.len()).filter(|&at| !is_part[at]) {
+        let before = missing.len();
+        missing.retain(|leaf| !squared[at].contains(leaf));
+        if missing.len() < before {
+            chosen.push(at);
+        }
+    }
+    (missing.is_empty() && chosen.len() < leaves.len()).then_some(chosen)
+}
+
+/// True if the factor of the absolute error is small enough for squares of `count` leaves.
+fn covers(root: Error, count: usize) -> bool {
+    let count = u32::try_from(count).map_or(f64::INFINITY, f64::from);
+    (0..root.exponent).fold(root.factor, |factor, _| factor * count) < LARGEST_FACTOR
 }
 
 fn is_power_of_two(number: f64) -> bool {

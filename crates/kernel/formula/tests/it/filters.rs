@@ -1,8 +1,11 @@
 //! The derived constants beside the hand-made ones, and the filters against rationals.
 
-use predicament_arithmetic::bound;
+use std::cmp::Ordering;
 
-use crate::common::{HAND_MADE, formula};
+use predicament_arithmetic::bound;
+use predicament_judge::formula_value;
+
+use crate::common::{HAND_MADE, formula, slices};
 
 #[test]
 fn constants_are_at_most_half_as_large_again_as_the_hand_made_ones() {
@@ -40,4 +43,28 @@ fn bits_are_those_of_the_determinants() {
     for ((name, text, dimension), bits) in HAND_MADE.into_iter().zip([110, 166, 221, 278]) {
         assert_eq!(formula(text, dimension).bits().of(53), bits, "{name}");
     }
+}
+
+/// A large weight multiplies a minor of products that underflow. The weight is a part of a factor only: the slack has
+/// to grow with it.
+#[test]
+fn underflow_is_covered_where_a_part_of_a_factor_is_large() {
+    let power = formula(
+        "u = a - d; v = b - d; s = c - d; \
+         det([u, sq(u) - (a.w - d.w)], [v, sq(v) - (b.w - d.w)], [s, sq(s) - (c.w - d.w)])",
+        2,
+    );
+    // The minors are 1.1 and 1.4 times the smallest double, and both are rounded to it.
+    let [tiny, large] = [2f64.powi(-537), 2f64.powi(600)];
+    let points = [
+        vec![1.1 * tiny, 0.0, -large * (1.0 - 2f64.powi(-20))],
+        vec![1.4 * tiny, 0.0, -large],
+        vec![0.0, tiny, 0.0],
+        vec![0.0, 0.0, 0.0],
+    ];
+    let slices = slices(&points);
+    let truth = formula_value(&power, &slices).unwrap().cmp0();
+    assert_eq!((truth, power.estimate(&slices)[0] < 0.0), (Ordering::Greater, true), "the estimate is wrong");
+    assert_eq!(power.certain(&slices), None);
+    assert_eq!(power.sign(&slices), Some(truth));
 }

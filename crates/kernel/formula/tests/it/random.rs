@@ -29,10 +29,14 @@ fn random_formula(random: &mut Random) -> Formula {
                     text += " * ";
                 }
                 let (p, q, axis) = (name(random), name(random), axis(random));
-                text += &match random.below(6) {
+                text += &match random.below(7) {
                     0 => format!("{p}.{axis}"),
                     1 if factor == 0 => format!("{} * {p}.{axis}", 2 + random.below(7)),
                     2 => format!("({p}.{axis} + {q}.{axis})"),
+                    3 => {
+                        let (r, s) = (name(random), name(random));
+                        format!("(({p}.{axis} - {q}.{axis}) * ({r}.{axis} - {s}.{axis}) - ({p}.{axis} - {s}.{axis}))")
+                    }
                     _ => format!("({p}.{axis} - {q}.{axis})"),
                 };
             }
