@@ -3,6 +3,7 @@
 mod common;
 mod filters;
 mod grammar;
+mod peers;
 mod perturbed;
 mod random;
 mod written;
