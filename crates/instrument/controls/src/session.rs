@@ -249,8 +249,7 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
 
     /// The value of a formula, in the order of operations of its program.
     fn formula_estimate(&self, derived: Derived, vertices: &[Vertex]) -> f64 {
-        let program = derived.formula().program();
-        derived.with_points(&self.scene, vertices, |points| program.estimate(|point, axis| points[point][axis]))
+        derived.with_points(&self.scene, vertices, |points| derived.formula().value(points))
     }
 }
 

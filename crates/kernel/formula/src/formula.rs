@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock, RwLock};
 
 use crate::exact;
+use crate::shipped::Compiled;
 use crate::{Bits, Filter, FormulaError, Order, Polynomial, Program, Syntax, Terms, lower, parse};
 
 /// The most points of a predicate.
@@ -65,6 +66,7 @@ pub struct Formula {
     polynomial: Polynomial,
     filter: Filter,
     bits: Bits,
+    compiled: Option<Compiled>,
     swaps: OnceLock<Vec<Swap>>,
     terms: Known<(Order, Vec<usize>)>,
     moved: Known<Vec<bool>>,
@@ -107,6 +109,7 @@ impl Formula {
         }
         let filter = Filter::of(&program).map_err(&refuse)?;
         let bits = Bits::of_program(&program, polynomial.is_homogeneous());
+        let compiled = Compiled::of(&definition, dimension);
         let (swaps, terms, moved) = (OnceLock::new(), RwLock::default(), RwLock::default());
         Ok(Formula {
             definition,
@@ -117,6 +120,7 @@ impl Formula {
             polynomial,
             filter,
             bits,
+            compiled,
             swaps,
             terms,
             moved,
@@ -229,7 +233,25 @@ impl Formula {
     /// The estimate in doubles, and the magnitude that it must exceed for its sign to be certain.
     #[must_use]
     pub fn estimate(&self, points: &[&[f64]]) -> [f64; 2] {
+        match self.compiled {
+            Some(compiled) => (compiled.bounded)(points),
+            None => self.interpreted(points),
+        }
+    }
+
+    /// [`Formula::estimate`] by the list of operations, also if compiled code does the same.
+    #[must_use]
+    pub fn interpreted(&self, points: &[&[f64]]) -> [f64; 2] {
         self.filter.estimate(&self.program, |point, axis| points[point][axis])
+    }
+
+    /// The estimate in doubles alone.
+    #[must_use]
+    pub fn value(&self, points: &[&[f64]]) -> f64 {
+        match self.compiled {
+            Some(compiled) => (compiled.estimate)(points),
+            None => self.program.estimate(|point, axis| points[point][axis]),
+        }
     }
 
     /// The sign by the filter; `None` if it is not certain.

@@ -19,6 +19,7 @@ mod interpret;
 mod lower;
 mod polynomial;
 mod program;
+mod shipped;
 mod syntax;
 mod terms;
 pub mod write;

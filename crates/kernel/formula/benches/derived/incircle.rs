@@ -52,17 +52,18 @@ pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Ordering 
     let m34 = v22 * m33;
     let m35 = m26 + m30;
     let m36 = m34 + m35;
-    let sum = ((v4.abs() + v5.abs()) + v11.abs()) + ((v12.abs() + v18.abs()) + v19.abs());
+    let sum = (v8 + v15) + v22;
     const SIGMA: f64 = 1.0261342003245941e-289; // 2^-960
-    let bound = 1.1102230246251595e-15 * m36 + SIGMA * (1.0 + sum * sum);
+    let bound = 1.1102230246251595e-15 * m36 + SIGMA * (1.0 + sum);
     if v36.abs() > bound {
-        return if v36 > 0.0 { Ordering::Greater } else { Ordering::Less };
+        return if v36.is_sign_negative() { Ordering::Less } else { Ordering::Greater };
     }
     incircle_exact(a, b, c, d)
 }
 
 /// The sign by exact numbers alone.
 #[cold]
+#[inline(never)]
 fn incircle_exact(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Ordering {
     let [ax, ay] = a;
     let [bx, by] = b;

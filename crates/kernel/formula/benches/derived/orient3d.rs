@@ -50,13 +50,14 @@ pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering 
     const SIGMA: f64 = 1.0261342003245941e-289; // 2^-960
     let bound = 7.771561172376112e-16 * m34 + SIGMA * (1.0 + sum);
     if v34.abs() > bound {
-        return if v34 > 0.0 { Ordering::Greater } else { Ordering::Less };
+        return if v34.is_sign_negative() { Ordering::Less } else { Ordering::Greater };
     }
     orient3d_exact(a, b, c, d)
 }
 
 /// The sign by exact numbers alone.
 #[cold]
+#[inline(never)]
 fn orient3d_exact(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Ordering {
     let [ax, ay, az] = a;
     let [bx, by, bz] = b;

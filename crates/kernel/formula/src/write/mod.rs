@@ -3,10 +3,12 @@
 //! The code has the operations of the program in the program's order. So the filter's proof holds for it, if the
 //! compiler neither contracts products and sums to fused operations nor uses wider registers.
 
+mod compiled;
 mod cpp;
 mod python;
 mod rust;
 
+pub use compiled::compiled;
 pub use cpp::{cpp, cpp_engine};
 pub use python::python;
 pub use rust::rust;

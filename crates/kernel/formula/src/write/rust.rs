@@ -43,11 +43,14 @@ pub fn rust(formula: &Formula, cases: &Cases) -> String {
     let bound = if constant > 0.0 { format!("{constant:e} * {magnitude} + {slack}") } else { slack };
     let _ = writeln!(text, "    let bound = {bound};");
     let _ = writeln!(text, "    if {value}.abs() > bound {{");
-    let _ = writeln!(text, "        return if {value} > 0.0 {{ Ordering::Greater }} else {{ Ordering::Less }};");
+    let _ = writeln!(
+        text,
+        "        return if {value}.is_sign_negative() {{ Ordering::Less }} else {{ Ordering::Greater }};"
+    );
     let arguments = formula.points().join(", ");
     let _ = writeln!(text, "    }}\n    {name}_exact({arguments})\n}}\n");
     let _ = writeln!(text, "/// The sign by exact numbers alone.");
-    let _ = writeln!(text, "#[cold]\nfn {name}_exact({}) -> Ordering {{", parameters.join(", "));
+    let _ = writeln!(text, "#[cold]\n#[inline(never)]\nfn {name}_exact({}) -> Ordering {{", parameters.join(", "));
     unpack(formula, &mut text);
     exact_lines(formula, &mut text);
     let _ = writeln!(text, "}}\n\n{}", EXACT.trim_end());
