@@ -62,7 +62,7 @@ fn a_written_predicate_is_asked_and_compiled() {
     std::fs::write(&suite, "title = \"t\"\n[[generate]]\nfamily = \"near\"\ntask = \"nearer\"\nn = 200\n").unwrap();
     let (runs, hunt) = (at(&folder, "run"), at(&folder, "hunt"));
     expect(0, &["run", "--formula", toml, &suite, "-b", "exact,sos,tolerance", "--out", &runs]);
-    let seeds = ["--class", "sign_flip", "--out", &hunt];
+    let seeds = ["--class", "sign_flip", "--check", "sign", "--out", &hunt];
     let hunted = run(&[&["hunt", "--formula", toml, "nearer", "-b", "naive"][..], &seeds].concat());
     assert!(hunted.stdout.contains("sign_flip"), "{}{}", hunted.stdout, hunted.stderr);
 }
