@@ -176,9 +176,10 @@ pub(crate) fn test<P: Point>(
     got: &Got,
     truth: Sign,
 ) -> String {
+    // Letters and digits in lower case, with one underscore for all between.
     let plain = |text: &str| -> String {
-        let letters = text.chars().map(|c| if c.is_ascii_alphanumeric() { c.to_ascii_lowercase() } else { '_' });
-        letters.collect()
+        let words = text.split(|c: char| !c.is_ascii_alphanumeric()).filter(|word| !word.is_empty());
+        words.map(str::to_ascii_lowercase).collect::<Vec<_>>().join("_")
     };
     let (way, _) = subject.ways[query.way];
     let name = format!("{}_{}", plain(call), plain(&source.replace(", query", "")));

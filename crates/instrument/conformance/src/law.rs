@@ -68,3 +68,23 @@ impl std::fmt::Display for Law {
         f.write_str(self.name())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Shape;
+
+    #[test]
+    fn images_are_exact_and_others_are_left_out() {
+        let of = |law: Law, coordinates: [f64; 4]| {
+            let query = Query { way: 0, shapes: vec![Shape::Input; 2], coordinates: coordinates.to_vec() };
+            law.images(&query, 2).0.into_iter().map(|image| image.coordinates).collect::<Vec<_>>()
+        };
+        let moved = of(Law::Translation, [1.0, 2.0, 3.0, 5.0]);
+        assert_eq!(moved, [[0.0, 0.0, 2.0, 3.0], [5.0, 6.0, 7.0, 9.0]], "to the origin, and by the largest");
+        assert_eq!(of(Law::Translation, [1.0, 0.0, 1e-30, 0.0]).len(), 0, "a sum would be rounded");
+        assert_eq!(of(Law::Antisymmetry, [1.0, 2.0, 3.0, 5.0]), [[3.0, 5.0, 1.0, 2.0]]);
+        assert_eq!(of(Law::Scaling, [1.0, 2.0, 3.0, 5.0]).len(), 6);
+        assert_eq!(of(Law::Scaling, [1.0, 0.0, f64::MAX, 0.0]).len(), 3, "smaller ones");
+    }
+}

@@ -125,11 +125,11 @@ fn exact_conforms() {
 fn exact_conforms_in_singles_and_integers() {
     use predicament_conformance::check;
     use predicament_exact::{f32, i32, i64};
-    check::orient2d(|a: [core::primitive::f32; 2], b, c| f32::orient2d(a, b, c)).assert();
-    check::insphere(|a: [core::primitive::f32; 3], b, c, d, e| f32::insphere(a, b, c, d, e)).assert();
-    check::orient3d(|a: [core::primitive::i32; 3], b, c, d| i32::orient3d(a, b, c, d)).assert();
-    check::incircle(|a: [core::primitive::i32; 2], b, c, d| i32::incircle(a, b, c, d)).assert();
-    check::orient2d(|a: [core::primitive::i64; 2], b, c| i64::orient2d(a, b, c)).assert();
-    check::incircle(|a: [core::primitive::i64; 2], b, c, d| i64::incircle(a, b, c, d)).assert();
-    check::insphere(|a: [core::primitive::i64; 3], b, c, d, e| i64::insphere(a, b, c, d, e)).assert();
+    check::orient2d(|a: [core::primitive::f32; 2], b, c| f32::orient2d(a, b, c)).cases(2000).assert();
+    check::insphere(|a: [core::primitive::f32; 3], b, c, d, e| f32::insphere(a, b, c, d, e)).cases(2000).assert();
+    check::orient3d(|a: [core::primitive::i32; 3], b, c, d| i32::orient3d(a, b, c, d)).cases(2000).assert();
+    check::incircle(|a: [core::primitive::i32; 2], b, c, d| i32::incircle(a, b, c, d)).cases(2000).assert();
+    check::orient2d(|a: [core::primitive::i64; 2], b, c| i64::orient2d(a, b, c)).cases(2000).assert();
+    check::incircle(|a: [core::primitive::i64; 2], b, c, d| i64::incircle(a, b, c, d)).cases(2000).assert();
+    check::insphere(|a: [core::primitive::i64; 3], b, c, d, e| i64::insphere(a, b, c, d, e)).cases(2000).assert();
 }

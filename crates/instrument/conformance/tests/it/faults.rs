@@ -16,20 +16,24 @@ fn single<const D: usize>(point: [f64; D]) -> [f64; D] {
 fn a_planted_cast_to_f32_is_found_in_each_predicate() {
     let reports = [
         check::orient2d(|a, b, c| caught(&[a, b, c], || orient2d(single(a), single(b), single(c))))
+            .cases(2000)
             .report()
             .findings
             .len(),
         check::orient3d(|a, b, c, d| caught(&[a, b, c, d], || orient3d(single(a), single(b), single(c), single(d))))
+            .cases(2000)
             .report()
             .findings
             .len(),
         check::incircle(|a, b, c, d| caught(&[a, b, c, d], || incircle(single(a), single(b), single(c), single(d))))
+            .cases(2000)
             .report()
             .findings
             .len(),
         check::insphere(|a, b, c, d, e| {
             caught(&[a, b, c, d, e], || insphere(single(a), single(b), single(c), single(d), single(e)))
         })
+        .cases(2000)
         .report()
         .findings
         .len(),

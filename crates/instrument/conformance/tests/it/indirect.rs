@@ -6,11 +6,11 @@ use crate::exact::indirect;
 
 #[test]
 fn exact_conforms() {
-    check::indirect::orient2d(indirect::orient2d).assert();
-    check::indirect::orient3d(indirect::orient3d).assert();
-    check::indirect::orient2d_of_3d(indirect::orient2d_of_3d).assert();
-    check::indirect::compare2d(indirect::compare2d).assert();
-    check::indirect::compare3d(indirect::compare3d).assert();
+    check::indirect::orient2d(indirect::orient2d).cases(1000).assert();
+    check::indirect::orient3d(indirect::orient3d).cases(1000).assert();
+    check::indirect::orient2d_of_3d(indirect::orient2d_of_3d).cases(1000).assert();
+    check::indirect::compare2d(indirect::compare2d).cases(1000).assert();
+    check::indirect::compare3d(indirect::compare3d).cases(1000).assert();
 }
 
 /// The meeting point of lines in doubles.

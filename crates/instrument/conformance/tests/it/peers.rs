@@ -55,21 +55,21 @@ fn robust_is_right_within_its_range_and_wrong_beyond() {
     let orient3d = |a, b, c, d| robust::orient3d(p3(a), p3(b), p3(c), p3(d));
     let incircle = |a, b, c, d| robust::incircle(p2(a), p2(b), p2(c), p2(d));
     let insphere = |a, b, c, d, e| robust::insphere(p3(a), p3(b), p3(c), p3(d), p3(e));
-    check::orient2d(orient2d).exponents(-400..=400).assert();
-    check::orient3d(orient3d).exponents(-250..=250).assert();
-    check::incircle(incircle).exponents(-200..=200).assert();
-    check::insphere(insphere).exponents(-160..=160).assert();
+    check::orient2d(orient2d).cases(4000).exponents(-400..=400).assert();
+    check::orient3d(orient3d).cases(4000).exponents(-250..=250).assert();
+    check::incircle(incircle).cases(4000).exponents(-200..=200).assert();
+    check::insphere(insphere).cases(4000).exponents(-160..=160).assert();
     let beyond = [
-        check::orient2d(orient2d).report().sources,
-        check::orient3d(orient3d).report().sources,
-        check::incircle(incircle).report().sources,
-        check::insphere(insphere).report().sources,
+        check::orient2d(orient2d).cases(4000).report().sources,
+        check::orient3d(orient3d).cases(4000).report().sources,
+        check::incircle(incircle).cases(4000).report().sources,
+        check::insphere(insphere).cases(4000).report().sources,
     ];
     for sources in beyond {
         let wide = |wide: bool| -> u64 {
             sources.iter().filter(|source| source.name.starts_with("wide") == wide).map(|source| source.wrong).sum()
         };
-        assert!(wide(true) > 10, "overflow and underflow are found: {sources:?}");
+        assert!(wide(true) > 50, "overflow and underflow are found: {sources:?}");
         assert_eq!(wide(false), 0, "{sources:?}");
     }
 }
