@@ -13,7 +13,7 @@ const GATE: &str = "target/gate";
 /// The crates that use the tool as a library.
 ///
 /// In the workspace they share its builds; `nightly` builds them outside, as a user would.
-const EXAMPLES: [&str; 4] = ["leftmost", "convexity", "mine", "own-predicate"];
+const EXAMPLES: [&str; 5] = ["leftmost", "convexity", "mine", "own-predicate", "regular"];
 /// The package of benches.
 ///
 /// It has no tests, and its dependencies would be compiled or checked for them: `nightly` does that.
