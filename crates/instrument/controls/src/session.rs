@@ -145,8 +145,8 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
 
     /// The difference a − b, whose sign is the comparison.
     #[inline(always)]
-    fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, vertices: [Vertex; 2]) -> f64 {
-        self.float.determinant(vertices.map(|v| [points.coordinate(axis, v)]))
+    fn difference<const ALL: bool>(&self, points: Points<ALL>, axis: Axis, [a, b]: [Vertex; 2]) -> f64 {
+        self.float.determinant([[points.coordinate(axis, a)], [points.coordinate(axis, b)]])
     }
 
     #[inline(always)]
@@ -221,25 +221,26 @@ impl<F: Float, T: Tally> Session<'_, F, T> {
         self.float.value(determinant)
     }
 
-    /// The determinant of one of the five predicates; `None` for a wrong number of vertices and for formulas. For a
-    /// comparison it is the difference.
+    /// The determinant of one of the five predicates. For a comparison it is the difference.
+    ///
+    /// # Panics
+    /// For a wrong number of vertices, and for formulas.
     #[inline(always)]
-    fn determinant_of(&self, question: Question, vertices: &[Vertex]) -> Option<f64> {
-        Some(match (question, vertices) {
+    fn determinant_of(&self, question: Question, vertices: &[Vertex]) -> f64 {
+        match (question, vertices) {
             (Question::Compare(axis), &[a, b]) => self.difference_of(axis, [a, b]),
             (Question::Orient2d(plane), &[a, b, c]) => self.turn_of(plane, [a, b, c]),
             (Question::Orient3d, &[a, b, c, d]) => self.side_of([a, b, c, d]),
             (Question::Incircle, &[a, b, c, d]) => self.float.determinant(self.circle([a, b, c, d])),
             (Question::Insphere, &[a, b, c, d, e]) => self.float.determinant(self.input().solid([a, b, c, d, e])),
-            _ => return None,
-        })
+            _ => unreachable!("{question:?} of {} vertices", vertices.len()),
+        }
     }
 
     /// The number whose sign is the answer to one of the five predicates.
     #[inline(always)]
     pub(crate) fn value<const N: usize>(&self, question: Question, vertices: [Vertex; N]) -> f64 {
-        let determinant = self.determinant_of(question, &vertices);
-        self.settled(question.kind(), determinant.unwrap_or_else(|| unreachable!("{question:?} of {N} vertices")))
+        self.settled(question.kind(), self.determinant_of(question, &vertices))
     }
 
     #[inline(always)]
@@ -299,7 +300,7 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         match question {
             Question::Derived(derived) => (F::EVALUATES_FORMULAS && args.len() == derived.formula().arity())
                 .then(|| self.formula_estimate(derived, args)),
-            question => self.determinant_of(question, args),
+            question => (args.len() == question.kind().arity()).then(|| self.determinant_of(question, args)),
         }
     }
 
