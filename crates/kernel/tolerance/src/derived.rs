@@ -62,10 +62,15 @@ fn is_about_differences(program: &Program) -> bool {
 /// Where the calculus has no rule, E is the static bound of the formula's filter for the scene's extents.
 ///
 /// # Errors
-/// [`Declined`] if the scene has another dimension or no weights, or if the band leaves the range of normal numbers.
+/// [`Declined`] if the scene has another dimension, no weights or weights that the format rounds, or if the band leaves
+/// the range of normal numbers.
 pub(crate) fn prepared<F: Float>(scene: &Scene, derived: Derived) -> Result<Band, Declined> {
     let kind = PredicateKind::Derived(derived);
     scene.has_dimension_for(kind)?;
+    // A rounded weight would err by its own magnitude, and the band is about differences of weights.
+    if derived.formula().is_weighted() && scene.weights().iter().any(|&weight| F::nearest(weight).wide() != weight) {
+        return Err(Declined::predicate(kind, format!("a weight is not a number of {}", F::NAME)));
+    }
     let axes = &[Axis::X, Axis::Y, Axis::Z][..scene.dimension().count()];
     let length = largest_extent(scene, axes);
     let (band, largest) = match error_bound(derived) {

@@ -105,3 +105,16 @@ fn signs_outside_of_bands_are_right_far_from_the_origin() {
     let [a, b] = [0, 1].map(Vertex::input);
     assert_eq!(session.sign(derived, &[a, b]), Sign::Negative, "1e6 (2e6 + 1/4) − 2e6 (1e6 + 1) = −1.75e6");
 }
+
+/// A weight that single precision rounds is declined: the difference of two large weights would be wrong.
+#[test]
+fn weights_are_numbers_of_the_format() {
+    let power = PredicateKind::Derived(Derived::named("side_of_power_circle").unwrap());
+    let points = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+    for (weight, is_single) in [(16_777_216.0, true), (16_777_217.0, false)] {
+        let scene = Scene::from_points2(&points).unwrap().with_weights(vec![weight; 4]).unwrap();
+        assert!(Tolerance.prepare(&scene, Off).unwrap().supports(power).is_ok());
+        let single = Tolerance::<f32>::default();
+        assert_eq!(single.prepare(&scene, Off).unwrap().supports(power).is_ok(), is_single, "{weight}");
+    }
+}
