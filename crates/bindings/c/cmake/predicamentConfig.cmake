@@ -3,7 +3,7 @@
 #   predicament::static       the static library, if it is installed
 #   predicament::predicament  the shared library, or the static one if BUILD_SHARED_LIBS is OFF or the other is missing
 #
-# The file is in PREFIX/lib/cmake/predicament or in PREFIX/share/predicament/cmake. It can be moved with the prefix.
+# The file is in PREFIX/lib/cmake/predicament or in PREFIX/share/cmake/predicament. It can be moved with the prefix.
 
 get_filename_component(_predicament_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 
