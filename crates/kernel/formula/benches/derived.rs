@@ -13,9 +13,11 @@
 
 #[path = "derived/incircle.rs"]
 #[rustfmt::skip] // the generator writes it
+#[allow(clippy::all, clippy::pedantic)]
 mod incircle;
 #[path = "derived/orient3d.rs"]
 #[rustfmt::skip]
+#[allow(clippy::all, clippy::pedantic)]
 mod orient3d;
 
 use std::cmp::Ordering;
@@ -26,7 +28,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use predicament_exact::raw;
 
 /// The number of queries of a pass.
-const QUERIES: usize = 1 << 12;
+const QUERIES: u16 = 1 << 12;
 
 /// The number of passes whose fastest counts.
 const PASSES: usize = 400;
@@ -61,7 +63,7 @@ fn race(name: &str, criterion: &mut Criterion, ways: &[(&str, &dyn Fn() -> i32)]
         }
     }
     assert!(sums.iter().all(|&sum| sum == sums[0]), "{name}: two ways disagree");
-    let times: Vec<f64> = best.iter().map(|time| time.as_secs_f64() * 1e9 / QUERIES as f64).collect();
+    let times: Vec<f64> = best.iter().map(|time| time.as_secs_f64() * 1e9 / f64::from(QUERIES)).collect();
     for ((way, _), time) in ways.iter().zip(&times) {
         println!("{name}: {way} {time:.2} ns, ratio {:.2}", time / times[0]);
     }
@@ -146,8 +148,8 @@ fn attene_incircle(points: [[f64; 2]; 4]) -> Option<i32> {
 }
 
 fn all(criterion: &mut Criterion) {
-    let flat: Vec<[f64; 2]> = numbers(QUERIES * 8).as_chunks().0.to_vec();
-    let solid: Vec<[f64; 3]> = numbers(QUERIES * 12).as_chunks().0.to_vec();
+    let flat: Vec<[f64; 2]> = numbers(usize::from(QUERIES) * 8).as_chunks().0.to_vec();
+    let solid: Vec<[f64; 3]> = numbers(usize::from(QUERIES) * 12).as_chunks().0.to_vec();
     let sign = |sign: predicament_predicates::Sign| i32::from(sign.as_i8());
     let hand = || pass(&solid, |p: [[f64; 3]; 4]| sign(raw::orient3d(p)));
     let derived = || pass(&solid, |[a, b, c, d]| number(orient3d::orient3d(a, b, c, d)));
