@@ -64,7 +64,8 @@ pub fn test() -> Result<(), String> {
     doc_tests.map_or(Ok(()), Beside::finish)
 }
 
-/// Runs format, clippy, docs and the tests of these crates alone, named by folder: `delaunay`, `exact`.
+/// Runs format, clippy, docs and the tests of these crates alone, named by folder: `delaunay`, `exact`; for `python`
+/// also the tests in Python.
 pub fn test_of(crates: &[String]) -> Result<(), String> {
     let folders = ["kernel", "instrument", "systems", "lab", "bindings"].map(|group| root().join("crates").join(group));
     let is_one = |name: &String| folders.iter().any(|group| group.join(name).join("Cargo.toml").is_file());
@@ -78,7 +79,10 @@ pub fn test_of(crates: &[String]) -> Result<(), String> {
         cargo_command(&words.chain(end.iter().map(|&word| word.to_owned())).collect::<Vec<_>>())
     };
     step("format", &with(&["fmt", "--check"], &[]), &[])?;
-    step("clippy, docs, tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &compiler::environment()?)
+    step("clippy, docs, tests and doc tests", &with(&["test", "--profile", "ci"], &[]), &compiler::environment()?)?;
+    let is_python = crates.iter().any(|name| name == "python");
+    let in_python = if is_python { crate::python::start()? } else { None };
+    in_python.map_or(Ok(()), Beside::finish)
 }
 
 /// Runs the tests of engines for each installed language; prints which do not run.

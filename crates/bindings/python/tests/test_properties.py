@@ -16,7 +16,7 @@ NUMBERS = st.one_of(DOUBLES, st.sampled_from([0.0, -0.0, 0.1, 0.2, 0.3, 0.300000
 
 
 @pytest.mark.parametrize("name", _native.KINDS)
-@hypothesis.settings(max_examples=150, deadline=None, database=None)
+@hypothesis.settings(max_examples=60, deadline=None, database=None)
 @hypothesis.given(data=st.data())
 def test_signs_and_values_are_those_of_fractions(name, data):
     arity, width = _native.KINDS[name]
@@ -32,7 +32,7 @@ def test_signs_and_values_are_those_of_fractions(name, data):
         assert perturbed == want if want else perturbed != 0
 
 
-@hypothesis.settings(max_examples=100, deadline=None, database=None)
+@hypothesis.settings(max_examples=60, deadline=None, database=None)
 @hypothesis.given(st.lists(st.floats(width=32, allow_nan=False, allow_infinity=False), min_size=8, max_size=8))
 def test_single_precision_is_exact(numbers):
     query = np.array(numbers, dtype=np.float32).reshape(4, 2)

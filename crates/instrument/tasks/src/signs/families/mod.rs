@@ -1,6 +1,6 @@
 //! Families of generated sign scenes: the keys of their tables, and the scenes of their queries.
 //!
-//! The crate `families` makes the queries of the five predicates; [`formula`] makes those of formulas.
+//! The crate `families` makes the queries of the five predicates; the module `formula` makes those of formulas.
 
 mod formula;
 mod list;
