@@ -46,7 +46,10 @@ def test_a_cast_to_single_precision_is_found_and_shrunk():
     points = [[float.fromhex(x) for x in point] for point in row["points_hex"]]
     assert points == row["points"] and len(points) == 3
     assert planted.cast_orient2d(*map(np.array, points)) == row["answer"]
-    assert predicament.orient2d(*points) == row["truth"]
+    for one in findings:
+        if one["check"] == "sign":
+            assert predicament.orient2d(*one["points"]) == one["truth"] != one["answer"]
+    assert {one["truth"] for one in findings} == {-1, 0, 1}
     (small,) = findings.shrunk
     assert planted.cast_orient2d(*map(np.array, small["points"])) != predicament.orient2d(*small["points"])
     digits = lambda row: sum(len(x) for point in row["points_hex"] for x in point)  # noqa: E731

@@ -37,7 +37,7 @@ class Cases:
         answers = np.asarray(answers)
         if answers.shape != self.truth.shape:
             raise ValueError(f"answers of shape {answers.shape} to {len(self)} queries")
-        return np.flatnonzero(np.isnan(answers) | (np.sign(answers) != self.truth))
+        return np.flatnonzero(np.sign(answers) != self.truth)
 
     def table(self) -> Table:
         """A row for each query: coordinates in hexadecimal, and the truth."""
