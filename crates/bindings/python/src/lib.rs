@@ -1,10 +1,10 @@
 //! The module `predicament._native`: the Rust side of the Python package `predicament`.
 //!
-//! It answers predicates on arrays ([`arrays`], [`scene`]), gives exact values ([`value`]), makes cases with the truth
-//! ([`cases`]), runs a Python function on the embedded corpora ([`check`], [`callable`]), and calls the tool
-//! ([`tool`]). The Python sources beside it, in `python/predicament`, are the interface that users see: they turn any
+//! It answers predicates on arrays (`arrays`, `scene`), gives exact values (`value`), makes cases with the truth
+//! (`cases`), runs a Python function on the embedded corpora (`check`, `callable`), and calls the tool
+//! (`tool`). The Python sources beside it, in `python/predicament`, are the interface that users see: they turn any
 //! arguments into contiguous arrays, and results into tables. This crate computes no sign itself, and holds no lock of
-//! the interpreter while Rust code works. Read [`arrays`] next.
+//! the interpreter while Rust code works. Read `arrays` next.
 
 mod arrays;
 mod callable;
