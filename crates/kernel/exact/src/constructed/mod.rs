@@ -402,16 +402,17 @@ impl Table {
 }
 
 /// Adds the next vertex of the scene, or returns the reason why it has no point.
-#[inline]
+///
+/// Points are read one by one: `map` on nested arrays is a call, unless the compiler happens to inline it.
+#[inline(always)]
 fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Construction) -> Result<(), NoPoint> {
     rows.push();
     match scene.dimension() {
         Dimension::Two => {
             let points = scene.coordinates().as_chunks().0;
-            let near = match construction {
-                Construction::Ssi(lines) => {
-                    approximate::segments(&lines.map(|line| line.map(|v| table.flat(points, v))))
-                }
+            let at = |v| table.flat(points, v);
+            let near = match *construction {
+                Construction::Ssi([[a, b], [c, d]]) => approximate::segments(&[[at(a), at(b)], [at(c), at(d)]]),
                 _ => unreachable!("the scene has taken it"),
             };
             let entry = match near {
@@ -423,9 +424,13 @@ fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Constr
         Dimension::Three => {
             let points = scene.coordinates().as_chunks().0;
             let at = |v| table.solid(points, v);
-            let near = match construction {
-                Construction::Lpi { line, plane } => approximate::line_plane(&line.map(at), &plane.map(at)),
-                Construction::Tpi(planes) => approximate::planes(&planes.map(|plane| plane.map(at))),
+            let near = match *construction {
+                Construction::Lpi { line: [p, q], plane: [a, b, c] } => {
+                    approximate::line_plane(&[at(p), at(q)], &[at(a), at(b), at(c)])
+                }
+                Construction::Tpi([[a, b, c], [d, e, f], [g, h, i]]) => {
+                    approximate::planes(&[[at(a), at(b), at(c)], [at(d), at(e), at(f)], [at(g), at(h), at(i)]])
+                }
                 Construction::Ssi(_) => unreachable!("the scene has taken it"),
             };
             let entry = match near {
