@@ -4,7 +4,6 @@ use predicament_arithmetic::Sign;
 
 use crate::common_unit::{self, Short};
 use crate::predicate::Predicate;
-use crate::stage;
 
 /// The lowest bit of determinants for which the slack of [`anywhere`](crate::anywhere) is less than that bit, as an
 /// exponent.
@@ -16,16 +15,18 @@ use crate::stage;
 /// less than 1.
 pub(crate) const SLACK_IS_LESS: i32 = -900;
 
-/// The sign of a query without a scene that its own filter has left open.
+/// The sign of a query without a scene that its own filter has left open; `None` if a coordinate is not finite.
+///
+/// The rungs before the last ones find no sign for numbers that are not finite, so only the last ones look for them.
 #[inline(always)]
-pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
+pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Option<Sign> {
     if let Some(sign) = P::products(*points) {
-        return (sign, stage::INTEGER);
+        return Some(sign);
     }
     // Two equal rows. (A point that is named twice is the most frequent tie of random queries.)
     for row in 1..N {
         if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
-            return (Sign::Zero, stage::DOUBLE);
+            return Some(Sign::Zero);
         }
     }
     if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
@@ -33,15 +34,15 @@ pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: 
         // If nothing overflows and the slack is less than a unit, the filter has bounded the determinant.
         let leaves_little = (form.degree * low >= SLACK_IS_LESS) & (form.degree * (low + bits) + form.growth <= 1023);
         let limbs = if leaves_little { determinant.limbs_left_open(bits) } else { determinant.limbs(bits) };
-        return (P::integer(rows, limbs), stage::INTEGER);
+        return Some(P::integer(rows, limbs));
     }
     alone_at_length::<P, D, N>(points)
 }
 
 #[inline(never)]
-fn alone_at_length<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> (Sign, usize) {
-    if let Some(sign) = P::short(*points) {
-        return (sign, stage::INTEGER);
+fn alone_at_length<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Option<Sign> {
+    if !points.as_flattened().iter().all(|x| x.is_finite()) {
+        return None;
     }
-    (P::dyadic(*points), stage::DYADIC)
+    Some(P::short(*points).unwrap_or_else(|| P::dyadic(*points)))
 }

@@ -105,31 +105,28 @@ pub fn orient3d<const D: usize, const D2: usize, const D3: usize>(rows: [[Fixed<
 #[inline(always)]
 pub fn incircle<const D: usize, const D2: usize, const D4: usize>(rows: [[Fixed<D>; 2]; 3]) -> Sign {
     let [p, q, r] = rows;
-    let term = |a, b, c: [Fixed<D>; 2]| -> Fixed<D4> { cross::<D, D2>(a, b).times(lift2::<D, D2>(c)) };
-    sign(term(q, r, p).plus(term(r, p, q)).plus(term(p, q, r)))
+    sign(lifted::<D, D2, D4>(q, r, p).plus(lifted::<D, D2, D4>(r, p, q)).plus(lifted::<D, D2, D4>(p, q, r)))
 }
 
 /// The sign of det(p, q, r, s), each with its squared length.
 #[inline(always)]
 pub fn insphere<const D: usize, const D2: usize, const D3: usize, const D5: usize>(rows: [[Fixed<D>; 3]; 4]) -> Sign {
-    let [p, q, r, s] = rows.map(|[x, y, _]| [x, y]);
-    let [pz, qz, rz, sz] = rows.map(|row| row[2]);
+    let [[px, py, pz], [qx, qy, qz], [rx, ry, rz], [sx, sy, sz]] = rows;
+    let [p, q, r, s] = [[px, py], [qx, qy], [rx, ry], [sx, sy]];
     let [pq, qr, rs] = [cross::<D, D2>(p, q), cross(q, r), cross(r, s)];
     let [sp, pr, qs] = [cross::<D, D2>(s, p), cross(p, r), cross(q, s)];
-    let minor = |x: (Fixed<D2>, Fixed<D>), y: (Fixed<D2>, Fixed<D>), z: (Fixed<D2>, Fixed<D>)| -> [Fixed<D3>; 3] {
-        [x.0.times(x.1), y.0.times(y.1), z.0.times(z.1)]
-    };
-    let [a, b, c] = minor((qr, pz), (pr, qz), (pq, rz));
+    let [a, b, c]: [Fixed<D3>; 3] = [qr.times(pz), pr.times(qz), pq.times(rz)];
     let pqr = a.minus(b).plus(c);
-    let [a, b, c] = minor((rs, qz), (qs, rz), (qr, sz));
+    let [a, b, c]: [Fixed<D3>; 3] = [rs.times(qz), qs.times(rz), qr.times(sz)];
     let qrs = a.minus(b).plus(c);
-    let [a, b, c] = minor((sp, rz), (pr, sz), (rs, pz));
+    let [a, b, c]: [Fixed<D3>; 3] = [sp.times(rz), pr.times(sz), rs.times(pz)];
     let rsp = a.plus(b).plus(c);
-    let [a, b, c] = minor((pq, sz), (qs, pz), (sp, qz));
+    let [a, b, c]: [Fixed<D3>; 3] = [pq.times(sz), qs.times(pz), sp.times(qz)];
     let spq = a.plus(b).plus(c);
-    let [pl, ql, rl, sl] = rows.map(lift3::<D, D2>);
-    let term = |minor: Fixed<D3>, lift: Fixed<D2>| -> Fixed<D5> { minor.times(lift) };
-    sign(term(pqr, sl).minus(term(spq, rl)).plus(term(rsp, ql).minus(term(qrs, pl))))
+    let [p, q, r, s] = rows;
+    let [pl, ql, rl, sl]: [Fixed<D2>; 4] = [lift3(p), lift3(q), lift3(r), lift3(s)];
+    let [a, b, c, d]: [Fixed<D5>; 4] = [pqr.times(sl), spq.times(rl), rsp.times(ql), qrs.times(pl)];
+    sign(a.minus(b).plus(c.minus(d)))
 }
 
 #[inline(always)]
@@ -151,8 +148,21 @@ fn triple<const D: usize, const D2: usize, const D3: usize>(
     [p, q, r]: [[Fixed<D>; 2]; 3],
     [pz, qz, rz]: [Fixed<D>; 3],
 ) -> Fixed<D3> {
-    let term = |a, b, z| -> Fixed<D3> { cross::<D, D2>(a, b).times(z) };
-    term(q, r, pz).plus(term(r, p, qz)).plus(term(p, q, rz))
+    let [qr, rp, pq]: [Fixed<D2>; 3] = [cross(q, r), cross(r, p), cross(p, q)];
+    let [a, b, c]: [Fixed<D3>; 3] = [qr.times(pz), rp.times(qz), pq.times(rz)];
+    a.plus(b).plus(c)
+}
+
+/// The minor of two rows, times the squared length of the third.
+///
+/// A function and not a closure: the compiler need not inline closures, and a call through memory costs a third.
+#[inline(always)]
+fn lifted<const D: usize, const D2: usize, const D4: usize>(
+    a: [Fixed<D>; 2],
+    b: [Fixed<D>; 2],
+    c: [Fixed<D>; 2],
+) -> Fixed<D4> {
+    cross::<D, D2>(a, b).times(lift2::<D, D2>(c))
 }
 
 #[inline(always)]

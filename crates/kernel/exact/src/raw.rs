@@ -34,19 +34,10 @@ impl fmt::Display for NotFinite {
 
 impl core::error::Error for NotFinite {}
 
-/// The sign of a query that the filter has left open, or the first coordinate that is not finite.
-#[inline(never)] // one copy for both forms of a predicate
-fn open<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Result<Sign, NotFinite> {
-    match points.as_flattened().iter().position(|x| !x.is_finite()) {
-        None => Ok(alone::<P, D, N>(points).0),
-        Some(at) => Err(NotFinite { point: at / D, axis: at % D, value: points[at / D][at % D] }),
-    }
-}
-
-#[cold]
-#[inline(never)]
-fn refuse(error: NotFinite) -> ! {
-    panic!("{error}")
+/// The first coordinate that is not finite, of points that have one.
+fn not_finite<const D: usize>(points: &[[f64; D]]) -> NotFinite {
+    let at = points.as_flattened().iter().position(|x| !x.is_finite()).unwrap_or(0);
+    NotFinite { point: at / D, axis: at % D, value: points[at / D][at % D] }
 }
 
 /// Writes a predicate in two forms: the second one returns the error of the first one's panic.
@@ -59,6 +50,31 @@ macro_rules! predicate {
         $(#[$doc:meta])*
         $name:ident, $try_name:ident, $predicate:ident<$dimension:literal, $arity:literal>, $([$($x:ident),+]),+
     ) => {
+        mod $name {
+            use super::*;
+
+            #[cold]
+            #[inline(never)]
+            #[allow(clippy::too_many_arguments)]
+            pub fn climb($($($x: f64),+),+) -> Option<Sign> {
+                alone::<$predicate, $dimension, $arity>(&[$([$($x),+]),+])
+            }
+
+            #[cold]
+            #[inline(never)]
+            #[allow(clippy::too_many_arguments)]
+            pub fn blame($($($x: f64),+),+) -> NotFinite {
+                not_finite(&[$([$($x),+]),+])
+            }
+
+            #[cold]
+            #[inline(never)]
+            #[allow(clippy::too_many_arguments)]
+            pub fn refuse($($($x: f64),+),+) -> ! {
+                panic!("{}", blame($($($x),+),+))
+            }
+        }
+
         $(#[$doc])*
         ///
         /// # Panics
@@ -66,15 +82,12 @@ macro_rules! predicate {
         #[inline(always)]
         #[must_use]
         pub fn $name([$([$($x),+]),+]: [[f64; $dimension]; $arity]) -> Sign {
-            #[cold]
-            #[inline(never)]
-            #[allow(clippy::too_many_arguments)]
-            fn climb($($($x: f64),+),+) -> Sign {
-                open::<$predicate, $dimension, $arity>(&[$([$($x),+]),+]).unwrap_or_else(|error| refuse(error))
-            }
             match $predicate::anywhere([$([$($x),+]),+]).certain() {
                 Some(sign) => sign,
-                None => climb($($($x),+),+),
+                None => match $name::climb($($($x),+),+) {
+                    Some(sign) => sign,
+                    None => $name::refuse($($($x),+),+),
+                },
             }
         }
 
@@ -84,15 +97,12 @@ macro_rules! predicate {
         /// The first coordinate that is NaN or infinite.
         #[inline(always)]
         pub fn $try_name([$([$($x),+]),+]: [[f64; $dimension]; $arity]) -> Result<Sign, NotFinite> {
-            #[cold]
-            #[inline(never)]
-            #[allow(clippy::too_many_arguments)]
-            fn climb($($($x: f64),+),+) -> Result<Sign, NotFinite> {
-                open::<$predicate, $dimension, $arity>(&[$([$($x),+]),+])
-            }
             match $predicate::anywhere([$([$($x),+]),+]).certain() {
                 Some(sign) => Ok(sign),
-                None => climb($($($x),+),+),
+                None => match $name::climb($($($x),+),+) {
+                    Some(sign) => Ok(sign),
+                    None => Err($name::blame($($($x),+),+)),
+                },
             }
         }
     };
@@ -121,7 +131,7 @@ pub(crate) fn sign<P: Predicate<D, N>, const D: usize, const N: usize>(points: [
     #[cold]
     #[inline(never)]
     fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
-        open::<P, D, N>(&points).unwrap_or_else(|error| refuse(error))
+        alone::<P, D, N>(&points).unwrap_or_else(|| panic!("{}", not_finite(&points)))
     }
     P::anywhere(points).certain().unwrap_or_else(|| climb::<P, D, N>(points))
 }
