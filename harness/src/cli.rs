@@ -186,8 +186,11 @@ impl<B: BackendList, T: Roster> Cli<B, T> {
 /// The rest of [`Cli::main`]: not generic, so that programs with backends of their own do not compile it again.
 fn main(words: Vec<OsString>, tool: &Tool) -> u8 {
     let command = whole(tool);
-    let words: Vec<OsString> = words.into_iter().map(point).collect();
-    if let Some(at) = words.iter().skip(1).position(is_empty) {
+    // The words after `--` are another command.
+    let own = words.iter().position(|word| word == "--").unwrap_or(words.len());
+    let words: Vec<OsString> =
+        words.into_iter().enumerate().map(|(at, word)| if at < own { point(word) } else { word }).collect();
+    if let Some(at) = words.iter().take(own).skip(1).position(is_empty) {
         return exit::code(Err(exit::Failure::usage(empty(&words, at + 1))));
     }
     let (words, renamed) = names::current(words, tool.studies());

@@ -52,6 +52,12 @@ pub fn registered(words: Vec<OsString>) -> Result<Vec<OsString>, Failure> {
     let mut words = words.into_iter();
     while let Some(word) = words.next() {
         let text = word.to_string_lossy();
+        // The words after `--` are another command.
+        if text == "--" {
+            rest.push(word);
+            rest.extend(words);
+            break;
+        }
         let file = if text == OPTION {
             let missing = || Failure::usage(format!("{OPTION} needs a TOML file with a formula"));
             words.next().ok_or_else(missing)?.to_string_lossy().into_owned()

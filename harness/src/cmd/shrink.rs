@@ -1,4 +1,4 @@
-//! `shrink`: finds the smallest scene that still shows a finding.
+//! `shrink`: finds the smallest scene that shows a finding, or the smallest files on which a command fails.
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -10,15 +10,21 @@ use crate::exit::{self, Failure};
 use crate::found::find;
 use crate::planning::free_folder;
 use crate::programs::Programs;
-use crate::shared::seconds;
+use crate::reducing;
+use crate::shared::{seconds, set_threads};
 use crate::shrinking::{Ask, EVALUATIONS, Job, STATE, SUITE, again, begun, told};
 use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-Everything that the finding does not need is removed: queries, primitives, points (the others keep their order), \
+A finding: everything that the finding does not need is removed: queries, primitives, points (the others keep their order), \
 constructions and corners of loops. Then coordinates are made simpler. The folder has shrunk.toml, a suite with the \
 scene, and the scene as a test in Rust, C++ and Python. The scene is also printed.
+
+Files: the command after `--` runs on smaller and smaller copies of the files, in parallel. `{}` stands for all files, \
+`{1}`, `{2}` for one of them, `{dir}` for their temporary folder. A candidate is taken if the command fails on it: by \
+--when. Meshes (OFF, OBJ, PLY, STL), maps (GeoJSON, WKT) and points (CSV) lose components, faces or features, loops, \
+points, then digits of their coordinates. The folder always has the smallest files so far.
 
 Examples:
   predicament shrink 180cf3db2411 --run out/run
@@ -26,18 +32,35 @@ Examples:
   predicament shrink 180c --run out/run -b naive:first           a second backend has to show it too
   predicament shrink 180c --run out/run --not-by shewchuk        and one that must not
   predicament shrink --resume predicament-shrink-1 --evaluations 20000
-  predicament run mine.toml --shrink 3                           the first three findings of each class, after a run";
+  predicament run mine.toml --shrink 3                           the first three findings of each class, after a run
+  predicament shrink a.off b.off -- ./union {1} {2}              two meshes on which ./union still fails
+  predicament shrink map.geojson --when signal -- ./overlay {}   a signal ends it: a crash
+  predicament shrink p.csv --when 'prints=not convex' --timeout 2 -- python3 hull.py {}
+  predicament shrink a.obj --when timeout --timeout 5 -- ./triangulate {} {dir}/out.obj
+  predicament shrink --resume predicament-shrink-1 -- ./union {1} {2}   continue after Ctrl-C or a kill";
 
-/// Find the smallest scene that still shows a finding
+/// Find the smallest scene with a finding, or the smallest files on which a command fails
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// The id of the finding, or a prefix of it, from findings.csv or the report
-    #[arg(required_unless_present = "resume", requires = "run")]
-    pub id: Option<String>,
+    /// The id of the finding, or a prefix of it, from findings.csv or the report; or files, with a command after `--`
+    #[arg(value_name = "ID|FILE", required_unless_present = "resume")]
+    pub what: Vec<String>,
+
+    /// The command that fails on the files
+    #[arg(last = true, value_name = "COMMAND")]
+    pub command: Vec<String>,
+
+    /// The failure of the command: nonzero, code=N, timeout, signal or prints=TEXT; default: nonzero
+    #[arg(long, value_name = "CONDITION", requires = "command")]
+    pub when: Option<String>,
+
+    /// The number of runs of the command at a time; default: all cores
+    #[arg(long, value_name = "N", requires = "command")]
+    pub threads: Option<usize>,
 
     /// The run that found it
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", conflicts_with = "command")]
     pub run: Option<PathBuf>,
 
     /// Backends that have to show the finding, in addition to the finding's backend
@@ -52,7 +75,7 @@ pub struct Args {
     #[arg(long, value_name = "N")]
     pub evaluations: Option<u64>,
 
-    /// The time limit in seconds of one backend on one scene
+    /// The time limit in seconds of one backend on one scene, or of one run of the command
     #[arg(long, value_name = "SECONDS", value_parser = seconds, default_value = "10")]
     pub timeout: Duration,
 
@@ -61,7 +84,7 @@ pub struct Args {
     pub out: Option<PathBuf>,
 
     /// Continue an interrupted `shrink`, or one that had too few evaluations
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["id", "run", "backends", "not_by"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["what", "run", "backends", "not_by"])]
     pub resume: Option<PathBuf>,
 
     /// A suite to add the scene to; the file is created if it does not exist
@@ -78,11 +101,14 @@ pub struct Args {
 
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
+    if !args.command.is_empty() || args.resume.as_ref().is_some_and(|folder| folder.join(reducing::STATE).exists()) {
+        return files(args);
+    }
     let (programs, also) = args.programs.clone().and_named(&args.backends)?;
     let (programs, not_by) = programs.and_named(&args.not_by)?;
-    let (job, folder) = match (&args.resume, &args.id, &args.run) {
+    let (job, folder) = match (&args.resume, args.what.as_slice(), &args.run) {
         (Some(folder), ..) => (resumed(args, tool, folder)?, folder.clone()),
-        (None, Some(id), Some(run)) => {
+        (None, [id], Some(run)) => {
             let dir = RunDir::open(run).map_err(Failure::usage)?;
             let finding = find(&dir, id, run)?;
             let ask = Ask {
@@ -98,7 +124,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
             make(&folder)?;
             (job, folder)
         }
-        _ => return Err(Failure::usage("name a finding and its run, or --resume a folder")),
+        _ => {
+            let cure = "name a finding and its --run, or files and, after `--`, the command that fails on them";
+            return Err(Failure::usage(format!("{cure}; or --resume a folder")));
+        }
     };
     interrupt::listen();
     let bar = progress::bar(job.state.most, "scenes");
@@ -123,6 +152,28 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         }
     }
     Ok(if state.end.is_some() { exit::OK } else { exit::INCOMPLETE })
+}
+
+/// Shrinks files on which a command fails.
+fn files(args: &Args) -> exit::Outcome {
+    if args.command.is_empty() {
+        let cure = "a folder never starts a command, so write the command again after `--`";
+        return Err(Failure::usage(format!("the folder is that of a command; {cure}")));
+    }
+    let named =
+        args.into.is_some() || args.evaluations.is_some() || !args.backends.is_empty() || !args.not_by.is_empty();
+    if named {
+        return Err(Failure::usage("a command has no --into, --evaluations, --backend or --not-by; leave them out"));
+    }
+    set_threads(args.threads)?;
+    reducing::run(&reducing::Ask {
+        files: &args.what,
+        command: &args.command,
+        when: args.when.as_deref(),
+        timeout: args.timeout,
+        out: args.out.as_deref(),
+        resume: args.resume.as_deref(),
+    })
 }
 
 /// Makes a new folder.

@@ -41,6 +41,7 @@ mod runs;
 mod scorecard;
 mod show;
 mod shrink;
+mod shrink_files;
 mod silence;
 mod solved;
 mod strangers;

@@ -23,12 +23,16 @@ pub fn end_all() {
 }
 
 /// A process and its descendants, ended on drop.
-pub(crate) struct Group {
+pub struct Group {
+    /// The first process of the group.
     pub child: Child,
 }
 
 impl Group {
     /// Starts the command as the first process of a group, with `memory` MiB for each process of the group.
+    ///
+    /// # Errors
+    /// An error of the system: the program does not exist, or its memory can't be limited.
     pub fn start(command: &mut Command, memory: Option<u64>) -> Result<Group, Error> {
         let mark = mark();
         command.env(MARK, &mark);

@@ -9,6 +9,7 @@
 //! * [`Message`]: one message of the protocol, and its encoding.
 //! * [`EngineError`]: why an engine cannot be used; [`ProtocolError`]: how a message breaks the protocol.
 //! * [`Engine`]: the backend; [`end_all`]: for an exit without drops.
+//! * [`Group`]: a process that ends with its descendants.
 
 mod backend;
 mod command;
@@ -29,5 +30,5 @@ pub use backend::{Engine, PREFIX};
 pub use command::{Step, chore};
 pub use config::{Config, FILE, FOLDER, NAME_RULE, all, find, folder, is_name};
 pub use error::{EngineError, EngineFailure, ProtocolError};
-pub use group::end_all;
+pub use group::{Group, end_all};
 pub use message::{Bound, MOST_BYTES, MOST_ENTRIES, MOST_TEXT, Message};

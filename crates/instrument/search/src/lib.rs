@@ -5,10 +5,12 @@
 //!
 //! * [`hunt`]: scenes that show a finding, from any scenes.
 //! * [`shrink`]: the smallest scene that still shows a finding.
+//! * [`files`]: the smallest files on which a command still fails.
 //! * [`snippets`]: such a scene as a test in Rust, C++ and Python.
 //! * [`Witness`], [`Wanted`]: the finding that a scene must show.
 //! * [`SearchError`]: errors that prevent or end a search.
 
+pub mod files;
 pub mod hunt;
 pub mod shrink;
 pub mod snippets;

@@ -23,6 +23,8 @@ pub struct ImportedMesh {
     pub places: Places,
     /// Counts of what the reader left out or changed.
     pub notes: ImportNotes,
+    /// True if degenerate faces are kept; otherwise they are refused, or dropped and counted.
+    pub(super) keeps_degenerate: bool,
 }
 
 /// A line without its comment, or `None` if it is then empty.
@@ -68,12 +70,12 @@ impl ImportedMesh {
         let [first, rest @ ..] = corners else {
             return Err(("a face without corners".to_owned(), "remove it"));
         };
-        if rest.len() < 2 {
+        if rest.len() < 2 && !self.keeps_degenerate {
             return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
         }
         let mut sorted = corners.to_vec();
         sorted.sort_unstable();
-        if sorted.windows(2).any(|pair| pair[0] == pair[1]) {
+        if sorted.windows(2).any(|pair| pair[0] == pair[1]) && !self.keeps_degenerate {
             return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
         }
         // The corners are input vertices, of which there are at most 2^31.

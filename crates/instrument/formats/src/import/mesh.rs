@@ -18,13 +18,26 @@ pub fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedM
     read_data(DataFile::open(file, bytes)?, decimals)
 }
 
+/// Reads a file like [`read`], with its degenerate faces: faces that name a vertex twice, or have one or two corners.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_degenerate(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    let mesh = ImportedMesh { keeps_degenerate: true, ..ImportedMesh::default() };
+    read_into(mesh, DataFile::open(file, bytes)?, decimals)
+}
+
 pub(super) fn read_data(data: DataFile, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+    read_into(ImportedMesh::default(), data, decimals)
+}
+
+fn read_into(mesh: ImportedMesh, data: DataFile, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
     let file = data.file.clone();
     let mesh = match data.format {
-        Format::Off => off::read(&file, &data.text()?, decimals),
-        Format::Obj => obj::read(&file, &data.text()?, decimals),
-        Format::Ply => ply::read(&file, &data.bytes, decimals),
-        Format::Stl => stl::read(&file, data.bytes, decimals),
+        Format::Off => off::read(&file, &data.text()?, decimals, mesh),
+        Format::Obj => obj::read(&file, &data.text()?, decimals, mesh),
+        Format::Ply => ply::read(&file, &data.bytes, decimals, mesh),
+        Format::Stl => stl::read(&file, data.bytes, decimals, mesh),
         Format::Csv | Format::GeoJson | Format::Wkt => {
             Err(CorpusError::file(&file, "the file is not a mesh", "name a .off, .obj, .ply or .stl file"))
         }

@@ -30,9 +30,13 @@ fn behind(words: &[&str]) -> Result<(), (String, &'static str)> {
 }
 
 /// Reads OBJ: `v`, `f` and `l`; elements that only affect rendering are skipped.
-pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+pub(super) fn read(
+    file: &str,
+    text: &str,
+    decimals: &Decimals,
+    mut mesh: ImportedMesh,
+) -> Result<ImportedMesh, CorpusError> {
     const PASSED_OVER: [&str; 8] = ["vn", "vt", "g", "o", "s", "usemtl", "mtllib", "p"];
-    let mut mesh = ImportedMesh::default();
     for (line, words) in contents(text) {
         let words: Vec<&str> = words.split_whitespace().collect();
         let points = mesh.points.len();
@@ -64,7 +68,7 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
                     return Err(error(&format!("a line of {} vertices", corners.len()), "give it two, or remove it"));
                 }
                 let edges = corners.windows(2).map(|ends| [ends[0], ends[1]]);
-                if edges.clone().any(|[start, end]| start == end) {
+                if !mesh.keeps_degenerate && edges.clone().any(|[start, end]| start == end) {
                     return Err(error("a line that names a vertex twice in a row", "name it once"));
                 }
                 mesh.edges.extend(edges);

@@ -6,8 +6,13 @@ use super::imported_mesh::{ImportedMesh, content, contents, no_vertex, point};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
-/// Reads OFF: the keyword, three counts, the points, the faces.
-pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+/// Reads OFF: the keyword, three counts, the points, the faces. They are added to an empty mesh.
+pub(super) fn read(
+    file: &str,
+    text: &str,
+    decimals: &Decimals,
+    mut mesh: ImportedMesh,
+) -> Result<ImportedMesh, CorpusError> {
     const CURE: &str = "give an ASCII OFF file: the word OFF, then the numbers of vertices, faces and edges";
     let error = |line: usize, message: String, cure: &str| CorpusError::file(file, message, cure).at_line(line);
     let mut lines = contents(text);
@@ -35,7 +40,6 @@ pub(super) fn read(file: &str, text: &str, decimals: &Decimals) -> Result<Import
     };
     let mut last = line;
     let mut width = None;
-    let mut mesh = ImportedMesh::default();
     for at in 0..vertices {
         let (line, words) = lines.next().ok_or_else(|| counted(last, at, vertices, "vertices"))?;
         let words: Vec<&str> = words.split_whitespace().collect();

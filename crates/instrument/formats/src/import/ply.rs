@@ -17,7 +17,12 @@ use crate::lines::lines;
 use crate::{CorpusError, Decimals, Position};
 
 /// Reads the elements `vertex` and `face`; others are skipped, except strips of triangles, which are refused.
-pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+pub(super) fn read(
+    file: &str,
+    bytes: &[u8],
+    decimals: &Decimals,
+    mut mesh: ImportedMesh,
+) -> Result<ImportedMesh, CorpusError> {
     let mut rest = bytes;
     let mut reader = Reader::new(BufReader::with_capacity(1, &mut rest));
     let header = Parser::<Element>::new().read_header(&mut reader).map_err(|error| {
@@ -28,7 +33,6 @@ pub(super) fn read(file: &str, bytes: &[u8], decimals: &Decimals) -> Result<Impo
     drop(reader);
     let text = &bytes[..bytes.len() - rest.len()];
     ply_header::check(file, text, &header, rest.len())?;
-    let mut mesh = ImportedMesh::default();
     match header.encoding {
         Encoding::Ascii => {
             let mut payload = ply_ascii::Payload::new(file, text, rest, decimals)?;
@@ -136,7 +140,7 @@ mod tests {
         property list uchar int vertex_indices\nelement camera 1\nproperty float zoom\nend_header\n";
 
     fn read(file: &str, bytes: &[u8]) -> Result<ImportedMesh, CorpusError> {
-        super::read(file, bytes, &Decimals::new(false))
+        super::read(file, bytes, &Decimals::new(false), ImportedMesh::default())
     }
 
     fn ascii(vertices: &str, faces: &str) -> Result<ImportedMesh, CorpusError> {
@@ -153,7 +157,7 @@ mod tests {
         );
         let decimals = Decimals::new(true);
         let text = format!("{HEADER}{vertices}4 0 1 2 3\n3 3 2 1\n1.5\n");
-        let mesh = super::read("m.ply", text.as_bytes(), &decimals).unwrap();
+        let mesh = super::read("m.ply", text.as_bytes(), &decimals, ImportedMesh::default()).unwrap();
         assert_eq!(decimals.rounded(), 2);
         assert_eq!(mesh.points[1], [0.1_f32.into(), 0.0, 0.1]);
         let triangles = [[0, 1, 2], [0, 2, 3], [3, 2, 1]].map(|triangle| triangle.map(Vertex::input));

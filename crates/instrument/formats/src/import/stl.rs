@@ -22,7 +22,12 @@ const AGAIN: &str = "fetch or copy it again";
 
 /// Reads a file. It is binary if its length matches its number of triangles, as binary files may also begin with the
 /// word `solid`.
-pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+pub(super) fn read(
+    file: &str,
+    bytes: Vec<u8>,
+    decimals: &Decimals,
+    mesh: ImportedMesh,
+) -> Result<ImportedMesh, CorpusError> {
     // Text has no zero byte; a binary file has zero bytes in its number of triangles.
     let is_binary = bytes.contains(&0);
     if let Some((_, rest)) = bytes.split_at_checked(HEADER - 4)
@@ -31,7 +36,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Im
         let count = u32::from_le_bytes(*count);
         let said = usize::try_from(count).ok().and_then(|count| count.checked_mul(TRIANGLE));
         if said == Some(body.len()) {
-            return binary(file, body);
+            return binary(file, body, mesh);
         }
         if is_binary {
             let message = format!(
@@ -45,7 +50,7 @@ pub(super) fn read(file: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Im
         let message = format!("the file ends in the header of a binary file, which takes {HEADER} bytes");
         return Err(CorpusError::file(file, message, AGAIN).at_byte(bytes.len()));
     }
-    ascii(file, &text_of(file, bytes)?, decimals)
+    ascii(file, &text_of(file, bytes)?, decimals, mesh)
 }
 
 /// Triangles, as their corners.
@@ -65,7 +70,7 @@ impl Triangles {
             }
             vertex
         });
-        if a == b || b == c || c == a {
+        if (a == b || b == c || c == a) && !self.mesh.keeps_degenerate {
             self.mesh.notes.degenerate_faces += 1;
         } else {
             self.mesh.faces.push([a, b, c].into_iter().filter_map(|v| u32::try_from(v.index()).ok()));
@@ -79,8 +84,8 @@ impl Triangles {
     }
 }
 
-fn binary(file: &str, body: &[u8]) -> Result<ImportedMesh, CorpusError> {
-    let mut triangles = Triangles::default();
+fn binary(file: &str, body: &[u8], mesh: ImportedMesh) -> Result<ImportedMesh, CorpusError> {
+    let mut triangles = Triangles { mesh, ..Triangles::default() };
     triangles.mesh.places = Places::binary();
     for (index, triangle) in body.chunks_exact(TRIANGLE).enumerate() {
         let at = HEADER + index * TRIANGLE;
@@ -98,10 +103,10 @@ fn binary(file: &str, body: &[u8]) -> Result<ImportedMesh, CorpusError> {
     Ok(triangles.done())
 }
 
-fn ascii(file: &str, text: &str, decimals: &Decimals) -> Result<ImportedMesh, CorpusError> {
+fn ascii(file: &str, text: &str, decimals: &Decimals, mesh: ImportedMesh) -> Result<ImportedMesh, CorpusError> {
     const CURE: &str = "write `facet`, `outer loop`, three times `vertex x y z`, `endloop`, `endfacet`";
     let error = |line: usize, message: String, cure: &str| Err(CorpusError::file(file, message, cure).at_line(line));
-    let mut triangles = Triangles::default();
+    let mut triangles = Triangles { mesh, ..Triangles::default() };
     let mut corners: Vec<([f64; 3], usize)> = Vec::with_capacity(3);
     let mut facet = 0;
     // The expected words of a facet, in turn.
@@ -186,7 +191,7 @@ mod tests {
     }
 
     fn of(bytes: impl Into<Vec<u8>>) -> Result<ImportedMesh, CorpusError> {
-        read("m.stl", bytes.into(), &Decimals::new(false))
+        read("m.stl", bytes.into(), &Decimals::new(false), ImportedMesh::default())
     }
 
     fn without_places(mesh: &ImportedMesh) -> ImportedMesh {
@@ -237,7 +242,7 @@ mod tests {
             "m.stl:6: decimal 0.1000000000000000001 has digits that no double holds; write `round = true` in the scene to read the nearest double"
         );
         let decimals = Decimals::new(true);
-        assert_eq!(read("m.stl", text.into(), &decimals).unwrap().points[2], [1.0, 0.1, 0.0]);
+        assert_eq!(read("m.stl", text.into(), &decimals, ImportedMesh::default()).unwrap().points[2], [1.0, 0.1, 0.0]);
         assert_eq!(decimals.rounded(), 4);
     }
 
