@@ -36,11 +36,35 @@ Optional members:
     formulas                    other predicates, as {"name": (arguments, dimension)}. The tool knows them by formula
                                 (`predicament derive`). Points with weights get the weight as last coordinate
 
+Whole tasks: an `Engine`, or a member `tasks` with a function for each task. The tool judges the answers:
+
+    engine = predicament_engine.Engine("mine", "1.0")
+    engine.task("delaunay2d", lambda points: my_library.triangulate(points))
+    predicament_engine.serve(engine)
+
+    delaunay2d(points)                      triangles, as rows of three indices
+    hull2d(points)                          the indices of the hull's corners, one after the other
+    hull3d(points)                          triangles
+    triangulate(points, rings)              the triangles of one polygon; rings of indices, the outer one first or not
+    overlay2d(first, second)                {"union": polygons, "intersection": ..., "difference": ...,
+                                            "symmetric-difference": ...}, all or some of them. Operands are lists of rings
+                                            of points; a polygon of the answer is a list of rings, the outer one first
+    polygon-locate(regions, probes)         a label for each probe: the number of its region, -1 outside, -2 on a border;
+                                            a region is a list of rings of points
+    mesh-locate(vertices, triangles, probes)    a label for each probe: 1 inside, 0 outside, -2 on the surface
+    mesh-intersect(first, second)           as overlay2d; an operand and an answer are pairs of vertices and triangles
+
+A function gets the parameters that it names. It may also name `constraints` (delaunay2d: pairs of indices), `rule`
+(overlay2d: "even-odd" or "non-zero"), `sides` (mesh-locate: the regions before and behind each triangle), and
+`tetrahedra` (mesh-locate). A scene with one of these goes only to functions that name it. With `arrays = True`, points
+and indices are numpy arrays. Only the call of the function is timed.
+
 Raise `Declined` with a reason if a scene is not for this engine. The time of a batch includes gathering the coordinates
 for the first two forms, and so does the time of the empty predicate.
 """
 
 import array
+import inspect
 import itertools
 import os
 import struct
@@ -60,6 +84,19 @@ class Declined(Exception):
 
 class Malformed(Exception):
     """The exception for input that breaks the protocol."""
+
+
+class Engine:
+    """An engine of whole tasks, for libraries without predicates of their own."""
+
+    def __init__(self, name, version, arrays=False):
+        self.name, self.version, self.arrays = name, version, arrays
+        self.tasks = {}
+
+    def task(self, name, function):
+        """Answers the task by a function."""
+        self.tasks[name] = function
+        return self
 
 
 def serve(engine):
@@ -176,8 +213,12 @@ class _Server:
             for form in ("", "_arrays", "_ids"):
                 if callable(getattr(engine, name + form, None)):
                     self.forms[name] = form
-        if not self.forms:
-            raise TypeError("the engine has none of the predicates " + ", ".join(self.takes))
+        self.tasks = getattr(engine, "tasks", {})
+        if not self.forms and not self.tasks:
+            raise TypeError("the engine has no task, and none of the predicates " + ", ".join(self.takes))
+        unknown = [name for name in self.tasks if name not in TASKS]
+        if unknown:
+            raise TypeError(f"`{unknown[0]}` is none of the tasks " + ", ".join(TASKS))
         self.numpy = None
         if getattr(engine, "arrays", False) or "_arrays" in self.forms.values():
             import numpy
@@ -190,7 +231,7 @@ class _Server:
     def answer(self, message):
         """The answer, without the number of its question."""
         kind = message["type"].decode("ascii", "replace")
-        answers = {"hello": self.hello, "scene": self.scene, "batch": self.batch}
+        answers = {"hello": self.hello, "scene": self.scene, "batch": self.batch, "task": self.task}
         try:
             if kind not in answers:
                 return _message("error", message=f"unknown message `{kind}`")
@@ -213,7 +254,8 @@ class _Server:
             name=self.engine.name,
             version=self.engine.version,
             predicates=" ".join(self.forms),
-            zero=self.engine.zero,
+            tasks=" ".join(self.tasks),
+            zero=getattr(self.engine, "zero", "exact"),
             precision=getattr(self.engine, "precision", "f64"),
         )
 
@@ -291,6 +333,22 @@ class _Server:
             raise ValueError(f"{name}{form} gave {len(answers)} answers to {len(ids)} queries")
         return _message("signs", ns=ns, signs=self.signs(answers))
 
+    def task(self, message):
+        name = _need(message, "task")
+        if name not in self.tasks:
+            raise Declined(f"this engine has no `{name}`")
+        scene = _Scene(message, self.numpy)
+        function = self.tasks[name]
+        given = TASKS[name][0](scene)
+        calls = [_chosen(function, parameters) for parameters in given]
+        answers, start = [], time.perf_counter_ns()
+        for parameters in calls:
+            answers.append(function(**parameters))
+        ns = time.perf_counter_ns() - start
+        if any(answer is None for answer in answers):
+            raise Declined("the library gives no answer")
+        return {"type": "answer", "ns": ns, **_memory(), **TASKS[name][1](answers)}
+
     def ids(self, data, name):
         """The vertex ids, one row per query."""
         takes = self.takes[name]
@@ -341,3 +399,180 @@ def _need(message, key, text=True):
         raise Malformed(f"a message `{message['type'].decode('ascii', 'replace')}` without `{key}`")
     value = message[key]
     return value.decode("ascii", "replace") if text else value
+
+
+def _chosen(function, parameters):
+    """The parameters that the function names; declines the scene if it has more that matter."""
+    named = inspect.signature(function).parameters
+    if any(one.kind is inspect.Parameter.VAR_KEYWORD for one in named.values()):
+        return parameters
+    for name in ("constraints", "sides", "tetrahedra"):
+        if name in parameters and name not in named:
+            raise Declined(f"the scene has {name}, and the function does not take them")
+    return {name: value for name, value in parameters.items() if name in named}
+
+
+def _memory():
+    """The most memory that this process has had."""
+    try:
+        import resource
+    except ImportError:
+        return {}
+    unit = 1 if sys.platform == "darwin" else 1024
+    return {"bytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit}
+
+
+class _Scene:
+    """The scene of a task: its arrays by name."""
+
+    def __init__(self, message, numpy):
+        self.message, self.numpy = message, numpy
+        self.dimension = int(_need(message, "dimension"))
+        self.points = self.rows("points", self.dimension)
+
+    def has(self, name):
+        return f"ids:{name}" in self.message or f"numbers:{name}" in self.message
+
+    def word(self, name, otherwise):
+        return self.message.get(f"word:{name}", otherwise.encode()).decode("ascii", "replace")
+
+    def numbers(self, name):
+        code, kind = ("I", "ids") if f"ids:{name}" in self.message else ("d", "numbers")
+        return _numbers(code, self.message.get(f"{kind}:{name}", b""))
+
+    def rows(self, name, width):
+        """Rows of equal width."""
+        numbers = self.numbers(name)
+        if self.numpy:
+            kind = "f8" if numbers.typecode == "d" else "i8"
+            return self.numpy.array(numbers, dtype=kind).reshape(-1, width)
+        return list(zip(*[iter(numbers)] * width))
+
+    def parts(self, name):
+        """Rows of different lengths, as lists."""
+        numbers, starts = self.numbers(name).tolist(), self.numbers(f"{name}.starts").tolist()
+        return [numbers[start:end] for start, end in zip(starts, starts[1:])]
+
+    def at(self, ring):
+        """The points of a ring of indices."""
+        return self.points[ring] if self.numpy else [self.points[place] for place in ring]
+
+    def regions(self):
+        """The rings of each polygon, as indices."""
+        loops = self.parts("loops")
+        if not self.has("regions"):
+            return [[ring] for ring in loops]
+        labels = [label[0] for label in self.parts("regions")]
+        return [[ring for ring, of in zip(loops, labels) if of == label] for label in range(max(labels, default=-1) + 1)]
+
+    def polygon(self):
+        """The rings of the only polygon, or of each: `loops` without `regions` are one polygon of `triangulate`."""
+        return self.regions() if self.has("regions") else [self.parts("loops")]
+
+    def mesh(self, name):
+        """The vertices of a mesh, which has its own, and its triangles."""
+        triangles = self.parts(name)
+        used = sorted({corner for triangle in triangles for corner in triangle})
+        place = {corner: at for at, corner in enumerate(used)}
+        triangles = [tuple(place[corner] for corner in triangle) for triangle in triangles]
+        if self.numpy:
+            return self.points[used], self.numpy.array(triangles, dtype="i8").reshape(-1, 3)
+        return self.at(used), triangles
+
+
+def _of_points(scene):
+    yield {"points": scene.points, **({"constraints": scene.rows("constraints", 2)} if scene.has("constraints") else {})}
+
+
+def _of_polygons(scene):
+    for rings in scene.polygon():
+        yield {"points": scene.points, "rings": rings}
+
+
+def _of_operands(scene):
+    operands = [[scene.at(ring) for ring in scene.parts(name)] for name in ("first", "second")]
+    yield {"first": operands[0], "second": operands[1], "rule": scene.word("rule", "even-odd")}
+
+
+def _of_regions(scene):
+    regions = [[scene.at(ring) for ring in rings] for rings in scene.regions()]
+    yield {"regions": regions, "probes": scene.rows("probes", 2)}
+
+
+def _of_probes(scene):
+    name = "tetrahedra" if scene.has("tetrahedra") else "triangles"
+    parameters = {"vertices": scene.points, name: scene.rows(name, 4 if name == "tetrahedra" else 3)}
+    if scene.has("regions"):
+        parameters["sides"] = scene.rows("regions", 2)
+    yield {**parameters, "probes": scene.rows("probes", 3)}
+
+
+def _of_meshes(scene):
+    if scene.has("first_regions") or scene.has("second_regions"):
+        raise Declined("the meshes have several regions")
+    yield {"first": scene.mesh("first"), "second": scene.mesh("second")}
+
+
+def _flat(values):
+    """The numbers of nested lists or of an array."""
+    if hasattr(values, "tolist"):
+        values = values.tolist()
+    if isinstance(values, (list, tuple)):
+        return [number for value in values for number in _flat(value)]
+    return [values]
+
+
+def _ids(values):
+    return array.array("I", [int(value) & 0xFFFFFFFF for value in _flat(values)]).tobytes()
+
+
+def _doubles(values):
+    return array.array("d", map(float, _flat(values))).tobytes()
+
+
+def _triangles(answers):
+    return {"ids:triangles": _ids(answers)}
+
+
+def _triangles_of_polygons(answers):
+    counts = [len(_flat(triangles)) // 3 for triangles in answers]
+    return {"ids:triangles": _ids(answers), "ids:polygons": _ids([[at] * count for at, count in enumerate(counts)])}
+
+
+def _hull(answers):
+    return {"ids:hull": _ids(answers)}
+
+
+def _labels(answers):
+    return {"ids:labels": _ids(answers)}
+
+
+def _polygons(answers):
+    arrays = {}
+    for name, polygons in answers[0].items():
+        rings = [ring for polygon in polygons for ring in polygon]
+        arrays[f"numbers:{name}"] = _doubles(rings)
+        arrays[f"ids:{name}.starts"] = _ids([0, *itertools.accumulate(len(ring) for ring in rings)])
+        arrays[f"ids:{name}.polygons"] = _ids([0, *itertools.accumulate(len(polygon) for polygon in polygons)])
+    return arrays
+
+
+def _meshes(answers):
+    arrays = {}
+    for name, (vertices, triangles) in answers[0].items():
+        arrays[f"numbers:{name}.vertices"] = _doubles(vertices)
+        arrays[f"ids:{name}.triangles"] = _ids(triangles)
+    return arrays
+
+
+# For each task: the parameters of the function's calls, and the arrays of the answers.
+TASKS = {
+    "delaunay2d": (_of_points, _triangles),
+    "hull2d": (_of_points, _hull),
+    "hull3d": (_of_points, _triangles),
+    "triangulate": (_of_polygons, _triangles_of_polygons),
+    "overlay2d": (_of_operands, _polygons),
+    "polygon-locate": (_of_regions, _labels),
+    "mesh-locate": (_of_probes, _labels),
+    "mesh-intersect": (_of_meshes, _meshes),
+}

@@ -93,7 +93,7 @@ impl Declarations {
     pub fn of(tool: &Tool) -> Declarations {
         let mut all = Declarations(Vec::new());
         for &task in tool.tasks() {
-            for &check in task.declared_checks() {
+            for check in task.declared_checks() {
                 all.add(check, task.name());
             }
             // For a task without declared checks, use the checks that its faults name.

@@ -211,7 +211,7 @@ pub enum ProtocolError {
     },
     /// The engine offers something that is not a predicate of the protocol.
     UnknownPredicate(String),
-    /// The engine offers no predicate.
+    /// The engine offers neither a predicate nor a task.
     NoPredicate,
     /// The meaning of zero is neither exact nor never.
     UnknownZero(String),
@@ -221,6 +221,15 @@ pub enum ProtocolError {
     NotALine(String),
     /// The engine answered a batch by a message of this type.
     BatchAnsweredBy(String),
+    /// The engine answered a task by a message of this type.
+    TaskAnsweredBy(String),
+    /// A value has a number of bytes that is not a multiple of the size of its numbers.
+    Ragged {
+        /// The key.
+        key: String,
+        /// The number of bytes.
+        bytes: usize,
+    },
     /// The number of signs differs from the number of queries.
     Signs {
         /// The number of signs received.
@@ -294,7 +303,7 @@ impl std::fmt::Display for ProtocolError {
             ProtocolError::UnknownPredicate(name) => {
                 write!(f, "it offers `{name}`, which is not a predicate of the protocol")
             }
-            ProtocolError::NoPredicate => f.write_str("it offers no predicate"),
+            ProtocolError::NoPredicate => f.write_str("it offers neither a predicate nor a task"),
             ProtocolError::UnknownZero(zero) => write!(f, "its zero is `{zero}`; it has to be exact or never"),
             ProtocolError::UnknownPrecision(precision) => {
                 write!(f, "its precision is `{precision}`; it has to be f64 or f32")
@@ -303,6 +312,10 @@ impl std::fmt::Display for ProtocolError {
                 write!(f, "its {key} is empty, longer than {LONGEST_TEXT} characters, or not one line")
             }
             ProtocolError::BatchAnsweredBy(kind) => write!(f, "a batch was answered by `{}`", printable(kind)),
+            ProtocolError::TaskAnsweredBy(kind) => write!(f, "a task was answered by `{}`", printable(kind)),
+            ProtocolError::Ragged { key, bytes } => {
+                write!(f, "`{key}` has {bytes} bytes, which are not whole numbers")
+            }
             ProtocolError::Signs { came, queries } => write!(f, "{came} signs came back for {queries} queries"),
             ProtocolError::NotASign { query, byte } => write!(f, "{query} was answered by the byte {byte}"),
             ProtocolError::Time { said, took } => {

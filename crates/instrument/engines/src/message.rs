@@ -19,6 +19,15 @@ impl Bound {
     /// The bound for messages that the tool sends.
     pub const QUESTION: Bound = Bound(MOST_BYTES);
 
+    /// The bound for an answer to a task whose scene has this number of bytes. The overlay of n edges can have n²
+    /// crossings, and a triangulation has fewer bytes than its points: 256 times the scene and 16 MiB leave room for
+    /// both, and an answer out of all proportion is refused before it takes memory.
+    #[must_use]
+    pub fn task(scene: usize) -> Bound {
+        let bytes = u32::try_from(scene).unwrap_or(MOST_BYTES).saturating_mul(256).saturating_add(1 << 24);
+        Bound(bytes.min(MOST_BYTES))
+    }
+
     /// The bound for an answer with this number of signs: a byte each, and [`MOST_TEXT`] for everything else.
     #[must_use]
     pub fn answer(signs: usize) -> Bound {
@@ -44,6 +53,17 @@ impl Message {
     pub fn with(mut self, key: &str, value: impl Into<Vec<u8>>) -> Message {
         self.entries.push((key.to_owned(), value.into()));
         self
+    }
+
+    /// The number of bytes of all values.
+    #[must_use]
+    pub fn size(&self) -> usize {
+        self.entries.iter().map(|(_, value)| value.len()).sum()
+    }
+
+    /// All keys with their values; the first is the type.
+    pub fn iter(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.entries()
     }
 
     /// The value of a key as bytes; `None` if the message lacks it.

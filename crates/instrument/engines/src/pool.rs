@@ -69,11 +69,12 @@ impl Pool {
     }
 
     /// Asks a process about a scene, given by its number; two questions about one scene run one after the other. The
-    /// inner error is the reason for declining the scene. A process that breaks is dropped, and another process is
-    /// started for the next question.
+    /// message is sent to the process first, unless it has the scene already; without a message, the question holds the
+    /// scene. The inner error is the reason for declining the scene. A process that breaks is dropped, and another
+    /// process is started for the next question.
     pub fn ask<R>(
         &self,
-        (message, scene): (&Message, u64),
+        (message, scene): (Option<&Message>, u64),
         start: impl FnOnce() -> Result<Process, Broken>,
         ask: impl FnOnce(&mut Process) -> Result<R, Broken>,
     ) -> Result<Result<R, Declined>, Broken> {
@@ -83,10 +84,12 @@ impl Pool {
                 Some(live) => live,
                 None => Live::new(start()?),
             };
-            live.turn_to(message, scene)?;
+            if let Some(message) = message {
+                live.turn_to(message, scene)?;
+            }
             let answer = match &live.declined {
-                Some(reason) => Err(Declined::scene(reason.clone())),
-                None => Ok(ask(&mut live.process)?),
+                Some(reason) if message.is_some() => Err(Declined::scene(reason.clone())),
+                _ => Ok(ask(&mut live.process)?),
             };
             Ok((live, answer))
         };

@@ -84,16 +84,21 @@ impl Process {
         self.unless_error(answer)
     }
 
-    /// Sends a batch of `queries` queries and waits for the answer. After an error the process has ended.
-    pub fn ask_batch(&mut self, batch: &Message, queries: usize) -> Result<Message, Broken> {
-        let id = self.send(batch, Bound::answer(queries))?;
+    /// Sends a batch and waits for the answer, which has a bound. After an error the process has ended.
+    pub fn ask_batch(&mut self, batch: &Message, bound: Bound) -> Result<Message, Broken> {
+        let answer = self.ask_within(batch, bound)?;
+        self.unless_error(answer)
+    }
+
+    /// Sends a batch or the scene of a task and waits for the answer, which has a bound; the answer may report an error
+    /// of the library. After an error of the protocol the process has ended.
+    pub fn ask_within(&mut self, batch: &Message, bound: Bound) -> Result<Message, Broken> {
+        let id = self.send(batch, bound)?;
         let Some(fence) = self.fence.clone() else {
-            let answer = self.answer(batch, id)?;
-            return self.unless_error(answer);
+            return self.answer(batch, id);
         };
         let after = self.send(&fence, Bound::answer(0))?;
         let answer = self.answer(batch, id)?;
-        let answer = self.unless_error(answer)?;
         let behind = self.answer(&fence, after)?;
         // A second greeting may be refused. A refusal without a question comes before the answer to the next greeting,
         // which is not an answer to a batch.

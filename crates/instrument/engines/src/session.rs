@@ -13,7 +13,7 @@ use predicament_predicates::{
 use crate::command::printable;
 use crate::process::Process;
 use crate::started::Shared;
-use crate::{Message, ProtocolError};
+use crate::{Bound, Message, ProtocolError};
 
 /// The byte for the sign −1.
 const NEGATIVE: u8 = 255;
@@ -26,7 +26,7 @@ const DECLINED: u8 = 2;
 /// The byte for an answer that is NaN.
 const NAN: u8 = 3;
 /// The tolerance for an engine's clock that is ahead of the tool's.
-const CLOCKS: Duration = Duration::from_millis(10);
+pub(crate) const CLOCKS: Duration = Duration::from_millis(10);
 
 /// A counter of queries for any tally type: algorithms are compiled for one session type.
 trait Counted: Send + Sync {
@@ -59,6 +59,9 @@ impl<'s> Session<'s> {
         scene: &'s Scene,
         tally: T,
     ) -> Result<Session<'s>, Declined> {
+        if shared.hello.predicates.is_empty() {
+            return Err(Declined::scene("the engine answers whole tasks, not predicates"));
+        }
         if !scene.constructions().is_empty() {
             return Err(Declined::scene("the protocol has no constructed vertices"));
         }
@@ -91,7 +94,7 @@ impl<'s> Session<'s> {
 
     /// Runs a question on a process that has the scene.
     fn ask<R>(&self, ask: impl FnOnce(&mut Process) -> Result<R, Broken>) -> Result<Result<R, Declined>, Broken> {
-        self.shared.processes.ask((&self.message, self.number), || self.shared.start(), ask)
+        self.shared.processes.ask((Some(&self.message), self.number), || self.shared.start(), ask)
     }
 
     /// The answers to queries, given by the ids of all their vertices; `shown` describes a query in words.
@@ -109,7 +112,7 @@ impl<'s> Session<'s> {
         let batch = batch.with("ids", ids);
         let asked = self.ask(|process| {
             let start = Instant::now();
-            let answer = process.ask_batch(&batch, queries)?;
+            let answer = process.ask_batch(&batch, Bound::answer(queries))?;
             let read = read_signs(&answer, queries, start.elapsed(), shown);
             read.map_err(|error| process.broken(Class::Panic, "protocol", error.to_string()))
         });

@@ -12,9 +12,11 @@ use crate::{Config, EngineError, EngineFailure, Message, ProtocolError, command}
 /// The version of the protocol.
 const PROTOCOL: &str = "1";
 
-/// The greeting of an engine: its predicates, and the meaning of its zero.
+/// The greeting of an engine: its predicates and tasks, and the meaning of its zero.
 pub struct Hello {
     pub predicates: Vec<PredicateKind>,
+    /// The names of the tasks that it answers as a whole.
+    pub tasks: Vec<String>,
     pub zero: ZeroMeaning,
     pub single: bool,
     pub version: String,
@@ -48,7 +50,9 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, Protoco
     let kind = |name: &str| name.parse::<PredicateKind>().map_err(|_| ProtocolError::UnknownPredicate(name.to_owned()));
     line(hello, "name")?;
     let predicates = hello.required("predicates")?.split_whitespace().map(kind).collect::<Result<Vec<_>, _>>()?;
-    if predicates.is_empty() {
+    let tasks = hello.text("tasks").unwrap_or_default();
+    let tasks: Vec<String> = tasks.split_whitespace().map(str::to_owned).collect();
+    if predicates.is_empty() && tasks.is_empty() {
         return Err(ProtocolError::NoPredicate);
     }
     let zero = match hello.required("zero")?.as_str() {
@@ -65,7 +69,7 @@ fn read_hello(hello: &Message, version: Option<String>) -> Result<Hello, Protoco
         Some(version) => version,
         None => line(hello, "version")?,
     };
-    Ok(Hello { predicates, zero, single, version })
+    Ok(Hello { predicates, tasks, zero, single, version })
 }
 
 /// Reads a value for tables: one short line.

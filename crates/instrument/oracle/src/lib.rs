@@ -20,6 +20,7 @@ pub mod pattern;
 pub mod roster;
 
 mod boxed;
+mod program;
 mod twice;
 mod visit;
 

@@ -203,5 +203,8 @@ pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>
             Box::new(Entry::shared(Arc::new(backend), ties, self.0.clone()))
         }
     }
+    if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
+        return Ok(crate::program::contestant(Engine::find(engine).map_err(BackendError::Engine)?, tasks));
+    }
     visit(name, Enter(tasks))
 }

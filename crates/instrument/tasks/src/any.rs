@@ -4,12 +4,13 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use predicament_corpus::{LoadedScene, SceneFormat};
-use predicament_predicates::{PredicateKind, Query, Scene};
+use predicament_corpus::{Content, LoadedScene, SceneFormat};
+use predicament_predicates::{Declined, PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
 use crate::output::{self, Canvas, Choice, Written};
+use crate::replies::{self, Arrays, FORM_CHECK, Part, Planted, Reply};
 use crate::{
     Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob, Outcome,
     Phase, Stop, Task, Turns, Watch,
@@ -67,6 +68,9 @@ pub trait AnyTask: SceneFormat {
     /// Calls [`Task::size`].
     fn size_of(&self, loaded: &LoadedScene) -> usize;
 
+    /// Calls [`Task::size`] with the content of a scene of the task.
+    fn size_of_content(&self, content: &dyn Content) -> usize;
+
     /// Calls [`Task::takes_threads`].
     fn is_threaded(&self) -> bool;
 
@@ -98,11 +102,24 @@ pub trait AnyTask: SceneFormat {
     /// Calls [`Task::turns`].
     fn turned_by(&self, knob: Knob) -> Turns;
 
-    /// Calls [`Task::checks`].
-    fn declared_checks(&self) -> &'static [Check];
+    /// The checks of [`Task::checks`], and those of the judge of replies.
+    fn declared_checks(&self) -> Vec<Check>;
 
     /// Calls [`Task::spoiled`].
     fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>>;
+
+    /// The parts of another program's answer; `None` if the task is not open to other programs.
+    fn parts_of_replies(&self) -> Option<&'static [Part]>;
+
+    /// A scene of the task as other programs get it.
+    ///
+    /// # Errors
+    /// [`Declined`] with the reason if it cannot be put to other programs.
+    fn question(&self, scene: &Scene, content: &dyn Content) -> Result<Arrays, Declined>;
+
+    /// A backend's answer in the form of a program's answer: see
+    /// [`Replies::reply_of`](crate::replies::Replies::reply_of). `None` if the task is not open to other programs.
+    fn as_reply(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Option<Arrays>;
 
     /// Calls [`Task::tables`].
     fn own_tables(&self) -> Vec<TableSpec>;
@@ -155,6 +172,11 @@ fn content<'a, T: Task>(task: &T, loaded: &'a LoadedScene) -> &'a T::Content {
     loaded.content().unwrap_or_else(|| panic!("{}/{} is not a scene of {}", loaded.suite, loaded.name, task.name()))
 }
 
+fn typed_content<T: Task>(content: &dyn Content) -> &T::Content {
+    let content: &dyn Any = content;
+    content.downcast_ref().expect("the content of a scene of this task")
+}
+
 fn typed<T: Task>(answer: &dyn Any) -> &T::Answer {
     answer.downcast_ref().expect("an answer of the task that is asked")
 }
@@ -201,16 +223,28 @@ impl<T: Task> AnyTask for T {
         folder: &Path,
         choice: &Choice,
     ) -> Result<Written, output::Error> {
+        if let Some(reply) = answer.downcast_ref::<Reply>() {
+            return output::write(folder, choice, |files| replies::write(self.replies(), reply, files));
+        }
         let (content, answer) = (content(self, loaded), typed::<T>(answer));
         output::write(folder, choice, |files| self.write(&loaded.scene, content, answer, files))
     }
 
     fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()> {
-        self.draw(&loaded.scene, content(self, loaded), answer.map(typed::<T>), canvas)
+        let content = content(self, loaded);
+        if let Some(reply) = answer.and_then(<dyn Any>::downcast_ref::<Reply>) {
+            self.draw(&loaded.scene, content, None, canvas)?;
+            return replies::draw(self.replies(), &loaded.scene, reply, canvas);
+        }
+        self.draw(&loaded.scene, content, answer.map(typed::<T>), canvas)
     }
 
     fn size_of(&self, loaded: &LoadedScene) -> usize {
         self.size(content(self, loaded))
+    }
+
+    fn size_of_content(&self, content: &dyn Content) -> usize {
+        self.size(typed_content::<T>(content))
     }
 
     fn is_threaded(&self) -> bool {
@@ -250,16 +284,37 @@ impl<T: Task> AnyTask for T {
         self.turns(knob)
     }
 
-    fn declared_checks(&self) -> &'static [Check] {
-        self.checks()
+    fn declared_checks(&self) -> Vec<Check> {
+        let of_replies = self.replies().map(|judge| judge.checks().iter().copied().chain([FORM_CHECK]));
+        self.checks().iter().copied().chain(of_replies.into_iter().flatten()).collect()
     }
 
     fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>> {
-        self.spoiled().into_iter().map(|spoiled| Box::new(spoiled) as Box<dyn AnySpoiled>).collect()
+        let own = self.spoiled().into_iter().map(|spoiled| Box::new(spoiled) as Box<dyn AnySpoiled>);
+        let of_replies = self.replies().into_iter().flat_map(|judge| {
+            judge.spoiled().into_iter().map(move |spoiled| Box::new(Planted { spoiled, judge }) as Box<dyn AnySpoiled>)
+        });
+        own.chain(of_replies).collect()
+    }
+
+    fn parts_of_replies(&self) -> Option<&'static [Part]> {
+        self.replies().map(|judge| judge.parts())
+    }
+
+    fn question(&self, scene: &Scene, content: &dyn Content) -> Result<Arrays, Declined> {
+        let judge = self.replies().ok_or_else(|| Declined::scene(replies::not_open(self.name())))?;
+        judge.open(scene, typed_content::<T>(content))?;
+        let spelled = content.spelled(scene);
+        replies::question(&spelled.ok_or_else(|| Declined::scene("the scene has no written form"))?)
+    }
+
+    fn as_reply(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Option<Arrays> {
+        Some(self.replies()?.reply_of(scene, typed_content::<T>(content), typed::<T>(answer)))
     }
 
     fn own_tables(&self) -> Vec<TableSpec> {
-        self.tables()
+        let of_replies = self.replies().map(|_| TableSpec::of::<replies::ReplyRow>());
+        self.tables().into_iter().chain(of_replies).collect()
     }
 
     fn own_section(&self, runs: &[RunDir]) -> Result<Option<Section>, predicament_records::Error> {
@@ -290,6 +345,11 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
     }
 
     fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop> {
+        if let Some(reply) = answer.downcast_ref::<Reply>() {
+            outcome.digest = Some(reply.digest());
+            let judge = self.task.replies().expect("only tasks with a judge of replies are put to programs");
+            return replies::judge(judge, &self.case, asked, reply, outcome);
+        }
         let answer = typed::<T>(answer);
         outcome.digest = Some(answer.digest());
         outcome.sampled = self.sampled();

@@ -44,6 +44,7 @@ mod threads;
 mod watch;
 
 pub mod output;
+pub mod replies;
 pub mod signs;
 
 pub use any::{AnyCase, AnyTask};

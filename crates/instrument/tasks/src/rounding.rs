@@ -148,7 +148,7 @@ fn largest(scene: &Scene) -> Vec<f64> {
 }
 
 /// The unit in the last place of a nonnegative number.
-fn last_place(x: f64) -> f64 {
+pub(crate) fn last_place(x: f64) -> f64 {
     let next = x.next_up();
     if next.is_finite() { next - x } else { x - x.next_down() }
 }

@@ -46,7 +46,7 @@ pub enum Halt {
 }
 
 /// A function that takes a session and the answer that it gave.
-type Then<'t> = dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop> + 't;
+pub(crate) type Then<'t> = dyn FnMut(&dyn Predicates, &dyn Any) -> Result<(), Stop> + 't;
 
 impl From<Stop> for Halt {
     fn from(stop: Stop) -> Halt {

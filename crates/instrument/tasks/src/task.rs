@@ -9,6 +9,7 @@ use predicament_report::Section;
 use predicament_report::drawing::Role;
 
 use crate::output::{self, Canvas, Files};
+use crate::replies::Replies;
 use crate::{
     Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Halt, How, Knob, Outcome, Phase, Spoiled, Stop,
     Turns, Watch,
@@ -225,6 +226,11 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// Answers with planted faults, each of which the judge must find.
     fn spoiled(&self) -> Vec<Spoiled<Self>> {
         Vec::new()
+    }
+
+    /// The judge of other programs' answers; `None` if the task is not open to other programs.
+    fn replies(&self) -> Option<&'static dyn Replies<Self>> {
+        None
     }
 
     /// The tables that judging adds rows to, besides those of every run.

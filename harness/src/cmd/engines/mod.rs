@@ -136,7 +136,7 @@ fn step(config: &Config, step: Step) -> Result<String, EngineError> {
     .to_owned())
 }
 
-/// The version, the predicates and the meaning of zero of an engine, in one line.
+/// The version, the predicates with the meaning of zero, and the tasks of an engine, in one line.
 fn offers(engine: &Engine) -> String {
     let zero = match engine.contract(PredicateKind::Orient2d).zero {
         ZeroMeaning::Exact => "zero is zero",
@@ -145,5 +145,12 @@ fn offers(engine: &Engine) -> String {
     };
     let names: Vec<&str> = engine.predicates().iter().map(|kind| kind.name()).collect();
     let version = engine.version().unwrap_or_default();
-    format!("-b {PREFIX}{}: version {version}; {}; {zero}", engine.short_name(), names.join(", "))
+    let mut parts = vec![format!("-b {PREFIX}{}: version {version}", engine.short_name())];
+    if !names.is_empty() {
+        parts.extend([names.join(", "), zero.to_owned()]);
+    }
+    if !engine.tasks().is_empty() {
+        parts.push(format!("tasks {}", engine.tasks().join(", ")));
+    }
+    parts.join("; ")
 }

@@ -13,6 +13,7 @@ mod output;
 mod outside;
 mod own_data;
 mod pages;
+mod replies;
 mod sign_scenes;
 mod sizes;
 mod spelled;

@@ -7,6 +7,7 @@ use predicament_mesh_locate::task::MeshLocateRow;
 use predicament_overlay::task::snap::SnapRow;
 use predicament_polygon_locate::task::LocateRow;
 use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, TableSpec};
+use predicament_tasks::replies::ReplyRow;
 
 fn locate() -> LocateRow {
     LocateRow {
@@ -21,6 +22,24 @@ fn locate() -> LocateRow {
         in_many: 4,
         on_boundary: 5,
         violations: 6,
+    }
+}
+
+fn reply() -> ReplyRow {
+    ReplyRow {
+        suite: "overlays".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "b".to_owned(),
+        task: "overlay2d".to_owned(),
+        backend: "engine:mine".to_owned(),
+        part: "union".to_owned(),
+        vertices: 1,
+        distance: 0.25,
+        distance_ulps: 2.0,
+        distance_over_l: 0.125,
+        class: "rounded".to_owned(),
+        nanoseconds: 3,
+        bytes: 4,
     }
 }
 
@@ -122,6 +141,7 @@ fn mesh_intersect() -> MeshIntersectRow {
 /// The tables of all tasks, each once.
 fn tables() -> Vec<TableSpec> {
     let mut tables: Vec<TableSpec> = predicament_bundle::tasks().iter().flat_map(|task| task.own_tables()).collect();
+    tables.sort_by_key(|table| table.file);
     tables.dedup();
     tables
 }
@@ -144,13 +164,16 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&snap()), SnapRow::COLUMNS);
     assert_eq!(header(&mesh_locate()), MeshLocateRow::COLUMNS);
     assert_eq!(header(&mesh_intersect()), MeshIntersectRow::COLUMNS);
+    assert_eq!(header(&reply()), ReplyRow::COLUMNS);
+    // By the names of their files.
     let all = [
+        TableSpec::of::<ContactRow>(),
         TableSpec::of::<LocateRow>(),
         TableSpec::of::<MassRow>(),
-        TableSpec::of::<ContactRow>(),
-        TableSpec::of::<SnapRow>(),
-        TableSpec::of::<MeshLocateRow>(),
         TableSpec::of::<MeshIntersectRow>(),
+        TableSpec::of::<MeshLocateRow>(),
+        TableSpec::of::<ReplyRow>(),
+        TableSpec::of::<SnapRow>(),
     ];
     assert_eq!(tables(), all);
 }
@@ -167,6 +190,7 @@ fn every_table_survives_the_disk() {
     writer.write(&[snap()]).unwrap();
     writer.write(&[mesh_locate()]).unwrap();
     writer.write(&[mesh_intersect()]).unwrap();
+    writer.write(&[reply()]).unwrap();
     writer.finish(Outcome::Complete).unwrap();
     let run = RunDir::open(folder.path()).unwrap();
     assert_eq!(run.rows().unwrap(), vec![locate(), locate()]);
@@ -175,6 +199,7 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.rows().unwrap(), vec![snap()]);
     assert_eq!(run.rows().unwrap(), vec![mesh_locate()]);
     assert_eq!(run.rows().unwrap(), vec![mesh_intersect()]);
+    assert_eq!(run.rows().unwrap(), vec![reply()]);
 }
 
 #[test]

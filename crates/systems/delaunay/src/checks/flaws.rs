@@ -24,6 +24,17 @@ pub struct Found<'a> {
     pub copies: &'a [[Vertex; 2]],
     /// The ends of each constraint, which has to be an edge or a chain of edges.
     pub constraints: &'a [[Vertex; 2]],
+    /// The rule for faces of more than three cocircular vertices.
+    pub cut: Cut,
+}
+
+/// The rule by which a face of more than three cocircular vertices is cut into triangles.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Cut {
+    /// A fan from its smallest vertex, or as the perturbation cuts it.
+    Fan,
+    /// In any way.
+    Anyhow,
 }
 
 /// The failed checks of the Delaunay triangulation of all vertices of the sessions' scene, including constructed ones;
@@ -48,7 +59,7 @@ pub fn flaws(signs: Signs<'_>, found: Found<'_>) -> Vec<Flaw> {
     hull(&mut tally, &pairs);
     area(&mut tally, found.triangles);
     let constrained = constraints(&mut tally, found, &pairs);
-    circles(&mut tally, &pairs, &constrained);
+    circles(&mut tally, &pairs, &constrained, found.cut);
     if tally.is_clean() && found.constraints.is_empty() {
         everywhere(&mut tally, found);
     }
@@ -254,7 +265,7 @@ fn constraints(tally: &mut Tally<'_>, found: Found<'_>, pairs: &[Pair]) -> HashS
 }
 
 /// Checks `empty circle` and `fan`: all edges that are not part of a constraint, or an even sample.
-fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex; 2]>) {
+fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex; 2]>, cut: Cut) {
     let step = pairs.len().div_ceil(tally.signs.pairs.max(1)).max(1);
     for pair in pairs.iter().step_by(step) {
         let (&Pair { ends: [a, b], left, .. }, Some(right)) = (pair, pair.right) else { continue };
@@ -264,7 +275,8 @@ fn circles(tally: &mut Tally<'_>, pairs: &[Pair], constrained: &HashSet<[Vertex;
         // Exchanged, so that positive means outside.
         let args = [b, a, left, right];
         tally.positive("empty circle", None, Question::Incircle, &args);
-        if tally.has_ties() && tally.signs.exact.incircle(b, a, left, right).is_zero() && left.min(right) < a.min(b) {
+        let is_fan = cut == Cut::Fan && tally.has_ties();
+        if is_fan && tally.signs.exact.incircle(b, a, left, right).is_zero() && left.min(right) < a.min(b) {
             tally.flaw("fan", &args, || format!("four vertices on one circle, and {a} {b} is the edge"));
         }
     }

@@ -15,7 +15,8 @@
 //! * `area`: the areas add up to that of the convex hull, which is computed from the points alone.
 //! * `empty circle`: the circle of a triangle contains no vertex across one of its edges.
 //! * `empty`: no circle contains any vertex: all pairs of triangles and vertices, if they are few.
-//! * `fan`: if four vertices at an edge are cocircular, the smallest of them is on the edge.
+//! * `fan`: if four vertices at an edge are cocircular, the smallest of them is on the edge. Triangulations of other
+//!   programs are not held to this rule.
 //! * `constraint`: each constraint is an edge, or a chain of edges on its line. Edges of constraints are left out of
 //!   `empty circle` and `fan`; the triangulation is then the constrained one (Lee and Lin 1986).
 //!
@@ -30,4 +31,4 @@
 mod flaws;
 mod outline;
 
-pub use flaws::{Found, flaws};
+pub use flaws::{Cut, Found, flaws};

@@ -1,7 +1,7 @@
 //! The judgement of a triangulation by the checks.
 
 use crate::algorithm::Delaunay2;
-use crate::checks::{Found, flaws};
+use crate::checks::{Cut, Found, flaws};
 use crate::truth::PAIRS;
 use predicament_hull::checks::{Flaw, Signs};
 use predicament_judge::Judged;
@@ -45,6 +45,7 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
             chain: &found.chain,
             copies: &found.copies,
             constraints: &case.content.constraints,
+            cut: Cut::Fan,
         },
     );
     if let Some(broken) = found.broken {
@@ -64,7 +65,7 @@ fn point_is_missing(scene: &Scene) -> bool {
 }
 
 /// Adds a flaw to the findings.
-fn note(outcome: &mut Outcome, flaw: &Flaw) {
+pub(super) fn note(outcome: &mut Outcome, flaw: &Flaw) {
     outcome.counts.add(Class::Topology, 1);
     let is_query = !flaw.vertices.is_empty() && flaw.vertices.len() <= 4;
     let queries = if is_query { vec![Query::of_task("delaunay2d", &flaw.vertices)] } else { Vec::new() };

@@ -8,6 +8,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod replies;
 mod spoiled;
 
 use crate::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d, delaunay2d};
@@ -20,6 +21,7 @@ use predicament_report::drawing::Role;
 pub use content::Sites;
 
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -92,6 +94,10 @@ impl Task for Delaunay2d {
                 Compared::degenerate("delaunay-grid", 64),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Delaunay2d>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, _: Knob) -> Turns {

@@ -1,7 +1,7 @@
 //! Every check of Delaunay triangulations finds its fault.
 
 use predicament_delaunay::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d};
-use predicament_delaunay::checks::{Found, flaws};
+use predicament_delaunay::checks::{Cut, Found, flaws};
 use predicament_exact::Exact;
 use predicament_hull::checks::Signs;
 use predicament_judge::Judged;
@@ -29,7 +29,7 @@ fn failing(
     let signs = Signs { exact: &exact, perturbed, ties: 1000, pairs: 100_000 };
     let (triangles, copies) = (ids(triangles), ids(copies));
     let chain: Vec<Vertex> = chain.iter().map(|&index| Vertex::input(index)).collect();
-    let found = Found { triangles: &triangles, chain: &chain, copies: &copies, constraints: &[] };
+    let found = Found { triangles: &triangles, chain: &chain, copies: &copies, constraints: &[], cut: Cut::Fan };
     flaws(signs, found).iter().map(|flaw| flaw.check).collect()
 }
 
@@ -104,7 +104,7 @@ fn flaws_are_counted_and_the_first_is_told() {
     let exact = Judged::exact(&scene);
     let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
     let chain: Vec<Vertex> = (0..6).map(Vertex::input).collect();
-    let found = Found { triangles: &[], chain: &chain, copies: &[], constraints: &[] };
+    let found = Found { triangles: &[], chain: &chain, copies: &[], constraints: &[], cut: Cut::Fan };
     let flaws = flaws(signs, found);
     assert_eq!(flaws.len(), 1);
     // 5 before 1, and 4 before 2.
@@ -120,7 +120,7 @@ fn no_more_pairs_are_looked_at_than_may_be() {
         let counts = Counts::new();
         let exact = Exact.prepare(&scene, &counts).unwrap();
         let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs };
-        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &[] };
+        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &[], cut: Cut::Fan };
         assert_eq!(flaws(signs, found), []);
         (0..Exact.stages().len()).map(|stage| counts.get(PredicateKind::Incircle, stage)).sum::<u64>()
     };
@@ -141,7 +141,7 @@ fn constraints_are_chains_of_edges() {
     let triangles = ids(&[[0, 1, 4], [1, 2, 4], [2, 3, 4], [0, 4, 3]]);
     let with = |constraints: &[[usize; 2]], triangles: &[[Vertex; 3]]| {
         let constraints = ids(constraints);
-        let found = Found { triangles, chain: &[], copies: &[], constraints: &constraints };
+        let found = Found { triangles, chain: &[], copies: &[], constraints: &constraints, cut: Cut::Fan };
         flaws(signs, found).iter().map(|flaw| flaw.check).collect::<Vec<_>>()
     };
     assert_eq!(with(&[[0, 2], [4, 1], [3, 0], [2, 2]], &triangles), [""; 0]);
@@ -151,7 +151,7 @@ fn constraints_are_chains_of_edges() {
     let signs = Signs { exact: &exact, perturbed: None, ties: 1000, pairs: 100_000 };
     let of = |constraints: &[[usize; 2]], triangles: &[[usize; 3]]| {
         let (constraints, triangles) = (ids(constraints), ids(triangles));
-        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &constraints };
+        let found = Found { triangles: &triangles, chain: &[], copies: &[], constraints: &constraints, cut: Cut::Fan };
         flaws(signs, found).iter().map(|flaw| flaw.check).collect::<Vec<_>>()
     };
     assert_eq!(of(&[[1, 3]], &[[0, 1, 2], [0, 2, 3]]), ["constraint"]);
@@ -182,7 +182,7 @@ fn laid(points: &[[i64; 2]], constraints: &[[usize; 2]], breaks_ties: bool) -> O
     let perturbed = perturbed.as_ref().map(|session| session as &dyn Predicates);
     let signs = Signs { exact: &exact, perturbed, ties: 1000, pairs: 100_000 };
     let (triangles, chain, copies) = (&found.triangles, &found.chain, &found.copies);
-    let asked = Found { triangles, chain, copies, constraints: &constraints };
+    let asked = Found { triangles, chain, copies, constraints: &constraints, cut: Cut::Fan };
     let mut failing: Vec<&str> =
         if triangles.is_empty() { Vec::new() } else { flaws(signs, asked).iter().map(|flaw| flaw.check).collect() };
     failing.extend(found.broken.map(Contradiction::rule));

@@ -9,6 +9,7 @@ mod cloud;
 mod generate;
 mod judge;
 mod plane;
+mod replies;
 mod space;
 mod spoiled;
 

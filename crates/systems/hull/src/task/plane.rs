@@ -10,9 +10,11 @@ use predicament_report::drawing::Role;
 use super::answer::{Hull2d, Polygon};
 use super::cloud::{self, Cloud, Method};
 use super::judge::{Found, judge};
+use super::replies::JudgeInPlane;
 use super::{generate, template};
 use crate::truth::Truth;
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled, Stop, Task,
     Turns, Watch, output,
@@ -69,6 +71,10 @@ impl Task for Hull2d {
                 Compared::degenerate("hull-grid", 64),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Hull2d>> {
+        Some(&JudgeInPlane)
     }
 
     fn turns(&self, _: Knob) -> Turns {

@@ -9,6 +9,7 @@
 mod located;
 mod measures;
 mod pieces;
+pub mod replies;
 mod settled;
 mod surface;
 mod topology;

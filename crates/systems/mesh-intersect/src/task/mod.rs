@@ -13,6 +13,7 @@ mod manner;
 mod memory;
 mod phases;
 mod read;
+mod replies;
 mod section;
 mod settled;
 mod shapes;
@@ -38,6 +39,7 @@ pub use section::MeshIntersectRow;
 pub use settled::{Settled, Unsettled};
 
 use predicament_tasks::output::{Canvas, Files, Placed};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
     Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
@@ -170,6 +172,10 @@ impl Task for MeshIntersect {
                 Compared::degenerate("intersect-cubes", 24).with("placed = \"step\""),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<MeshIntersect>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, knob: Knob) -> Turns {

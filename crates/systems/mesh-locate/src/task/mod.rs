@@ -13,6 +13,7 @@ mod phases;
 pub mod probes;
 pub mod read;
 pub mod regions;
+mod replies;
 mod section;
 mod spoiled;
 
@@ -31,6 +32,7 @@ pub use content::{Probe, ProbeKind, ProbedMesh};
 pub use section::MeshLocateRow;
 
 use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
     Purpose, Spoiled, Stop, Task, Turns, Watch, digest,
@@ -134,6 +136,10 @@ impl Task for MeshLocate {
                 Compared::degenerate("locate-tetrahedra", 48).with("random = 0\nquick_stride = 3"),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<MeshLocate>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, knob: Knob) -> Turns {

@@ -1,7 +1,9 @@
 //! The laws that answers must satisfy.
 //!
 //! * [`overlay`]: for arrangements of segments, and Boolean operations on polygons.
+//! * [`replies`]: for Boolean operations of other programs, in doubles.
 //! * [`snap`]: for drawings rounded to pixels.
 
 pub mod overlay;
+pub mod replies;
 pub mod snap;

@@ -9,6 +9,7 @@ mod generate;
 mod judge;
 mod probes;
 mod read;
+mod replies;
 mod section;
 mod spoiled;
 
@@ -26,6 +27,7 @@ pub use content::{MapWithProbes, Probe, ProbeKind};
 pub use section::LocateRow;
 
 use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Purpose,
     Spoiled, Stop, Task, Turns, Watch, digest,
@@ -109,6 +111,10 @@ impl Task for PolygonLocate {
 
     fn compared(&self) -> &'static [Compared] {
         const { &[Compared::general("tiling", 6), Compared::degenerate("bricks", 6)] }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<PolygonLocate>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, knob: Knob) -> Turns {

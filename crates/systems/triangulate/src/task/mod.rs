@@ -8,6 +8,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod replies;
 mod shapes;
 mod spoiled;
 
@@ -22,6 +23,7 @@ pub use content::Polygons;
 
 pub use checks::RULES;
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -100,6 +102,10 @@ impl Task for Triangulate {
                 Compared::degenerate("polygon-comb", 60),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Triangulate>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, knob: Knob) -> Turns {

@@ -18,6 +18,7 @@ mod windings;
 pub use graph::Graph;
 pub use operations::{Operands, Results};
 pub use plane::Point;
+pub(in crate::checks) use plane::{distance, side};
 pub use regions::{Defects, Shape, winding_of};
 pub use windings::Windings;
 

@@ -17,7 +17,7 @@ pub(super) fn turn(a: &Point, b: &Point, p: &Point) -> Rational {
 }
 
 /// The side of p on the line from a to b.
-pub(super) fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
+pub(in crate::checks) fn side(a: &Point, b: &Point, p: &Point) -> Ordering {
     turn(a, b, p).cmp0()
 }
 
@@ -32,7 +32,7 @@ pub(super) fn is_on(a: &Point, b: &Point, p: &Point) -> bool {
 }
 
 /// The distance of p from the closed segment from a to b, rounded only at the end.
-pub(super) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
+pub(in crate::checks) fn distance(a: &Point, b: &Point, p: &Point) -> f64 {
     let minus = |p: &Point, q: &Point| [0, 1].map(|i: usize| Rational::from(&p[i] - &q[i]));
     let dot = |u: &Point, v: &Point| Rational::from(&u[0] * &v[0]) + Rational::from(&u[1] * &v[1]);
     let [along, to] = [minus(b, a), minus(p, a)];

@@ -7,6 +7,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod replies;
 mod shapes;
 mod spoiled;
 
@@ -20,6 +21,7 @@ pub use content::{Layered, Layers};
 
 pub use checks::RULES;
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest, output,
@@ -150,6 +152,10 @@ impl Task for Overlay2d {
                 Compared::degenerate("overlay-squares", 16),
             ]
         }
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Overlay2d>> {
+        Some(&replies::Judge)
     }
 
     fn turns(&self, _: Knob) -> Turns {
