@@ -24,7 +24,7 @@ mod unasked;
 use predicament_predicates::{Declined, Scene};
 
 pub use arrays::{Array, Arrays, Malformed};
-pub use bound::{Bound, Far};
+pub use bound::{Bound, COARSEST, Far, NEAREST};
 pub use by_program::{ByProgram, Program};
 pub use question::question;
 pub use row::{ReplyRow, add_row};

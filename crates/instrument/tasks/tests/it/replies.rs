@@ -33,8 +33,11 @@ fn rounded(scene: &Scene, arrays: &Arrays, change: impl Fn(usize, f64) -> f64) -
     changed
 }
 
+/// A function that gives the double that a library computes instead of another, by a number of three.
+type Round = fn(usize, f64) -> f64;
+
 /// Neighbours of a double that a library may compute instead of it.
-fn roundings() -> [(&'static str, fn(usize, f64) -> f64); 4] {
+fn roundings() -> [(&'static str, Round); 4] {
     [
         ("to nearest", |_, x| x),
         ("up", |_, x| x.next_up()),
@@ -43,7 +46,7 @@ fn roundings() -> [(&'static str, fn(usize, f64) -> f64); 4] {
     ]
 }
 
-fn judged(loaded: &LoadedScene, backend: &dyn Contestant, round: fn(usize, f64) -> f64) -> Option<Outcome> {
+fn judged(loaded: &LoadedScene, backend: &dyn Contestant, round: Round) -> Option<Outcome> {
     let task = predicament_bundle::task(loaded.task).unwrap();
     task.question(&loaded.scene, loaded.content.as_ref()).ok()?;
     let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
@@ -79,7 +82,7 @@ fn right_answers_pass_however_they_are_rounded() {
             // An even part of each task's scenes.
             let place = seen.entry(task.name()).or_default();
             *place += 1;
-            if (*place - 1) % step != 0 {
+            if !(*place - 1).is_multiple_of(step) {
                 continue;
             }
             let loaded = scene.load(Level::Quick, &cache).unwrap();
