@@ -44,6 +44,7 @@ enum Command {
     Derive(cmd::derive::Args),
     Run(cmd::run::Args),
     Gate(cmd::gate::Args),
+    Judge(cmd::judge::Args),
     Bench(cmd::bench::Args),
     Report(cmd::report::Args),
     Hunt(cmd::hunt::Args),
@@ -262,6 +263,7 @@ impl Command {
         match self {
             Command::Ask(args) => cmd::ask::run(&args, tool),
             Command::Solve(args) => cmd::solve::run(&args, tool),
+            Command::Judge(args) => cmd::judge::run(&args, tool),
             Command::Draw(args) => cmd::draw::run(args, tool),
             Command::Derive(args) => cmd::derive::run(&args),
             Command::Run(args) => cmd::run::run(args, tool),

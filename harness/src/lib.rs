@@ -31,6 +31,7 @@
 mod out;
 
 mod adding;
+mod answer_files;
 mod baseline;
 mod child;
 mod citing;

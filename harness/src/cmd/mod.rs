@@ -9,6 +9,7 @@ pub mod draw;
 pub mod engines;
 pub mod gate;
 pub mod hunt;
+pub mod judge;
 pub mod replay;
 pub mod report;
 pub mod run;

@@ -1,5 +1,6 @@
 //! Tests of the tool from outside, as a user runs it.
 
+mod answers;
 mod bad_input;
 mod bad_meshes;
 mod bounds;

@@ -127,6 +127,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "snap.csv",
         "mesh_locate.csv",
         "mesh_intersect.csv",
+        "replies.csv",
     ] {
         write(&folder, &format!("old/{file}"), &read(&one, file));
     }

@@ -159,6 +159,17 @@ impl Geometry {
         ImportedEdges { points: shared.into_points(), vertices, edges, notes }
     }
 
+    /// The rings of all polygons as they are in the file, in the plane; points and lines are left out.
+    #[must_use]
+    pub fn polygons(&self) -> Vec<Vec<Vec<[f64; 2]>>> {
+        let places = |ring: &Vec<Position>| ring.iter().map(|position| position.at).collect();
+        let rings = self.shapes().filter_map(|(_, shape)| match shape {
+            Shape::Polygon(rings) => Some(rings.iter().map(places).collect()),
+            Shape::Point(_) | Shape::Line(_) => None,
+        });
+        rings.collect()
+    }
+
     /// The map of the features' polygons; each feature is a region.
     ///
     /// # Errors

@@ -119,7 +119,7 @@ impl SceneFormat for Overlay2d {
     }
 
     fn file_keys(&self) -> &'static [&'static str] {
-        &["first"]
+        &["first", "second"]
     }
 
     fn read(&self, context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Source, CorpusError> {
