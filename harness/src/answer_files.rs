@@ -18,8 +18,8 @@ const POLYGONS: [&str; 3] = ["geojson", "json", "wkt"];
 
 /// The arrays of an answer, and the number of decimals that were rounded.
 ///
-/// Each file is `FILE` or `PART=FILE`. Without a part, the file's name without its extension is the part if the task has
-/// such a part; otherwise the task's only or first part.
+/// Each file is `FILE` or `PART=FILE`. Without a part, the file's name without its extension is the part if the task
+/// has such a part; otherwise the task's only or first part.
 pub fn read(task: &dyn AnyTask, scene: &Scene, files: &[String]) -> Result<(Arrays, usize), Failure> {
     let parts = task
         .parts_of_replies()
