@@ -276,7 +276,7 @@ impl Command {
             Command::Corpus(args) => cmd::corpus::run(args, tool),
             Command::Data(args) => cmd::data::run(&args, tool),
             Command::Shard(args) => cmd::shard::run(&args, tool),
-            Command::Engines(args) => cmd::engines::run(&args),
+            Command::Engines(args) => cmd::engines::run(&args, tool),
             Command::Setup(args) => cmd::setup::run(args, tool, command),
         }
     }

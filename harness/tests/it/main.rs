@@ -11,6 +11,7 @@ mod conformance;
 mod data;
 mod derive;
 mod diff;
+mod engine_doctor;
 mod engines;
 mod expect;
 mod gate;

@@ -1,5 +1,6 @@
 //! `engines`: programs of other languages: make, list, install, build, greet, clean.
 
+mod doctor;
 mod new;
 
 use predicament_engines::{Config, Engine, EngineError, FOLDER, PREFIX, Step, all, chore, find, folder};
@@ -7,6 +8,7 @@ use predicament_predicates::{Backend, PredicateKind, ZeroMeaning};
 
 use crate::exit::{self, Failure};
 use crate::out::program;
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 Engines are folders with an engine.toml in $PREDICAMENT_ENGINES, or in ./engines; docs/ENGINES.md describes them.
@@ -17,6 +19,7 @@ Examples:
   predicament engines install cgal-epick       its library, by the package manager's client
   predicament engines build                    all of them; says which were not built, and why
   predicament engines check naive-cpp          start it and greet it
+  predicament engines doctor naive-cpp         which compiler settings break it
   predicament run families -b engine:naive-cpp,exact";
 
 /// Engines: predicates of programs in other languages
@@ -30,6 +33,7 @@ pub struct Args {
 #[derive(clap::Subcommand)]
 enum Command {
     New(new::Args),
+    Doctor(doctor::Args),
     /// Name the engines, and say which of them start
     List,
     /// Install the libraries that engines need
@@ -55,9 +59,10 @@ enum Command {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> exit::Outcome {
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     match args.command.as_ref().unwrap_or(&Command::List) {
         Command::New(args) => new::run(args),
+        Command::Doctor(args) => doctor::run(args, tool),
         Command::List => list(),
         Command::Install { names } => each(names, |config| step(config, Step::Install)),
         Command::Build { names } => each(names, |config| step(config, Step::Build)),
