@@ -35,6 +35,20 @@
 //         vertices as the predicates above do. The tool knows them by formula (`predicament derive`). Points with
 //         weights get the weight as last coordinate, and `prepare` then gets a `dimension` that counts the weight.
 //
+// Whole tasks, static or not; the tool judges the answers. An engine may have tasks, predicates or both:
+//
+//     Triangles delaunay2d(const Points2& points)            or with (…, const Edges& constraints)
+//     Ids hull2d(const Points2& points)                      the hull's corners, one after the other
+//     Triangles hull3d(const Points3& points)
+//     Triangles triangulate(const Points2& points, const Rings& rings)     one polygon; rings of indices
+//     Results<Polygons> overlay2d(const Polygon& first, const Polygon& second, bool even_odd)
+//         the rings of each operand, in any order; `even_odd` is false for the rule of nonzero winding numbers
+//     Labels polygon_locate(const Polygons& regions, const Points2& probes)     the region, -1 outside, -2 on a border
+//     Labels mesh_locate(const Mesh& mesh, const Points3& probes)     1 inside, 0 outside, -2 on the surface
+//     Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second)
+//
+// A task throws `predicament::Declined` if a scene is not for the library. Only the call is timed.
+//
 // This header needs C++17 and POSIX only. Compile with -ffp-contract=off, and without -ffast-math.
 
 #ifndef PREDICAMENT_ENGINE_HPP
@@ -42,6 +56,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstddef>
@@ -50,6 +66,8 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -96,6 +114,30 @@ template <std::size_t Arity, class F>
 constexpr Formula<Arity, F> formula(const char* name, int dimension, F sign) {
     return {name, dimension, sign};
 }
+
+// What tasks take and return. Indices are those of the scene's points, or of a mesh's own vertices.
+using Point2 = std::array<double, 2>;
+using Point3 = std::array<double, 3>;
+using Points2 = std::vector<Point2>;
+using Points3 = std::vector<Point3>;
+using Ids = std::vector<std::uint32_t>;
+using Edges = std::vector<std::array<std::uint32_t, 2>>;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Rings = std::vector<Ids>;
+using Polygon = std::vector<Points2>;
+using Polygons = std::vector<Polygon>;
+using Labels = std::vector<std::int64_t>;
+struct Mesh {
+    Points3 vertices;
+    Triangles triangles;
+};
+
+/// The results of Boolean operations; operations that the library lacks stay empty. In a polygon of a result, the outer
+/// ring is first.
+template <class T>
+struct Results {
+    std::optional<T> union_, intersection, difference, symmetric_difference;
+};
 
 namespace detail {
 
@@ -332,6 +374,15 @@ constexpr std::tuple<> formulas_of(long) {
 }
 
 template <class E>
+constexpr auto zero_of(int) -> decltype(Zero(E::zero)) {
+    return E::zero;
+}
+template <class E>
+constexpr Zero zero_of(long) {
+    return Zero::exact;
+}
+
+template <class E>
 auto precision_of(int) -> decltype(std::string(E::precision)) {
     return E::precision;
 }
@@ -380,6 +431,174 @@ inline void each(const F& f, const Points& points, const std::vector<std::uint32
         signs[query] = encode(f(Vertex{first + stride * id[I], id[I]}...));
 }
 
+// The tasks: their names, and a call of the engine's function.
+#define PREDICAMENT_TASK(Type, title, Parameters, Arguments) \
+    struct Type {                                            \
+        static constexpr const char* name = title;           \
+        template <class E>                                   \
+        static auto call Parameters->decltype(Arguments) {   \
+            return Arguments;                                \
+        }                                                    \
+    }
+PREDICAMENT_TASK(Delaunay2d, "delaunay2d", (E & e, const Points2& points), e.delaunay2d(points));
+PREDICAMENT_TASK(Constrained, "delaunay2d", (E & e, const Points2& points, const Edges& edges), e.delaunay2d(points, edges));
+PREDICAMENT_TASK(Hull2d, "hull2d", (E & e, const Points2& points), e.hull2d(points));
+PREDICAMENT_TASK(Hull3d, "hull3d", (E & e, const Points3& points), e.hull3d(points));
+PREDICAMENT_TASK(Triangulate, "triangulate", (E & e, const Points2& points, const Rings& rings), e.triangulate(points, rings));
+PREDICAMENT_TASK(Overlay2d, "overlay2d", (E & e, const Polygon& first, const Polygon& second, bool even_odd),
+                 e.overlay2d(first, second, even_odd));
+PREDICAMENT_TASK(PolygonLocate, "polygon-locate", (E & e, const Polygons& regions, const Points2& probes),
+                 e.polygon_locate(regions, probes));
+PREDICAMENT_TASK(MeshLocate, "mesh-locate", (E & e, const Mesh& mesh, const Points3& probes), e.mesh_locate(mesh, probes));
+PREDICAMENT_TASK(MeshIntersect, "mesh-intersect", (E & e, const Mesh& first, const Mesh& second),
+                 e.mesh_intersect(first, second));
+#undef PREDICAMENT_TASK
+
+/// Whether the engine `E` has the task `T`, for arguments of these types.
+template <class T, class E, class Arguments, class = void>
+struct Does : std::false_type {};
+template <class T, class E, class... A>
+struct Does<T, E, std::tuple<A...>, std::void_t<decltype(T::call(std::declval<E&>(), std::declval<const A&>()...))>>
+    : std::true_type {};
+
+/// The arrays of a task's scene.
+class Asked {
+public:
+    explicit Asked(const Message& message) : message_(message) {}
+
+    /// True if the scene has such an array, and it is not empty.
+    bool has(const std::string& name) const { return message_.value(("ids:" + name).c_str()).size != 0; }
+
+    Ids ids(const std::string& name) const {
+        const Bytes bytes = message_.value(("ids:" + name).c_str());
+        Ids ids(bytes.size / 4);
+        for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = read_u32(bytes.at + 4 * i);
+        return ids;
+    }
+
+    template <std::size_t N>
+    std::vector<std::array<double, N>> points(const std::string& name) const {
+        const Bytes bytes = message_.value(("numbers:" + name).c_str());
+        std::vector<std::array<double, N>> points(bytes.size / (8 * N));
+        for (std::size_t i = 0; i < N * points.size(); ++i) points[i / N][i % N] = read_f64(bytes.at + 8 * i);
+        return points;
+    }
+
+    template <std::size_t N>
+    std::vector<std::array<std::uint32_t, N>> tuples(const std::string& name) const {
+        const Ids all = ids(name);
+        std::vector<std::array<std::uint32_t, N>> tuples(all.size() / N);
+        for (std::size_t i = 0; i < N * tuples.size(); ++i) tuples[i / N][i % N] = all[i];
+        return tuples;
+    }
+
+    Rings rings(const std::string& name) const {
+        const Ids all = ids(name), starts = ids(name + ".starts");
+        Rings rings;
+        for (std::size_t i = 1; i < starts.size(); ++i) rings.emplace_back(all.begin() + starts[i - 1], all.begin() + starts[i]);
+        return rings;
+    }
+
+    /// The rings of each polygon. Without `regions`, all loops are one polygon of `triangulate`, and one region each else.
+    std::vector<Rings> polygons(bool is_one) const {
+        const Rings loops = rings("loops"), labels = rings("regions");
+        std::vector<Rings> polygons;
+        for (std::size_t i = 0; i < loops.size(); ++i) {
+            const std::size_t label = has("regions") ? labels.at(i).at(0) : is_one ? 0 : i;
+            if (polygons.size() <= label) polygons.resize(label + 1);
+            polygons[label].push_back(loops[i]);
+        }
+        return polygons;
+    }
+
+    /// Rings of indices as rings of points.
+    Polygon placed(const Rings& rings) const {
+        const Points2 points = this->points<2>("points");
+        Polygon polygon;
+        for (const Ids& ring : rings) {
+            polygon.emplace_back();
+            for (const std::uint32_t id : ring) polygon.back().push_back(points.at(id));
+        }
+        return polygon;
+    }
+
+    /// A mesh with its own vertices.
+    Mesh mesh(const std::string& name) const {
+        const Points3 points = this->points<3>("points");
+        Mesh mesh{{}, tuples<3>(name)};
+        std::map<std::uint32_t, std::uint32_t> own;
+        for (const auto& triangle : mesh.triangles)
+            for (const std::uint32_t id : triangle) own[id] = 0;
+        for (auto& [id, place] : own) place = static_cast<std::uint32_t>(mesh.vertices.size()), mesh.vertices.push_back(points.at(id));
+        for (auto& triangle : mesh.triangles)
+            for (std::uint32_t& id : triangle) id = own[id];
+        return mesh;
+    }
+
+private:
+    const Message& message_;
+};
+
+/// The answer to a task: arrays, and the time of the library's calls.
+class Answered {
+public:
+    explicit Answered(std::chrono::nanoseconds passed) : reply_("answer") { reply_.text("ns", std::to_string(passed.count())); }
+
+    template <class T>
+    void ids(const std::string& name, const T& values) {
+        std::string bytes;
+        for (const auto value : values)
+            for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>(static_cast<std::uint64_t>(value) >> shift & 255));
+        reply_.bytes("ids:" + name, bytes.data(), bytes.size());
+    }
+
+    template <class T>
+    void tuples(const std::string& name, const T& values) {
+        Ids all;
+        for (const auto& tuple : values) all.insert(all.end(), tuple.begin(), tuple.end());
+        ids(name, all);
+    }
+
+    template <class T>
+    void points(const std::string& name, const T& points) {
+        std::string bytes;
+        for (const auto& point : points)
+            for (const double x : point) {
+                std::uint64_t bits;
+                std::memcpy(&bits, &x, sizeof bits);
+                for (int shift = 0; shift < 64; shift += 8) bytes.push_back(static_cast<char>(bits >> shift & 255));
+            }
+        reply_.bytes("numbers:" + name, bytes.data(), bytes.size());
+    }
+
+    void add(const std::string& name, const Polygons& polygons) {
+        Points2 all;
+        Ids starts{0}, firsts{0};
+        for (const Polygon& polygon : polygons) {
+            for (const Points2& ring : polygon) {
+                all.insert(all.end(), ring.begin(), ring.end());
+                starts.push_back(static_cast<std::uint32_t>(all.size()));
+            }
+            firsts.push_back(static_cast<std::uint32_t>(starts.size() - 1));
+        }
+        points(name, all), ids(name + ".starts", starts), ids(name + ".polygons", firsts);
+    }
+
+    void add(const std::string& name, const Mesh& mesh) {
+        points(name + ".vertices", mesh.vertices), tuples(name + ".triangles", mesh.triangles);
+    }
+
+    template <class T>
+    void results(const Results<T>& all) {
+        if (all.union_) add("union", *all.union_);
+        if (all.intersection) add("intersection", *all.intersection);
+        if (all.difference) add("difference", *all.difference);
+        if (all.symmetric_difference) add("symmetric-difference", *all.symmetric_difference);
+    }
+
+    Reply reply_;
+};
+
 /// The engine `E` and its scene.
 template <class E>
 class Server {
@@ -389,8 +608,8 @@ public:
     /// Answers messages until stdin ends.
     void run() {
         static_assert(offers<Compare>() || offers<Orient2d>() || offers<Orient3d>() || offers<Incircle>() || offers<Insphere>() ||
-                          std::tuple_size_v<decltype(formulas_of<E>(0))> != 0,
-                      "the engine has no predicate with the parameters that predicament_engine.hpp expects");
+                          std::tuple_size_v<decltype(formulas_of<E>(0))> != 0 || has_tasks,
+                      "the engine has no predicate or task with the parameters that predicament_engine.hpp expects");
         Message message;
         while (message.read()) {
             Reply reply = answer_or_reason(message);
@@ -423,6 +642,7 @@ private:
         if (type == "hello") return hello(message);
         if (type == "scene") return scene(message);
         if (type == "batch") return batch(message);
+        if (type == "task") return task(message);
         return Reply("error").text("message", "unknown message `" + type + "`");
     }
 
@@ -434,12 +654,13 @@ private:
             list<Insphere>(predicates);
         std::apply([&](const auto&... of) { ((predicates += (predicates.empty() ? "" : " ") + std::string(of.name)), ...); },
                    formulas_of<E>(0));
-        const char* const zero = E::zero == Zero::exact ? "exact" : "never";
+        const char* const zero = zero_of<E>(0) == Zero::exact ? "exact" : "never";
         return Reply("hello")
             .text("protocol", "1")
             .text("name", E::name)
             .text("version", E::version())
             .text("predicates", predicates)
+            .text("tasks", tasks())
             .text("zero", zero)
             .text("precision", precision_of<E>(0));
     }
@@ -495,6 +716,104 @@ private:
     Reply ask_formula(const Formula<Arity, F>& formula, const Message& message, bool is_empty) {
         const View view = in_dimension(static_cast<std::size_t>(formula.dimension), formula.name);
         return ask_each<Arity>(message, is_empty, weights_.empty() ? view : View::weighted, formula.name, formula.sign);
+    }
+
+    template <class T, class... A>
+    static constexpr bool does = Does<T, E, std::tuple<A...>>::value;
+    static constexpr bool has_constraints = does<Constrained, Points2, Edges>;
+    static constexpr bool has_tasks = does<Delaunay2d, Points2> || has_constraints || does<Hull2d, Points2> ||
+                                      does<Hull3d, Points3> || does<Triangulate, Points2, Rings> ||
+                                      does<Overlay2d, Polygon, Polygon, bool> || does<PolygonLocate, Polygons, Points2> ||
+                                      does<MeshLocate, Mesh, Points3> || does<MeshIntersect, Mesh, Mesh>;
+
+    /// The names of the engine's tasks.
+    static std::string tasks() {
+        std::string names;
+        const auto add = [&](const char* name, bool is_there) {
+            if (is_there) names += (names.empty() ? "" : " ") + std::string(name);
+        };
+        add("delaunay2d", does<Delaunay2d, Points2> || has_constraints), add("hull2d", does<Hull2d, Points2>);
+        add("hull3d", does<Hull3d, Points3>), add("triangulate", does<Triangulate, Points2, Rings>);
+        add("overlay2d", does<Overlay2d, Polygon, Polygon, bool>);
+        add("polygon-locate", does<PolygonLocate, Polygons, Points2>), add("mesh-locate", does<MeshLocate, Mesh, Points3>);
+        add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
+        return names;
+    }
+
+    Reply task(const Message& message) {
+        const std::string name = message.need("task").text();
+        const Asked asked(message);
+        const auto refuse = [&](const char* array) {
+            if (asked.has(array)) throw Declined(std::string("the scene has ") + array + ", and the engine does not take them");
+        };
+        if (name == "delaunay2d") {
+            const auto add = [](Answered& to, const Triangles& triangles) { to.tuples("triangles", triangles); };
+            if constexpr (has_constraints)
+                return call<Constrained>(add, asked.points<2>("points"), asked.tuples<2>("constraints"));
+            refuse("constraints");
+            return call<Delaunay2d>(add, asked.points<2>("points"));
+        }
+        if (name == "hull2d")
+            return call<Hull2d>([](Answered& to, const Ids& hull) { to.ids("hull", hull); }, asked.points<2>("points"));
+        if (name == "hull3d")
+            return call<Hull3d>([](Answered& to, const Triangles& all) { to.tuples("triangles", all); }, asked.points<3>("points"));
+        if (name == "triangulate") return triangulate(asked);
+        const auto results = [](Answered& to, const auto& all) { to.results(all); };
+        if (name == "overlay2d") {
+            const bool even_odd = message.value("word:rule").text() != "non-zero";
+            return call<Overlay2d>(results, asked.placed(asked.rings("first")), asked.placed(asked.rings("second")), even_odd);
+        }
+        const auto labels = [](Answered& to, const Labels& labels) { to.ids("labels", labels); };
+        if (name == "polygon-locate") {
+            Polygons regions;
+            for (const Rings& rings : asked.polygons(false)) regions.push_back(asked.placed(rings));
+            return call<PolygonLocate>(labels, regions, asked.points<2>("probes"));
+        }
+        if (name == "mesh-locate") {
+            refuse("tetrahedra"), refuse("regions");
+            return call<MeshLocate>(labels, asked.mesh("triangles"), asked.points<3>("probes"));
+        }
+        if (name == "mesh-intersect") {
+            refuse("first_regions"), refuse("second_regions");
+            return call<MeshIntersect>(results, asked.mesh("first"), asked.mesh("second"));
+        }
+        throw Declined("this engine has no `" + name + "`");
+    }
+
+    /// Calls the engine's function, and adds its result to the answer. Only the function is timed.
+    template <class T, class F, class... A>
+    Reply call(const F& add, const A&... arguments) {
+        if constexpr (!does<T, A...>) {
+            throw Declined(std::string("this engine has no `") + T::name + "`");
+        } else {
+            const auto start = std::chrono::steady_clock::now();
+            const auto result = T::call(engine_, arguments...);
+            Answered answered(std::chrono::steady_clock::now() - start);
+            add(answered, result);
+            return answered.reply_;
+        }
+    }
+
+    /// Triangulates polygon by polygon.
+    Reply triangulate(const Asked& asked) {
+        if constexpr (!does<Triangulate, Points2, Rings>) {
+            throw Declined("this engine has no `triangulate`");
+        } else {
+            const Points2 points = asked.points<2>("points");
+            const std::vector<Rings> polygons = asked.polygons(true);
+            std::vector<Triangles> found;
+            const auto start = std::chrono::steady_clock::now();
+            for (const Rings& rings : polygons) found.push_back(Triangulate::call(engine_, points, rings));
+            Answered answered(std::chrono::steady_clock::now() - start);
+            Triangles all;
+            Ids of;
+            for (std::size_t i = 0; i < found.size(); ++i) {
+                all.insert(all.end(), found[i].begin(), found[i].end());
+                of.insert(of.end(), found[i].size(), static_cast<std::uint32_t>(i));
+            }
+            answered.tuples("triangles", all), answered.ids("polygons", of);
+            return answered.reply_;
+        }
     }
 
     int axis(const Message& message) const {

@@ -19,6 +19,26 @@
 // points (orient2d in a plane of a scene in space gets projected points). It may return an array with one object for each
 // point, which predicates get instead. precision: "f32" for predicates that round coordinates to singles. Throw `Declined`
 // if a scene is not for this engine.
+//
+// Whole tasks: a member `tasks` with a function for each task. It gets one object and the tool judges what it returns:
+//
+//     serve({ name: "mine", version: "1.0", tasks: { delaunay2d: ({ points }) => library.triangulate(points) } });
+//
+//     delaunay2d({ points })                 indices of the triangles' corners; flat or in rows of three, as all indices
+//     hull2d({ points })                     the indices of the hull's corners, one after the other
+//     hull3d({ points })                     triangles
+//     triangulate({ points, rings })         the triangles of one polygon; rings of indices, in any order
+//     overlay2d({ first, second })           { union, intersection, difference, "symmetric-difference" }, or some of these.
+//                                            Operands are lists of rings of points; results are lists of polygons, each a
+//                                            list of rings, the outer one first
+//     "polygon-locate"({ regions, probes })  a label for each probe: the number of its region, -1 outside, -2 on a border;
+//                                            a region is a list of rings of points
+//     "mesh-locate"({ vertices, triangles, probes })   a label for each probe: 1 inside, 0 outside, -2 on the surface
+//     "mesh-intersect"({ first, second })    as overlay2d, of meshes { vertices, triangles }
+//
+// The object also has `constraints` (delaunay2d: pairs of indices), `rule` (overlay2d: "even-odd" or "non-zero"), `sides`
+// (mesh-locate: the regions before and behind each triangle) and `tetrahedra` (mesh-locate). If a scene has constraints,
+// sides or tetrahedra and the function does not read them, the scene is declined. Only the function is timed.
 
 import fs from "node:fs";
 
@@ -161,12 +181,161 @@ const EACH = {
     },
 };
 
+/** The values in rows of so many. */
+function rows(values, width) {
+    return Array.from({ length: values.length / width }, (_, row) => values.slice(row * width, (row + 1) * width));
+}
+
+/** The scene of a task: its arrays by name. */
+class Asked {
+    constructor(entries) {
+        this.entries = entries;
+        this.dimension = Number(need(entries, "dimension"));
+        this.points = rows(this.values("points"), this.dimension);
+    }
+
+    /** True if the scene has such an array, and it is not empty. */
+    has(name) {
+        return [`ids:${name}`, `numbers:${name}`].some((key) => this.entries.get(key)?.length > 0);
+    }
+
+    values(name) {
+        const [ids, numbers] = [this.entries.get(`ids:${name}`), this.entries.get(`numbers:${name}`)];
+        if (ids !== undefined) return Array.from({ length: ids.length / 4 }, (_, i) => ids.readUInt32LE(4 * i));
+        const count = numbers === undefined ? 0 : numbers.length / 8;
+        return Array.from({ length: count }, (_, i) => numbers.readDoubleLE(8 * i));
+    }
+
+    parts(name) {
+        const [values, starts] = [this.values(name), this.values(`${name}.starts`)];
+        return starts.slice(1).map((end, i) => values.slice(starts[i], end));
+    }
+
+    at(rings) {
+        return rings.map((ring) => ring.map((id) => this.points[id]));
+    }
+
+    /** The rings of each polygon. Without `regions`, all loops are one polygon of `triangulate`, and one region each else. */
+    polygons(isOne) {
+        const [loops, labels] = [this.parts("loops"), this.parts("regions")];
+        const polygons = [];
+        loops.forEach((ring, i) => (polygons[this.has("regions") ? labels[i][0] : isOne ? 0 : i] ??= []).push(ring));
+        return Array.from(polygons, (rings) => rings ?? []);
+    }
+
+    /** A mesh with its own vertices. */
+    mesh(name) {
+        const triangles = rows(this.values(name), 3);
+        const used = [...new Set(triangles.flat())].sort((a, b) => a - b);
+        const place = new Map(used.map((id, at) => [id, at]));
+        return { vertices: used.map((id) => this.points[id]), triangles: triangles.map((t) => t.map((id) => place.get(id))) };
+    }
+}
+
+/** The parameters of a task's calls. */
+const GIVEN = {
+    delaunay2d: (scene) => [
+        { points: scene.points, ...(scene.has("constraints") && { constraints: rows(scene.values("constraints"), 2) }) },
+    ],
+    hull2d: ({ points }) => [{ points }],
+    hull3d: ({ points }) => [{ points }],
+    triangulate: (scene) => scene.polygons(true).map((rings) => ({ points: scene.points, rings })),
+    overlay2d: (scene) => {
+        const [first, second] = ["first", "second"].map((name) => scene.at(scene.parts(name)));
+        return [{ first, second, rule: String(scene.entries.get("word:rule") ?? "even-odd") }];
+    },
+    "polygon-locate": (scene) => [
+        { regions: scene.polygons(false).map((rings) => scene.at(rings)), probes: rows(scene.values("probes"), 2) },
+    ],
+    "mesh-locate": (scene) => {
+        const [name, width] = scene.has("tetrahedra") ? ["tetrahedra", 4] : ["triangles", 3];
+        const given = { vertices: scene.points, [name]: rows(scene.values(name), width), probes: rows(scene.values("probes"), 3) };
+        if (scene.has("regions")) given.sides = rows(scene.values("regions"), 2);
+        return [given];
+    },
+    "mesh-intersect": (scene) => {
+        if (scene.has("first_regions") || scene.has("second_regions")) throw new Declined("the meshes have several regions");
+        return [{ first: scene.mesh("first"), second: scene.mesh("second") }];
+    },
+};
+
+function ids(values) {
+    const bytes = Buffer.alloc(4 * values.length);
+    values.forEach((value, i) => bytes.writeUInt32LE(Number(value) >>> 0, 4 * i));
+    return bytes;
+}
+
+function numbers(values) {
+    const bytes = Buffer.alloc(8 * values.length);
+    values.forEach((value, i) => bytes.writeDoubleLE(value, 8 * i));
+    return bytes;
+}
+
+/** All numbers of nested arrays. */
+function flat(values) {
+    return Array.from(values).flatMap((value) => (typeof value === "object" ? flat(value) : [value]));
+}
+
+/** Where each of the items starts, with the total at the end. */
+function starts(items) {
+    let total = 0;
+    return ids([0, ...items.map((item) => (total += item.length))]);
+}
+
+const triangles = ([answer]) => ({ "ids:triangles": ids(flat(answer)) });
+const labels = ([answer]) => ({ "ids:labels": ids(flat(answer)) });
+
+/** The arrays of a task's answers. */
+const MADE = {
+    delaunay2d: triangles,
+    hull2d: ([answer]) => ({ "ids:hull": ids(flat(answer)) }),
+    hull3d: triangles,
+    triangulate: (answers) => {
+        const all = answers.map(flat);
+        return { "ids:triangles": ids(all.flat()), "ids:polygons": ids(all.flatMap((one, at) => Array(one.length / 3).fill(at))) };
+    },
+    overlay2d: ([answer]) => {
+        const arrays = {};
+        for (const [name, polygons] of Object.entries(answer)) {
+            const rings = polygons.flat();
+            arrays[`numbers:${name}`] = numbers(flat(rings));
+            arrays[`ids:${name}.starts`] = starts(rings);
+            arrays[`ids:${name}.polygons`] = starts(polygons);
+        }
+        return arrays;
+    },
+    "polygon-locate": labels,
+    "mesh-locate": labels,
+    "mesh-intersect": ([answer]) => {
+        const arrays = {};
+        for (const [name, mesh] of Object.entries(answer)) {
+            arrays[`numbers:${name}.vertices`] = numbers(flat(mesh.vertices));
+            arrays[`ids:${name}.triangles`] = ids(flat(mesh.triangles));
+        }
+        return arrays;
+    },
+};
+
+/** The parameters of a call, and a function that declines the scene if the call has not read those that matter. */
+function watched(parameters) {
+    const unread = new Set(["constraints", "sides", "tetrahedra"].filter((name) => name in parameters));
+    const get = (target, name) => (unread.delete(name), target[name]);
+    const check = () => {
+        for (const name of unread) throw new Declined(`the scene has ${name}, and the function does not take them`);
+    };
+    return [unread.size === 0 ? parameters : new Proxy(parameters, { get }), check];
+}
+
 /** An engine and its scene. */
 class Server {
     constructor(engine) {
         this.engine = engine;
         this.names = Object.keys(ARITY).filter((name) => typeof engine[name] === "function");
-        if (this.names.length === 0) throw new Error(`the engine has none of ${Object.keys(ARITY).join(", ")}`);
+        this.tasks = Object.keys(engine.tasks ?? {});
+        const unknown = this.tasks.find((name) => !Object.hasOwn(GIVEN, name));
+        if (unknown !== undefined) throw new Error(`\`${unknown}\` is none of the tasks ${Object.keys(GIVEN).join(", ")}`);
+        if (this.names.length + this.tasks.length === 0)
+            throw new Error(`the engine has no task, and none of ${Object.keys(ARITY).join(", ")}`);
         this.dimension = 0;
         this.points = [];
         this.view = null;
@@ -180,6 +349,7 @@ class Server {
             if (type === "hello") return this.hello(entries);
             if (type === "scene") return this.scene(entries);
             if (type === "batch") return this.batch(entries);
+            if (type === "task") return this.task(entries);
             return { type: "error", message: `unknown message \`${type}\`` };
         } catch (problem) {
             if (problem instanceof Malformed) throw problem;
@@ -192,8 +362,9 @@ class Server {
     hello(entries) {
         const protocol = String(need(entries, "protocol"));
         if (protocol !== "1") throw new Declined(`this engine speaks protocol 1, not ${protocol}`);
-        const { name, version, zero, precision = "f64" } = this.engine;
-        return { type: "hello", protocol: 1, name, version, predicates: this.names.join(" "), zero, precision };
+        const { name, version, zero = "exact", precision = "f64" } = this.engine;
+        const [predicates, tasks] = [this.names.join(" "), this.tasks.join(" ")];
+        return { type: "hello", protocol: 1, name, version, predicates, tasks, zero, precision };
     }
 
     scene(entries) {
@@ -253,6 +424,19 @@ class Server {
         EACH[ARITY[name]](ask, this.objects, ids, signs);
         const ns = process.hrtime.bigint() - start;
         return { type: "signs", ns, signs };
+    }
+
+    task(entries) {
+        const name = String(need(entries, "task"));
+        if (!this.tasks.includes(name)) throw new Declined(`this engine has no \`${name}\``);
+        const calls = GIVEN[name](new Asked(entries)).map(watched);
+        const answers = [];
+        const start = process.hrtime.bigint();
+        for (const [parameters] of calls) answers.push(this.engine.tasks[name](parameters));
+        const ns = process.hrtime.bigint() - start;
+        for (const [, check] of calls) check();
+        if (answers.some((answer) => answer === undefined || answer === null)) throw new Declined("the library gives no answer");
+        return { type: "answer", ns, bytes: process.resourceUsage().maxRSS * 1024, ...MADE[name](answers) };
     }
 
     ids(bytes, name) {

@@ -431,7 +431,8 @@ class _Scene:
         self.points = self.rows("points", self.dimension)
 
     def has(self, name):
-        return f"ids:{name}" in self.message or f"numbers:{name}" in self.message
+        """True if the scene has such an array, and it is not empty."""
+        return bool(self.message.get(f"ids:{name}") or self.message.get(f"numbers:{name}"))
 
     def word(self, name, otherwise):
         return self.message.get(f"word:{name}", otherwise.encode()).decode("ascii", "replace")

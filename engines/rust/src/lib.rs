@@ -25,6 +25,8 @@
 //! }
 //! ```
 //!
+//! An engine may also answer whole [tasks](Task): it lists them in `TASKS` and has a function for each.
+//!
 //! Signs are those of `docs/ENGINES.md`. If a predicate panics, the answer is `error`, with the query and the text of
 //! the panic: the tool counts the scene as a panic and restarts the engine. `stdout.rs` redirects the output of a
 //! library.
@@ -32,6 +34,7 @@
 mod message;
 mod server;
 mod stdout;
+mod tasks;
 
 use std::cmp::Ordering;
 use std::ops::Neg;
@@ -147,14 +150,86 @@ pub enum Points<'p> {
     Space(&'p [[f64; 3]]),
 }
 
-/// A library's predicates in the tool's conventions.
+/// A task that an engine answers as a whole. The function of the same name in [`Engine`] answers it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Task {
+    /// Delaunay triangulations.
+    Delaunay2d,
+    /// Convex hulls in the plane.
+    Hull2d,
+    /// Convex hulls in space.
+    Hull3d,
+    /// Triangulations of polygons.
+    Triangulate,
+    /// Boolean operations on polygons.
+    Overlay2d,
+    /// Points in the regions of a map.
+    PolygonLocate,
+    /// Points in solids.
+    MeshLocate,
+    /// Boolean operations on solids.
+    MeshIntersect,
+}
+
+impl Task {
+    /// The task's name in the protocol.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Task::Delaunay2d => "delaunay2d",
+            Task::Hull2d => "hull2d",
+            Task::Hull3d => "hull3d",
+            Task::Triangulate => "triangulate",
+            Task::Overlay2d => "overlay2d",
+            Task::PolygonLocate => "polygon-locate",
+            Task::MeshLocate => "mesh-locate",
+            Task::MeshIntersect => "mesh-intersect",
+        }
+    }
+}
+
+/// The rings of a polygon; in results the outer one is first.
+pub type Polygon = Vec<Vec<[f64; 2]>>;
+
+/// A triangle mesh with its own vertices.
+#[derive(Clone, PartialEq, Default, Debug)]
+pub struct Mesh {
+    /// The vertices.
+    pub vertices: Vec<[f64; 3]>,
+    /// The triangles, by indices of vertices.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// The results of Boolean operations; `None` for operations that the library lacks.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Results<T> {
+    /// The points in either operand.
+    pub union: Option<T>,
+    /// The points in both operands.
+    pub intersection: Option<T>,
+    /// The points in the first operand alone.
+    pub difference: Option<T>,
+    /// The points in exactly one operand.
+    pub symmetric_difference: Option<T>,
+}
+
+/// The reason for declining a task: [`Engine::TASKS`] lists it, but its function is not written.
+fn not_written<R>() -> Result<R, String> {
+    Err("the engine lists a task that it does not answer".to_owned())
+}
+
+/// A library's predicates and tasks in the tool's conventions.
+///
+/// A function of a task returns the reason if a scene is not for the library.
 pub trait Engine: Default {
     /// The engine's name in the answer to `hello`.
     const NAME: &'static str;
     /// The meaning of zero.
-    const ZERO: Zero;
+    const ZERO: Zero = Zero::Exact;
     /// The predicates that the engine has; others are declined.
-    const PREDICATES: &'static [Predicate];
+    const PREDICATES: &'static [Predicate] = &[];
+    /// The tasks that the engine answers as a whole.
+    const TASKS: &'static [Task] = &[];
     /// The precision to which coordinates are rounded.
     const PRECISION: Precision = Precision::F64;
     /// True if orient2d in the zx plane receives (x, z), and the answer is negated. A perturbation that moves a point's
@@ -205,6 +280,54 @@ pub trait Engine: Default {
     fn insphere(&self, points: [Vertex<3>; 5]) -> Answer {
         let _ = points;
         Answer::Declined
+    }
+
+    /// The triangles of a Delaunay triangulation. Constraints are pairs of points.
+    fn delaunay2d(&self, points: &[[f64; 2]], constraints: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, String> {
+        let _ = (points, constraints);
+        not_written()
+    }
+
+    /// The corners of the convex hull, one after the other.
+    fn hull2d(&self, points: &[[f64; 2]]) -> Result<Vec<u32>, String> {
+        let _ = points;
+        not_written()
+    }
+
+    /// The triangles of the convex hull's surface.
+    fn hull3d(&self, points: &[[f64; 3]]) -> Result<Vec<[u32; 3]>, String> {
+        let _ = points;
+        not_written()
+    }
+
+    /// The triangles of one polygon, which has rings of indices in any order.
+    fn triangulate(&self, points: &[[f64; 2]], rings: &[Vec<u32>]) -> Result<Vec<[u32; 3]>, String> {
+        let _ = (points, rings);
+        not_written()
+    }
+
+    /// Boolean operations on the rings of two operands. `even_odd` is false for the rule of nonzero winding numbers.
+    fn overlay2d(&self, first: &Polygon, second: &Polygon, even_odd: bool) -> Result<Results<Vec<Polygon>>, String> {
+        let _ = (first, second, even_odd);
+        not_written()
+    }
+
+    /// For each probe the number of its region, −1 outside, −2 on a border.
+    fn polygon_locate(&self, regions: &[Polygon], probes: &[[f64; 2]]) -> Result<Vec<i64>, String> {
+        let _ = (regions, probes);
+        not_written()
+    }
+
+    /// For each probe 1 inside, 0 outside, −2 on the surface.
+    fn mesh_locate(&self, mesh: &Mesh, probes: &[[f64; 3]]) -> Result<Vec<i64>, String> {
+        let _ = (mesh, probes);
+        not_written()
+    }
+
+    /// Boolean operations on two solids.
+    fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {
+        let _ = (first, second);
+        not_written()
     }
 }
 

@@ -54,7 +54,7 @@ fn serve<E: Engine>(mut input: impl Read, output: &mut impl Write) -> Result<(),
 
 /// The reason why a message gets no answer.
 #[derive(PartialEq, Eq, Debug)]
-enum Refused {
+pub(super) enum Refused {
     /// The scene or the predicate is not for this engine.
     Declined(String),
     /// The library failed.
@@ -90,6 +90,7 @@ impl<E: Engine> Server<E> {
             "hello" => hello::<E>(message),
             "scene" => self.scene(message),
             "batch" => self.batch(message),
+            "task" => super::tasks::answer(&self.engine, message),
             other => Err(Refused::Failed(format!("unknown message `{other}`"))),
         }
     }
@@ -207,6 +208,7 @@ fn hello<E: Engine>(message: &Message) -> Result<Reply, Refused> {
         return Err(Refused::Declined(format!("this engine speaks protocol 1, not {protocol}")));
     }
     let predicates: Vec<&str> = E::PREDICATES.iter().map(|predicate| predicate.name()).collect();
+    let tasks: Vec<&str> = E::TASKS.iter().map(|task| task.name()).collect();
     let zero = match E::ZERO {
         Zero::Exact => "exact",
         Zero::Never => "never",
@@ -216,7 +218,8 @@ fn hello<E: Engine>(message: &Message) -> Result<Reply, Refused> {
         Precision::F32 => "f32",
     };
     let about = Reply::new("hello").with("protocol", "1").with("name", E::NAME).with("version", E::version());
-    Ok(about.with("predicates", predicates.join(" ")).with("zero", zero).with("precision", precision))
+    let about = about.with("predicates", predicates.join(" ")).with("tasks", tasks.join(" "));
+    Ok(about.with("zero", zero).with("precision", precision))
 }
 
 fn along<const D: usize>(axis: usize, point: Vertex<D>) -> Vertex<1> {
@@ -297,7 +300,7 @@ impl Batch<'_> {
 static IN_LIBRARY: AtomicBool = AtomicBool::new(false);
 
 /// The result of the library's work, or the text of its panic.
-fn caught<R>(work: impl FnOnce() -> R) -> Result<R, String> {
+pub(super) fn caught<R>(work: impl FnOnce() -> R) -> Result<R, String> {
     IN_LIBRARY.store(true, Ordering::Relaxed);
     let done = catch_unwind(AssertUnwindSafe(work));
     IN_LIBRARY.store(false, Ordering::Relaxed);

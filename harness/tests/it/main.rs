@@ -51,3 +51,4 @@ mod studies;
 mod ten_writers;
 mod threads;
 mod tutorial;
+mod whole_tasks;

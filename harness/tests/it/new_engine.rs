@@ -110,6 +110,7 @@ fn helpers(language: &str) -> Vec<(&'static str, &'static str)> {
             ("rust/src/lib.rs", "predicament_engine/mod.rs"),
             ("rust/src/message.rs", "predicament_engine/message.rs"),
             ("rust/src/server.rs", "predicament_engine/server.rs"),
+            ("rust/src/tasks.rs", "predicament_engine/tasks.rs"),
         ],
     }
 }

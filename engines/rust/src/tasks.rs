@@ -1,0 +1,187 @@
+//! Whole tasks: a scene's arrays become arguments, and results become arrays.
+
+use std::collections::BTreeMap;
+use std::time::Instant;
+
+use super::message::{Message, Reply};
+use super::server::{Refused, caught};
+use super::{Engine, Mesh, Polygon, Results, Task};
+
+/// The arrays of a task's scene.
+struct Asked<'m>(&'m Message);
+
+impl Asked<'_> {
+    /// True if the scene has such an array, and it is not empty.
+    fn has(&self, name: &str) -> bool {
+        self.0.bytes(&format!("ids:{name}")).is_some_and(|bytes| !bytes.is_empty())
+    }
+
+    fn ids(&self, name: &str) -> Vec<u32> {
+        let bytes = self.0.bytes(&format!("ids:{name}")).unwrap_or_default();
+        bytes.as_chunks().0.iter().map(|bytes| u32::from_le_bytes(*bytes)).collect()
+    }
+
+    fn points<const D: usize>(&self, name: &str) -> Vec<[f64; D]> {
+        let bytes = self.0.bytes(&format!("numbers:{name}")).unwrap_or_default();
+        let numbers: Vec<f64> = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes)).collect();
+        numbers.as_chunks().0.to_vec()
+    }
+
+    fn tuples<const N: usize>(&self, name: &str) -> Vec<[u32; N]> {
+        self.ids(name).as_chunks().0.to_vec()
+    }
+
+    fn rings(&self, name: &str) -> Vec<Vec<u32>> {
+        let (ids, starts) = (self.ids(name), self.ids(&format!("{name}.starts")));
+        starts.windows(2).map(|pair| ids[pair[0] as usize..pair[1] as usize].to_vec()).collect()
+    }
+
+    /// The rings of each polygon. Without `regions`, all loops are one polygon of `triangulate`, else one region each.
+    fn polygons(&self, is_one: bool) -> Vec<Vec<Vec<u32>>> {
+        let (loops, labels) = (self.rings("loops"), self.ids("regions"));
+        let mut polygons = Vec::new();
+        for (at, ring) in loops.into_iter().enumerate() {
+            let label = if self.has("regions") { labels[at] as usize } else { at * usize::from(!is_one) };
+            polygons.resize(polygons.len().max(label + 1), Vec::new());
+            polygons[label].push(ring);
+        }
+        polygons
+    }
+
+    /// Rings of indices as rings of points.
+    fn placed(&self, rings: &[Vec<u32>]) -> Polygon {
+        let points = self.points::<2>("points");
+        rings.iter().map(|ring| ring.iter().map(|&id| points[id as usize]).collect()).collect()
+    }
+
+    /// A mesh with its own vertices.
+    fn mesh(&self, name: &str) -> Mesh {
+        let (points, mut triangles) = (self.points::<3>("points"), self.tuples::<3>(name));
+        let mut own: BTreeMap<u32, u32> = triangles.as_flattened().iter().map(|&id| (id, 0)).collect();
+        (0..).zip(own.values_mut()).for_each(|(place, own)| *own = place);
+        triangles.as_flattened_mut().iter_mut().for_each(|id| *id = own[id]);
+        Mesh { vertices: own.keys().map(|&id| points[id as usize]).collect(), triangles }
+    }
+}
+
+/// Arrays of an answer.
+trait Shape {
+    fn add(self, to: Reply, name: &str) -> Reply;
+}
+
+impl Shape for Vec<Polygon> {
+    fn add(self, to: Reply, name: &str) -> Reply {
+        let starts = |lengths: &mut dyn Iterator<Item = usize>| -> Vec<u32> {
+            let total = |total: &mut usize, length| {
+                *total += length;
+                Some(*total as u32)
+            };
+            std::iter::once(0).chain(lengths.scan(0, total)).collect()
+        };
+        let points: Vec<f64> = self.iter().flatten().flatten().flatten().copied().collect();
+        let to = numbers(to, name, &points);
+        let to = ids(to, &format!("{name}.starts"), &starts(&mut self.iter().flatten().map(Vec::len)));
+        ids(to, &format!("{name}.polygons"), &starts(&mut self.iter().map(Vec::len)))
+    }
+}
+
+impl Shape for Mesh {
+    fn add(self, to: Reply, name: &str) -> Reply {
+        let to = numbers(to, &format!("{name}.vertices"), self.vertices.as_flattened());
+        ids(to, &format!("{name}.triangles"), self.triangles.as_flattened())
+    }
+}
+
+fn ids(to: Reply, name: &str, ids: &[u32]) -> Reply {
+    to.with(&format!("ids:{name}"), ids.iter().flat_map(|id| id.to_le_bytes()).collect::<Vec<u8>>())
+}
+
+fn numbers(to: Reply, name: &str, numbers: &[f64]) -> Reply {
+    to.with(&format!("numbers:{name}"), numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>())
+}
+
+fn results<T: Shape>(mut to: Reply, all: Results<T>) -> Reply {
+    let named = [
+        ("union", all.union),
+        ("intersection", all.intersection),
+        ("difference", all.difference),
+        ("symmetric-difference", all.symmetric_difference),
+    ];
+    for (name, result) in named {
+        to = match result {
+            Some(result) => result.add(to, name),
+            None => to,
+        };
+    }
+    to
+}
+
+fn labels(to: Reply, labels: Vec<i64>) -> Reply {
+    // −1 and −2 are the two largest numbers of 32 bits.
+    ids(to, "labels", &labels.into_iter().map(|label| label as u32).collect::<Vec<u32>>())
+}
+
+/// Calls the library, and adds its result to the answer. Only the call is timed.
+fn timed<R>(call: impl FnOnce() -> Result<R, String>, add: impl FnOnce(Reply, R) -> Reply) -> Result<Reply, Refused> {
+    let start = Instant::now();
+    let result = caught(call);
+    let ns = start.elapsed().as_nanos().to_string();
+    let result = result.map_err(|panic| Refused::Failed(format!("the library panicked: {panic}")))?;
+    Ok(add(Reply::new("answer").with("ns", ns), result.map_err(Refused::Declined)?))
+}
+
+/// The answer to a message `task`.
+pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, Refused> {
+    let name = String::from_utf8_lossy(message.need("task")?).into_owned();
+    let task = E::TASKS.iter().copied().find(|task| task.name() == name);
+    let task = task.ok_or_else(|| Refused::Declined(format!("this engine has no `{name}`")))?;
+    let asked = Asked(message);
+    for several in ["regions", "tetrahedra", "first_regions", "second_regions"] {
+        if asked.has(several) && matches!(task, Task::MeshLocate | Task::MeshIntersect) {
+            let what = format!("the scene has {several}, and the engine does not take them");
+            return Err(Refused::Declined(what));
+        }
+    }
+    let triangles = |to, found: Vec<[u32; 3]>| ids(to, "triangles", found.as_flattened());
+    let operand = |name| asked.placed(&asked.rings(name));
+    match task {
+        Task::Delaunay2d => {
+            let (points, constraints) = (asked.points("points"), asked.tuples("constraints"));
+            timed(|| engine.delaunay2d(&points, &constraints), triangles)
+        }
+        Task::Hull2d => {
+            let points = asked.points("points");
+            timed(|| engine.hull2d(&points), |to, hull| ids(to, "hull", &hull))
+        }
+        Task::Hull3d => {
+            let points = asked.points("points");
+            timed(|| engine.hull3d(&points), triangles)
+        }
+        Task::Triangulate => {
+            let (points, polygons) = (asked.points("points"), asked.polygons(true));
+            let all = || polygons.iter().map(|rings| engine.triangulate(&points, rings)).collect::<Result<Vec<_>, _>>();
+            timed(all, |to, found| {
+                let of = (0..).zip(&found).flat_map(|(at, found)| std::iter::repeat_n(at, found.len()));
+                ids(triangles(to, found.concat()), "polygons", &of.collect::<Vec<u32>>())
+            })
+        }
+        Task::Overlay2d => {
+            let (first, second) = (operand("first"), operand("second"));
+            let even_odd = message.bytes("word:rule") != Some(b"non-zero");
+            timed(|| engine.overlay2d(&first, &second, even_odd), results)
+        }
+        Task::PolygonLocate => {
+            let regions: Vec<Polygon> = asked.polygons(false).iter().map(|rings| asked.placed(rings)).collect();
+            let probes = asked.points("probes");
+            timed(|| engine.polygon_locate(&regions, &probes), labels)
+        }
+        Task::MeshLocate => {
+            let (mesh, probes) = (asked.mesh("triangles"), asked.points("probes"));
+            timed(|| engine.mesh_locate(&mesh, &probes), labels)
+        }
+        Task::MeshIntersect => {
+            let (first, second) = (asked.mesh("first"), asked.mesh("second"));
+            timed(|| engine.mesh_intersect(&first, &second), results)
+        }
+    }
+}
