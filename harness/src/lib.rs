@@ -66,6 +66,7 @@ mod programs;
 mod progress;
 mod reducing;
 mod rows;
+mod scoreboard;
 mod scorecard;
 mod select;
 mod shared;

@@ -11,7 +11,7 @@ pub const STUDY: &str = "study";
 /// The top-level commands by group, in the order of the help.
 const GROUPS: [(&str, &[&str]); 6] = [
     ("Ask and draw", &["ask", "solve", "draw", "derive"]),
-    ("Run and gate", &["run", "gate", "judge", "bench", "report"]),
+    ("Run and gate", &["run", "gate", "judge", "bench", "report", "scoreboard"]),
     ("Search", &["hunt", "shrink", "replay"]),
     ("Studies", &[STUDY]),
     ("Data", &["corpus", "data", "shard"]),

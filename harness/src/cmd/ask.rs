@@ -37,7 +37,7 @@ Examples:
   predicament ask orient2d --points towns.csv --columns lon,lat --queries random:1000
   predicament ask orient2d --plane yz --points - --format json < points.csv";
 
-/// Ask a question about your own points: every backend's answer, the exact value, the class
+/// Ask about your own points: every backend's answer, the exact value, the class
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {

@@ -13,6 +13,7 @@ pub mod judge;
 pub mod replay;
 pub mod report;
 pub mod run;
+pub mod scoreboard;
 pub mod setup;
 pub mod shard;
 pub mod shrink;

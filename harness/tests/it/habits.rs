@@ -137,5 +137,5 @@ fn earlier_names_of_commands_work_and_say_the_new_ones() {
     assert!(told.stderr.is_empty() && told.stdout.contains("kettner-a1"), "{}{}", told.stdout, told.stderr);
     let help = expect(0, &["--help"]).stdout;
     let commands = help.lines().filter(|line| line.starts_with("  ") && line.as_bytes()[2].is_ascii_lowercase());
-    assert_eq!(commands.count(), 18, "{help}");
+    assert_eq!(commands.count(), 19, "{help}");
 }

@@ -40,6 +40,7 @@ mod pictures;
 mod plan;
 mod resolve;
 mod runs;
+mod scoreboard;
 mod scorecard;
 mod show;
 mod shrink;

@@ -225,3 +225,41 @@ fn a_folder_without_engines_says_how_to_begin() {
     let said = "engines has no engines; `predicament engines new NAME --language LANGUAGE` writes one there";
     assert!(none.code == 4 && none.stderr.contains(said), "{}", none.stderr);
 }
+
+#[test]
+#[ignore = "needs Python"]
+fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
+    let folder = tempdir().unwrap();
+    let all = [
+        "overlay2d",
+        "mesh-intersect",
+        "delaunay2d",
+        "hull2d",
+        "hull3d",
+        "triangulate",
+        "polygon-locate",
+        "mesh-locate",
+    ];
+    for task in &all[..some_or_all(3, all.len())] {
+        let new = call(folder.path(), &["engines", "new", task, "--language", "python", "--task", task]);
+        assert_eq!(new.code, 0, "{task}: {}", new.stderr);
+        let checked = call(folder.path(), &["engines", "check", task]);
+        assert!(checked.code == 0 && checked.stdout.contains(&format!("tasks {task}")), "{task}: {}", checked.stdout);
+        let run = new.stdout.lines().last().unwrap().trim();
+        let words: Vec<&str> = run.split(' ').skip(1).chain(["--out", task]).collect();
+        let told = call(folder.path(), &words);
+        assert_eq!(told.code, 100, "{run}: {}", told.stderr);
+        let summary = std::fs::read_to_string(folder.path().join(task).join("summary.csv")).unwrap();
+        let header: Vec<&str> = summary.lines().next().unwrap().split(',').collect();
+        let column = |name: &str| header.iter().position(|of| *of == name).unwrap();
+        let rows = summary.lines().filter(|line| line.contains(&format!(",{task},engine:{task},")));
+        let rows: Vec<Vec<&str>> = rows.map(|line| line.split(',').collect()).collect();
+        let right = rows.iter().filter(|row| row.last() == Some(&"ok")).count();
+        assert!(right > 0, "{task}: some answers are right, of {}", rows.len());
+        assert!(rows.iter().all(|row| row[column("timeout")] == "0"), "{task}: nothing takes long");
+    }
+    let refused = call(folder.path(), &["engines", "new", "x", "--language", "cpp", "--task", "hull2d"]);
+    assert!(refused.code == 2 && refused.stderr.contains("--task writes engines in Python"), "{}", refused.stderr);
+    let refused = call(folder.path(), &["engines", "new", "x", "--language", "python", "--task", "hull4d"]);
+    assert!(refused.code == 2 && refused.stderr.contains("hull2d"), "{}", refused.stderr);
+}

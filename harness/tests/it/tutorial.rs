@@ -55,8 +55,8 @@ fn jobs_with_the_tool_alone_go_as_they_are_written() {
 
 #[test]
 #[ignore = "needs Python"]
-fn the_job_in_python_goes_as_it_is_written() {
-    goes((4, 5));
+fn the_jobs_in_python_go_as_they_are_written() {
+    [(4, 5), (6, 6)].into_iter().for_each(goes);
 }
 
 /// A job by its number goes as it is written, and has so many commands.

@@ -2,6 +2,7 @@
 
 mod doctor;
 mod new;
+mod whole;
 
 use predicament_engines::{Config, Engine, EngineError, FOLDER, PREFIX, Step, all, chore, find, folder};
 use predicament_predicates::{Backend, PredicateKind, ZeroMeaning};

@@ -7,6 +7,7 @@ use clap::ValueEnum;
 use predicament_engines::{FILE, NAME_RULE, PREFIX, folder, is_name};
 use predicament_records::replace;
 
+use super::whole;
 use crate::exit::{self, Failure};
 use crate::out::{program, word};
 
@@ -16,6 +17,7 @@ helper that speaks the protocol is written beside it: the folder needs no other 
 
 Examples:
   predicament engines new mine --language python
+  predicament engines new mine --language python --task overlay2d   instead of predicates, a task
   predicament engines new mine --language cpp --out tools/mine   into a folder of your choice";
 
 /// The run that the command prints: scenes on which plain determinants are wrong.
@@ -47,6 +49,10 @@ pub struct Args {
     /// The language of the engine
     #[arg(long, value_enum)]
     pub language: Language,
+
+    /// Answer a whole task instead of predicates, such as delaunay2d; in Python
+    #[arg(long, value_name = "TASK")]
+    pub task: Option<String>,
 
     /// The folder to write; $PREDICAMENT_ENGINES/NAME or engines/NAME if left out. An existing folder is not touched
     #[arg(long, value_name = "DIR")]
@@ -164,7 +170,7 @@ impl Template {
 
 /// Runs the command.
 pub fn run(args: &Args) -> exit::Outcome {
-    let Args { name, language, out } = args;
+    let Args { name, language, task, out } = args;
     if !is_name(name) {
         return Err(Failure::usage(format!("`{name}` is not a valid name of an engine; {NAME_RULE}")));
     }
@@ -172,9 +178,16 @@ pub fn run(args: &Args) -> exit::Outcome {
         return Err(Failure::usage(format!("-b would take the engine `{name}` for a file; name it `{short}`")));
     }
     let template = language.template();
+    let whole = task.as_deref().map(|task| whole::source(name, task, *language)).transpose()?;
     let into = out.clone().unwrap_or_else(|| folder().join(name));
     make(&into)?;
-    let files = template.files(name);
+    let mut files = template.files(name);
+    if let Some((source, _)) = &whole {
+        files.retain(|(path, _)| *path != README.0);
+        if let Some((_, text)) = files.iter_mut().find(|(path, _)| *path == template.source.0) {
+            text.clone_from(source);
+        }
+    }
     for (path, text) in &files {
         write(&into.join(path), text).map_err(|Failure { message, code }| {
             let message = format!("{message}; remove {} before you try again", into.display());
@@ -183,9 +196,14 @@ pub fn run(args: &Args) -> exit::Outcome {
     }
     let paths: Vec<&str> = files.iter().map(|(path, _)| *path).collect();
     say!("{}: written: {}", into.display(), paths.join(", "));
-    say!("Replace the predicates in {} by calls of your library. Next:", into.join(template.source.0).display());
+    let what = if whole.is_some() { "function" } else { "predicates" };
+    say!("Replace the {what} in {} by calls of your library. Next:", into.join(template.source.0).display());
     let reference = if out.is_some() { into.join(FILE).display().to_string() } else { name.clone() };
-    for line in next(&reference, template.first) {
+    let commands = match whole {
+        Some((_, suites)) => whole::next(&reference, suites),
+        None => next(&reference, template.first),
+    };
+    for line in commands {
         say!("  {line}");
     }
     Ok(exit::OK)

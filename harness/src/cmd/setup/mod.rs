@@ -8,7 +8,7 @@ mod shell;
 use crate::exit;
 use crate::tool::Tool;
 
-/// The tool itself: check the environment, test the checks, cite, completions, manual pages
+/// The tool itself: check the environment, test the checks, cite, completions, man pages
 #[derive(clap::Args)]
 pub struct Args {
     #[command(subcommand)]

@@ -24,7 +24,8 @@ pub fn question(spelled: &Spelled) -> Result<Arrays, Declined> {
             arrays.add(*key, Array::Word(value.trim_matches('"').to_owned()));
         }
     }
-    for list in &spelled.lists {
+    // A scene does not have what it may leave out.
+    for list in spelled.lists.iter().filter(|list| list.least > 0 || !list.items.is_empty()) {
         add(&mut arrays, list);
     }
     Ok(arrays)

@@ -16,7 +16,7 @@ predicament_records::table! {
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The part of the answer: `union`, `intersection`, …
+        /// The part of the answer: `union`, `intersection`, …; `answer` for the whole, which has no distance.
         pub part: String,
         /// The number of vertices of the part.
         pub vertices: u64,
@@ -55,7 +55,7 @@ pub fn add_row<T: Task>(
         vertices: vertices as u64,
         distance: far.distance,
         distance_ulps: far.distance / bound.unit,
-        distance_over_l: far.distance / bound.extent,
+        distance_over_l: if bound.extent > 0.0 { far.distance / bound.extent } else { 0.0 },
         class: far.class.name().to_owned(),
         nanoseconds: reply.nanoseconds,
         bytes: reply.bytes.unwrap_or(0),

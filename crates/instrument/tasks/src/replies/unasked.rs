@@ -1,13 +1,15 @@
 //! The session of a program: judges of whole answers do not query it.
 
-use predicament_predicates::{Axis, Broken, Class, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Vertex};
+use predicament_predicates::{
+    Broken, Class, Declined, PredicateKind, Predicates, Question, Scene, Sign, Vertex, answer_by,
+};
 
 /// A session without predicates.
 pub(super) struct Unasked<'s>(pub &'s Scene);
 
 impl Unasked<'_> {
-    fn refuse(&self) -> ! {
-        let message = "the program answers whole scenes, not single predicates".to_owned();
+    fn refuse<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
+        let message = format!("{}: the program answers whole scenes, not single predicates", question.query(&args));
         Broken { class: Class::Declined, check: "query", message }.throw()
     }
 }
@@ -21,23 +23,5 @@ impl Predicates for Unasked<'_> {
         Err(Declined::predicate(kind, "the program answers whole scenes"))
     }
 
-    fn compare(&self, _: Axis, _: Vertex, _: Vertex) -> Sign {
-        self.refuse()
-    }
-
-    fn orient2d(&self, _: Plane, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        self.refuse()
-    }
-
-    fn orient3d(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        self.refuse()
-    }
-
-    fn incircle(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        self.refuse()
-    }
-
-    fn insphere(&self, _: Vertex, _: Vertex, _: Vertex, _: Vertex, _: Vertex) -> Sign {
-        self.refuse()
-    }
+    answer_by!(refuse);
 }

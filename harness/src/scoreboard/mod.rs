@@ -1,0 +1,16 @@
+//! The scoreboard: libraries side by side on the tasks that are open to other programs.
+//!
+//! * `figures`: what the runs say about each library, by task and suite.
+//! * `page`: the pages, one for each task, and the table of all figures.
+//! * `smallest`: the smallest scene behind a cell, as a suite and as a picture.
+//!
+//! What a cell says about a library depends on that library's own rows alone. Times are compared on scenes that both
+//! libraries have answered, and the number of these stands beside the ratio.
+
+mod figures;
+mod page;
+mod smallest;
+
+pub use figures::Board;
+pub use page::{csv, index, page};
+pub use smallest::shown;

@@ -1,0 +1,7 @@
+"""The engine {name}. It answers the task {task}, in plain doubles: near a degenerate case the answer is wrong.
+
+REPLACE the body of `{function}` by a call of your library. The head of predicament_engine.py has the parameters and the
+results of all tasks.
+"""
+
+import predicament_engine
