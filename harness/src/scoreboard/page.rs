@@ -74,7 +74,7 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
     let names: Vec<String> = suites.iter().map(|suite| format!("`{suite}`")).collect();
     let _ = writeln!(text, "| library | {} |\n|---|{}", names.join(" | "), "---|".repeat(suites.len()));
     for (name, row) in rows {
-        let cells = suites.iter().map(|suite| row.suites.get(*suite).map_or_else(String::new, |cell| brief(cell)));
+        let cells = suites.iter().map(|suite| row.suites.get(*suite).map_or_else(String::new, brief));
         let _ = writeln!(text, "| `{name}` | {} |", cells.collect::<Vec<_>>().join(" | "));
     }
     if !shown.is_empty() {
