@@ -167,6 +167,7 @@ pub fn run(ask: &Ask<'_>) -> exit::Outcome {
     let mut search = Search::new(sketches, &folder, known);
     let first = || {
         folder.record(&digest(&originals), true)?;
+        folder.kept(&written, before)?;
         if written == originals { Ok(()) } else { folder.record(&digest(&written), true) }
     };
     let halt = if is_new { first() } else { Ok(()) }.and_then(|()| search.run());

@@ -27,6 +27,17 @@ pub type Digest = [u8; 32];
 /// The maximum number of coordinates that are shortened one at a time.
 pub const MOST_SINGLE: usize = 300;
 
+/// The removals, in their order.
+const CUTS: [(Count, Without); 7] = [
+    (cuts::parts, cuts::without_parts),
+    (cuts::items, cuts::without_items),
+    (cuts::loops, cuts::without_loops),
+    (cuts::points, cuts::without_points),
+    (cuts::mergeable, cuts::MERGED[0]),
+    (cuts::mergeable, cuts::MERGED[1]),
+    (cuts::mergeable, cuts::MERGED[2]),
+];
+
 /// The reason why shrinking files ends early.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub enum Halt {
@@ -91,18 +102,9 @@ impl<'c> Search<'c> {
     /// # Errors
     /// [`Halt`] if the search ends early; `best` has the smallest files so far.
     pub fn run(&mut self) -> Result<(), Halt> {
-        let cuts: [(Count, &[Without]); 5] = [
-            (cuts::parts, &[cuts::without_parts]),
-            (cuts::items, &[cuts::without_items]),
-            (cuts::loops, &[cuts::without_loops]),
-            (cuts::points, &[cuts::without_points]),
-            (cuts::mergeable, &cuts::MERGED),
-        ];
         loop {
             let before = self.sizes;
-            for (count, all) in &cuts {
-                all.iter().try_for_each(|without| self.leave_out(*count, *without))?;
-            }
+            self.leave_out()?;
             self.shorten()?;
             if self.sizes == before {
                 return Ok(());
@@ -110,31 +112,42 @@ impl<'c> Search<'c> {
         }
     }
 
-    /// Removes as many pieces as it can: by halves, then by smaller and smaller chunks, from the last piece to the
-    /// first, until no single piece can be removed.
-    fn leave_out(&mut self, count: Count, without: Without) -> Result<(), Halt> {
-        let n = count(&self.best);
-        let mut chunk = n.div_ceil(2);
-        while chunk > 0 {
-            let mut end = count(&self.best);
-            let mut has_changed = false;
-            while end > 0 {
-                let best = self.best.clone();
-                let range = |at: usize| -> Option<Range<usize>> {
-                    let end = end.checked_sub(at * chunk).filter(|&end| end > 0)?;
-                    Some(end.saturating_sub(chunk)..end)
-                };
-                let candidates = (0..).map_while(range).map(|range| without(&best, &range));
-                let Some(taken) = self.first(candidates)? else { break };
-                has_changed = true;
-                let start = range(taken).map_or(0, |range| range.start);
-                end = start.min(count(&self.best));
+    /// Removes as many pieces as it can, by halves, then by smaller and smaller chunks, until no single piece can be
+    /// removed. All kinds of pieces are tried at one size of chunks before the next: no face of a closed mesh can be
+    /// removed, so its points have to become few before single faces are tried.
+    fn leave_out(&mut self) -> Result<(), Halt> {
+        let mut parts = 2;
+        loop {
+            let (mut is_finest, mut has_changed) = (true, false);
+            for (count, without) in CUTS {
+                let chunk = count(&self.best).div_ceil(parts);
+                is_finest &= chunk <= 1;
+                has_changed |= chunk > 0 && self.sweep(count, without, chunk)?;
             }
-            if !(has_changed && chunk == 1) {
-                chunk = if chunk == 1 { 0 } else { chunk.div_ceil(2) };
+            if is_finest && !has_changed {
+                return Ok(());
             }
+            parts *= if is_finest { 1 } else { 2 };
         }
-        Ok(())
+    }
+
+    /// Tries to remove each chunk of pieces, from the last to the first; true if it has removed one.
+    fn sweep(&mut self, count: Count, without: Without, chunk: usize) -> Result<bool, Halt> {
+        let mut end = count(&self.best);
+        let mut has_changed = false;
+        while end > 0 {
+            let best = self.best.clone();
+            let range = |at: usize| -> Option<Range<usize>> {
+                let end = end.checked_sub(at * chunk).filter(|&end| end > 0)?;
+                Some(end.saturating_sub(chunk)..end)
+            };
+            let candidates = (0..).map_while(range).map(|range| without(&best, &range));
+            let Some(taken) = self.first(candidates)? else { break };
+            has_changed = true;
+            let start = range(taken).map_or(0, |range| range.start);
+            end = start.min(count(&self.best));
+        }
+        Ok(has_changed)
     }
 
     /// Makes coordinates shorter: all at once, by column, then each.
