@@ -1,0 +1,42 @@
+"""GEOS through shapely. A polygon of GEOS has one outer ring and holes in it, so the rings of an operand go in one by one:
+their symmetric difference is the even-odd rule. A ring that crosses itself is first made valid, which keeps that rule.
+"""
+
+import functools
+import sys
+
+sys.path.insert(0, "../python")
+
+import predicament_engine
+import shapely
+
+
+def region(rings):
+    if any(len(ring) < 3 for ring in rings):
+        raise predicament_engine.Declined("a ring has fewer than three points")
+    polygons = [shapely.make_valid(shapely.Polygon(ring)) for ring in rings]
+    return functools.reduce(shapely.symmetric_difference, polygons, shapely.Polygon())
+
+
+def polygons(geometry):
+    """The polygons of a geometry, which can also have points and lines."""
+    if geometry.geom_type == "Polygon":
+        rings = [] if geometry.is_empty else [geometry.exterior, *geometry.interiors]
+        return [[list(ring.coords) for ring in rings]] if rings else []
+    return [polygon for part in getattr(geometry, "geoms", []) for polygon in polygons(part)]
+
+
+def overlay(first, second, rule):
+    if rule != "even-odd":
+        raise predicament_engine.Declined("GEOS has no rule of nonzero winding numbers")
+    a, b = region(first), region(second)
+    return {
+        "union": polygons(shapely.union(a, b)),
+        "intersection": polygons(shapely.intersection(a, b)),
+        "difference": polygons(shapely.difference(a, b)),
+        "symmetric-difference": polygons(shapely.symmetric_difference(a, b)),
+    }
+
+
+version = f"{shapely.__version__}, GEOS {'.'.join(map(str, shapely.geos_version))}"
+predicament_engine.serve(predicament_engine.Engine("shapely", version).task("overlay2d", overlay))
