@@ -9,7 +9,7 @@ use crate::common::{Told, told, tool, write};
 
 /// Signs of turns by exact expansions: products in two parts without fused operations, then a sum without error.
 /// `compare` never rounds. The engine refuses to be compiled for x87.
-const EXACT: &str = "#include <float.h>\n#if FLT_EVAL_METHOD == 2\n#error \"an x87 unit\"\n#endif\n#include <predicament_engine.hpp>\n\
+const EXACT: &str = "#include <float.h>\n#if FLT_EVAL_METHOD == 2\n#include <no-x87>\n#endif\n#include <predicament_engine.hpp>\n\
 struct Exact {\n\
   static constexpr const char* name = \"exact-cpp\";\n\
   static constexpr predicament::Zero zero = predicament::Zero::exact;\n\
@@ -53,7 +53,7 @@ fn doctor(engines: &TempDir, options: &[&str]) -> Told {
     told(command.env("PREDICAMENT_ENGINES", engines.path()).output().unwrap())
 }
 
-const BUILD: &str = "[\"c++\", \"-std=c++17\", \"-O1\", \"-I\", \"../include\", \"engine.cpp\", \"-o\", \"engine\"]";
+const BUILD: &str = "[\"c++\", \"-std=c++17\", \"-O0\", \"-I\", \"../include\", \"engine.cpp\", \"-o\", \"engine\"]";
 
 /// Red if the flags do not reach the compiler, or if a setting is blamed for errors of the engine's own build (the
 /// families of wide exponents, in which the products underflow).
