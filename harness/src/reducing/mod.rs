@@ -240,11 +240,16 @@ fn first_check(trial: &Trial, state: &State, originals: &[Vec<u8>], written: &[V
     Ok(())
 }
 
-/// Reads the condition of a folder.
+/// Reads the condition of a folder. The folder may be a stranger's: its names must not lead out of it.
 fn recorded(folder: &Path) -> Result<State, Failure> {
     let file = folder.join(STATE);
     let text = std::fs::read(&file).map_err(Failure::io(&file))?;
-    serde_json::from_slice(&text).map_err(|error| Failure::usage(format!("{}: {error}", file.display())))
+    let state: State = serde_json::from_slice(&text)
+        .map_err(|error| Failure::usage(format!("{}: {error}; start anew", file.display())))?;
+    match state.names.iter().find(|name| Path::new(name).file_name() != Some(name.as_ref())) {
+        None => Ok(state),
+        Some(name) => Err(Failure::usage(format!("{}: `{name}` is not a name of a file; start anew", file.display()))),
+    }
 }
 
 /// Makes the folder, or opens it again: its journal, and the results in the journal.

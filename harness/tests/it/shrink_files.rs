@@ -140,6 +140,12 @@ fn a_killed_search_goes_on_and_ends_as_if_it_had_not_been_killed() {
     assert!(refused.contains("write the command again after `--`"), "{refused}");
     let refused = expect(2, &["shrink", "--resume", &cut, "--", "false", "{}"]).stderr;
     assert!(refused.contains("is not the same") && refused.contains("--resume"), "{refused}");
+    // A folder of a stranger does not write elsewhere.
+    let state = read(&cut, "files.json");
+    fs::write(format!("{cut}/files.json"), state.replace("\"a.off\"", "\"../a.off\"")).unwrap();
+    let refused = expect(2, &[&["shrink", "--resume", &cut], &command[..]].concat()).stderr;
+    assert!(refused.contains("`../a.off` is not a name of a file"), "{refused}");
+    fs::write(format!("{cut}/files.json"), state).unwrap();
     let told = expect(0, &[&["shrink", "--resume", &cut, "--threads", "1", "-q"], &command[..]].concat());
     assert_eq!((read(&cut, "a.off"), lines(&cut)), (read(&whole, "a.off"), all), "{}", told.stdout);
     assert!(told.stdout.contains(&format!("{all} runs of the command")), "{}", told.stdout);
