@@ -1,9 +1,11 @@
 //! The judge of other programs' Boolean operations on solids.
 
-use predicament_judge::nearest;
+use std::collections::BTreeMap;
+
+use predicament_judge::{nearest, sign};
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
-use predicament_predicates::{Declined, Scene, Vertex};
+use predicament_predicates::{Declined, Plane, Question, Scene, Vertex};
 use predicament_tasks::replies::{
     Array, Arrays, Bound, FORM, Form, Malformed, Mesh, Part, Replies, Reply, SpoiledReply, Unjudged, add_row, note,
 };
@@ -40,7 +42,7 @@ impl Replies<MeshIntersect> for Judge {
         }
     }
 
-    /// Declines meshes of several materials, and surfaces that are not closed.
+    /// Declines meshes of several materials, and surfaces that are not closed manifolds.
     fn open(&self, scene: &Scene, content: &TwoMeshes) -> Result<(), Declined> {
         let is_plain = |sides: &[u32; 2]| *sides == [OUTSIDE, 1];
         if content.meshes.iter().any(|mesh| !mesh.sides().iter().all(is_plain)) {
@@ -50,7 +52,8 @@ impl Replies<MeshIntersect> for Judge {
         if super::flaw::is_refused(scene, [first, second]) {
             return Err(Declined::scene("an operand is not the surface of a solid"));
         }
-        Ok(())
+        let flaw = content.meshes.iter().find_map(|mesh| not_manifold(scene, mesh.triangles()));
+        flaw.map_or(Ok(()), |why| Err(Declined::scene(format!("an operand {why}, which libraries exclude"))))
     }
 
     fn judge(
@@ -126,7 +129,7 @@ impl Replies<MeshIntersect> for Judge {
             None => [f64::NAN; 3],
         };
         for (operation, triangles) in Operation::ALL.into_iter().zip(&answer.solids) {
-            let mut numbers = std::collections::BTreeMap::new();
+            let mut numbers = BTreeMap::new();
             for v in triangles.as_flattened() {
                 let next = u32::try_from(numbers.len()).unwrap_or(u32::MAX);
                 numbers.entry(*v).or_insert(next);
@@ -253,6 +256,26 @@ impl Replies<MeshIntersect> for Judge {
 
 /// The backend whose answers are spoiled: it answers all scenes.
 const BACKEND: &str = "sos:per-mesh";
+
+/// The reason why a mesh is not a manifold, as libraries require; `None` if it is one.
+///
+/// Points at one place are one point. Each edge has one triangle on either side, in opposite directions, and each
+/// triangle has an area. (Solids that share an edge or that are folded flat are legal scenes of the task.)
+fn not_manifold(scene: &Scene, triangles: &[[Vertex; 3]]) -> Option<&'static str> {
+    let key = |v: Vertex| scene.point3(v).map(|x| (x + 0.0).to_bits());
+    let mut edges: BTreeMap<[[u64; 3]; 2], [u32; 2]> = BTreeMap::new();
+    for triangle in triangles {
+        let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
+        if planes.into_iter().all(|plane| sign(scene, Question::Orient2d(plane), triangle).is_zero()) {
+            return Some("has a triangle without area");
+        }
+        let [a, b, c] = triangle.map(key);
+        for [p, q] in [[a, b], [b, c], [c, a]] {
+            edges.entry([p.min(q), p.max(q)]).or_default()[usize::from(p < q)] += 1;
+        }
+    }
+    edges.values().any(|uses| *uses != [1, 1]).then_some("has an edge with other than two triangles")
+}
 
 /// The law behind a check.
 fn means(check: &str) -> &'static str {
