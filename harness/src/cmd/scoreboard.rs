@@ -16,7 +16,8 @@ tasks that are open to other programs.
 
 Examples:
   predicament run delaunay hulls -b engine:scipy-qhull,engine:spade,exact --out run
-  predicament scoreboard run --out scoreboard
+  predicament bench --judged run --out bench -b engine:scipy-qhull,engine:spade,exact
+  predicament scoreboard run bench --out scoreboard          with times and memory
   predicament scoreboard run-1 run-2 --out scoreboard      engines that were run apart";
 
 /// Compare libraries on whole tasks: scenes right, rounded, broken, times, memory
@@ -26,7 +27,7 @@ Examples:
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// Folders written by `run`; if several have the same pair of scene and backend, the first counts
+    /// Folders written by `run` and `bench`; if several have the same pair of scene and backend, the first counts
     #[arg(required = true, value_name = "RUN")]
     pub runs: Vec<PathBuf>,
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_records::{Error, RunDir, SummaryRow};
+use predicament_records::{Error, PhaseRow, RunDir, SummaryRow};
 use predicament_tasks::replies::ReplyRow;
 use predicament_tasks::{AnyTask, Class};
 
@@ -81,8 +81,9 @@ pub struct Row {
     pub ulps: Vec<f64>,
     /// The largest distance of all, as a part of the scene's extent.
     pub worst_over_l: f64,
-    /// The nanoseconds of each scene that was answered, by the program's own clock.
-    pub nanoseconds: BTreeMap<String, u64>,
+    /// The nanoseconds per query of each family of scenes that a bench has timed: the median of its samples, by the
+    /// program's own clock.
+    pub nanoseconds: BTreeMap<String, f64>,
     /// The most memory of the program, in bytes.
     pub bytes: u64,
 }
@@ -103,13 +104,12 @@ impl Row {
         all
     }
 
-    /// The geometric mean of the ratios of times to another library's, and the number of scenes that both answered.
+    /// The geometric mean of the ratios of times to another library's, and the number of families that both have times
+    /// of.
     pub fn ratio(&self, to: &Row) -> Option<(f64, usize)> {
-        // (Times below 2^52 ns, 52 days, are doubles.)
-        #[allow(clippy::cast_precision_loss)]
-        let logarithm = |(scene, &time): (&String, &u64)| {
-            let other = *to.nanoseconds.get(scene)?;
-            (time > 0 && other > 0).then(|| (time as f64 / other as f64).ln())
+        let logarithm = |(family, &time): (&String, &f64)| {
+            let other = *to.nanoseconds.get(family)?;
+            (time > 0.0 && other > 0.0).then(|| (time / other).ln())
         };
         let all: Vec<f64> = self.nanoseconds.iter().filter_map(logarithm).collect();
         let count = u32::try_from(all.len()).ok().filter(|&count| count > 0)?;
@@ -160,17 +160,12 @@ impl Board {
                 let Some(library) = board.tasks.get_mut(&row.task).and_then(|task| task.get_mut(&row.backend)) else {
                     continue;
                 };
-                if first.get(&key) != Some(&at) {
-                    continue;
-                }
-                library.bytes = library.bytes.max(row.bytes);
-                if row.part == WHOLE {
-                    library.nanoseconds.insert(row.scene_id.clone(), row.nanoseconds);
-                } else {
+                if first.get(&key) == Some(&at) {
                     library.ulps.push(row.distance_ulps);
                     library.worst_over_l = library.worst_over_l.max(row.distance_over_l);
                 }
             }
+            board.add_times(run)?;
         }
         for task in board.tasks.values_mut() {
             // A library that declines a whole task does not offer it.
@@ -184,5 +179,25 @@ impl Board {
     }
 }
 
-/// The part of `replies.csv` that stands for the whole answer.
-const WHOLE: &str = "answer";
+impl Board {
+    /// Adds the times and the memory of a bench.
+    fn add_times(&mut self, run: &RunDir) -> Result<(), Error> {
+        let mut samples: BTreeMap<[String; 3], Vec<f64>> = BTreeMap::new();
+        for row in run.throughput.iter() {
+            let key = [row.task.clone(), row.backend.clone(), row.family.clone()];
+            samples.entry(key).or_default().push(row.ns_per_query);
+        }
+        for ([task, backend, family], mut times) in samples {
+            let Some(library) = self.tasks.get_mut(&task).and_then(|task| task.get_mut(&backend)) else { continue };
+            times.sort_by(f64::total_cmp);
+            library.nanoseconds.entry(family).or_insert(times[times.len() / 2]);
+        }
+        for row in run.rows::<PhaseRow>()?.iter() {
+            let library = self.tasks.get_mut(&row.task).and_then(|task| task.get_mut(&row.backend));
+            if let (Some(library), Some(bytes)) = (library, row.bytes) {
+                library.bytes = library.bytes.max(bytes);
+            }
+        }
+        Ok(())
+    }
+}

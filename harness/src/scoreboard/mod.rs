@@ -4,8 +4,8 @@
 //! * `page`: the pages, one for each task, and the table of all figures.
 //! * `smallest`: the smallest scene behind a cell, as a suite and as a picture.
 //!
-//! What a cell says about a library depends on that library's own rows alone. Times are compared on scenes that both
-//! libraries have answered, and the number of these stands beside the ratio.
+//! What a cell says about a library depends on that library's own rows alone. Times are compared on families of scenes
+//! that a bench has timed on both libraries, and the number of these stands beside the ratio.
 
 mod figures;
 mod page;

@@ -45,7 +45,7 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
     let of = reference.as_ref().and_then(|name| rows.get(name));
     text += "Scenes by their worst finding. *Broken* is a wrong answer, *rounded* one that is off by its rounding, \
              *failed* an exception, a crash or a timeout. Distances are those of the farthest vertex of each result.\n\n";
-    let unit = reference.as_deref().map_or_else(|| "time".to_owned(), |name| format!("time / `{name}` (scenes)"));
+    let unit = reference.as_deref().map_or_else(|| "time".to_owned(), |name| format!("time / `{name}` (families)"));
     let _ = writeln!(
         text,
         "| library | scenes | right | rounded | broken | failed | declined | median | worst | worst / L | {unit} | memory |"

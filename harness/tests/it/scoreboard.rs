@@ -12,7 +12,11 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     let (of_delaunay, out) = (at(&folder, "run"), at(&folder, "scoreboard"));
     // (The errors of naive are known.)
     assert_eq!(run(&["run", "delaunay", "-b", "exact,naive", "--out", &of_delaunay]).code, 0);
-    let told = run(&["scoreboard", &of_delaunay, "--out", &out]);
+    let timed = at(&folder, "bench");
+    let bench =
+        ["bench", "--judged", &of_delaunay, "-f", "uniform", "-b", "exact,naive", "--samples", "1", "--out", &timed];
+    assert_eq!(run(&bench).code, 0);
+    let told = run(&["scoreboard", &of_delaunay, &timed, "--out", &out]);
     assert_eq!(told.code, 0, "{}", told.stderr);
     let page = fs::read_to_string(format!("{out}/delaunay2d.md")).unwrap();
     let row = |name: &str| {
@@ -24,6 +28,9 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     // Scenes, and then right, rounded, broken, failed and declined ones.
     assert_eq!((naive[0], naive[1..].iter().sum::<usize>()), (scenes, scenes));
     assert!(naive[3] > 0, "{page}");
+    // The unit of times is the library with most right scenes, on the one family that was timed.
+    let exact = page.lines().find(|line| line.starts_with("| `exact` |")).unwrap();
+    assert!(exact.contains("| 1.00 (1) |") && page.contains("time / `exact` (families)"), "{exact}");
     // The smallest broken scene is there as a suite, and naive is wrong on it.
     let smallest = format!("{out}/scenes/delaunay2d-naive-broken.toml");
     assert!(page.contains("scenes/delaunay2d-naive-broken.toml") && page.contains("delaunay2d-naive-broken.svg"));

@@ -131,7 +131,7 @@ impl Backend for Engine {
 
     /// The engine, asked for predicates that return at once.
     fn binding(&self) -> Option<Engine> {
-        (!self.empty).then(|| Engine { shared: Arc::clone(&self.shared), empty: true })
+        (!self.empty && !self.predicates().is_empty()).then(|| Engine { shared: Arc::clone(&self.shared), empty: true })
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, tally: T) -> Result<Session<'s>, Declined> {

@@ -177,8 +177,6 @@ pub(crate) fn judge<T: Task>(
     reply: &Reply,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
-    let whole = Far { distance: 0.0, class: Class::Agree, within: 0.0 };
-    add_row(case, asked, reply, ("answer", 0), (&Bound::of(case.scene(), [&[], &[]]), &whole), outcome);
     match judge.judge(case, asked, reply, outcome) {
         Ok(()) => {
             if outcome.findings.is_empty() && outcome.counts.get(Class::Agree) == 0 {

@@ -1,6 +1,7 @@
-//! The table of other programs' answers: how far they are rounded, and what they cost.
+//! The table of other programs' answers: how far they are rounded. (Their times are those of a bench: a table of a run
+//! has the same bytes whenever it runs.)
 
-use super::{Bound, Far, Reply};
+use super::{Bound, Far};
 use crate::{Asked, Case, Outcome, Task};
 
 predicament_records::table! {
@@ -16,7 +17,7 @@ predicament_records::table! {
         pub task: String,
         /// The backend's name, with its parameters.
         pub backend: String,
-        /// The part of the answer: `union`, `intersection`, …; `answer` for the whole, which has no distance.
+        /// The part of the answer: `union`, `intersection`, …
         pub part: String,
         /// The number of vertices of the part.
         pub vertices: u64,
@@ -28,10 +29,6 @@ predicament_records::table! {
         pub distance_over_l: f64 ["L"],
         /// The class of the distance: `agree` for a few units, `rounded`, or `topology` if it is too large.
         pub class: String,
-        /// The time of the whole answer, by the program's own clock.
-        pub nanoseconds: u64 ["ns"],
-        /// The most memory that the program has had, if it says so; else 0.
-        pub bytes: u64 ["bytes"],
     }
 }
 
@@ -39,7 +36,6 @@ predicament_records::table! {
 pub fn add_row<T: Task>(
     case: &Case<'_, T>,
     asked: &Asked<'_>,
-    reply: &Reply,
     (part, vertices): (&str, usize),
     (bound, far): (&Bound, &Far),
     outcome: &mut Outcome,
@@ -57,7 +53,5 @@ pub fn add_row<T: Task>(
         distance_ulps: far.distance / bound.unit,
         distance_over_l: if bound.extent > 0.0 { far.distance / bound.extent } else { 0.0 },
         class: far.class.name().to_owned(),
-        nanoseconds: reply.nanoseconds,
-        bytes: reply.bytes.unwrap_or(0),
     });
 }

@@ -38,8 +38,6 @@ fn reply() -> ReplyRow {
         distance_ulps: 2.0,
         distance_over_l: 0.125,
         class: "rounded".to_owned(),
-        nanoseconds: 3,
-        bytes: 4,
     }
 }
 

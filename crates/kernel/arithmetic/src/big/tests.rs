@@ -77,3 +77,15 @@ fn zero_has_no_limbs_and_no_sign() {
     assert_eq!(BigInt::ZERO.gcd(&-BigInt::from(6)), BigInt::from(6));
     assert_eq!(BigInt::ZERO.div_exact(&BigInt::from(6)), BigInt::ZERO);
 }
+
+/// A quotient that three limbs overestimate: the divisor is added back (Knuth, algorithm D, step D6).
+#[test]
+fn a_remainder_is_right_where_a_quotient_was_estimated_too_large() {
+    let top = 1 << 63;
+    for (number, divisor) in [([0, 0, top, top - 1], [1, 0, top]), ([3, 0, top, top - 1], [5, 0, top])] {
+        let mut rest = number.to_vec();
+        super::divisor::remainder(&mut rest, &divisor);
+        let [number, divisor] = [&number[..], &divisor].map(|limbs| Integer::from_digits(limbs, Order::Lsf));
+        assert_eq!(Integer::from_digits(&rest, Order::Lsf), number % divisor);
+    }
+}

@@ -89,7 +89,7 @@ impl Replies<MeshIntersect> for Judge {
             let name = operation.name();
             let used = used(&mesh);
             let far = bound.class(solids.farthest(&used, bound.nearest));
-            add_row(case, asked, reply, (name, used.len()), (&bound, &far), outcome);
+            add_row(case, asked, (name, used.len()), (&bound, &far), outcome);
             if far.class != Class::Agree {
                 let got = format!("{name}: a vertex is {} off", bound.told(far.distance));
                 note(outcome, far.class, OFF, got, OFF_MEANS);

@@ -80,7 +80,7 @@ impl Replies<Overlay2d> for Judge {
             let name = operation.name();
             let far = bound.class(operands.farthest(&result, bound.nearest));
             let vertices = result.iter().flatten().map(Vec::len).sum();
-            add_row(case, asked, reply, (name, vertices), (&bound, &far), outcome);
+            add_row(case, asked, (name, vertices), (&bound, &far), outcome);
             match far.class {
                 Class::Agree => {}
                 class => {
