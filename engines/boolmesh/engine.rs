@@ -3,6 +3,9 @@
 use boolmesh::prelude::*;
 use predicament_engine::{Engine, Mesh, Results, Task, locked, serve};
 
+/// The crate's error for a result without points.
+const EMPTY: &str = "empty pos matrix";
+
 #[derive(Default)]
 struct Booleans;
 
@@ -16,7 +19,11 @@ impl Engine for Booleans {
 
     fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {
         let [a, b] = [solid(first)?, solid(second)?];
-        let result = |operation| compute_boolean(&a, &b, operation).map(|made| Some(mesh(&made)));
+        let result = |operation| match compute_boolean(&a, &b, operation) {
+            Ok(made) => Ok(Some(mesh(&made))),
+            Err(error) if error == EMPTY => Ok(Some(Mesh::default())),
+            Err(error) => Err(error),
+        };
         Ok(Results {
             union: result(OpType::Add)?,
             intersection: result(OpType::Intersect)?,

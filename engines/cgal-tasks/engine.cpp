@@ -1,6 +1,7 @@
 // CGAL's whole algorithms. Delaunay triangulations, hulls and points in meshes on Epick: exact predicates on doubles. Boolean
 // operations on exact numbers: polygons on Epeck, an operand as the symmetric difference of its rings, which is the even-odd
-// rule; solids by corefinement with exact points, which declines meshes that it cannot bound a volume with.
+// rule; solids by corefinement with exact points. Corefinement excludes operands that intersect themselves or do not bound a
+// volume: such scenes are declined.
 
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -8,6 +9,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
@@ -40,7 +42,10 @@ struct Cgal {
             at.push_back(made.insert(K::Point_2(p[0], p[1])));
             at.back()->info() = static_cast<std::uint32_t>(at.size() - 1);
         }
-        for (const auto& [a, b] : constraints) made.insert_constraint(at[a], at[b]);
+        for (const auto& [a, b] : constraints) {
+            if (at[a] == at[b]) throw Declined("CGAL takes only constraints with a length");
+            made.insert_constraint(at[a], at[b]);
+        }
         Triangles found;
         for (auto face = made.finite_faces_begin(); face != made.finite_faces_end(); ++face)
             found.push_back({face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()});
@@ -61,13 +66,18 @@ struct Cgal {
     static Triangles hull3d(const Points3& points) {
         std::vector<K::Point_3> all;
         for (const Point3& p : points) all.emplace_back(p[0], p[1], p[2]);
-        std::vector<std::array<std::size_t, 3>> faces;
-        std::vector<K::Point_3> corners;
-        CGAL::convex_hull_3(all.begin(), all.end(), corners, faces);
+        // Into a mesh: the function that fills lists of points and triangles rounds its planes (5.5.1).
+        CGAL::Surface_mesh<K::Point_3> hull;
+        CGAL::convex_hull_3(all.begin(), all.end(), hull);
         std::map<K::Point_3, std::uint32_t> ids;
         for (std::uint32_t i = 0; i < all.size(); ++i) ids.emplace(all[i], i);
         Triangles found;
-        for (const auto& [a, b, c] : faces) found.push_back({ids.at(corners[a]), ids.at(corners[b]), ids.at(corners[c])});
+        for (const auto face : hull.faces()) {
+            Triangles::value_type triangle{};
+            std::size_t i = 0;
+            for (const auto v : hull.vertices_around_face(hull.halfedge(face))) triangle.at(i++) = ids.at(hull.point(v));
+            found.push_back(triangle);
+        }
         return found;
     }
 
@@ -134,6 +144,7 @@ struct Cgal {
         const Faces a = surface<Faces>(first), b = surface<Faces>(second);
         if (!PMP::does_bound_a_volume(a) || !PMP::does_bound_a_volume(b))
             throw Declined("for CGAL an operand does not bound a volume");
+        if (PMP::does_self_intersect(a) || PMP::does_self_intersect(b)) throw Declined("for CGAL an operand intersects itself");
         const auto result = [&](auto operation) -> std::optional<Mesh> {
             Faces one = a, other = b, made;
             if (!operation(one, other, made)) return {};
