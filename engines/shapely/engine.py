@@ -38,5 +38,20 @@ def overlay(first, second, rule):
     }
 
 
+def locate(regions, probes):
+    xs, ys = [x for x, _ in probes], [y for _, y in probes]
+    labels = [-1] * len(probes)
+    for number, rings in enumerate(regions):
+        polygon = region(rings)
+        inside, touched = shapely.contains_xy(polygon, xs, ys), shapely.intersects_xy(polygon, xs, ys)
+        for at in range(len(probes)):
+            if inside[at]:
+                labels[at] = number
+            elif touched[at] and labels[at] == -1:
+                labels[at] = -2
+    return labels
+
+
 version = f"{shapely.__version__}, GEOS {'.'.join(map(str, shapely.geos_version))}"
-predicament_engine.serve(predicament_engine.Engine("shapely", version).task("overlay2d", overlay))
+engine = predicament_engine.Engine("shapely", version)
+predicament_engine.serve(engine.task("overlay2d", overlay).task("polygon-locate", locate))
