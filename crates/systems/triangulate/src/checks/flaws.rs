@@ -64,7 +64,7 @@ pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Fl
     found
 }
 
-fn words(vertices: &[Vertex]) -> String {
+pub(super) fn words(vertices: &[Vertex]) -> String {
     vertices.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")
 }
 

@@ -14,13 +14,17 @@
 //! * `diagonals`: each other side is a side of two triangles, in both directions;
 //! * `overlap`: no two triangles have an inner point in common. The other checks imply it; this check compares all
 //!   pairs, if there are few.
+//!
+//! [`uncovered`] holds triangles of other programs against the polygon: they need not use all of its vertices.
 
+mod cover;
 mod flaws;
 mod nesting;
 mod plane;
 mod polygon;
 mod touches;
 
+pub use cover::uncovered;
 pub use flaws::{Flat, Flaw, flaws};
 pub use polygon::Polygon;
 pub use touches::{Touch, Touches};

@@ -1,8 +1,8 @@
 //! The judge of other programs' triangulations of polygons.
 //!
 //! A program gives triangles in either direction, and for each the number of its polygon if a scene has several. The
-//! judge turns them counterclockwise; then the [checks](crate::checks) apply. A flat triangle counts as a flaw only
-//! where no loops touch.
+//! judge turns them counterclockwise. Then they must cover the polygon once. A program may leave out vertices in the
+//! middle of an edge, and use any of several vertices at one place.
 
 use predicament_judge::sign;
 use predicament_predicates::{Declined, Query, Question, Scene, Sign, Vertex};
@@ -10,7 +10,7 @@ use predicament_tasks::replies::{Array, Arrays, FORM, Form, Malformed, Part, Rep
 use predicament_tasks::{Asked, Case, Check, Class, Finding, Outcome};
 
 use super::{Polygons, Triangulate, Triangulated};
-use crate::checks::{Flat, flaws};
+use crate::checks::uncovered;
 
 /// The judge.
 pub(super) struct Judge;
@@ -70,7 +70,7 @@ impl Replies<Triangulate> for Judge {
             if case.truth.is_left_out(truth) {
                 continue;
             }
-            let flaws = flaws(truth, triangles, Flat::WhereLoopsTouch);
+            let flaws = uncovered(truth, triangles);
             if flaws.is_empty() {
                 outcome.note(Class::Agree, most, || unreachable!("legal"));
             }

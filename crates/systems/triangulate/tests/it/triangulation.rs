@@ -1,7 +1,7 @@
 //! Each check of triangulations fails on an output that is wrong in its way, and not on the others.
 
 use predicament_predicates::{Plane, Scene, Vertex};
-use predicament_triangulate::checks::{Flat, Flaw, Polygon, flaws};
+use predicament_triangulate::checks::{Flat, Flaw, Polygon, flaws, uncovered};
 
 fn vertices<const N: usize>(of: [usize; N]) -> [Vertex; N] {
     of.map(Vertex::input)
@@ -143,4 +143,46 @@ fn an_edge_in_common_is_one_of_two_loops_from_both_sides() {
     assert_eq!(slit, (said, vec![a, b, b, a]));
     // The same loop twice.
     assert!(polygon(&points, &[&[0, 1, 2, 3], &[0, 1, 2, 3]]).fault().is_some());
+}
+
+/// Triangles of other programs may leave out a vertex in the middle of an edge, use any vertex of a place, and have no
+/// area. They must cover the polygon once.
+#[test]
+fn other_programs_need_not_use_all_vertices() {
+    let said = |polygon: &Polygon, triangles: &[[usize; 3]]| -> Vec<String> {
+        let flaws = uncovered(polygon, &triangles.iter().map(|&triangle| vertices(triangle)).collect::<Vec<_>>());
+        flaws.iter().map(|flaw| format!("{}: {}, not {}", flaw.check, flaw.got, flaw.truth)).collect()
+    };
+    let checks = |polygon: &Polygon, triangles: &[[usize; 3]]| -> Vec<String> {
+        said(polygon, triangles).iter().map(|flaw| flaw.split(':').next().unwrap().to_owned()).collect()
+    };
+    let square = square();
+    for right in [
+        &[[0, 1, 4], [1, 3, 4], [1, 2, 3]][..],
+        &[[0, 2, 3], [0, 3, 4]],
+        // The vertex in the middle is on one side of a diagonal only, or in a triangle without area.
+        &[[0, 1, 2], [0, 2, 4], [2, 3, 4]],
+    ] {
+        assert_eq!(said(&square, right), [""; 0], "{right:?}");
+    }
+    let missing = [
+        "area: 2, not 4",
+        "boundary: from 0 to 4, triangles pass 0 times more than back, not from 0 to 4, triangles pass -1 times more than \
+         back",
+        "diagonals: from 0 to 3, triangles pass -1 times more than back, not from 0 to 3, triangles pass 0 times more than \
+         back",
+    ];
+    assert_eq!(said(&square, &[[0, 2, 3]]), missing);
+    // The area is right, but a part is covered twice, and another part is not covered.
+    assert_eq!(checks(&square, &[[0, 2, 3], [0, 2, 3]]), ["boundary", "diagonals"]);
+    assert_eq!(checks(&square, &[[0, 1, 4], [1, 3, 4], [1, 2, 3], [0, 1, 7]]), ["vertices"]);
+    // Three vertices at one place, and a hole that touches the corner there.
+    let corner = [[0.0, 0.0], [0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [0.0, 0.0], [1.0, 2.0], [2.0, 1.0]];
+    let touching = polygon(&corner, &[&[0, 1, 2, 3, 4], &[5, 6, 7]]);
+    let around = [[0, 2, 7], [7, 2, 3], [7, 3, 6], [6, 3, 4], [1, 6, 4]];
+    assert_eq!(said(&touching, &around), [""; 0]);
+    assert_eq!(checks(&touching, &around[1..]), ["area", "boundary", "diagonals"]);
+    // Loops that cross bound no polygon.
+    let tangled = polygon(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]], &[&[0, 1, 2, 3]]);
+    assert_eq!(checks(&tangled, &[[0, 2, 1]]), ["loops do not cross"]);
 }
