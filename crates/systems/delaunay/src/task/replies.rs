@@ -6,7 +6,7 @@
 
 use std::collections::HashMap;
 
-use predicament_hull::checks::Signs;
+use predicament_hull::checks::{Flaw, Signs};
 use predicament_judge::{Judged, sign};
 use predicament_predicates::{Declined, Plane, Predicates, Question, Scene, Sign, Vertex};
 use predicament_tasks::replies::{Array, Arrays, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
@@ -73,6 +73,14 @@ impl Replies<Delaunay2d> for Judge {
                 let [v, w] = [v, w].map(|v| scene.point2(Plane::Xy, v));
                 v.partial_cmp(&w).unwrap_or(std::cmp::Ordering::Equal)
             });
+        }
+        if let [first, .., last] = chain[..]
+            && let Some(&v) =
+                chain.iter().find(|&&v| !sign(scene, Question::Orient2d(Plane::Xy), &[first, last, v]).is_zero())
+        {
+            let what = "there are no triangles, but the points are not on one line".to_owned();
+            note(outcome, &Flaw { check: "chain", places: 1, vertices: vec![first, last, v], what });
+            return Ok(());
         }
         let exact = Judged::exact(scene);
         let pairs = PAIRS[usize::from(asked.budget.thorough)];

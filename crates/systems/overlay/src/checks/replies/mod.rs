@@ -187,7 +187,13 @@ impl Operands {
             return None;
         }
         let truth = area_of_operation([self.edges[0].all(), self.edges[1].all()], self.inside, operation);
-        let area = area_of_rings(result);
+        let edges = Edges::new(result.iter().flatten());
+        // Strip by strip, a ring counts that passes through a vertex twice, with lobes of opposite directions.
+        let area = if edges.all().len() <= FEW {
+            area_of_operation([edges.all(), &[]], |winding| winding % 2 != 0, Operation::Union)
+        } else {
+            area_of_rings(result)
+        };
         let off = Rational::from(&area - &truth).abs().to_f64() / 2.0;
         let corners = u32::try_from(2 * self.len()).map_or(f64::INFINITY, f64::from);
         // Both sides of each edge, and a disc around each end.
