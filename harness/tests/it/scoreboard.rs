@@ -28,7 +28,7 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     // Scenes, and then right, rounded, broken, failed and declined ones.
     assert_eq!((naive[0], naive[1..].iter().sum::<usize>()), (scenes, scenes));
     assert!(naive[3] > 0, "{page}");
-    // The unit of times is the library with most right scenes, on the one family that was timed.
+    // The unit of times is `exact`, on the one family that was timed.
     let exact = page.lines().find(|line| line.starts_with("| `exact` |")).unwrap();
     assert!(exact.contains("| 1.00 (1) |") && page.contains("time / `exact` (families)"), "{exact}");
     // The smallest broken scene is there as a suite, and naive is wrong on it.
