@@ -82,7 +82,8 @@ pub fn make(arguments: &[String]) -> Result<(), String> {
     let arguments: Vec<&str> = arguments.iter().map(String::as_str).collect();
     match arguments[..] {
         ["check"] => build("ci").and_then(|_| check()),
-        ["bench"] => bench(&build("release")?),
+        // The bench depends on the judge, which computes in GMP.
+        ["bench"] => crate::m4::ensure().and_then(|()| bench(&build("release")?)),
         [] => install(&build("release")?, &root().join(fresh("target/c-library/release")?)),
         ["--prefix", prefix] => {
             let prefix = std::env::current_dir().map_err(|error| format!("the folder: {error}"))?.join(prefix);

@@ -105,7 +105,7 @@ fn main() -> ExitCode {
         "book" => book::build(),
         "browser" => m4::ensure().and_then(|()| browser::check(false, !rest.is_empty())),
         "advisories" => advisories::check(&rest),
-        "c-library" => m4::ensure().and_then(|()| c_library::make(&rest)),
+        "c-library" => c_library::make(&rest),
         "data" => data::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),

@@ -1,8 +1,9 @@
 //! Integers of any length, for the few computations whose length is not known beforehand.
 //!
-//! Vertices that constructed vertices define have coordinates of any length, and these are kept in lowest terms. The
-//! computation needs sums, products, greatest common divisors and exact quotients, and nothing else. Numbers on the
-//! stack ([`Fixed`](crate::Fixed), [`dyadic`](crate::dyadic)) serve everything that is shorter.
+//! Vertices that constructed vertices define have coordinates of any length, and these are kept in lowest terms.
+//! Perturbed determinants of constructed vertices have coefficients of any length. Both need sums, products, greatest
+//! common divisors and exact quotients, and nothing else. Numbers on the stack ([`Fixed`](crate::Fixed),
+//! [`dyadic`](crate::dyadic)) serve everything that is shorter.
 //!
 //! Algorithms: schoolbook products and, from 40 limbs on, Karatsuba's; the greatest common divisor by Lehmer's
 //! algorithm (Knuth, The Art of Computer Programming 2, 4.5.2, algorithm L); exact quotients from the low end
@@ -10,10 +11,13 @@
 
 use alloc::vec::Vec;
 use core::cmp::Ordering;
-use core::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, AddAssign, Mul, Neg, Shl, Sub, SubAssign};
 
 mod divisor;
 mod limbs;
+
+/// The length in limbs up to which products that are added in place allocate nothing.
+const FEW: usize = 32;
 
 /// An integer of any length: a sign and the limbs of the magnitude.
 #[derive(Clone, PartialEq, Eq, Hash, Debug, Default)]
@@ -82,6 +86,49 @@ impl BigInt {
         BigInt::new(self.negative != divisor.negative, limbs)
     }
 
+    /// Adds a product in place.
+    pub fn add_product(&mut self, a: &BigInt, b: &BigInt) {
+        self.add_product_of(a.negative != b.negative, &a.limbs, &b.limbs);
+    }
+
+    /// Adds the product of two magnitudes in place, with its sign.
+    ///
+    /// Limbs are least significant first. The product of a few limbs allocates nothing.
+    pub fn add_product_of(&mut self, negative: bool, a: &[u64], b: &[u64]) {
+        let length = a.len() + b.len();
+        if length <= FEW {
+            let mut product = [0; FEW];
+            limbs::multiply(&mut product[..length], a, b);
+            self.add_magnitude(negative, &product[..length]);
+        } else {
+            self.add_magnitude(negative, &limbs::product(a, b));
+        }
+    }
+
+    /// Adds a magnitude in place, with its sign; limbs are least significant first.
+    pub fn add_magnitude(&mut self, negative: bool, other: &[u64]) {
+        let other = limbs::trimmed(other);
+        if self.negative == negative || self.is_zero() {
+            self.negative = negative && !(self.is_zero() && other.is_empty());
+            if self.limbs.len() < other.len() {
+                self.limbs.resize(other.len(), 0);
+            }
+            match limbs::add(&mut self.limbs, other) {
+                0 => {}
+                carry => self.limbs.push(carry),
+            }
+        } else if limbs::compare(&self.limbs, other) == Ordering::Less {
+            self.limbs.resize(other.len(), 0);
+            limbs::subtract_from(&mut self.limbs, other);
+            limbs::trim(&mut self.limbs);
+            self.negative = negative;
+        } else {
+            limbs::subtract(&mut self.limbs, other);
+            limbs::trim(&mut self.limbs);
+            self.negative &= !self.limbs.is_empty();
+        }
+    }
+
     /// The sum, with the sign of the second number given.
     fn plus(&self, negative: bool, other: &[u64]) -> BigInt {
         if self.negative == negative {
@@ -98,6 +145,33 @@ impl BigInt {
 impl From<u64> for BigInt {
     fn from(number: u64) -> BigInt {
         BigInt::new(false, [number].into())
+    }
+}
+
+impl From<i64> for BigInt {
+    fn from(number: i64) -> BigInt {
+        BigInt::new(number < 0, [number.unsigned_abs()].into())
+    }
+}
+
+/// The product with a power of two.
+impl Shl<u32> for BigInt {
+    type Output = BigInt;
+
+    fn shl(self, places: u32) -> BigInt {
+        BigInt::new(self.negative, limbs::shifted(&self.limbs, places))
+    }
+}
+
+impl AddAssign<&BigInt> for BigInt {
+    fn add_assign(&mut self, other: &BigInt) {
+        self.add_magnitude(other.negative, &other.limbs);
+    }
+}
+
+impl SubAssign<&BigInt> for BigInt {
+    fn sub_assign(&mut self, other: &BigInt) {
+        self.add_magnitude(!other.negative, &other.limbs);
     }
 }
 

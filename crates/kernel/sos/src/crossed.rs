@@ -1,13 +1,14 @@
 //! The sign of a component of a cross product of two differences of points.
 
 use predicament_predicates::{Scene, Sign, Vertex};
-use rug::Rational;
+
+use crate::whole;
 
 /// The sign of ((q − p) × (v − u)) along an axis of a scene in space, exactly.
 ///
 /// A filter decides first. Let u = 2^-53. A difference, a product and the last difference are each rounded by a
 /// relative u at most, so the error is below 4·(1 + u)^3·u times the sum of both products' magnitudes. If this sum
-/// overflows, or is so small that a product may have underflowed, rationals decide.
+/// overflows, or is so small that a product may have underflowed, integers of any length decide.
 #[inline]
 pub(crate) fn along(scene: &Scene, axis: usize, [p, q]: [Vertex; 2], [u, v]: [Vertex; 2]) -> Sign {
     let [i, j] = [(axis + 1) % 3, (axis + 2) % 3];
@@ -41,14 +42,11 @@ const SMALLEST: f64 = f64::from_bits((1023 - 900) << 52);
 #[cold]
 #[inline(never)]
 fn exactly(first: [[f64; 2]; 2], second: [[f64; 2]; 2]) -> Sign {
-    let product = |differences: [[f64; 2]; 2]| {
-        let [a, b] = differences.map(|pair| {
-            let [a, b] = pair.map(|x| Rational::from_f64(x).expect("coordinates are finite"));
-            a - b
-        });
-        a * b
-    };
-    product(first).cmp(&product(second)).into()
+    let [[[q, p], [v, u]], [[s, r], [y, x]]] = [first, second];
+    let [q, p, v, u, s, r, y, x] = whole::integers([q, p, v, u, s, r, y, x]);
+    let left = &(&q - &p) * &(&v - &u);
+    let right = &(&s - &r) * &(&y - &x);
+    (&left - &right).cmp0().into()
 }
 
 fn is_zero([a, b]: [f64; 2]) -> bool {
@@ -62,6 +60,7 @@ fn sign_of([a, b]: [f64; 2]) -> Sign {
 #[cfg(test)]
 mod tests {
     use predicament_predicates::Dimension;
+    use rug::Rational;
 
     use super::*;
 

@@ -8,10 +8,11 @@
 //!
 //! * [`Scheme`]: the infinitesimal of each coordinate.
 //! * [`Sos`], [`Session`]: the backend; [`PerMesh`]: a backend that moves one of two meshes as a whole.
-//! * [`mod@derive`]: the program that derives the terms; [`Scheme::terms`] returns its output. [`Term`]: one term, as
-//!   data.
+//! * `derive` (feature `gmp`): the program that derives the terms; [`Scheme::terms`] returns its output. [`Term`]: one
+//!   term, as data.
 //! * [`ties`]: sorting and evaluating, public for experiments and planted faults.
-//! * [`infinitesimal`]: the same answers by explicit polynomials in ε, independent of the terms: the judge.
+//! * `infinitesimal` (feature `gmp`): the same answers by explicit polynomials in ε, independent of the terms: the
+//!   judge. It computes in numbers of GMP, and shares no arithmetic with the backend.
 
 mod backend;
 mod batch;
@@ -21,10 +22,14 @@ mod crossed;
 mod deep;
 #[cfg(test)]
 mod definition;
+#[cfg(feature = "gmp")]
 pub mod derive;
+#[cfg(feature = "formulas")]
 mod derived;
 mod filter;
+#[cfg(feature = "gmp")]
 pub mod infinitesimal;
+mod integer;
 mod lanes;
 mod leading;
 mod lift;
@@ -38,9 +43,10 @@ mod stage;
 mod tables;
 mod term;
 pub mod ties;
+mod whole;
 
 pub use backend::Sos;
-pub use constructed::{Limit, limit};
+pub use constructed::{Limit, Ratio, limit};
 pub use per_mesh::PerMesh;
 pub use scheme::Scheme;
 pub use session::Session;

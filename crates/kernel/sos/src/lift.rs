@@ -7,13 +7,14 @@
 
 use std::cell::OnceCell;
 
-use predicament_arithmetic::{Fixed, Scaled, short_rows};
+use predicament_arithmetic::{Fixed, short_rows};
 use predicament_predicates::{Axis, Scene, Sign, Vertex};
-use rug::Integer;
 
 use crate::Lift;
 use crate::filter::{self, Struck};
+use crate::integer::Integer;
 use crate::short::{self, sign};
+use crate::whole;
 
 /// The maximum number of vertices of a predicate, and of axes.
 pub(crate) const PLACES: usize = 5;
@@ -34,7 +35,7 @@ type Points = [[f64; AXES]; PLACES + 1];
 enum Integers {
     /// Coordinates less than 2^61 in magnitude.
     Short([[Fixed<1>; AXES]; PLACES + 1]),
-    Long(Box<[[Integer; AXES]; PLACES]>),
+    Long(Box<[Integer; PLACES * AXES]>),
 }
 
 impl<'a> Lifted<'a> {
@@ -92,9 +93,8 @@ impl<'a> Lifted<'a> {
 
 #[cold]
 fn long(points: Points) -> Integers {
-    let points: [[f64; AXES]; PLACES] = std::array::from_fn(|i| points[i]);
-    let scaled = Scaled::new(points).expect("a scene's coordinates are finite");
-    Integers::Long(Box::new(scaled.integers))
+    let flat: [f64; PLACES * AXES] = std::array::from_fn(|i| points[i / AXES][i % AXES]);
+    Integers::Long(Box::new(whole::integers(flat)))
 }
 
 /// The sign in integers of a fixed size, for coordinates less than M = 2^61.
@@ -135,16 +135,15 @@ fn short_sign(points: &[[Fixed<1>; AXES]; PLACES + 1], rows: &[u8], columns: &[u
     }
 }
 
-fn long_sign(points: &[[Integer; AXES]; PLACES], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
-    let coordinate = |row: u8, axis: usize| &points[usize::from(row)][axis];
+fn long_sign(points: &[Integer; PLACES * AXES], rows: &[u8], columns: &[u8], lift: Lift) -> Sign {
+    let coordinate = |row: u8, axis: usize| &points[usize::from(row) * AXES + axis];
     let entries = |&row: &u8| -> Vec<Integer> {
         let mut entries: Vec<Integer> = columns.iter().map(|&c| coordinate(row, usize::from(c)).clone()).collect();
-        let mut lifted = Integer::new();
+        let mut lifted = Integer::ZERO;
         for (axis, origin) in lift.about.into_iter().enumerate() {
-            match origin {
-                Some(origin) => lifted += Integer::from(coordinate(row, axis) - coordinate(origin, axis)).square(),
-                None => lifted += coordinate(row, axis).square_ref(),
-            }
+            let entry = coordinate(row, axis);
+            let difference = origin.map_or_else(|| entry.clone(), |origin| entry - coordinate(origin, axis));
+            lifted.add_product(&difference, &difference);
         }
         entries.push(lifted);
         entries
@@ -163,18 +162,14 @@ fn long_sign(points: &[[Integer; AXES]; PLACES], rows: &[u8], columns: &[u8], li
 /// The determinant of `rows` restricted to `columns`, expanded along the first row.
 fn determinant(rows: &[Vec<Integer>], columns: &mut Vec<usize>) -> Integer {
     let Some((first, rest)) = rows.split_first() else {
-        return Integer::from(1);
+        return Integer::ONE;
     };
-    let mut sum = Integer::new();
+    let mut sum = Integer::ZERO;
     for place in 0..columns.len() {
         let column = columns.remove(place);
         if !first[column].is_zero() {
-            let product = determinant(rest, columns) * &first[column];
-            if place.is_multiple_of(2) {
-                sum += product;
-            } else {
-                sum -= product;
-            }
+            let minor = determinant(rest, columns);
+            sum.add_product(&if place.is_multiple_of(2) { minor } else { -minor }, &first[column]);
         }
         columns.insert(place, column);
     }
@@ -186,6 +181,7 @@ mod tests {
     use predicament_predicates::Dimension;
 
     use super::*;
+    use crate::{Term, definition};
 
     /// A pseudo-random integer below n, by the place in a sequence.
     fn digit(at: usize, n: i32) -> i32 {
@@ -285,6 +281,37 @@ mod tests {
                 assert!(size > 2 || zeros > 100, "{zeros} zeros");
             }
         }
+    }
+
+    /// Coordinates of all sizes, where nothing but integers of any length decides, against rationals of GMP.
+    #[test]
+    fn long_integers_are_rationals_over_one_denominator() {
+        let mut seen = [0; 3];
+        for round in 0..predicament_effort::scaled(2000) {
+            let at = |place: usize, n: i32| digit(37 * round + place, n);
+            let coordinate = |place: usize| {
+                let exponent = [0, 0, 1, -1000, 900][usize::try_from(at(place, 5)).unwrap()];
+                f64::from(at(place + 16, 5) - 2) * 1.1 * 2_f64.powi(exponent)
+            };
+            let points: [[f64; 3]; 5] =
+                std::array::from_fn(|point| std::array::from_fn(|axis| coordinate(3 * point + axis)));
+            let about = [0, 1, 2].map(|axis: usize| u8::try_from(at(32 + axis, 6)).ok().filter(|&row| row < 5));
+            let (rows, columns): (&[u8], &[u8]) =
+                [(&[0, 4][..], &[][..]), (&[1, 2, 4], &[0]), (&[0, 1, 2, 3], &[0, 1])][round % 3];
+            let lift = Lift { about };
+            let mut all = [[0.0; AXES]; PLACES + 1];
+            all[..PLACES].copy_from_slice(&points);
+            let Integers::Long(integers) = long(all) else { unreachable!("long ones are asked for") };
+            let term = Term { sign: Sign::Positive, rows, columns, lift: Some(lift), gap: None };
+            let truth = Sign::from(definition::minor(&points, &term).cmp0());
+            assert_eq!(long_sign(&integers, rows, columns, lift), truth, "{rows:?} {lift:?} of {points:?}");
+            seen[match truth {
+                Sign::Negative => 0,
+                Sign::Zero => 1,
+                Sign::Positive => 2,
+            }] += 1;
+        }
+        assert!(seen.iter().all(|&count| count > 0), "{seen:?}");
     }
 
     #[test]

@@ -11,11 +11,12 @@
 use predicament_exact::Exact;
 use predicament_exact::constructed::{EXACT as CONSTRUCTED, FILTER};
 use predicament_predicates::{
-    Axis, Backend, Construction, Constructs, Contract, Declined, Derived, MAX_STAGES, Off, Plane, PredicateKind,
-    Predicates, Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
+    Axis, Backend, Construction, Constructs, Contract, Declined, MAX_STAGES, Off, Plane, PredicateKind, Predicates,
+    Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
 use crate::constructed::{self, fixed, rigid};
+#[cfg(feature = "formulas")]
 use crate::derived;
 use crate::shift::{self, PlaneTies};
 
@@ -194,10 +195,11 @@ impl<T: Tally> Predicates for Session<'_, T> {
     }
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {
-        predicament_exact::derived::supports(self.scene(), kind)
+        self.exact.supports(kind)
     }
 
-    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+    #[cfg(feature = "formulas")]
+    fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
         let kind = PredicateKind::Derived(predicate);
         let (sign, stage) = predicament_exact::derived::decide(self.scene(), predicate, vertices);
         if sign.is_zero() {

@@ -2,11 +2,11 @@
 
 use predicament_exact::{Exact, stage::COMPARE};
 use predicament_predicates::{
-    Axis, Construction, Declined, Derived, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally,
-    Vertex,
+    Axis, Construction, Declined, Plane, PredicateKind, Predicates, Refused, Scene, Sessions, Sign, Tally, Vertex,
 };
 
 use crate::breaker::{AS_EXACT, Breaker};
+#[cfg(feature = "formulas")]
 use crate::{derived, stage};
 
 /// The backend, prepared for one scene.
@@ -77,10 +77,11 @@ impl<T: Tally> Predicates for Session<'_, T> {
         if kind.is_lifted() && !scene.constructions().is_empty() {
             return Err(Declined::predicate(kind, "ties of circles through constructed vertices are not broken"));
         }
+        #[cfg(feature = "formulas")]
         if let PredicateKind::Derived(derived) = kind {
             derived::is_derivable(derived).map_err(|why| Declined::predicate(kind, why))?;
         }
-        predicament_exact::derived::supports(scene, kind)
+        self.breaker.exact.supports(kind)
     }
 
     #[inline]
@@ -120,7 +121,8 @@ impl<T: Tally> Predicates for Session<'_, T> {
         self.settle(PredicateKind::Insphere, exact, || self.breaker.tie_insphere(a, b, c, d, e))
     }
 
-    fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
+    #[cfg(feature = "formulas")]
+    fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
         let exact = predicament_exact::derived::decide(self.scene(), predicate, vertices);
         self.settle(PredicateKind::Derived(predicate), exact, || {
             let decided = derived::tie(self.breaker.scheme, self.scene(), predicate, vertices);

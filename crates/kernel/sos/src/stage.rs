@@ -20,6 +20,7 @@ pub(crate) fn of_degree(degree: usize) -> usize {
 }
 
 /// The stage of a tie that the term at this place decides; the last stage of the scheme if there are more terms.
+#[cfg(feature = "formulas")]
 pub(crate) fn of_term(scheme: Scheme, place: usize) -> usize {
     (FIRST_TERM + place).min(names(scheme).len() - 1)
 }

@@ -62,6 +62,15 @@ pub(super) fn subtract(from: &mut [u64], other: &[u64]) -> u64 {
     u64::from(borrow)
 }
 
+/// Replaces a number by its difference from a number of the same length that is not smaller.
+pub(super) fn subtract_from(less: &mut [u64], from: &[u64]) {
+    let mut borrow = false;
+    for (limb, &from) in less.iter_mut().zip(from) {
+        (*limb, borrow) = borrowing(from, *limb, borrow);
+    }
+    debug_assert!(!borrow, "the larger number is the second");
+}
+
 #[inline(always)]
 fn carrying(a: u64, b: u64, carry: bool) -> (u64, bool) {
     let (sum, first) = a.overflowing_add(b);
@@ -74,6 +83,20 @@ fn borrowing(a: u64, b: u64, borrow: bool) -> (u64, bool) {
     let (difference, first) = a.overflowing_sub(b);
     let (difference, second) = difference.overflowing_sub(u64::from(borrow));
     (difference, first | second)
+}
+
+/// The product of a magnitude and a power of two.
+pub(super) fn shifted(limbs: &[u64], places: u32) -> Vec<u64> {
+    let (whole, bits) = (places / u64::BITS, places % u64::BITS);
+    let mut shifted = vec![0; whole as usize];
+    let mut carry = 0;
+    for &limb in limbs {
+        let (low, high) = halves(u128::from(limb) << bits);
+        shifted.push(low | carry);
+        carry = high;
+    }
+    shifted.push(carry);
+    shifted
 }
 
 /// The sum of two magnitudes.
@@ -102,7 +125,7 @@ pub(super) fn product(a: &[u64], b: &[u64]) -> Vec<u64> {
 }
 
 /// Writes a product to limbs that are zero, as many as both numbers have together.
-fn multiply(product: &mut [u64], a: &[u64], b: &[u64]) {
+pub(super) fn multiply(product: &mut [u64], a: &[u64], b: &[u64]) {
     let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
     if short.len() < KARATSUBA {
         for (at, &factor) in short.iter().enumerate() {

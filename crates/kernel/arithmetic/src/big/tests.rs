@@ -21,7 +21,25 @@ fn integer(most: usize) -> impl Strategy<Value = BigInt> {
     (any::<bool>(), prop::collection::vec(limb(), 0..=most)).prop_map(|(negative, limbs)| BigInt::new(negative, limbs))
 }
 
+/// Compares sums in place, which reuse the limbs of either number.
+fn check_in_place(a: &BigInt, b: &BigInt, common: &BigInt) {
+    let [x, y, z] = [a, b, common].map(value);
+    let (mut plus, mut minus, mut product) = (a.clone(), a.clone(), a.clone());
+    plus += b;
+    minus -= b;
+    product.add_product(b, common);
+    assert_eq!([&plus, &minus].map(value), [Integer::from(&x + &y), Integer::from(&x - &y)]);
+    assert_eq!(value(&product), x + y * z);
+    for number in [plus, minus, product] {
+        assert_eq!(number, BigInt::new(number.is_negative(), number.limbs().to_vec()), "zeros at the upper end");
+    }
+}
+
 fn check(a: &BigInt, b: &BigInt, common: &BigInt) {
+    check_in_place(a, b, common);
+    check_in_place(a, &-a.clone(), &BigInt::ZERO);
+    // The product cancels the number, except for the second factor.
+    check_in_place(&(a * b), &-a.clone(), &(b + &BigInt::from(1_u64)));
     let [x, y] = [a, b].map(value);
     assert_eq!(value(&(a + b)), Integer::from(&x + &y));
     assert_eq!(value(&(a - b)), Integer::from(&x - &y));
@@ -60,13 +78,24 @@ proptest! {
 }
 
 #[test]
+fn integers_of_a_machine_and_their_multiples_by_powers_of_two() {
+    for number in [0, 1, -1, 12_345_678_901_234_567, i64::MAX, i64::MIN] {
+        for places in [0, 1, 63, 64, 65, 128, 2098] {
+            let shifted = BigInt::from(number) << places;
+            assert_eq!(value(&shifted), Integer::from(number) << places, "{number} · 2^{places}");
+            assert_eq!(shifted, BigInt::new(number < 0, shifted.limbs().to_vec()));
+        }
+    }
+}
+
+#[test]
 fn remainders_of_the_fibonacci_numbers_are_the_most_steps() {
-    let (mut a, mut b) = (BigInt::from(1), BigInt::from(1));
+    let (mut a, mut b) = (BigInt::from(1_u64), BigInt::from(1_u64));
     for _ in 0..2000 {
         (a, b) = (b.clone(), &a + &b);
     }
-    check(&a, &b, &BigInt::from(12));
-    assert_eq!(a.gcd(&b), BigInt::from(1));
+    check(&a, &b, &BigInt::from(12_u64));
+    assert_eq!(a.gcd(&b), BigInt::from(1_u64));
 }
 
 #[test]
@@ -74,8 +103,8 @@ fn zero_has_no_limbs_and_no_sign() {
     let zero = BigInt::new(true, Vec::from([0, 0]));
     assert_eq!((&zero, zero.is_negative(), zero.limbs().len()), (&BigInt::ZERO, false, 0));
     assert_eq!(-zero, BigInt::ZERO);
-    assert_eq!(BigInt::ZERO.gcd(&-BigInt::from(6)), BigInt::from(6));
-    assert_eq!(BigInt::ZERO.div_exact(&BigInt::from(6)), BigInt::ZERO);
+    assert_eq!(BigInt::ZERO.gcd(&-BigInt::from(6_u64)), BigInt::from(6_u64));
+    assert_eq!(BigInt::ZERO.div_exact(&BigInt::from(6_u64)), BigInt::ZERO);
 }
 
 /// A quotient that three limbs overestimate: the divisor is added back (Knuth, algorithm D, step D6).

@@ -17,11 +17,11 @@
 //! Coefficients of powers of infinitesimals are [`Series`]; spaces are modules over them.
 
 use predicament_predicates::{Construction, Vertex};
-use rug::Integer;
 use smallvec::SmallVec;
 
 use super::place::Place;
 use super::series::{Cut, Series, difference, sum};
+use crate::integer::Integer;
 
 /// The coordinates of an exterior product, by sets of places of one size, in ascending order of bit masks.
 ///
@@ -83,7 +83,7 @@ impl Free<'_> {
         for offsets in simplex(self.free_axes(at), occurring[at]) {
             let mut point = self.point(at);
             for (x, offset) in point.iter_mut().zip(offsets) {
-                *x = self.cut.constant(Integer::from(offset));
+                *x = self.cut.constant(Integer::from(i64::from(offset)));
             }
             fixed[at] = Some(point);
             if !self.is_zero_for_all(rest, occurring, fixed) {
@@ -117,19 +117,19 @@ impl Free<'_> {
     ///
     /// They are the other unit vectors, and the sum of all.
     fn frame(&self) -> impl Iterator<Item = Blade> + '_ {
-        let ones = vec![self.cut.constant(Integer::from(1)); self.dimension + 1];
+        let ones = vec![self.cut.constant(Integer::ONE); self.dimension + 1];
         self.matrix.columns.iter().map(|&column| self.unit(column, self.dimension + 1)).chain([ones])
     }
 
     /// A unit vector.
     fn unit(&self, at: usize, len: usize) -> Blade {
-        (0..len).map(|i| self.cut.constant(Integer::from(i32::from(i == at)))).collect()
+        (0..len).map(|i| self.cut.constant(Integer::from(i64::from(i == at)))).collect()
     }
 
     /// The homogeneous coordinates of an input vertex.
     fn point(&self, at: usize) -> Blade {
         let mut point = self.coordinates[at * self.dimension..][..self.dimension].to_vec();
-        point.push(self.cut.constant(Integer::from(1)));
+        point.push(self.cut.constant(Integer::ONE));
         point
     }
 
@@ -141,7 +141,7 @@ impl Free<'_> {
         }
         let free = self.free_axes(at);
         let mut point = self.point(at);
-        point[..free].fill(self.cut.constant(Integer::new()));
+        point[..free].fill(self.cut.constant(Integer::ZERO));
         let mut spanning: Spanning = (0..free).map(|axis| self.unit(axis, self.dimension + 1)).collect();
         spanning.push(point);
         spanning
@@ -185,7 +185,7 @@ impl Free<'_> {
     fn wedge(&self, product: &Blade, vector: &Blade, all: usize, size: usize) -> Blade {
         let smaller: SmallVec<[usize; 6]> = sets(all, size).collect();
         let entry = |set: usize| {
-            let mut entry = self.cut.constant(Integer::new());
+            let mut entry = self.cut.constant(Integer::ZERO);
             for at in (0..all).filter(|at| set >> at & 1 == 1) {
                 let without = smaller.iter().position(|&other| other == set ^ 1 << at).expect("a set of that size");
                 if is_zero(&product[without]) || is_zero(&vector[at]) {
@@ -204,7 +204,7 @@ impl Free<'_> {
     fn cross(&self, line: &Blade, plane: &Blade) -> Blade {
         let all = self.dimension + 1;
         let pairs: SmallVec<[usize; 6]> = sets(all, 2).collect();
-        let mut point: Blade = vec![self.cut.constant(Integer::new()); all];
+        let mut point: Blade = vec![self.cut.constant(Integer::ZERO); all];
         for (pair, l) in pairs.iter().zip(line).filter(|(_, l)| !is_zero(l)) {
             let (i, j) = (pair.trailing_zeros() as usize, pair.ilog2() as usize);
             let [at_i, at_j] = [i, j].map(|at| self.cut.times(&plane[at], l));
@@ -272,17 +272,18 @@ fn insert(rows: &mut Vec<Vec<Integer>>, mut row: Vec<Integer>) -> bool {
         if row[pivot].is_zero() {
             continue;
         }
-        let factor = row[pivot].clone();
+        let factor = -row[pivot].clone();
         for (x, y) in row.iter_mut().zip(other) {
-            *x *= &other[pivot];
-            *x -= &factor * y;
+            let mut combined = &*x * &other[pivot];
+            combined.add_product(&factor, y);
+            *x = combined;
         }
     }
-    let common = row.iter().fold(Integer::new(), |common, x| common.gcd(x));
+    let common = row.iter().fold(Integer::ZERO, |common, x| common.gcd(x));
     if common.is_zero() {
         return false;
     }
-    row.iter_mut().for_each(|x| x.div_exact_mut(&common));
+    row.iter_mut().for_each(|x| *x = x.div_exact(&common));
     rows.push(row);
     true
 }

@@ -8,8 +8,8 @@
 
 use std::cmp::Ordering;
 
+use predicament_arithmetic::BigInt;
 use predicament_predicates::{Axis, Construction, Dimension, Scene, Vertex};
-use rug::Rational;
 use smallvec::smallvec;
 
 use super::certain::Matrix;
@@ -18,17 +18,43 @@ use super::place::Place;
 use super::search::{Expression, Leading, Search};
 use super::series::{Coefficient, Series};
 
+/// A rational number in lowest terms.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Ratio {
+    /// The numerator.
+    pub numerator: BigInt,
+    /// The denominator, greater than zero.
+    pub denominator: BigInt,
+}
+
+impl Ratio {
+    fn new(numerator: BigInt, denominator: BigInt) -> Ratio {
+        let common = numerator.gcd(&denominator);
+        let common = if denominator.is_negative() { -common } else { common };
+        Ratio { numerator: numerator.div_exact(&common), denominator: denominator.div_exact(&common) }
+    }
+
+    /// The product with a power of two.
+    fn times_power_of_two(self, exponent: i32) -> Ratio {
+        let places = exponent.unsigned_abs();
+        match exponent < 0 {
+            true => Ratio::new(self.numerator, self.denominator << places),
+            false => Ratio::new(self.numerator << places, self.denominator),
+        }
+    }
+}
+
 /// A constructed vertex in the limit; a value that grows without bound is `None`.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Limit {
     /// The coordinates.
-    pub position: Vec<Option<Rational>>,
+    pub position: Vec<Option<Ratio>>,
     /// The weights of the vertices that define it.
     ///
     /// For two segments, the fraction of the way from the first point to the second, of each. For a line and a plane,
     /// that fraction along the line, and the barycentric coordinates in the triangle that spans the plane. For three
     /// planes nothing.
-    pub weights: Vec<Option<Rational>>,
+    pub weights: Vec<Option<Ratio>>,
 }
 
 /// The limit of a constructed vertex as the perturbation [`PerCoordinate`](crate::Scheme::PerCoordinate) goes to zero.
@@ -50,8 +76,10 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
         Dimension::Three => &[Axis::X, Axis::Y, Axis::Z],
     };
     // Coordinates are integers in units of a power of two; a weight has one length less than a coordinate times it.
-    let unit = Rational::from(1) << search.unit();
-    let position = axes.iter().map(|&axis| ratio(leading(Part::Along(axis)).as_ref(), &weight).map(|x| x * &unit));
+    let position = axes.iter().map(|&axis| {
+        let along = ratio(leading(Part::Along(axis)).as_ref(), &weight);
+        along.map(|along| along.times_power_of_two(search.unit()))
+    });
     let fractions = match construction {
         Construction::Ssi(_) => 2,
         Construction::Lpi { .. } => 4,
@@ -65,11 +93,15 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
 }
 
 /// The limit of a ratio; a numerator of `None` is zero.
-fn ratio(numerator: Option<&Leading>, denominator: &Leading) -> Option<Rational> {
-    let Some(numerator) = numerator else { return Some(Rational::new()) };
+fn ratio(numerator: Option<&Leading>, denominator: &Leading) -> Option<Ratio> {
+    let zero = || Ratio { numerator: BigInt::ZERO, denominator: BigInt::from(1_u64) };
+    let Some(numerator) = numerator else { return Some(zero()) };
     match size(numerator, denominator) {
-        Ordering::Less => Some(Rational::new()),
-        Ordering::Equal => Some(Rational::from((&numerator.coefficient, &denominator.coefficient))),
+        Ordering::Less => Some(zero()),
+        Ordering::Equal => {
+            let [n, d] = [numerator, denominator].map(|leading| leading.coefficient.clone().into_limbs());
+            Some(Ratio::new(n, d))
+        }
         Ordering::Greater => None,
     }
 }

@@ -7,11 +7,11 @@
 //! general constructions has up to 84.
 
 use predicament_predicates::{Axis, Construction, Question, Scene, Sign, Vertex};
-use rug::Integer;
 
 use super::moved::inputs;
 use super::place::Place;
 use super::search::integers;
+use crate::integer::Integer;
 
 /// A polynomial in ε: its coefficients from the constant on.
 type Series = Vec<Integer>;
@@ -94,7 +94,7 @@ impl Points<'_> {
     fn point(&self, v: Vertex) -> Space {
         let at = self.inputs.binary_search(&v).expect("a vertex of the question") * self.stride;
         let all = &self.coordinates[at..at + self.stride];
-        [0, 1, 2].map(|axis: usize| all.get(axis).map_or_else(Integer::new, |&(m, k)| Integer::from(m) << k))
+        [0, 1, 2].map(|axis: usize| all.get(axis).map_or(Integer::ZERO, |&(m, k)| Integer::from(m) << k))
     }
 
     /// Returns true if a line or a plane moves; `None` if its vertices are of two meshes.
@@ -106,13 +106,13 @@ impl Points<'_> {
     fn row(&self, place: &Place) -> Option<Row> {
         match *place {
             Place::Input(v) => {
-                let moves = Integer::from(u8::from(self.second[v.index()]));
-                Some(Row::new(self.point(v), [0, 1, 2].map(|axis| unit(axis, &moves)), Integer::from(1)))
+                let moves = Integer::from(i64::from(self.second[v.index()]));
+                Some(Row::new(self.point(v), [0, 1, 2].map(|axis| unit(axis, &moves)), Integer::ONE))
             }
             Place::Meet(Construction::Ssi([line, other])) => {
                 let [a, b] = other.map(|v| self.point(v));
                 let [x, y, _] = minus(&b, &a);
-                self.meet(line, [-y, x, Integer::new()], a, self.moves(&other)?)
+                self.meet(line, [-y, x, Integer::ZERO], a, self.moves(&other)?)
             }
             Place::Meet(Construction::Lpi { line, plane }) => {
                 let (normal, a) = self.plane(plane);
@@ -126,12 +126,12 @@ impl Points<'_> {
                 let weight = dot(&n, &crossed[0]);
                 let normals = [n, o, p];
                 let offsets = [dot(&normals[0], &a), dot(&normals[1], &b), dot(&normals[2], &c)];
-                let along = |axis: usize| (0..3).map(|i| Integer::from(&offsets[i] * &crossed[i][axis])).sum();
+                let along = |axis: usize| total((0..3).map(|i| [&offsets[i], &crossed[i][axis]]));
                 // The offset of a plane that moves by δ changes by its normal times δ.
                 let derivative = |axis: usize| {
                     [0, 1, 2].map(|by: usize| {
                         let moving = (0..3).filter(|&i| moves[i]);
-                        moving.map(|i| Integer::from(&normals[i][by] * &crossed[i][axis])).sum()
+                        total(moving.map(|i| [&normals[i][by], &crossed[i][axis]]))
                     })
                 };
                 Some(Row::new([along(0), along(1), along(2)], [0, 1, 2].map(derivative), weight))
@@ -150,17 +150,17 @@ impl Points<'_> {
         let line_moves = self.moves(&line)?;
         let [p, q] = line.map(|v| self.point(v));
         let [at_p, at_q] = [&p, &q].map(|v| dot(&normal, &minus(v, &through)));
-        let weight = Integer::from(&at_q - &at_p);
+        let weight = &at_q - &at_p;
         let along = minus(&p, &q);
-        let at = [0, 1, 2].map(|axis: usize| Integer::from(&p[axis] * &at_q) - Integer::from(&q[axis] * &at_p));
-        let moved = if line_moves { weight.clone() } else { Integer::new() };
+        let at = [0, 1, 2].map(|axis: usize| &(&p[axis] * &at_q) - &(&q[axis] * &at_p));
+        let moved = if line_moves { weight.clone() } else { Integer::ZERO };
         let derivative = [0, 1, 2].map(|axis: usize| {
             let mut row = unit(axis, &moved);
             for (by, entry) in row.iter_mut().enumerate() {
-                let change = Integer::from(&normal[by] * &along[axis]);
+                let change = &normal[by] * &along[axis];
                 match (line_moves, flat_moves) {
-                    (true, false) => *entry += change,
-                    (false, true) => *entry -= change,
+                    (true, false) => *entry += &change,
+                    (false, true) => *entry -= &change,
                     _ => {}
                 }
             }
@@ -185,44 +185,51 @@ impl Row {
 
 /// A vector along one axis.
 fn unit(axis: usize, length: &Integer) -> Space {
-    [0, 1, 2].map(|i| if i == axis { length.clone() } else { Integer::new() })
+    [0, 1, 2].map(|i| if i == axis { length.clone() } else { Integer::ZERO })
 }
 
 fn minus(a: &Space, b: &Space) -> Space {
-    [0, 1, 2].map(|i: usize| Integer::from(&a[i] - &b[i]))
+    [0, 1, 2].map(|i: usize| &a[i] - &b[i])
+}
+
+/// The sum of products.
+fn total<'a>(products: impl Iterator<Item = [&'a Integer; 2]>) -> Integer {
+    let mut total = Integer::ZERO;
+    products.for_each(|[a, b]| total.add_product(a, b));
+    total
 }
 
 fn dot(a: &Space, b: &Space) -> Integer {
-    (0..3).map(|i| Integer::from(&a[i] * &b[i])).sum()
+    total(a.iter().zip(b).map(|(a, b)| [a, b]))
 }
 
 fn cross(a: &Space, b: &Space) -> Space {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| Integer::from(&a[i] * &b[j]) - Integer::from(&a[j] * &b[i]))
+    [(1, 2), (2, 0), (0, 1)].map(|(i, j): (usize, usize)| &(&a[i] * &b[j]) - &(&a[j] * &b[i]))
 }
 
 fn times(a: &Series, b: &Series) -> Series {
-    let mut product = vec![Integer::new(); (a.len() + b.len()).saturating_sub(1)];
+    let mut product = vec![Integer::ZERO; (a.len() + b.len()).saturating_sub(1)];
     for (i, a) in a.iter().enumerate().filter(|(_, a)| !a.is_zero()) {
         for (j, b) in b.iter().enumerate() {
-            product[i + j] += a * b;
+            product[i + j].add_product(a, b);
         }
     }
     product
 }
 
 fn scaled(mut series: Series, by: &Integer) -> Series {
-    series.iter_mut().for_each(|coefficient| *coefficient *= by);
+    series.iter_mut().for_each(|coefficient| *coefficient = &*coefficient * by);
     series
 }
 
 fn sum(mut a: Series, b: &Series) -> Series {
-    a.resize(a.len().max(b.len()), Integer::new());
+    a.resize(a.len().max(b.len()), Integer::ZERO);
     a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
     a
 }
 
 fn difference(mut a: Series, b: &Series) -> Series {
-    a.resize(a.len().max(b.len()), Integer::new());
+    a.resize(a.len().max(b.len()), Integer::ZERO);
     a.iter_mut().zip(b).for_each(|(a, b)| *a -= b);
     a
 }

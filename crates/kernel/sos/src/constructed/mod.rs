@@ -43,7 +43,7 @@ use predicament_predicates::{Axis, Construction, Declined, DefinitionError, Ques
 
 use certain::Matrix;
 use first::Known;
-pub use limit::{Limit, limit};
+pub use limit::{Limit, Ratio, limit};
 pub(crate) use memo::Memo;
 use moved::{Moved, inputs};
 use place::{Place, depend};

@@ -4,7 +4,6 @@
 //! cut off at a power that most ties don't reach, then at larger ones, up to the largest possible power.
 
 use predicament_predicates::{Question, Scene, Sign, Vertex};
-use rug::Integer;
 
 use super::linear;
 use super::moved::{Moved, inputs};
@@ -12,6 +11,7 @@ use super::place::Place;
 use super::search::{Expression, integers};
 use super::series::Cut;
 use super::{Determinant, Weight};
+use crate::integer::Integer;
 
 /// The powers at which polynomials are cut off, one after the other.
 ///
@@ -70,7 +70,7 @@ impl Rigid<'_> {
         let coordinate = |(at, (m, k)): (usize, (i64, u32))| {
             let mut series = cut.constant(Integer::from(m) << k);
             if self.second[self.inputs[at / dimension].index()] {
-                series[at % dimension + 1] += 1;
+                series[at % dimension + 1] += &Integer::ONE;
             }
             series
         };

@@ -16,14 +16,14 @@
 
 use std::cell::OnceCell;
 
-use predicament_arithmetic::Parts;
 use predicament_predicates::{Scene, Sign, Vertex};
-use rug::Integer;
 
 use super::certain::{Free, Matrix};
 use super::moved::Moved;
 use super::residue::Residue;
 use super::series::{Coefficient, Cut, Series};
+use crate::integer::Integer;
+use crate::whole;
 
 /// A polynomial of the coordinates.
 pub(super) trait Expression {
@@ -246,17 +246,7 @@ impl<'q> Search<'q> {
 ///
 /// The unit's exponent comes first, then significands and exponents from 0 on.
 pub(super) fn integers(scene: &Scene, inputs: &[Vertex]) -> (i32, Vec<(i64, u32)>) {
-    let coordinates: Vec<_> = inputs.iter().flat_map(|&v| scene.point(v)).map(|&x| significand(x)).collect();
-    let lowest = coordinates.iter().filter(|(m, _)| *m != 0).map(|(_, exponent)| *exponent).min().unwrap_or(0);
-    let raise = |(m, exponent): (i64, i32)| (m, (exponent - lowest).max(0).unsigned_abs());
-    (lowest, coordinates.into_iter().map(raise).collect())
-}
-
-/// The pair (m, e) with x = m · 2^e; 0 · 2^0 for zero.
-fn significand(x: f64) -> (i64, i32) {
-    let Parts { negative, significand, exponent } = Parts::of(x).expect("scenes are finite").odd();
-    let m = significand.cast_signed();
-    if m == 0 { (0, 0) } else { (if negative { -m } else { m }, exponent) }
+    whole::parts(inputs.iter().flat_map(|&v| scene.point(v)).copied())
 }
 
 #[cfg(test)]
@@ -269,16 +259,19 @@ mod tests {
     use super::super::place::Place;
     use super::super::testing::{Random, constructions};
     use super::*;
+    use crate::integer::tests::value;
 
     /// Checks, on the way to the largest monomial, that the proof in exterior algebra agrees with the value modulo the
-    /// prime.
+    /// prime, and that coefficients are those of GMP.
     ///
-    /// The value is wrong once in 2^58. Returns the numbers of nonzero and of zero coefficients.
+    /// The value modulo the prime is wrong once in 2^58. Returns the numbers of nonzero and of zero coefficients.
     fn proofs_are_values(search: &Search, determinant: &Determinant, context: &str) -> [usize; 2] {
         let mut seen = [0; 2];
         let mut check = |active: usize, chosen: &[(usize, usize)]| {
             let is_there = search.is_there(determinant, active, chosen);
             assert_eq!(search.vanishes(determinant, active, chosen), !is_there, "{active} {chosen:?}: {context}");
+            let reference = search.evaluate(determinant, |at| value(&search.integer(at)), chosen);
+            assert_eq!(value(&search.coefficient(determinant, chosen)), reference, "{chosen:?}: {context}");
             seen[usize::from(!is_there)] += 1;
         };
         for active in 0..=search.coordinates.len() {
@@ -303,7 +296,9 @@ mod tests {
         for round in 0..60 {
             let (dimension, axes) = if round % 3 == 0 { (Dimension::Three, 3) } else { (Dimension::Two, 2) };
             let points = if axes == 2 { 5 } else { 6 };
-            let coordinates = (0..points * axes).map(|_| f64::from(u32::try_from(random.below(3)).unwrap()));
+            // Units of few bits and of many, within the range of doubles and at its lower end.
+            let unit = [1.0, 0.1, 3e-320, 1e300][round / 3 % 4];
+            let coordinates = (0..points * axes).map(|_| f64::from(u32::try_from(random.below(3)).unwrap()) * unit);
             let mut scene = Scene::new(dimension, coordinates.collect()).unwrap();
             constructions(&mut random, &mut scene, 6);
             let questions: &[Question] = match (axes, round) {
@@ -329,14 +324,5 @@ mod tests {
             }
         }
         assert!(seen.iter().all(|&count| count > 200), "{seen:?}");
-    }
-
-    #[test]
-    fn significands_are_exact() {
-        for x in [0.0, -0.0, 1.0, -1.5, 0.1, 5e-324, -f64::MIN_POSITIVE, f64::MAX, f64::from_bits(48)] {
-            let (m, e) = significand(x);
-            let value = rug::Rational::from(m) * (rug::Rational::from(1) << e);
-            assert_eq!(value, rug::Rational::from_f64(x).unwrap(), "{x:e}");
-        }
     }
 }

@@ -6,6 +6,8 @@
 
 use smallvec::{SmallVec, smallvec};
 
+use crate::integer::Integer;
+
 /// The coefficients of a series.
 pub(super) trait Coefficient: Clone {
     fn one() -> Self;
@@ -49,17 +51,17 @@ impl Coefficient for super::residue::Residue {
     }
 }
 
-impl Coefficient for rug::Integer {
+impl Coefficient for Integer {
     fn one() -> Self {
-        rug::Integer::from(1)
+        Integer::ONE
     }
 
     fn zero() -> Self {
-        rug::Integer::new()
+        Integer::ZERO
     }
 
     fn is_zero(&self) -> bool {
-        rug::Integer::is_zero(self)
+        Integer::is_zero(self)
     }
 
     fn add(&mut self, other: &Self) {
@@ -71,7 +73,7 @@ impl Coefficient for rug::Integer {
     }
 
     fn add_product(&mut self, a: &Self, b: &Self) {
-        *self += a * b;
+        Integer::add_product(self, a, b);
     }
 }
 
@@ -176,7 +178,6 @@ mod tests {
     use std::collections::BTreeMap;
 
     use proptest::prelude::*;
-    use rug::Integer;
 
     use super::*;
 
@@ -187,14 +188,14 @@ mod tests {
         let mut product = Plain::new();
         for (i, x) in a {
             for (j, y) in b {
-                *product.entry([i[0] + j[0], i[1] + j[1]]).or_default() += Integer::from(x * y);
+                *product.entry([i[0] + j[0], i[1] + j[1]]).or_insert(Integer::ZERO) += &(x * y);
             }
         }
         product
     }
 
     fn cut(cut: &Cut, plain: &Plain) -> Series<Integer> {
-        let mut series = cut.constant(Integer::new());
+        let mut series = cut.constant(Integer::ZERO);
         for (&[i, j], x) in plain {
             if let (Some(first), Some(second)) = (cut.place(0, i), cut.place(1, j)) {
                 series[first + second] += x;
@@ -204,7 +205,7 @@ mod tests {
     }
 
     fn plain() -> impl Strategy<Value = Plain> {
-        prop::collection::btree_map([0_usize..4, 0_usize..4], (-9..9_i32).prop_map(Integer::from), 0..6)
+        prop::collection::btree_map([0_usize..4, 0_usize..4], (-9..9_i64).prop_map(Integer::from), 0..6)
     }
 
     proptest! {

@@ -1,7 +1,37 @@
-//! Scenes for tests: random constructions.
+//! Scenes for tests: random constructions. Polynomials for tests: coefficients that are integers of GMP.
 
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Scene, Vertex};
+use rug::Integer;
+
+use super::series::Coefficient;
+
+/// The reference for polynomials whose coefficients are integers of any length.
+impl Coefficient for Integer {
+    fn one() -> Self {
+        Integer::from(1)
+    }
+
+    fn zero() -> Self {
+        Integer::new()
+    }
+
+    fn is_zero(&self) -> bool {
+        Integer::is_zero(self)
+    }
+
+    fn add(&mut self, other: &Self) {
+        *self += other;
+    }
+
+    fn subtract(&mut self, other: &Self) {
+        *self -= other;
+    }
+
+    fn add_product(&mut self, a: &Self, b: &Self) {
+        *self += a * b;
+    }
+}
 
 /// A small generator for reproducible samples (xorshift).
 pub(super) struct Random(pub(super) u64);

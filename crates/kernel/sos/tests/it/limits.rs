@@ -6,8 +6,32 @@
 use crate::common::substitution::{between, moved, side, turn};
 use crate::common::{Random, grid_scene, scene};
 use predicament_predicates::{Construction, Scene, Vertex};
-use predicament_sos::{Limit, limit};
-use rug::{Integer, Rational};
+use predicament_sos::Ratio;
+use rug::{Integer, Rational, integer::Order};
+
+/// The limit, in rationals of GMP.
+#[derive(Debug)]
+struct Limit {
+    position: Vec<Option<Rational>>,
+    weights: Vec<Option<Rational>>,
+}
+
+fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
+    let rationals = |ratios: Vec<Option<Ratio>>| ratios.into_iter().map(|ratio| ratio.map(rational)).collect();
+    let limit = predicament_sos::limit(scene, v)?;
+    Some(Limit { position: rationals(limit.position), weights: rationals(limit.weights) })
+}
+
+/// The same number, and a check that it is in lowest terms.
+fn rational(Ratio { numerator, denominator }: Ratio) -> Rational {
+    let [n, d] = [&numerator, &denominator].map(|integer| {
+        let magnitude = Integer::from_digits(integer.limbs(), Order::Lsf);
+        if integer.is_negative() { -magnitude } else { magnitude }
+    });
+    let ratio = Rational::from((n.clone(), d.clone()));
+    assert_eq!(ratio.clone().into_numer_denom(), (n, d), "lowest terms");
+    ratio
+}
 
 fn ratio(n: i32, d: i32) -> Option<Rational> {
     Some(Rational::from((n, d)))

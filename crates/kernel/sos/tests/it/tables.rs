@@ -12,7 +12,7 @@ use predicament_sos::{Scheme, Sos, Term, derive, infinitesimal::judge, ties};
 fn the_committed_tables_are_the_derived_ones() {
     assert!(
         derive::tables() == include_str!("../../src/tables.rs"),
-        "run `cargo run --release -p predicament-sos --bin derive_sos_terms > crates/kernel/sos/src/tables.rs`"
+        "run `cargo run --release -p predicament-sos --features gmp --bin derive_sos_terms > crates/kernel/sos/src/tables.rs`"
     );
 }
 
