@@ -119,6 +119,13 @@ impl Corners {
         }
         let center = self.vertex[corners[0] as usize];
         sort_by_sign(&mut around, |a, b| self.order_around(view, center, a, b));
+        for side in sides_of_an_edge(around) {
+            self.untangle_side(side, out);
+        }
+    }
+
+    /// Links the corners of some directions, in counterclockwise order.
+    fn untangle_side(&mut self, mut around: Vec<Direction>, out: &mut Output) {
         // Counterclockwise, a sector of the inside begins at an edge that leaves, and ends at the next edge that
         // arrives.
         let Some(first) = around.iter().position(|direction| direction.leaves) else { return };
@@ -155,9 +162,7 @@ impl Corners {
                 cycle.push(self.vertex[comes as usize]);
                 at = turns.iter().position(|&[other, _]| other == leaves).unwrap_or(start);
             }
-            for pair in cycle.get(1..).unwrap_or_default().windows(2) {
-                out.flat([cycle[0], pair[1], pair[0]]);
-            }
+            fill(cycle, out);
         }
     }
 
@@ -188,6 +193,37 @@ impl Corners {
             sign => -sign,
         }
     }
+}
+
+/// Fills a cycle of edges without length with triangles without area. A cycle that passes through a vertex twice is two
+/// cycles.
+fn fill(mut cycle: Vec<Vertex>, out: &mut Output) {
+    let twice =
+        (0..cycle.len()).find_map(|at| Some((at, at + 1 + cycle[at + 1..].iter().position(|v| *v == cycle[at])?)));
+    if let Some((from, to)) = twice {
+        fill(cycle.drain(from..to).collect(), out);
+        return fill(cycle, out);
+    }
+    for pair in cycle.get(1..).unwrap_or_default().windows(2) {
+        out.flat([cycle[0], pair[1], pair[0]]);
+    }
+}
+
+/// Divides the directions around a position where an edge passes through it: the inside is on one side of the edge, so
+/// two edges in a row leave the position, and two edges in a row arrive. Corners on different sides are not linked. If
+/// signs are wrong, a corner may have an edge on each side; then nothing is divided.
+fn sides_of_an_edge(mut around: Vec<Direction>) -> Vec<Vec<Direction>> {
+    let follows = |at: &usize| around[*at].leaves == around[(at + around.len() - 1) % around.len()].leaves;
+    let doubles: Vec<usize> = (0..around.len()).filter(follows).collect();
+    let [first, second] = doubles[..] else { return vec![around] };
+    let side = &around[first..second];
+    let is_whole = |direction: &Direction| side.iter().filter(|other| other.corner == direction.corner).count() == 2;
+    if !side.iter().all(is_whole) {
+        return vec![around];
+    }
+    around.rotate_left(first);
+    let rest = around.split_off(second - first);
+    vec![around, rest]
 }
 
 /// The rank of each vertex in the order of the sweep; vertices at one position have equal ranks.

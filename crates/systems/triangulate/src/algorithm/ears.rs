@@ -11,8 +11,9 @@ use predicament_predicates::{Predicates, Sign, Vertex};
 
 use super::corners::{Corners, ranks};
 use super::reflex::Reflex;
+use super::sweep::{self, Bridge};
 use super::view::View;
-use super::{Contradiction, NONE, Output, number, sweep};
+use super::{Contradiction, NONE, Output, number};
 
 /// A walk: a cycle of linked corners along the boundary of the inside.
 struct Walk {
@@ -24,23 +25,23 @@ struct Walk {
 /// Triangulates the region that the walks bound.
 pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) {
     let mut walks = walks(corners, out);
-    let splits = if walks.len() > 1 { sweep::splits(view, corners, out) } else { Vec::new() };
-    let mut sees = vec![NONE; corners.vertex.len()];
-    for &[split, seen] in &splits {
-        sees[split as usize] = seen;
+    let bridges = if walks.len() > 1 { sweep::bridges(view, corners, out) } else { Vec::new() };
+    let mut sees = vec![false; corners.vertex.len()];
+    for bridge in &bridges {
+        sees[bridge.split as usize] = true;
     }
     for walk in &mut walks {
         let first = walk.corners.iter().map(|&corner| corners.rank[corner as usize]).min();
-        let is_first = |corner: &u32| Some(corners.rank[*corner as usize]) == first && sees[*corner as usize] != NONE;
+        let is_first = |corner: &u32| Some(corners.rank[*corner as usize]) == first && sees[*corner as usize];
         walk.split = walk.corners.iter().copied().find(is_first);
     }
-    let Some(mut joined) = Joined::new(view, corners, &walks) else {
+    let Some(mut joined) = Joined::new(corners, &walks) else {
         out.broken(Contradiction::Mesh);
         return;
     };
-    for &[split, seen] in &splits {
-        if walks.iter().any(|walk| walk.split == Some(split)) {
-            joined.join(split, seen, out);
+    for bridge in &bridges {
+        if walks.iter().any(|walk| walk.split == Some(bridge.split)) {
+            joined.join(corners, bridge, out);
         }
     }
     let across = ranks(&view.across(), &corners.vertex);
@@ -71,8 +72,7 @@ fn walks(corners: &Corners, out: &mut Output) -> Vec<Walk> {
 }
 
 /// All walks as one mesh; each corner is a mesh vertex.
-struct Joined<'a, P: ?Sized> {
-    view: &'a View<'a, P>,
+struct Joined {
     mesh: HalfEdgeMesh,
     /// The mesh face of each walk: the region inside an outer walk, or the region inside a hole.
     faces: Vec<Face>,
@@ -82,8 +82,8 @@ struct Joined<'a, P: ?Sized> {
     corner_of: Vec<u32>,
 }
 
-impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
-    fn new(view: &'a View<'a, P>, corners: &Corners, walks: &[Walk]) -> Option<Self> {
+impl Joined {
+    fn new(corners: &Corners, walks: &[Walk]) -> Option<Self> {
         let corner_of: Vec<u32> = walks.iter().flat_map(|walk| &walk.corners).copied().collect();
         let mut faces = IndexedFaces::default();
         let mut start = 0;
@@ -102,16 +102,14 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         for (v, &corner) in mesh.vertices().zip(&corner_of) {
             at[corner as usize] = Some(v);
         }
-        Some(Joined { view, faces: mesh.faces().collect(), mesh, at, corner_of })
+        Some(Joined { faces: mesh.faces().collect(), mesh, at, corner_of })
     }
 
     /// Joins a hole to the region around it with an auxiliary edge.
-    fn join(&mut self, split: u32, seen: u32, out: &mut Output) {
-        let half_edges = self.at[split as usize].zip(self.at[seen as usize]).and_then(|(v, r)| {
+    fn join(&mut self, corners: &Corners, bridge: &Bridge, out: &mut Output) {
+        let half_edges = self.at[bridge.split as usize].and_then(|v| {
             let hole = self.mesh.ring(v).find(|&h| self.mesh.is_boundary(h))?;
-            let inside = |h: &HalfEdge| !self.mesh.is_boundary(*h);
-            let facing = self.mesh.ring(r).filter(inside).find(|&h| self.faces_toward(h, self.mesh.scene_vertex(v)));
-            Some((facing.or_else(|| self.mesh.ring(r).find(inside))?, hole))
+            Some((self.sector(corners, bridge)?, hole))
         });
         let joined = half_edges.is_some_and(|(inside, hole)| self.mesh.insert_auxiliary_edge(inside, hole).is_ok());
         if !joined {
@@ -119,15 +117,21 @@ impl<'a, P: Predicates + ?Sized> Joined<'a, P> {
         }
     }
 
-    /// True if a vertex is in the sector of the corner at the end of a half-edge.
-    fn faces_toward(&self, h: HalfEdge, v: Vertex) -> bool {
-        let corner = [self.mesh.start(h), self.mesh.end(h), self.mesh.end(self.mesh.next(h))];
-        let [a, b, c] = corner.map(|v| self.mesh.scene_vertex(v));
-        let [left_of_in, left_of_out] = [self.view.turn(a, b, v), self.view.turn(b, c, v)];
-        match self.view.turn(a, b, c) {
-            Sign::Positive => left_of_in == Sign::Positive && left_of_out == Sign::Positive,
-            _ => left_of_in == Sign::Positive || left_of_out == Sign::Positive,
-        }
+    /// The half-edge that ends at the corner that a bridge comes from, in the sector in which the bridge leaves.
+    ///
+    /// The corner's edges bound its sector, counterclockwise from the edge that leaves. Earlier bridges divide the
+    /// sector. At most one bridge goes to the right above the corner, and one below; a bridge to the left is between
+    /// them. So the sector of a bridge above begins at the edge that leaves, and the sector of a bridge below ends at
+    /// the edge that arrives. No sign is asked: a hole may touch either edge.
+    fn sector(&self, corners: &Corners, bridge: &Bridge) -> Option<HalfEdge> {
+        let [r, before, after] =
+            [bridge.seen, corners.previous[bridge.seen as usize], corners.next[bridge.seen as usize]]
+                .map(|corner| self.at[corner as usize]);
+        let (before, after) = (before?, after?);
+        self.mesh.ring(r?).find(|&h| match bridge.is_above {
+            true => self.mesh.end(self.mesh.next(h)) == after,
+            false => self.mesh.start(h) == before,
+        })
     }
 }
 
@@ -156,13 +160,7 @@ struct Ears<'a, 'b, P: ?Sized> {
 }
 
 impl<'a, 'b, P: Predicates + ?Sized> Ears<'a, 'b, P> {
-    fn new(
-        view: &'a View<'a, P>,
-        corners: &Corners,
-        across: &[u32],
-        joined: &'b mut Joined<'_, P>,
-        face: Face,
-    ) -> Self {
+    fn new(view: &'a View<'a, P>, corners: &Corners, across: &[u32], joined: &'b mut Joined, face: Face) -> Self {
         let mesh = &mut joined.mesh;
         let half_edge: Vec<HalfEdge> = mesh.loop_of(mesh.half_edge_of_face(face)).collect();
         let corner = |&h: &HalfEdge| joined.corner_of[mesh.end(h).index()] as usize;

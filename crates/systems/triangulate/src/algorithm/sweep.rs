@@ -36,6 +36,17 @@ struct Node {
     corner: u32,
     up: u32,
     down: u32,
+    /// True if the region of the chain begins above the corner.
+    is_above: bool,
+}
+
+/// A corner at which a walk divides the inside, and an earlier corner that it sees.
+pub(super) struct Bridge {
+    pub split: u32,
+    pub seen: u32,
+    /// The side of the seen corner on which the other corner's region begins: true above it, false below it. A corner
+    /// whose edges do not both go to the right has one region, and either value names it.
+    pub is_above: bool,
 }
 
 /// The event at a corner; events at one position are processed in this order.
@@ -65,8 +76,7 @@ pub(super) struct Sweep<'a, P: ?Sized> {
     status: Status,
     /// True if the sweep makes triangles.
     cuts: bool,
-    /// Pairs of a splitting corner and an earlier corner that it sees.
-    splits: Vec<[u32; 2]>,
+    bridges: Vec<Bridge>,
 }
 
 /// Triangulates the region that the walks bound.
@@ -74,11 +84,11 @@ pub(super) fn triangulate<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &
     Sweep::new(view, corners, out, true).run();
 }
 
-/// Pairs of a corner at which a walk divides the inside, and an earlier corner that it sees.
-pub(super) fn splits<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) -> Vec<[u32; 2]> {
+/// A bridge to each corner at which a walk divides the inside, in the order of the sweep.
+pub(super) fn bridges<P: Predicates + ?Sized>(view: &View<'_, P>, corners: &Corners, out: &mut Output) -> Vec<Bridge> {
     let mut sweep = Sweep::new(view, corners, out, false);
     sweep.run();
-    sweep.splits
+    sweep.bridges
 }
 
 impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
@@ -93,7 +103,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             region_of,
             status: Status::default(),
             cuts,
-            splits: Vec::new(),
+            bridges: Vec::new(),
         }
     }
 
@@ -163,8 +173,8 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         self.side(self.regions[region as usize].upper, corner) == Sign::Positive
     }
 
-    fn node(&mut self, corner: u32) -> u32 {
-        self.nodes.push(Node { corner, up: NONE, down: NONE });
+    fn node(&mut self, corner: u32, is_above: bool) -> u32 {
+        self.nodes.push(Node { corner, up: NONE, down: NONE, is_above });
         number(self.nodes.len() - 1)
     }
 
@@ -189,7 +199,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
         if below.is_some_and(|region| self.is_below_upper(region, corner)) {
             self.out.broken(Contradiction::Start);
         }
-        let chain = self.node(corner);
+        let chain = self.node(corner, true);
         self.open(below, corner, chain);
     }
 
@@ -199,10 +209,11 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
             return self.start_inverted(corner);
         };
         let Region { upper, high, last, .. } = self.regions[below as usize];
-        self.splits.push([corner, self.nodes[last as usize].corner]);
+        let Node { corner: seen, is_above, .. } = self.nodes[last as usize];
+        self.bridges.push(Bridge { split: corner, seen, is_above });
         // The chain is divided at its last corner, which then belongs to both parts.
         let above = self.nodes[last as usize].up;
-        let copy = self.node(self.nodes[last as usize].corner);
+        let copy = self.node(seen, is_above);
         if above != NONE {
             self.join(copy, above);
         }
@@ -221,7 +232,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
     /// Opens a region at a split vertex that is in no region according to the signs, as a start vertex does.
     fn start_inverted(&mut self, corner: u32) {
         let below = self.region_below(corner);
-        let chain = self.node(corner);
+        let chain = self.node(corner, true);
         self.open(below, corner, chain);
     }
 
@@ -324,7 +335,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
     /// Appends a corner at the lower end of a chain.
     fn push_low(&mut self, region: u32, corner: u32) {
         let low = self.cut_low(region, corner);
-        let node = self.node(corner);
+        let node = self.node(corner, true);
         self.nodes[low as usize].down = NONE;
         if self.cuts {
             self.join(node, low);
@@ -338,7 +349,7 @@ impl<'a, P: Predicates + ?Sized> Sweep<'a, P> {
     /// Appends a corner at the upper end of a chain.
     fn push_high(&mut self, region: u32, corner: u32) {
         let high = self.cut_high(region, corner);
-        let node = self.node(corner);
+        let node = self.node(corner, false);
         self.nodes[high as usize].up = NONE;
         if self.cuts {
             self.join(high, node);

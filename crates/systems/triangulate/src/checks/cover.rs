@@ -28,36 +28,69 @@ type Passages = BTreeMap<[usize; 2], [i64; 2]>;
 #[must_use]
 pub fn uncovered(polygon: &Polygon, triangles: &[[Vertex; 3]]) -> Vec<Flaw> {
     let points = &polygon.points;
-    if let Some((got, vertices)) = polygon.fault() {
-        let truth = "loops that bound a polygon".to_owned();
-        return vec![Flaw { check: "loops do not cross", vertices, got, truth }];
+    if let Some(fault) = polygon.fault() {
+        let [got, truth] = [fault.to_string(), "loops that bound a polygon".to_owned()];
+        return vec![Flaw { check: "loops do not cross", vertices: fault.vertices.clone(), got, truth }];
     }
-    let first = first_at_each_place(polygon);
-    let (mut found, mut sides, mut sum) = (Vec::new(), Passages::new(), Integer::new());
+    let (mut found, mut places) = (Vec::new(), Vec::with_capacity(triangles.len()));
     for &triangle in triangles {
-        let [Some(a), Some(b), Some(c)] = triangle.map(|v| points.place(v)) else {
-            if found.is_empty() {
+        match triangle.map(|v| points.place(v)) {
+            [Some(a), Some(b), Some(c)] => places.push([a, b, c]),
+            _ if found.is_empty() => {
                 let truth = "three vertices of the polygon".to_owned();
                 found.push(Flaw { check: "vertices", vertices: triangle.to_vec(), got: words(&triangle), truth });
             }
-            continue;
-        };
-        let area = points.turn(a, b, c);
-        if area.cmp0().is_eq() {
-            continue;
+            _ => {}
         }
-        sum += area;
-        [[a, b], [b, c], [c, a]].into_iter().for_each(|side| pass(&mut sides, side.map(|at| first[at]), 0, 1));
     }
-    if sum != polygon.area {
-        let [got, truth] = [&sum, &polygon.area].map(|area| points.in_scene_units(area).to_string());
-        found.push(Flaw { check: "area", vertices: Vec::new(), got, truth });
+    found.extend(unequal_area(polygon, &places, "area"));
+    found.extend(unequal_passages(polygon, &places));
+    found
+}
+
+/// The flaws of triangles in the limit, at most one for each check. A triangle covers the same points in either
+/// direction, and a triangle without area covers nothing.
+///
+/// Turned counterclockwise, the triangles must go around each point as often as the loops do, as the module says. So a
+/// point off the border is in one triangle or on the side of two if it is inside, and in none if it is outside.
+#[must_use]
+pub fn limit_flaws(polygon: &Polygon, triangles: &[[Vertex; 3]]) -> Vec<Flaw> {
+    let points = &polygon.points;
+    let turned = |[a, b, c]: [usize; 3]| if points.side(a, b, c).is_lt() { [a, c, b] } else { [a, b, c] };
+    let places: Vec<[usize; 3]> = triangles
+        .iter()
+        .filter_map(|triangle| match triangle.map(|v| points.place(v)) {
+            [Some(a), Some(b), Some(c)] => Some(turned([a, b, c])),
+            _ => None,
+        })
+        .collect();
+    let mut found: Vec<Flaw> = unequal_area(polygon, &places, "area of the limit").into_iter().collect();
+    let wrong = unequal_passages(polygon, &places).into_iter().next();
+    found.extend(wrong.map(|flaw| Flaw { check: "inside of the limit", ..flaw }));
+    found
+}
+
+/// The area of triangles, if it is not the area of the polygon.
+fn unequal_area(polygon: &Polygon, places: &[[usize; 3]], check: &'static str) -> Option<Flaw> {
+    let points = &polygon.points;
+    let mut sum = Integer::new();
+    places.iter().for_each(|&[a, b, c]| sum += points.turn(a, b, c));
+    let [got, truth] = [&sum, &polygon.area].map(|area| points.in_scene_units(area).to_string());
+    (sum != polygon.area).then(|| Flaw { check, vertices: Vec::new(), got, truth })
+}
+
+/// The first pieces that counterclockwise triangles do not pass as often as the loops do.
+pub(super) fn unequal_passages(polygon: &Polygon, places: &[[usize; 3]]) -> Vec<Flaw> {
+    let points = &polygon.points;
+    let first = points.first_at_each_place();
+    let mut sides = Passages::new();
+    for &[a, b, c] in places.iter().filter(|&&[a, b, c]| points.side(a, b, c).is_ne()) {
+        [[a, b], [b, c], [c, a]].into_iter().for_each(|side| pass(&mut sides, side.map(|at| first[at]), 0, 1));
     }
     for edge in polygon.loops.iter().flat_map(|one| edges(one)) {
         pass(&mut sides, edge.map(|at| first[at]), 1, 1);
     }
-    found.extend(unequal(polygon, &pieces(polygon, &first, &sides)));
-    found
+    unequal(polygon, &pieces(polygon, &first, &sides))
 }
 
 /// Adds passages from one place to another, of triangles (0) or loops (1).
@@ -65,18 +98,6 @@ fn pass(all: &mut Passages, [a, b]: [usize; 2], of: usize, times: i64) {
     if a != b {
         all.entry([a.min(b), a.max(b)]).or_default()[of] += if a < b { times } else { -times };
     }
-}
-
-/// For each point, the first of those at its place.
-fn first_at_each_place(polygon: &Polygon) -> Vec<usize> {
-    let points = &polygon.points;
-    let mut order: Vec<usize> = (0..points.len()).collect();
-    order.sort_by(|&a, &b| points.order(a, b).then(a.cmp(&b)));
-    let mut first = vec![0; points.len()];
-    for same in order.chunk_by(|&a, &b| points.is_same_place(a, b)) {
-        same.iter().for_each(|&at| first[at] = same[0]);
-    }
-    first
 }
 
 /// The passages of the pieces of all sides that triangles and loops do not pass equally often.

@@ -6,6 +6,7 @@ use predicament_predicates::Vertex;
 use rug::Integer;
 
 use super::Polygon;
+use super::cover::unequal_passages;
 
 /// The maximum number of triangles for which all pairs are compared.
 const MOST_PAIRED: usize = 150;
@@ -36,9 +37,9 @@ pub struct Flaw {
 #[must_use]
 pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Flaw> {
     let points = &polygon.points;
-    if let Some((got, vertices)) = polygon.fault() {
-        let truth = "loops that bound a polygon".to_owned();
-        return vec![Flaw { check: "loops do not cross", vertices, got, truth }];
+    if let Some(fault) = polygon.fault() {
+        let [got, truth] = [fault.to_string(), "loops that bound a polygon".to_owned()];
+        return vec![Flaw { check: "loops do not cross", vertices: fault.vertices.clone(), got, truth }];
     }
     let mut found = Vec::new();
     let mut places = Vec::with_capacity(triangles.len());
@@ -53,6 +54,11 @@ pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Fl
             }),
             _ => {}
         }
+    }
+    if polygon.has_edge_without_length() {
+        found.extend(areas(polygon, &places, flat));
+        found.extend(unequal_passages(polygon, &places));
+        return found;
     }
     if triangles.len() != polygon.triangles {
         let [got, truth] = [triangles.len(), polygon.triangles].map(|count| format!("{count} triangles"));

@@ -15,16 +15,26 @@
 //! * `overlap`: no two triangles have an inner point in common. The other checks imply it; this check compares all
 //!   pairs, if there are few.
 //!
+//! If two vertices in a row are at one place, the edge between them has no length, and triangles without area at it can
+//! be more or fewer. Then `count` is not checked, and `boundary` and `diagonals` are those of [`uncovered`].
+//!
+//! [`limit_flaws`] holds triangles of a perturbed polygon whose loops cross against the polygon itself:
+//! * `area of the limit`: areas, each without its sign, add up to the polygon's;
+//! * `inside of the limit`: each point off the border is inside or outside as the polygon says.
+//!
 //! [`uncovered`] holds triangles of other programs against the polygon: they need not use all of its vertices.
 
 mod cover;
+mod fault;
 mod flaws;
 mod nesting;
 mod plane;
 mod polygon;
+mod strands;
 mod touches;
 
-pub use cover::uncovered;
+pub use cover::{limit_flaws, uncovered};
+pub use fault::{Fault, FaultKind};
 pub use flaws::{Flat, Flaw, flaws};
 pub use polygon::Polygon;
 pub use touches::{Touch, Touches};

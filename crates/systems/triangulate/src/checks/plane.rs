@@ -59,6 +59,17 @@ impl Points {
         self.exact[a] == self.exact[b]
     }
 
+    /// For each point, the first of those at its place.
+    pub(super) fn first_at_each_place(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.len()).collect();
+        order.sort_by(|&a, &b| self.order(a, b).then(a.cmp(&b)));
+        let mut first = vec![0; self.len()];
+        for same in order.chunk_by(|&a, &b| self.is_same_place(a, b)) {
+            same.iter().for_each(|&at| first[at] = same[0]);
+        }
+        first
+    }
+
     pub(super) fn order(&self, a: usize, b: usize) -> std::cmp::Ordering {
         self.exact[a].cmp(&self.exact[b])
     }

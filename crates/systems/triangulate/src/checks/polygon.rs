@@ -5,8 +5,10 @@ use std::cmp::Ordering;
 use predicament_predicates::{Plane, Scene, Vertex};
 use rug::{Integer, Rational};
 
+use super::fault::{Fault, FaultKind};
 use super::nesting::{edges, holes};
 use super::plane::Points;
+use super::strands::crossing;
 use super::touches::Touches;
 
 /// A polygon: loops with the inside on their left, and facts that follow from them.
@@ -20,8 +22,7 @@ pub struct Polygon {
     /// The number of triangles.
     pub(super) triangles: usize,
     pub(super) touches: Touches,
-    /// A vertex at which loops cross each other.
-    tangle: Option<Vertex>,
+    fault: Option<Fault>,
 }
 
 impl Polygon {
@@ -48,11 +49,16 @@ impl Polygon {
         let holes = is_hole.iter().filter(|is_hole| **is_hole).count();
         let corners: usize = loops.iter().map(Vec::len).sum();
         let outer = loops.len() - holes;
-        let (passages, tangle) = passages(&points, &loops);
-        let triangles = (corners + 2 * holes).saturating_sub(2 * outer + 2 * passages);
-        let touches = Touches::new(&points, &loops);
-        let tangle = tangle.map(|place| points.vertex(place));
-        Polygon { points, loops, area, triangles, touches, tangle }
+        let triangles = (corners + 2 * holes).saturating_sub(2 * outer + 2 * passages(&points, &loops));
+        let touches = Touches::new(&points, &loops, &is_hole);
+        let is_point = |one: &&Vec<usize>| one.iter().all(|&corner| points.is_same_place(corner, one[0]));
+        let point = loops.iter().find(is_point).and_then(|one| one.first());
+        let point = point.map(|&v| Fault { kind: FaultKind::Point, vertices: vec![points.vertex(v)] });
+        let fault = point.or_else(|| touches.fault.clone()).or_else(|| {
+            let place = crossing(&points, &loops, &touches)?;
+            Some(Fault { kind: FaultKind::Cross, vertices: vec![points.vertex(place)] })
+        });
+        Polygon { points, loops, area, triangles, touches, fault }
     }
 
     /// The number of corners: a vertex counts once for each time that the loops pass through it.
@@ -67,20 +73,19 @@ impl Polygon {
         self.points.in_scene_units(&self.area)
     }
 
-    /// The reason why the loops bound no polygon, and the vertices there: loops cross, or pass along one edge twice.
+    /// The first reason why the loops bound no polygon.
     #[must_use]
-    pub fn fault(&self) -> Option<(String, Vec<Vertex>)> {
-        match (self.touches.crossing, self.tangle) {
-            (Some([[a, b], [c, d]]), _) => {
-                let why = format!("the edges from {a} to {b} and from {c} to {d} cross, or overlap on a line");
-                Some((why, vec![a, b, c, d]))
-            }
-            (None, Some(v)) => Some((format!("loops cross each other at vertex {v}"), vec![v])),
-            (None, None) => None,
-        }
+    pub fn fault(&self) -> Option<&Fault> {
+        self.fault.as_ref()
     }
 
-    /// The places where loops touch or cross.
+    /// True if an edge has no length: its ends are two vertices at one place.
+    #[must_use]
+    pub(super) fn has_edge_without_length(&self) -> bool {
+        self.loops.iter().flat_map(|one| edges(one)).any(|[a, b]| self.points.is_same_place(a, b))
+    }
+
+    /// The places where loops touch.
     #[must_use]
     pub fn touches(&self) -> &Touches {
         &self.touches
@@ -88,43 +93,22 @@ impl Polygon {
 }
 
 /// The number of times that loops pass through a vertex from inside another loop that passes through it. It is, summed
-/// over all vertices, the number of corners around any direction to the inside, less one.
-///
-/// If that number differs between the edges that leave a vertex, loops cross there: the second value is the first such
-/// vertex.
-fn passages(points: &Points, loops: &[Vec<usize>]) -> (usize, Option<usize>) {
+/// over all vertices, the number of corners around any direction to the inside, less one. Loops that cross there have
+/// no such number.
+fn passages(points: &Points, loops: &[Vec<usize>]) -> usize {
     let mut at: Vec<Vec<[usize; 2]>> = vec![Vec::new(); points.len()];
     for one in loops {
         for (&before, [corner, after]) in one.iter().cycle().skip(one.len() - 1).zip(edges(one)) {
             at[corner].push([after, before]);
         }
     }
-    let (mut all, mut tangle) = (0, None);
+    let mut all = 0;
     for (v, corners) in at.iter().enumerate().filter(|(_, corners)| corners.len() > 1) {
         // The region right after an edge that leaves is inside.
         let covers = |direction: usize| {
-            corners.iter().filter(|&&[from, to]| is_between(points, v, [from, to], direction)).count()
+            corners.iter().filter(|&&[from, to]| points.order_around(v, from, direction, to).is_lt()).count()
         };
-        let around: Vec<usize> = corners.iter().map(|&[from, _]| covers(from)).collect();
-        if around.iter().any(|&count| count != around[0]) {
-            tangle.get_or_insert(v);
-        }
-        all += around.into_iter().min().unwrap_or(0).saturating_sub(1);
+        all += corners.iter().map(|&[from, _]| covers(from)).min().unwrap_or(0).saturating_sub(1);
     }
-    (all, tangle)
-}
-
-/// True if the region right after a direction from v, counterclockwise, is in the sector between two others.
-fn is_between(points: &Points, v: usize, [from, to]: [usize; 2], direction: usize) -> bool {
-    // The angle from the first direction, in classes: zero, less than half a turn, half a turn, more.
-    let turn = |far: usize| match (points.side(v, from, far), points.along(v, from, far).cmp0()) {
-        (Ordering::Equal, Ordering::Greater) => 0,
-        (Ordering::Greater, _) => 1,
-        (Ordering::Equal, _) => 2,
-        (Ordering::Less, _) => 3,
-    };
-    match (turn(direction), turn(to)) {
-        (a, b) if a == b => points.side(v, direction, to).is_gt(),
-        (a, b) => a < b,
-    }
+    all
 }

@@ -19,5 +19,13 @@ pub(super) const CHECKS: &[Check] = &[
         "perturbed triangles",
         "if ties are broken, flat triangles are counterclockwise in the perturbed scene",
     ),
+    Check::topology(
+        "area of the limit",
+        "if loops cross once they are perturbed, the areas of the triangles, without signs, add up to the polygon's",
+    ),
+    Check::topology(
+        "inside of the limit",
+        "if loops cross once they are perturbed, triangles cover each inner point once, and no outer point",
+    ),
     Check::invariants("walks and ears, or a sweep, do not contradict themselves", &[RULES]),
 ];

@@ -152,8 +152,9 @@ fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'
         return Some((message, corners, "put all corners in one plane but not on one line, or divide the face"));
     }
     let (plane, reversed) = seen(scene, loops);
-    let (why, corners) = Polygon::new(scene, plane, reversed, loops).fault()?;
-    Some((why, corners, "divide the loops where they cross"))
+    let polygon = Polygon::new(scene, plane, reversed, loops);
+    let fault = polygon.fault()?;
+    Some((fault.to_string(), fault.vertices.clone(), fault.cure()))
 }
 
 /// The reason why the corners of a face are not in one plane, or are all in line; and those corners.

@@ -1,4 +1,4 @@
-//! Families of polygons: stars, spirals, combs, grids, nested rings, slivers, mazes.
+//! Families of polygons: stars, spirals, combs, grids, nested rings, touching holes, slivers, mazes.
 
 use predicament_corpus::{Family, Making, Parts, Recipe};
 use predicament_formats::{CorpusError, Fields};
@@ -7,6 +7,7 @@ use predicament_predicates::{Scene, Vertex};
 use super::Polygons;
 use super::content::read_method;
 use super::shapes::{self, Shape};
+use super::touching;
 
 macro_rules! family {
     ($name:literal, $parameters:expr, $about:literal, $make:expr) => {
@@ -21,7 +22,7 @@ macro_rules! family {
 }
 
 /// The families of polygons.
-pub(super) static FAMILIES: [Family; 7] = [
+pub(super) static FAMILIES: [Family; 8] = [
     family!(
         "polygon-star",
         &["bits", "edges"],
@@ -61,6 +62,12 @@ pub(super) static FAMILIES: [Family; 7] = [
             let apart = is(fields, "vertices", "apart")?;
             recipe(fields, move |making| shapes::rings(making.n, apart))
         }
+    ),
+    family!(
+        "polygon-touching",
+        &[],
+        "squares with random holes that touch: vertex to vertex, vertex to edge, holes to the square",
+        |fields: &Fields<'_, '_>| { recipe(fields, |making| touching::touching(making.n, &mut making.random())) }
     ),
     family!("polygon-sliver", &["places"], "a polygon along a diagonal, a few ulps wide", |fields: &Fields<'_, '_>| {
         let far = is(fields, "places", "far")?;

@@ -1,6 +1,6 @@
 //! Judging of triangles against the truth about their polygon.
 
-use crate::checks::{Flat, Flaw, Polygon, flaws};
+use crate::checks::{Flat, Flaw, Polygon, flaws, limit_flaws};
 use predicament_judge::{Judged, sign};
 use predicament_predicates::{Plane, PredicateKind, Predicates, Query, Question, Scene, Sign, Vertex, ZeroMeaning};
 
@@ -30,22 +30,25 @@ pub(super) fn judge(
             got: "the signs or the loops broke the rule".to_owned(),
             truth: broken.rule().to_owned(),
         });
-        // Loops that touch may cross once they are perturbed: then no triangulation exists.
+        // Loops that touch may cross once they are perturbed. Then the perturbed polygon has no triangulation, and the
+        // triangles are judged in the limit.
         let crosses = perturbed.as_ref().is_some_and(|perturbed| perturbed.crosses(truth));
-        if crosses {
-            outcome.note(Class::TieBroken, most, || unreachable!("legal"));
-            continue;
-        }
-        let flat = if zero == ZeroMeaning::Never { Flat::Anywhere } else { Flat::WhereLoopsTouch };
-        let mut all: Vec<Flaw> = flaws(truth, &found.triangles, flat);
-        all.extend(broken);
-        if all.is_empty()
-            && let Some(perturbed) = &perturbed
-        {
-            all.extend(perturbed.inverted(case.scene(), &found.triangles, asked.budget.ties));
-        }
+        let all = if crosses {
+            limit_flaws(truth, &found.triangles)
+        } else {
+            let flat = if zero == ZeroMeaning::Never { Flat::Anywhere } else { Flat::WhereLoopsTouch };
+            let mut all: Vec<Flaw> = flaws(truth, &found.triangles, flat);
+            all.extend(broken);
+            if all.is_empty()
+                && let Some(perturbed) = &perturbed
+            {
+                all.extend(perturbed.inverted(case.scene(), &found.triangles, asked.budget.ties));
+            }
+            all
+        };
         if all.is_empty() {
-            outcome.note(Class::Agree, most, || unreachable!("legal"));
+            let class = if crosses { Class::TieBroken } else { Class::Agree };
+            outcome.note(class, most, || unreachable!("legal"));
         }
         for flaw in all {
             outcome.note(Class::Topology, most, || {

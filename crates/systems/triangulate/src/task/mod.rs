@@ -11,6 +11,7 @@ mod judge;
 mod replies;
 mod shapes;
 mod spoiled;
+mod touching;
 
 use crate::algorithm::{Contradiction, Triangulation, oriented, projection, triangulate};
 use crate::truth::Truth;

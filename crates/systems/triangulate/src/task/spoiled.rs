@@ -2,7 +2,7 @@
 
 use crate::algorithm::Contradiction;
 use predicament_judge::sign;
-use predicament_predicates::{Question, Scene, Vertex};
+use predicament_predicates::{Plane, Question, Scene, Vertex};
 
 use super::{Polygons, Triangulate, Triangulated};
 use crate::truth::seen;
@@ -57,6 +57,22 @@ pub(super) fn all() -> Vec<Spoiled<Triangulate>> {
             |_, _, answer: &mut Triangulated| {
                 for found in &mut answer.0 {
                     found.triangles.pop();
+                }
+            },
+        ),
+        Spoiled::new(
+            "triangulate-repeats-the-largest-triangle",
+            "the largest triangle is listed twice, also where loops cross once they are perturbed",
+            "sos",
+            &[(Class::Topology, "area of the limit"), (Class::Topology, "inside of the limit")],
+            |scene: &Scene, _, answer: &mut Triangulated| {
+                let size = |triangle: &[Vertex; 3]| {
+                    let [a, b, c] = triangle.map(|v| scene.point2(Plane::Xy, v));
+                    ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs()
+                };
+                for found in &mut answer.0 {
+                    let largest = found.triangles.iter().copied().max_by(|a, b| size(a).total_cmp(&size(b)));
+                    found.triangles.extend(largest);
                 }
             },
         ),

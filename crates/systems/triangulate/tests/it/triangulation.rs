@@ -1,7 +1,7 @@
 //! Each check of triangulations fails on an output that is wrong in its way, and not on the others.
 
 use predicament_predicates::{Plane, Scene, Vertex};
-use predicament_triangulate::checks::{Flat, Flaw, Polygon, flaws, uncovered};
+use predicament_triangulate::checks::{Fault, FaultKind, Flat, Flaw, Polygon, flaws, limit_flaws, uncovered};
 
 fn vertices<const N: usize>(of: [usize; N]) -> [Vertex; N] {
     of.map(Vertex::input)
@@ -136,13 +136,65 @@ fn an_edge_in_common_is_one_of_two_loops_from_both_sides() {
         let neighbors = polygon(&points, &[&[0, 1, 2, 3], second]);
         assert_eq!((neighbors.fault(), neighbors.area()), (None, 8.into()), "{second:?}");
     }
-    // A loop that goes to a vertex inside it and back along the same edge.
-    let slit = polygon(&points, &[&[0, 1, 2, 6, 2, 3]]).fault().expect("one edge twice");
-    let [a, b] = vertices([2, 6]);
-    let said = format!("the edges from {a} to {b} and from {b} to {a} cross, or overlap on a line");
-    assert_eq!(slit, (said, vec![a, b, b, a]));
-    // The same loop twice.
-    assert!(polygon(&points, &[&[0, 1, 2, 3], &[0, 1, 2, 3]]).fault().is_some());
+}
+
+/// Loops that bound no polygon, each with its reason, over vertices that loops share and over vertices of their own.
+#[test]
+fn loops_that_bound_no_polygon() {
+    let square: [[f64; 2]; 4] = [[0.0, 0.0], [6.0, 0.0], [6.0, 6.0], [0.0, 6.0]];
+    let fault = |more: &[[f64; 2]], of: &[&[usize]]| {
+        let points: Vec<[f64; 2]> = square.iter().chain(more).copied().collect();
+        let polygon = polygon(&points, of);
+        polygon.fault().map(|fault| (fault.kind, fault.vertices.iter().map(|v| v.index()).collect::<Vec<_>>()))
+    };
+    let outer: &[usize] = &[0, 1, 2, 3];
+    // A loop that goes to a vertex and back: the same vertices, or others in the same places, or one edge longer.
+    assert_eq!(fault(&[[3.0, 3.0]], &[&[0, 1, 2, 4, 2, 3]]), Some((FaultKind::Spike, vec![2, 4, 4, 2])));
+    assert_eq!(fault(&[[3.0, 3.0], [6.0, 6.0]], &[&[0, 1, 2, 4, 5, 3]]), Some((FaultKind::Spike, vec![2, 4, 4, 5])));
+    assert_eq!(fault(&[[3.0, 3.0], [5.0, 5.0]], &[&[0, 1, 2, 4, 5, 3]]), Some((FaultKind::Spike, vec![2, 4, 4, 5])));
+    assert_eq!(fault(&[[1.0, 1.0], [3.0, 3.0]], &[&[0, 4, 5]]).unwrap().0, FaultKind::Spike, "no area");
+    // A loop twice, a hole along an edge, two holes with a common edge, and an island that fills a hole.
+    let holes = [[1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0], [1.0, 1.0], [3.0, 1.0], [3.0, 3.0], [1.0, 3.0]];
+    let hole: &[usize] = &[4, 5, 6, 7];
+    for twice in [&[4, 5, 6, 7][..], &[7, 6, 5, 4], &[8, 9, 10, 11], &[10, 9, 8, 11]] {
+        for of in [&[outer, hole, twice][..], &[hole, twice]] {
+            assert_eq!(fault(&holes, of).expect("a loop twice").0, FaultKind::Doubled, "{of:?}");
+        }
+    }
+    for beside in [&[5, 6, 12][..], &[9, 10, 12]] {
+        let more: Vec<[f64; 2]> = holes.iter().copied().chain([[5.0, 2.0]]).collect();
+        assert_eq!(fault(&more, &[outer, hole, beside]).expect("a wall without width").0, FaultKind::Doubled);
+        assert_eq!(fault(&more, &[hole, beside]), None, "side by side");
+    }
+    for inside in [&[4, 5, 12][..], &[8, 9, 12], &[6, 7, 12], &[10, 11, 12]] {
+        let more: Vec<[f64; 2]> = holes.iter().copied().chain([[2.0, 2.0]]).collect();
+        for of in [&[outer, hole, inside][..], &[hole, inside]] {
+            assert_eq!(fault(&more, of).expect("a loop on the edge around it").0, FaultKind::Doubled, "{of:?}");
+        }
+    }
+    // A common part of two edges.
+    assert_eq!(fault(&[[1.0, 0.0], [3.0, 0.0], [2.0, 2.0]], &[outer, &[4, 5, 6]]).unwrap().0, FaultKind::Overlap);
+    assert_eq!(fault(&[[0.0, 0.0], [3.0, 0.0], [2.0, 2.0]], &[outer, &[4, 5, 6]]).unwrap().0, FaultKind::Overlap);
+    // Edges that cross; loops that cross at a vertex of both, at vertices in one place, and in the middle of edges.
+    let across = [[0.0, 0.0], [3.0, -3.0], [3.0, 3.0], [3.0, 0.0], [5.0, 3.0], [5.0, 0.0], [5.0, -3.0]];
+    assert_eq!(fault(&[], &[&[0, 2, 1, 3]]), Some((FaultKind::Cross, vec![0, 2, 1, 3])));
+    assert_eq!(fault(&across, &[outer, &[0, 5, 6]]).unwrap().0, FaultKind::Cross);
+    assert_eq!(fault(&across, &[outer, &[6, 7, 5, 10, 9, 8]]), Some((FaultKind::Cross, vec![7])));
+    let at_a_corner = [[0.0, 0.0], [-1.0, -2.0], [1.0, 2.0], [2.0, 1.0]];
+    assert_eq!(fault(&at_a_corner, &[outer, &[0, 5, 6]]).unwrap().0, FaultKind::Spike, "no area");
+    let at_a_corner = [[0.0, 0.0], [-1.0, 1.0], [-1.0, -1.0], [2.0, 1.0], [1.0, 2.0]];
+    for (inside, outside) in [(&[0, 7, 8], &[0, 5, 6]), (&[4, 7, 8], &[4, 5, 6]), (&[4, 7, 8], &[0, 5, 6])] {
+        assert_eq!(fault(&at_a_corner, &[outer, inside, outside]), None, "{inside:?} {outside:?}");
+        let one: Vec<usize> = inside.iter().chain(outside).copied().collect();
+        assert_eq!(fault(&at_a_corner, &[outer, &one]).unwrap().0, FaultKind::Cross, "one loop goes in and out");
+    }
+    for through in [&[6, 0, 7, 5][..], &[6, 4, 7, 5]] {
+        let found = fault(&[[0.0, 0.0], [-2.0, 3.0], [-2.0, -1.0], [3.0, 3.0]], &[outer, through]).unwrap();
+        assert_eq!(found.0, FaultKind::Cross, "{through:?}");
+    }
+    let fault = Fault { kind: FaultKind::Spike, vertices: vertices([2, 4, 4, 5]).to_vec() };
+    let said = "the edges from 2 to 4 and from 4 to 5 are a spike, forth and back";
+    assert_eq!((fault.to_string().as_str(), fault.cure()), (said, "leave the spike out"));
 }
 
 /// Triangles of other programs may leave out a vertex in the middle of an edge, use any vertex of a place, and have no
@@ -185,4 +237,49 @@ fn other_programs_need_not_use_all_vertices() {
     // Loops that cross bound no polygon.
     let tangled = polygon(&[[0.0, 0.0], [2.0, 2.0], [2.0, 0.0], [0.0, 2.0]], &[&[0, 1, 2, 3]]);
     assert_eq!(checks(&tangled, &[[0, 2, 1]]), ["loops do not cross"]);
+}
+
+/// A hole touches an edge of the square in the middle. Triangles cover the same points in either direction.
+#[test]
+fn the_limit_is_the_polygon_itself() {
+    let points = [[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [0.0, 4.0], [2.0, 0.0], [3.0, 1.0], [1.0, 1.0]];
+    let polygon = polygon(&points, &[&[0, 1, 2, 3], &[4, 5, 6]]);
+    let said = |triangles: &[[usize; 3]]| -> Vec<String> {
+        let flaws = limit_flaws(&polygon, &triangles.iter().map(|&triangle| vertices(triangle)).collect::<Vec<_>>());
+        flaws.iter().map(|flaw| format!("{}: {}, not {}", flaw.check, flaw.got, flaw.truth)).collect()
+    };
+    let checks = |triangles: &[[usize; 3]]| -> Vec<String> {
+        said(triangles).iter().map(|flaw| flaw.split(':').next().unwrap().to_owned()).collect()
+    };
+    let both = ["area of the limit", "inside of the limit"];
+    let right = [[0, 4, 6], [4, 1, 5], [1, 2, 5], [5, 2, 3], [3, 6, 5], [0, 6, 3]];
+    assert_eq!(said(&right), [""; 0]);
+    assert_eq!(said(&right.map(|[a, b, c]| [c, b, a])), [""; 0], "in either direction");
+    // With the flat triangle at the touch, or without it.
+    let with_flat: Vec<[usize; 3]> = right.into_iter().chain([[0, 1, 4]]).collect();
+    assert_eq!(said(&with_flat), [""; 0]);
+    // The hole is filled, by a triangle that is clockwise: areas with signs would cancel.
+    let filled: Vec<[usize; 3]> = right.into_iter().chain([[4, 6, 5], [4, 5, 6]]).collect();
+    assert_eq!(checks(&filled), both);
+    let twice: Vec<[usize; 3]> = right.into_iter().chain([right[2]]).collect();
+    assert_eq!(checks(&twice), both);
+    assert_eq!(checks(&right[1..]), both);
+    assert_eq!(said(&right[1..])[0], "area of the limit: 14, not 15");
+    // The area is right, but one part is covered twice and another is not covered.
+    assert_eq!(checks(&[right[0], right[0], right[2], right[3], right[4], right[5]]), [both[1]]);
+}
+
+/// Two corners at one place in a row: triangles without area at the edge between them may be there or not.
+#[test]
+fn edges_without_length_leave_flat_triangles_open() {
+    let points = [[0.0, 0.0], [2.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+    let square = polygon(&points, &[&[0, 1, 2, 3, 4]]);
+    assert_eq!(square.fault(), None);
+    assert_eq!(checks(&square, &[[0, 1, 4], [1, 2, 3], [1, 3, 4]]), [""; 0]);
+    assert_eq!(checks(&square, &[[0, 1, 4], [1, 3, 4]]), [""; 0]);
+    assert_eq!(checks(&square, &[[0, 1, 4]]), ["area", "boundary", "diagonals"]);
+    assert_eq!(checks(&square, &[[0, 1, 4], [0, 1, 4]]), ["boundary", "diagonals"]);
+    let point = polygon(&[[0.0, 0.0], [0.0, 0.0], [0.0, 0.0]], &[&[0, 1, 2]]);
+    let fault = point.fault().expect("one place");
+    assert_eq!((fault.kind, fault.cure()), (FaultKind::Point, "leave the loop out"));
 }
