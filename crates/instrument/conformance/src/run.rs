@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use predicament_predicates::Sign;
+use predicament_predicates::{PredicateKind, Sign};
 
 use crate::check::Check;
 use crate::families::{constructs, queries};
@@ -72,9 +72,16 @@ pub(crate) fn run<P: Point>(check: Check<'_, P>) -> Report<P> {
             run.source(scene.name.to_owned(), scene.queries(way, most), fit);
         }
     }
+    // Circles and spheres through constructed points: the families of turns and sides, which have as many coordinates.
+    let listed = match is_indirect && subject.kind.is_lifted() {
+        true => {
+            PredicateKind::ALL.into_iter().find(|kind| !kind.is_lifted() && kind.arity() + 1 == subject.kind.arity())
+        }
+        false => Some(subject.kind),
+    };
     let recipes: Vec<_> = recipes
         .iter()
-        .filter(|recipe| recipe.kind == subject.kind && constructs(recipe.family).is_some() == is_indirect)
+        .filter(|recipe| Some(recipe.kind) == listed && constructs(recipe.family).is_some() == is_indirect)
         .collect();
     let (cases, seed, ways) = (run.check.cases, run.check.seed, subject.ways.len());
     // Families for points of another dimension make no queries; they get no share.

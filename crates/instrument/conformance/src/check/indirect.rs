@@ -33,6 +33,22 @@ pub fn orient3d<'f, T: Number, A: Into<Answer>>(
     indirect(Check::new(PredicateKind::Orient3d, SPACE, Box::new(asked)))
 }
 
+/// Checks the side of a circle through three points; points may be where two lines meet.
+pub fn incircle<'f, T: Number, A: Into<Answer>>(
+    mut predicate: impl FnMut(Point2<T>, Point2<T>, Point2<T>, Point2<T>) -> A + 'f,
+) -> Check<'f, Point2<T>> {
+    let asked = move |_: usize, p: &[Point2<T>]| predicate(p[0], p[1], p[2], p[3]).into();
+    indirect(Check::new(PredicateKind::Incircle, PLANE, Box::new(asked)))
+}
+
+/// Checks the side of a sphere through four points; points may be where a line and a plane meet, or three planes.
+pub fn insphere<'f, T: Number, A: Into<Answer>>(
+    mut predicate: impl FnMut(Point3<T>, Point3<T>, Point3<T>, Point3<T>, Point3<T>) -> A + 'f,
+) -> Check<'f, Point3<T>> {
+    let asked = move |_: usize, p: &[Point3<T>]| predicate(p[0], p[1], p[2], p[3], p[4]).into();
+    indirect(Check::new(PredicateKind::Insphere, SPACE, Box::new(asked)))
+}
+
 /// Checks the turn of three points of space, projected to a coordinate plane.
 pub fn orient2d_of_3d<'f, T: Number, A: Into<Answer>>(
     mut predicate: impl FnMut(Plane, Point3<T>, Point3<T>, Point3<T>) -> A + 'f,

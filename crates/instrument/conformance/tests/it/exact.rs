@@ -66,12 +66,16 @@ impl Draft {
         }
     }
 
-    fn ask(self, question: Question, args: &[Vertex]) -> Sign {
+    fn scene(self) -> Scene {
         let mut scene = Scene::new(self.dimension, self.coordinates).unwrap();
         self.constructions.into_iter().for_each(|construction| {
             scene.construct(construction).unwrap();
         });
-        question.ask(&Exact.prepare(&scene, Off).unwrap(), args)
+        scene
+    }
+
+    fn ask(self, question: Question, args: &[Vertex]) -> Sign {
+        question.ask(&Exact.prepare(&self.scene(), Off).unwrap(), args)
     }
 }
 
@@ -96,6 +100,20 @@ pub mod indirect {
 
     pub fn orient3d(a: Point3, b: Point3, c: Point3, d: Point3) -> Sign {
         in_space(Question::Orient3d, [a, b, c, d])
+    }
+
+    /// The sign by the harness's judge, in rationals of GMP: the backend has no circles through constructed vertices.
+    pub fn incircle(a: Point2, b: Point2, c: Point2, d: Point2) -> Sign {
+        let mut draft = Draft::new(Dimension::Two);
+        let args = [a, b, c, d].map(|point| draft.point2(point));
+        predicament_judge::sign(&draft.scene(), Question::Incircle, &args)
+    }
+
+    /// The same for spheres.
+    pub fn insphere(a: Point3, b: Point3, c: Point3, d: Point3, e: Point3) -> Sign {
+        let mut draft = Draft::new(Dimension::Three);
+        let args = [a, b, c, d, e].map(|point| draft.point3(point));
+        predicament_judge::sign(&draft.scene(), Question::Insphere, &args)
     }
 
     pub fn orient2d_of_3d(plane: Plane, a: Point3, b: Point3, c: Point3) -> Sign {

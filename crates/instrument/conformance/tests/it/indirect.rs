@@ -8,6 +8,8 @@ use crate::exact::indirect;
 fn exact_conforms() {
     check::indirect::orient2d(indirect::orient2d).cases(1000).assert();
     check::indirect::orient3d(indirect::orient3d).cases(1000).assert();
+    check::indirect::incircle(indirect::incircle).cases(200).assert();
+    check::indirect::insphere(indirect::insphere).cases(150).assert();
     check::indirect::orient2d_of_3d(indirect::orient2d_of_3d).cases(1000).assert();
     check::indirect::compare2d(indirect::compare2d).cases(1000).assert();
     check::indirect::compare3d(indirect::compare3d).cases(1000).assert();
@@ -44,22 +46,61 @@ fn exact_signs_about_rounded_points_are_wrong() {
     assert!(plain.wrong > 100, "{report}");
 }
 
-/// Inverted where the weight of a constructed point is negative, as after a forgotten change of sign.
 #[test]
-fn a_forgotten_sign_of_the_weight_is_found() {
-    let is_negative = |point: Point3| match point {
+fn exact_circles_through_rounded_points_are_wrong() {
+    let report = check::indirect::incircle(|a, b, c, d| {
+        let [a, b, c, d] = [a, b, c, d].map(rounded);
+        let is_finite = [a, b, c, d].as_flattened().iter().all(|x| x.is_finite());
+        is_finite.then(|| crate::exact::incircle(a, b, c, d))
+    })
+    .cases(800)
+    .report();
+    let of = |name: &str| report.sources.iter().find(|source| source.name.starts_with(name)).unwrap().wrong;
+    assert!(of("ssi-near") > 30 && of("ssi-degen") > 1, "{report}");
+    assert_eq!(of("ssi-uniform"), 0, "{report}");
+    assert!(report.findings.iter().any(|finding| finding.test.contains("Point2::Ssi([[[")), "{report}");
+}
+
+/// The last argument of a sphere is one of five: each set of arguments is constructed, by each kind of construction.
+#[test]
+fn a_fault_about_the_last_point_of_a_sphere_is_found() {
+    let predicate = |a, b, c, d, e| match (c, e) {
+        (Point3::Input(_), Point3::Tpi(_)) => Sign::Zero,
+        _ => indirect::insphere(a, b, c, d, e),
+    };
+    let report = check::indirect::insphere(predicate).cases(150).report();
+    assert!(report.wrong > 2, "{report}");
+    let elsewhere = report.sources.iter().filter(|source| source.wrong > 0 && !source.name.contains("tpi"));
+    assert_eq!(elsewhere.count(), 0, "{report}");
+}
+
+/// True if the weight of a constructed point is negative.
+fn is_negative(point: Point3) -> bool {
+    match point {
         Point3::Lpi { line: [p, q], plane: [a, b, c] } => {
             // Both ends of the line are input points: the side of the plane changes along it.
             let side = |x| crate::exact::orient3d(a, b, c, x);
             side(p) == Sign::Positive && side(q) == Sign::Negative
         }
         _ => false,
-    };
+    }
+}
+
+/// Inverted where the weight of a constructed point is negative, as after a forgotten change of sign.
+#[test]
+fn a_forgotten_sign_of_the_weight_is_found() {
     let predicate = |a, b, c, d| {
         let sign = indirect::orient3d(a, b, c, d);
         if [a, b, c, d].into_iter().filter(|&point| is_negative(point)).count() % 2 == 1 { -sign } else { sign }
     };
     let report = check::indirect::orient3d(predicate).cases(1000).report();
+    let of = |name: &str| report.sources.iter().find(|source| source.name.starts_with(name)).unwrap().wrong;
+    assert!(of("lpi-uniform") > 0 && of("tpi-uniform") == 0, "{report}");
+    let predicate = |a, b, c, d, e| {
+        let sign = indirect::insphere(a, b, c, d, e);
+        if [a, b, c, d, e].into_iter().filter(|&point| is_negative(point)).count() % 2 == 1 { -sign } else { sign }
+    };
+    let report = check::indirect::insphere(predicate).cases(100).report();
     let of = |name: &str| report.sources.iter().find(|source| source.name.starts_with(name)).unwrap().wrong;
     assert!(of("lpi-uniform") > 0 && of("tpi-uniform") == 0, "{report}");
 }

@@ -11,8 +11,11 @@
 //!
 //! In both cases coordinates have long significands, and meeting points are hardly ever doubles. For queries one ulp
 //! beside a tie, each construction has its own base, in which one point is moved.
+//!
+//! Circles and spheres have ties of their own (`round.rs`).
 
 mod flats;
+mod round;
 
 use predicament_predicates::{Construction, Dimension, Question, Vertex};
 
@@ -81,6 +84,9 @@ impl Arrangement {
     /// A scene of `n` queries with their points, placed for the question.
     #[must_use]
     pub fn queries(self, question: Question, n: usize, rng: Random) -> Cloud {
+        if question.kind().is_lifted() {
+            return round::queries(self, question, n, rng);
+        }
         let arity = question.kind().arity();
         let mut scene = Draft { arrangement: self, question, rng, coordinates: Vec::new(), constructions: Vec::new() };
         let mut args = Vec::with_capacity((n + QUERIES) * arity);
