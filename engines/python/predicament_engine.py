@@ -53,6 +53,17 @@ Whole tasks: an `Engine`, or a member `tasks` with a function for each task. The
                                             a region is a list of rings of points
     mesh-locate(vertices, triangles, probes)    a label for each probe: 1 inside, 0 outside, -2 on the surface
     mesh-intersect(first, second)           as overlay2d; an operand and an answer are pairs of vertices and triangles
+    contacts2d(points, a, b)                pairs of simplices that meet, as rows of the indices of both, or as pairs; `a` and
+                                            `b` are lists of simplices, each with its indices. contacts3d is alike
+    crossings(segments)                     for each segment the numbers of those that cross it, in their order along it; a
+                                            segment is a pair of points
+    interval(cells, probes)                 a label for each probe: the number of its cell, -1 outside, -2 at an end. A cell
+                                            is a pair of numbers, and a probe is a number
+    cube-union(cubes)                       {"volume": ..., "area": ..., "edge_length": ...}, the last one if you like; a cube
+                                            has x, y and z of its lower corner and the length of its edges
+    slice(vertices, triangles, planes)      the parts of a closed mesh, as pairs of vertices and triangles; a plane is three
+                                            points, and a part is on one side of each plane
+    snap2d(segments, side)                  for each segment a list of points with coordinates that are multiples of `side`
 
 A function gets the parameters that it names. It may also name `constraints` (delaunay2d: pairs of indices), `rule`
 (overlay2d: "even-odd" or "non-zero"), `sides` (mesh-locate: the regions before and behind each triangle), and
@@ -514,6 +525,40 @@ def _of_meshes(scene):
     yield {"first": scene.mesh("first"), "second": scene.mesh("second")}
 
 
+def _of_complexes(scene):
+    complexes = {}
+    for name in ("a", "b"):
+        complexes[name] = [(vertex,) for vertex in scene.numbers(f"{name}.vertices")]
+        for kind in ("edges", "triangles", "tetrahedra"):
+            complexes[name] += [tuple(simplex) for simplex in scene.parts(f"{name}.{kind}")]
+    yield {"points": scene.points, **complexes}
+
+
+def _of_segments(scene):
+    yield {"segments": [scene.at(segment) for segment in scene.parts("segments")]}
+
+
+def _of_drawing(scene):
+    (parameters,) = _of_segments(scene)
+    yield {**parameters, "side": 2.0 ** -int(scene.word("pixel", "0"))}
+
+
+def _of_cells(scene):
+    axis = "xyz".index(scene.word("axis", "x"))
+    along = [point[axis] for point in scene.points]
+    cells = [(along[left], along[right]) for left, right in scene.parts("cells")]
+    yield {"cells": cells, "probes": [along[probe] for probe in scene.numbers("probes")]}
+
+
+def _of_cubes(scene):
+    yield {"cubes": scene.rows("cubes", 4)}
+
+
+def _of_solid(scene):
+    planes = [scene.at(plane) for plane in scene.parts("planes")]
+    yield {"vertices": scene.points, "triangles": scene.rows("triangles", 3), "planes": planes}
+
+
 def _flat(values):
     """The numbers of nested lists or of an array."""
     if hasattr(values, "tolist"):
@@ -558,6 +603,38 @@ def _polygons(answers):
     return arrays
 
 
+def _starts(lists):
+    return _ids([0, *itertools.accumulate(len(one) for one in lists)])
+
+
+def _pairs(answers):
+    pairs = [_flat(pair) for pair in answers[0]]
+    return {"ids:pairs": _ids(pairs), "ids:pairs.starts": _starts(pairs)}
+
+
+def _crossings(answers):
+    lists = [_flat(one) for one in answers[0]]
+    return {"ids:crossings": _ids(lists), "ids:crossings.starts": _starts(lists)}
+
+
+def _chains(answers):
+    return {"numbers:chains": _doubles(answers[0]), "ids:chains.starts": _starts(answers[0])}
+
+
+def _measures(answers):
+    return {f"numbers:{name}": _doubles([number]) for name, number in answers[0].items()}
+
+
+def _parts(answers):
+    vertices, triangles, starts = [], [], [0]
+    for points, faces in answers[0]:
+        triangles += [[int(corner) + len(vertices) for corner in face] for face in faces]
+        vertices += [_flat(point) for point in points]
+        starts.append(len(triangles))
+    parts = {"numbers:parts.vertices": _doubles(vertices), "ids:parts.triangles": _ids(triangles)}
+    return {**parts, "ids:parts.starts": _ids(starts)}
+
+
 def _meshes(answers):
     arrays = {}
     for name, (vertices, triangles) in answers[0].items():
@@ -576,4 +653,11 @@ TASKS = {
     "polygon-locate": (_of_regions, _labels),
     "mesh-locate": (_of_probes, _labels),
     "mesh-intersect": (_of_meshes, _meshes),
+    "contacts2d": (_of_complexes, _pairs),
+    "contacts3d": (_of_complexes, _pairs),
+    "crossings": (_of_segments, _crossings),
+    "interval": (_of_cells, _labels),
+    "cube-union": (_of_cubes, _measures),
+    "slice": (_of_solid, _parts),
+    "snap2d": (_of_drawing, _chains),
 }

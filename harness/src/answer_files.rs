@@ -28,7 +28,7 @@ pub fn read(task: &dyn AnyTask, scene: &Scene, files: &[String]) -> Result<(Arra
     let mut arrays = Arrays::default();
     for file in files {
         let (part, path) = part_of(task, parts, file)?;
-        add(part, scene, &path, &decimals, &mut arrays)?;
+        add((part, parts), scene, &path, &decimals, &mut arrays)?;
     }
     Ok((arrays, decimals.rounded()))
 }
@@ -60,13 +60,46 @@ fn part_of<'p>(task: &dyn AnyTask, parts: &'p [Part], file: &str) -> Result<(&'p
     }
 }
 
-fn add(part: &Part, scene: &Scene, path: &Path, decimals: &Decimals, arrays: &mut Arrays) -> Result<(), Failure> {
+fn add(
+    (part, parts): (&Part, &[Part]),
+    scene: &Scene,
+    path: &Path,
+    decimals: &Decimals,
+    arrays: &mut Arrays,
+) -> Result<(), Failure> {
     let name = path.display().to_string();
     let extension = path.extension().and_then(|extension| extension.to_str()).unwrap_or_default().to_lowercase();
     let bytes = read_bytes(path).map_err(Failure::usage)?;
     let is = |known: &[&str]| known.contains(&extension.as_str());
     match part.form {
         Form::Mesh if is(&MESHES) => arrays.add_mesh(part.name, &mesh(&name, bytes, decimals).map_err(Failure::usage)?),
+        Form::Meshes if is(&MESHES) => {
+            // Each file is one of the meshes.
+            let mut all = arrays.meshes(part.name).unwrap_or_default();
+            all.push(mesh(&name, bytes, decimals).map_err(Failure::usage)?);
+            arrays.remove(part.name);
+            arrays.add_meshes(part.name, &all);
+        }
+        Form::Lines if is(&["geojson", "wkt"]) => {
+            let lines = geometry::read(&name, bytes, decimals).map_err(Failure::usage)?.lines();
+            arrays.add_lines(part.name, &lines);
+        }
+        Form::Lines if is(&["json"]) => {
+            let lines = json(&name, bytes, |value| lines(value, decimals), "a list of lists of two coordinates");
+            arrays.add_lines(part.name, &lines.map_err(Failure::usage)?);
+        }
+        Form::Lists(keys) if is(&["json"]) => {
+            let lists = json(&name, bytes, |value| lists(value, keys), "a list of lists of whole numbers");
+            arrays.add_lists(part.name, &lists.map_err(Failure::usage)?);
+        }
+        Form::Lists(_) if is(&["csv", "txt"]) => {
+            let text = text_of(&name, bytes).map_err(Failure::usage)?;
+            arrays.add_lists(part.name, &rows(&name, &text).map_err(Failure::usage)?);
+        }
+        Form::Number if is(&["json", "txt"]) => {
+            let found = json(&name, bytes, |value| Ok(value.clone()), "a number").map_err(Failure::usage)?;
+            numbers_of(&name, part, parts, &found, decimals, arrays).map_err(Failure::usage)?;
+        }
         Form::Polygons if is(&POLYGONS) => {
             arrays.add_polygons(part.name, &polygons(&name, bytes, decimals).map_err(Failure::usage)?)
         }
@@ -83,12 +116,9 @@ fn add(part: &Part, scene: &Scene, path: &Path, decimals: &Decimals, arrays: &mu
             arrays.add(part.name, Array::Ids(corners));
         }
         Form::Triangles | Form::Loop | Form::Labels if is(&["json"]) => {
-            let text = text_of(&name, bytes).map_err(Failure::usage)?;
-            let value: Value = serde_json::from_str(&text)
-                .map_err(|error| CorpusError::file(&name, error.to_string(), "write an array of whole numbers"))
-                .map_err(Failure::usage)?;
-            let mut ids = Vec::new();
-            numbers(&value, &mut ids).map_err(|what| Failure::usage(wrong(&name, &what, None)))?;
+            let ids =
+                json(&name, bytes, numbers, "an array of whole numbers from 0 on, −1 for outside, or −2 for a border")
+                    .map_err(Failure::usage)?;
             arrays.add(part.name, Array::Ids(ids));
         }
         Form::Triangles | Form::Loop | Form::Labels if is(&["csv", "txt"]) => {
@@ -97,7 +127,10 @@ fn add(part: &Part, scene: &Scene, path: &Path, decimals: &Decimals, arrays: &mu
         }
         form => {
             let takes = match form {
-                Form::Mesh => "OFF, OBJ, PLY or STL",
+                Form::Mesh | Form::Meshes => "OFF, OBJ, PLY or STL",
+                Form::Lines => "GeoJSON, WKT or JSON",
+                Form::Lists(_) => "JSON or CSV",
+                Form::Number => "JSON",
                 Form::Polygons => "GeoJSON or WKT",
                 Form::Triangles => "OFF, OBJ, PLY, STL, GeoJSON, WKT, JSON or CSV",
                 Form::Loop => "GeoJSON, WKT, JSON or CSV",
@@ -131,19 +164,104 @@ fn places(scene: &Scene) -> impl Fn(&[f64]) -> u32 {
     move |point: &[f64]| at.get(&key(&point[..dimension.min(point.len())])).copied().unwrap_or(u32::MAX)
 }
 
-/// All whole numbers of nested arrays; −1 and −2 are the labels of `u32::MAX` and the number before it.
-fn numbers(value: &Value, to: &mut Vec<u32>) -> Result<(), String> {
-    match value {
-        Value::Array(values) => values.iter().try_for_each(|value| numbers(value, to)),
-        Value::Number(number) => match number.as_i64().and_then(label) {
-            Some(id) => {
-                to.push(id);
-                Ok(())
-            }
-            None => Err(number.to_string()),
-        },
-        other => Err(other.to_string()),
+/// A value read from a JSON file, by a function that returns the part of it that is wrong.
+fn json<T>(
+    name: &str,
+    bytes: Vec<u8>,
+    read: impl FnOnce(&Value) -> Result<T, String>,
+    wanted: &str,
+) -> Result<T, CorpusError> {
+    let text = text_of(name, bytes)?;
+    let cure = || format!("write {wanted}");
+    let value: Value =
+        serde_json::from_str(&text).map_err(|error| CorpusError::file(name, error.to_string(), cure()))?;
+    read(&value).map_err(|what| CorpusError::file(name, format!("`{what}` is not a part of {wanted}"), cure()))
+}
+
+/// All whole numbers of nested arrays; −1 and −2 are the labels of `u32::MAX` and the number before it. A number may be
+/// text, as the vertices of `solve` are.
+fn numbers(value: &Value) -> Result<Vec<u32>, String> {
+    let number = match value {
+        Value::Array(values) => {
+            return values.iter().map(numbers).collect::<Result<Vec<_>, _>>().map(|all| all.concat());
+        }
+        Value::Number(number) => number.as_i64(),
+        Value::String(text) => text.parse().ok(),
+        _ => None,
+    };
+    number.and_then(label).map(|id| vec![id]).ok_or_else(|| value.to_string())
+}
+
+/// Lists of whole numbers; of an object, the values of these keys together.
+fn lists(value: &Value, keys: &[&str]) -> Result<Vec<Vec<u32>>, String> {
+    let list = |value: &Value| match value {
+        Value::Object(object) => {
+            let of = |key: &&str| object.get(*key).ok_or_else(|| value.to_string()).and_then(numbers);
+            keys.iter().map(of).collect::<Result<Vec<_>, _>>().map(|all| all.concat())
+        }
+        Value::Array(_) => numbers(value),
+        _ => Err(value.to_string()),
+    };
+    value.as_array().ok_or_else(|| value.to_string())?.iter().map(list).collect()
+}
+
+/// Lists of points.
+fn lines(value: &Value, decimals: &Decimals) -> Result<Vec<Vec<[f64; 2]>>, String> {
+    let point = |value: &Value| match value.as_array().map(Vec::as_slice) {
+        Some([x, y]) => Ok([coordinate(x, decimals)?, coordinate(y, decimals)?]),
+        _ => Err(value.to_string()),
+    };
+    let line = |value: &Value| value.as_array().ok_or_else(|| value.to_string())?.iter().map(point).collect();
+    value.as_array().ok_or_else(|| value.to_string())?.iter().map(line).collect()
+}
+
+/// A number; decimals that are not doubles are rounded and counted.
+fn coordinate(value: &Value, decimals: &Decimals) -> Result<f64, String> {
+    let text = match value {
+        Value::Number(number) => number.to_string(),
+        other => return Err(other.to_string()),
+    };
+    decimals.read(&text).map_err(|_| text)
+}
+
+/// The number of a part, or all numbers of an object with the parts' names.
+fn numbers_of(
+    name: &str,
+    part: &Part,
+    parts: &[Part],
+    value: &Value,
+    decimals: &Decimals,
+    arrays: &mut Arrays,
+) -> Result<(), CorpusError> {
+    let number = |value: &Value| {
+        coordinate(value, decimals)
+            .map(|x| Array::Numbers(vec![x]))
+            .map_err(|what| CorpusError::file(name, format!("`{what}` is not a number"), "write a number"))
+    };
+    let Value::Object(object) = value else {
+        arrays.add(part.name, number(value)?);
+        return Ok(());
+    };
+    for of in parts.iter().filter(|of| of.form == Form::Number) {
+        if let Some(value) = object.get(of.name) {
+            arrays.add(of.name, number(value)?);
+        }
     }
+    Ok(())
+}
+
+/// The lists of a CSV file, one a line. A first line without a number is a header.
+fn rows(name: &str, text: &str) -> Result<Vec<Vec<u32>>, CorpusError> {
+    let mut lists = Vec::new();
+    for (at, line) in text.lines().enumerate() {
+        let mut cells = line.split([',', ';', ' ', '\t']).map(str::trim).filter(|cell| !cell.is_empty());
+        match cells.clone().find(|cell| cell.parse::<u32>().is_err()) {
+            Some(_) if at == 0 => {}
+            Some(cell) => return Err(wrong(name, cell, Some(at + 1))),
+            None => lists.push(cells.by_ref().filter_map(|cell| cell.parse().ok()).collect()),
+        }
+    }
+    Ok(lists)
 }
 
 /// A number of 32 bits, or one of the labels −1 and −2.
@@ -162,6 +280,10 @@ fn columns(name: &str, text: &str, form: Form) -> Result<Vec<u32>, CorpusError> 
         let cells: Vec<&str> =
             line.split([',', ';', ' ', '\t']).map(str::trim).filter(|cell| !cell.is_empty()).collect();
         let read = |cell: &&str| cell.parse::<i64>().ok().and_then(label);
+        if let Some(label) = (form == Form::Labels).then(|| in_words(line)).flatten() {
+            ids.push(label);
+            continue;
+        }
         let used = if form == Form::Labels { &cells[cells.len().saturating_sub(1)..] } else { &cells[..] };
         match used.iter().find(|cell| read(cell).is_none()) {
             Some(_) if at == 0 => {}
@@ -170,6 +292,16 @@ fn columns(name: &str, text: &str, form: Form) -> Result<Vec<u32>, CorpusError> 
         }
     }
     Ok(ids)
+}
+
+/// The label that the last cell of a line has in the words of `solve interval`: `in 3`, `at the end of 3, 4`, `in none`.
+fn in_words(line: &str) -> Option<u32> {
+    let (_, words) = line.strip_suffix('"')?.rsplit_once('"')?;
+    match words.strip_prefix("in ") {
+        Some("none") => label(-1),
+        Some(cell) => cell.split([';', ',']).next()?.parse().ok(),
+        None => words.starts_with("at the end of ").then(|| label(-2)).flatten(),
+    }
 }
 
 fn wrong(name: &str, what: &str, line: Option<usize>) -> CorpusError {

@@ -15,16 +15,19 @@ use crate::{interrupt, progress};
 const EXAMPLES: &str = "\
 The input is that of `solve`: a task on your own files, or one scene of a suite. The answer is in files: meshes as OFF, \
 OBJ, PLY or STL, polygons as GeoJSON or WKT, triangles in one of these or as indices in JSON or CSV, labels of probes in \
-JSON or CSV. An answer of several parts is written PART=FILE, or in files with the names of the parts. docs/ENGINES.md \
-lists the parts of each task.
+JSON or CSV, pairs and other lists in JSON or CSV (a list a line), polylines as GeoJSON or WKT, numbers in JSON. An answer \
+of several parts is written PART=FILE, or in files with the names of the parts. docs/ENGINES.md lists the parts of each \
+task.
 
-The judge decides in rationals. Triangulations, hulls and labels are right or wrong. Polygons and solids are right, \
-rounded by a distance that is printed, or wrong. The exit code is 0 if the answer is right, and 100 otherwise.
+The judge decides in rationals. Triangulations, hulls, labels, crossings and contacts are right or wrong. Polygons, solids, \
+cuts, polylines on a grid and measures are right, rounded by a distance that is printed, or wrong. The exit code is 0 if \
+the answer is right, and 100 otherwise.
 
 Examples:
   predicament judge delaunay2d survey.csv --answer triangles.json
   predicament judge mesh-intersect part.stl tool.stl --answer union=result.off
   predicament judge overlay2d first.geojson --answer union.geojson --answer intersection.geojson
+  predicament judge slice part.stl --answer parts=left.off --answer parts=right.off
   predicament judge mesh-locate part.off probes.csv --answer labels.csv --format json
   predicament judge overlays -f stars --answer union=out/union.geojson";
 

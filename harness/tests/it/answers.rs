@@ -45,6 +45,49 @@ fn files_that_solve_writes_are_right() {
 }
 
 #[test]
+fn files_of_every_other_task_are_right_and_those_of_another_scene_are_not() {
+    let folder = tempdir().unwrap();
+    let scenes: [(&str, &str, &str, &[&str]); 6] = [
+        ("contacts", "crossing-squares", "exact", &["contacts.json"]),
+        ("crossings", "three-through-one-point", "exact", &["crossings.json"]),
+        ("intervals", "three-cells", "exact", &["cells.csv"]),
+        ("cubes", "twins$", "sos", &["measures.json"]),
+        ("slices", "cube-in-thirds", "exact", &[]),
+        ("snaps", "twice-and-crossed-snap", "exact", &["chains.geojson", "chains.wkt"]),
+    ];
+    for (suite, scene, backend, files) in scenes {
+        let out = at(&folder, suite);
+        let solved = run(&["solve", suite, "-f", scene, "-b", backend, "--out", &out]);
+        assert_eq!(solved.code, 0, "{suite}: {}", solved.stderr);
+        let mut all: Vec<Vec<String>> = files.iter().map(|file| vec![format!("{out}/{file}")]).collect();
+        if files.is_empty() {
+            let names = fs::read_dir(&out).unwrap().map(|file| file.unwrap().path().display().to_string());
+            all.push(names.filter(|name| name.ends_with(".off")).collect());
+        }
+        for answer in all.iter().filter(|answer| fs::exists(&answer[0]).unwrap()) {
+            let judged = |answer: &[String]| {
+                let mut args = vec!["judge", suite, "-f", scene];
+                answer.iter().for_each(|file| args.extend(["--answer", file]));
+                let told = run(&args);
+                (told.code, told.stdout + &told.stderr)
+            };
+            let (code, told) = judged(answer);
+            assert!(code == 0 && told.contains(": right"), "{suite}: {told}");
+            // Less than all of it.
+            let text = fs::read_to_string(&answer[0]).unwrap();
+            let (code, told) = if answer.len() > 1 {
+                judged(&answer[1..])
+            } else {
+                let other = text.replace("in 1", "in 0").replace(['1', '2', '3'], "0");
+                fs::write(&answer[0], other).unwrap();
+                judged(answer)
+            };
+            assert!(code == 100 && told.contains(": wrong"), "{suite}: {told}");
+        }
+    }
+}
+
+#[test]
 fn answers_in_other_forms_are_read_and_wrong_ones_are_findings() {
     let folder = tempdir().unwrap();
     let points = at(&folder, "points.csv");
@@ -69,7 +112,7 @@ fn answers_in_other_forms_are_read_and_wrong_ones_are_findings() {
         assert_eq!((told.code, told.stdout.contains(check)), (100, true), "{text}: {}", told.stdout);
     }
     for (name, text, why) in [
-        ("d.json", "[[0,1,1.5]]", "`1.5` is neither an index nor a label"),
+        ("d.json", "[[0,1,1.5]]", "`1.5` is not a part of an array of whole numbers"),
         ("e.csv", "0,1,2\n0,x,2\n", "`x` is neither an index nor a label"),
         ("f.tif", "", "is read from OFF, OBJ, PLY, STL, GeoJSON, WKT, JSON or CSV"),
     ] {

@@ -239,6 +239,13 @@ fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
         "triangulate",
         "polygon-locate",
         "mesh-locate",
+        "contacts2d",
+        "contacts3d",
+        "crossings",
+        "interval",
+        "cube-union",
+        "slice",
+        "snap2d",
     ];
     for task in &all[..some_or_all(3, all.len())] {
         let new = call(folder.path(), &["engines", "new", task, "--language", "python", "--task", task]);
@@ -248,7 +255,8 @@ fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
         let run = new.stdout.lines().last().unwrap().trim();
         let words: Vec<&str> = run.split(' ').skip(1).chain(["--out", task]).collect();
         let told = call(folder.path(), &words);
-        assert_eq!(told.code, 100, "{run}: {}", told.stderr);
+        // Plain doubles are right about cells of a line.
+        assert_eq!(told.code, if *task == "interval" { 0 } else { 100 }, "{run}: {}", told.stderr);
         let summary = std::fs::read_to_string(folder.path().join(task).join("summary.csv")).unwrap();
         let header: Vec<&str> = summary.lines().next().unwrap().split(',').collect();
         let column = |name: &str| header.iter().position(|of| *of == name).unwrap();

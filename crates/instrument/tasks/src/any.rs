@@ -10,7 +10,7 @@ use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
 use crate::output::{self, Canvas, Choice, Written};
-use crate::replies::{self, Arrays, FORM_CHECK, Part, Planted, Reply};
+use crate::replies::{self, Arrays, Example, FORM_CHECK, Part, Planted, Reply};
 use crate::{
     Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob, Outcome,
     Phase, Stop, Task, Turns, Watch,
@@ -107,6 +107,9 @@ pub trait AnyTask: SceneFormat {
 
     /// Calls [`Task::spoiled`].
     fn spoiled_answers(&self) -> Vec<Box<dyn AnySpoiled>>;
+
+    /// The start of an engine that answers the task. `None` if the task is not open to other programs.
+    fn example_engine(&self) -> Option<Example>;
 
     /// The parts of another program's answer; `None` if the task is not open to other programs.
     fn parts_of_replies(&self) -> Option<&'static [Part]>;
@@ -301,11 +304,18 @@ impl<T: Task> AnyTask for T {
         self.replies().map(|judge| judge.parts())
     }
 
+    fn example_engine(&self) -> Option<Example> {
+        self.replies().map(|judge| judge.example())
+    }
+
     fn question(&self, scene: &Scene, content: &dyn Content) -> Result<Arrays, Declined> {
         let judge = self.replies().ok_or_else(|| Declined::scene(replies::not_open(self.name())))?;
         judge.open(scene, typed_content::<T>(content))?;
         let spelled = content.spelled(scene);
-        replies::question(&spelled.ok_or_else(|| Declined::scene("the scene has no written form"))?)
+        let mut question =
+            replies::question(&spelled.ok_or_else(|| Declined::scene("the scene has no written form"))?)?;
+        judge.more(scene, typed_content::<T>(content), &mut question);
+        Ok(question)
     }
 
     fn as_reply(&self, scene: &Scene, content: &dyn Content, answer: &dyn Any) -> Option<Arrays> {

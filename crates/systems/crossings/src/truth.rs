@@ -74,6 +74,45 @@ fn crossing([a, b]: &[[Rational; 2]; 2], [p, q]: &[[Rational; 2]; 2]) -> Option<
     (inside(&t) && inside(&s)).then_some(t)
 }
 
+/// The fractions along the first segment between which it has points in common with the second one; `None` if it has
+/// none. Both segments are closed. The fraction of a segment without a length is 0 to 1.
+#[must_use]
+pub fn common(scene: &Scene, one: [Vertex; 2], other: [Vertex; 2]) -> Option<[Rational; 2]> {
+    let place = |v: Vertex| scene.point2(Plane::Xy, v).map(rational);
+    let ([a, b], [p, q]) = (one.map(place), other.map(place));
+    let minus = |u: &[Rational; 2], v: &[Rational; 2]| [0, 1].map(|i: usize| Rational::from(&u[i] - &v[i]));
+    let cross = |[ux, uy]: &[Rational; 2], [vx, vy]: &[Rational; 2]| Rational::from(ux * vy) - Rational::from(uy * vx);
+    let dot = |[ux, uy]: &[Rational; 2], [vx, vy]: &[Rational; 2]| Rational::from(ux * vx) + Rational::from(uy * vy);
+    let (along, across, between) = (minus(&b, &a), minus(&q, &p), minus(&p, &a));
+    let is_in = |x: &Rational| x.cmp0().is_ge() && *x <= 1;
+    let determinant = cross(&along, &across);
+    if !determinant.is_zero() {
+        let t = cross(&between, &across) / &determinant;
+        let s = cross(&between, &along) / &determinant;
+        return (is_in(&t) && is_in(&s)).then(|| [t.clone(), t]);
+    }
+    let square = dot(&along, &along);
+    if square.is_zero() {
+        // A point: on the other segment, or equal to it.
+        let length = dot(&across, &across);
+        let back = minus(&a, &p);
+        let is_on = if length.is_zero() {
+            back.iter().all(Rational::is_zero)
+        } else {
+            cross(&across, &back).is_zero() && is_in(&(dot(&across, &back) / &length))
+        };
+        return is_on.then(|| [Rational::new(), Rational::from(1)]);
+    }
+    // Parallel, or the other one is a point.
+    if !cross(&along, &between).is_zero() {
+        return None;
+    }
+    let [s, t] = [&p, &q].map(|end| dot(&along, &minus(end, &a)) / &square);
+    let (from, to) = if s <= t { (s, t) } else { (t, s) };
+    let (from, to) = (from.max(Rational::new()), to.min(Rational::from(1)));
+    (from <= to).then_some([from, to])
+}
+
 /// The crossings of each segment in a scene with broken ties; `None` if the judge does not construct a crossing.
 ///
 /// # Errors

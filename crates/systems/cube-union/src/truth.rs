@@ -1,6 +1,6 @@
 //! The truth about a union: measured in sections, which do not use vertices, and by the judge's cells.
 
-use crate::checks::{Measures, measured};
+use crate::checks::{Measures, Ties, measured, measured_by};
 use predicament_judge::cubes::{self as exact, Cubes as Judged};
 use predicament_judge::rational;
 use predicament_predicates::{Dimension, Scene, Vertex};
@@ -78,6 +78,12 @@ impl Truth {
     pub(crate) fn in_units(&self, of: &Measures) -> [f64; 3] {
         [self.in_scene_units(of.volume, 3), self.in_scene_units(of.area, 2), self.in_scene_units(of.edge_length, 1)]
     }
+}
+
+/// The measures of the union of closed and of open cubes, in units of a power of two, and the exponent of the unit.
+pub(crate) fn closed_and_open(scene: &Scene) -> ([Measures; 2], i32) {
+    let (lowers, edge, exponent) = integers(scene);
+    ([Ties::Closed, Ties::Open].map(|ties| measured_by(&lowers, edge, ties)), exponent)
 }
 
 /// Measures in units of 2^`exponent`, exactly.

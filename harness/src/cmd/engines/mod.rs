@@ -62,7 +62,7 @@ enum Command {
 /// Runs the command.
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     match args.command.as_ref().unwrap_or(&Command::List) {
-        Command::New(args) => new::run(args),
+        Command::New(args) => new::run(args, tool),
         Command::Doctor(args) => doctor::run(args, tool),
         Command::List => list(),
         Command::Install { names } => each(names, |config| step(config, Step::Install)),

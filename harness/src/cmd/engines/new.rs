@@ -10,6 +10,7 @@ use predicament_records::replace;
 use super::whole;
 use crate::exit::{self, Failure};
 use crate::out::{program, word};
+use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
 The engine answers all five predicates by plain determinants. Its comments say where to call your library instead. The \
@@ -169,7 +170,7 @@ impl Template {
 }
 
 /// Runs the command.
-pub fn run(args: &Args) -> exit::Outcome {
+pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let Args { name, language, task, out } = args;
     if !is_name(name) {
         return Err(Failure::usage(format!("`{name}` is not a valid name of an engine; {NAME_RULE}")));
@@ -178,7 +179,7 @@ pub fn run(args: &Args) -> exit::Outcome {
         return Err(Failure::usage(format!("-b would take the engine `{name}` for a file; name it `{short}`")));
     }
     let template = language.template();
-    let whole = task.as_deref().map(|task| whole::source(name, task, *language)).transpose()?;
+    let whole = task.as_deref().map(|task| whole::source(tool, name, task, *language)).transpose()?;
     let into = out.clone().unwrap_or_else(|| folder().join(name));
     make(&into)?;
     let mut files = template.files(name);

@@ -1,39 +1,21 @@
-//! `engines new --task`: the source of an engine that answers a whole task, in Python.
+//! `engines new --task`: the source of an engine that answers a whole task. Each task brings its function.
 
 use predicament_formats::use_one_of;
 
+use super::new::Language;
 use crate::exit::Failure;
 use crate::out::{program, word};
-
-use super::new::Language;
-
-/// A task, the suites with its scenes, and a function that answers it in plain doubles.
-type Example = (&'static str, &'static str, &'static str);
-
-macro_rules! example {
-    ($task:literal, $suites:literal, $file:literal) => {
-        ($task, $suites, include_str!(concat!("../../../templates/engine/python/tasks/", $file, ".py")))
-    };
-}
-
-const EXAMPLES: [Example; 8] = [
-    example!("delaunay2d", "delaunay", "delaunay2d"),
-    example!("hull2d", "hulls -f hull2d", "hull2d"),
-    example!("hull3d", "hulls -f hull3d", "hull3d"),
-    example!("triangulate", "polygons", "triangulate"),
-    example!("overlay2d", "overlays", "overlay2d"),
-    example!("polygon-locate", "tilings", "polygon_locate"),
-    example!("mesh-locate", "mesh-points", "mesh_locate"),
-    example!("mesh-intersect", "intersections", "mesh_intersect"),
-];
+use crate::tool::Tool;
 
 const HEAD: &str = include_str!("../../../templates/engine/python/tasks/head.py");
 const TAIL: &str = include_str!("../../../templates/engine/python/tasks/tail.py");
 
 /// The source of an engine for a task, and the suites with scenes of the task.
-pub fn source(name: &str, task: &str, language: Language) -> Result<(String, &'static str), Failure> {
-    let known = EXAMPLES.map(|(task, ..)| task);
-    let Some((task, suites, body)) = EXAMPLES.into_iter().find(|(of, ..)| *of == task) else {
+pub fn source(tool: &Tool, name: &str, task: &str, language: Language) -> Result<(String, &'static str), Failure> {
+    let tasks = tool.tasks();
+    let open = || tasks.iter().filter_map(|task| Some((task.name(), task.example_engine()?)));
+    let Some((task, example)) = open().find(|(of, _)| *of == task) else {
+        let known: Vec<&str> = open().map(|(of, _)| of).collect();
         return Err(Failure::usage(format!("no task `{task}` is open to engines; {}", use_one_of(task, &known))));
     };
     if language != Language::Python {
@@ -41,10 +23,11 @@ pub fn source(name: &str, task: &str, language: Language) -> Result<(String, &'s
             "--task writes engines in Python; docs/ENGINES.md says how the other languages answer tasks",
         ));
     }
+    let function = example.functions.iter().find(|(of, _)| *of == "python").map_or("", |(_, function)| function);
     let fill = |text: &str| {
         text.replace("{name}", name).replace("{task}", task).replace("{function}", &task.replace('-', "_"))
     };
-    Ok((format!("{}{body}{}", fill(HEAD), fill(TAIL)), suites))
+    Ok((format!("{}{function}{}", fill(HEAD), fill(TAIL)), example.suites))
 }
 
 /// The two commands to go on with.

@@ -159,6 +159,16 @@ impl Geometry {
         ImportedEdges { points: shared.into_points(), vertices, edges, notes }
     }
 
+    /// All polylines as they are in the file, in the plane; points and polygons are left out.
+    #[must_use]
+    pub fn lines(&self) -> Vec<Vec<[f64; 2]>> {
+        let lines = self.shapes().filter_map(|(_, shape)| match shape {
+            Shape::Line(line) => Some(line.iter().map(|position| position.at).collect()),
+            Shape::Point(_) | Shape::Polygon(_) => None,
+        });
+        lines.collect()
+    }
+
     /// The rings of all polygons as they are in the file, in the plane; points and lines are left out.
     #[must_use]
     pub fn polygons(&self) -> Vec<Vec<Vec<[f64; 2]>>> {

@@ -56,6 +56,12 @@ impl Arrays {
         self.entries.iter_mut().find(|(of, _)| of == name).map(|(_, array)| array)
     }
 
+    /// Removes a part: the array of this name, and those whose names go on with a point.
+    pub fn remove(&mut self, part: &str) {
+        let is_of_part = |name: &str| name == part || name.strip_prefix(part).is_some_and(|rest| rest.starts_with('.'));
+        self.entries.retain(|(name, _)| !is_of_part(name));
+    }
+
     /// The names of the arrays, separated by commas.
     #[must_use]
     pub fn names(&self) -> String {
@@ -91,6 +97,29 @@ impl Arrays {
             Some(_) => Err(Malformed(format!("`{name}` is not an array of coordinates"))),
             None => Err(Malformed(format!("the answer lacks `{name}`; it has {}", self.names()))),
         }
+    }
+
+    /// The only number with this name.
+    ///
+    /// # Errors
+    /// As [`Arrays::numbers`]; also if there is another number of them.
+    pub fn number(&self, name: &str) -> Result<f64, Malformed> {
+        match *self.numbers(name)? {
+            [number] => Ok(number),
+            ref numbers => Err(Malformed(format!("`{name}` has {} numbers instead of one", numbers.len()))),
+        }
+    }
+
+    /// Lists of whole numbers below `below`.
+    ///
+    /// # Errors
+    /// As [`Arrays::ids`] and [`Arrays::ranges`]; also if a number is too large.
+    pub fn lists(&self, name: &str, below: usize) -> Result<Vec<&[u32]>, Malformed> {
+        let ids = self.ids(name)?;
+        if let Some(id) = ids.iter().find(|&&id| id as usize >= below) {
+            return Err(Malformed(format!("`{name}` has the index {id}, but there are {below}")));
+        }
+        Ok(self.ranges(&format!("{name}.starts"), ids.len())?.into_iter().map(|range| &ids[range]).collect())
     }
 
     /// Tuples of `N` vertices of a scene with `points` points.

@@ -9,6 +9,7 @@
 //! * [`Reply`]: an answer, with its time; [`Part`]: one array of it, or several that belong together.
 //! * [`Replies`]: the judge of a task's answers; [`SpoiledReply`]: a right answer with a planted fault.
 //! * [`Bound`]: the distances by which rounding can move a vertex.
+//! * [`skin`]: surfaces of triangles in doubles, for judges of solids.
 //! * [`Program`]: something that answers; [`ByProgram`]: its solver for a task.
 
 mod arrays;
@@ -18,6 +19,8 @@ mod question;
 mod row;
 mod shape;
 mod shown;
+pub mod skin;
+mod smallest;
 mod spoiled;
 mod unasked;
 
@@ -30,6 +33,7 @@ pub use question::question;
 pub use row::{ReplyRow, add_row};
 pub use shape::{Mesh, Rings};
 pub(crate) use shown::{draw, write};
+pub use smallest::smallest_at_each_place;
 pub(crate) use spoiled::Planted;
 pub use spoiled::SpoiledReply;
 
@@ -83,6 +87,16 @@ pub enum Form {
     Polygons,
     /// `NAME.vertices`: the coordinates of vertices; `NAME.triangles`: three indices of these for each triangle.
     Mesh,
+    /// A [`Mesh`](Form::Mesh) with `NAME.starts`: the place of each part's first triangle, and the number of triangles.
+    Meshes,
+    /// `NAME`: the coordinates of polylines, a point after the other; `NAME.starts`: the place of each line's first
+    /// point, and the number of points.
+    Lines,
+    /// `NAME`: indices in lists of different lengths; `NAME.starts`: the place of each list's first index, and the
+    /// number of indices. The words are the keys of an object in a JSON file: their values together are a list.
+    Lists(&'static [&'static str]),
+    /// `NAME`: one number.
+    Number,
 }
 
 /// A part of an answer.
@@ -133,10 +147,22 @@ impl From<Stop> for Unjudged {
     }
 }
 
+/// The start of an engine for a task: a function that answers it in plain doubles, to be replaced.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Example {
+    /// The suites with scenes of the task, as arguments of `run`.
+    pub suites: &'static str,
+    /// The function in each language, by the language's name in `engines new --language`.
+    pub functions: &'static [(&'static str, &'static str)],
+}
+
 /// The judge of other programs' answers to the scenes of a task.
 pub trait Replies<T: Task>: Sync {
     /// The parts of an answer.
     fn parts(&self) -> &'static [Part];
+
+    /// The start of an engine for the task.
+    fn example(&self) -> Example;
 
     /// Checks that the scene can be put to other programs.
     ///
@@ -145,6 +171,11 @@ pub trait Replies<T: Task>: Sync {
     fn open(&self, scene: &Scene, content: &T::Content) -> Result<(), Declined> {
         let _ = (scene, content);
         Ok(())
+    }
+
+    /// Adds arrays that the written form of a scene does not have, and that programs need.
+    fn more(&self, scene: &Scene, content: &T::Content, question: &mut Arrays) {
+        let _ = (scene, content, question);
     }
 
     /// Judges an answer: adds findings, or [`Class::Agree`] for the whole scene.

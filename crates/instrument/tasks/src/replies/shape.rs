@@ -1,5 +1,7 @@
 //! Polygons and meshes of an answer, read from its arrays.
 
+use std::collections::BTreeMap;
+
 use predicament_predicates::{Scene, Vertex};
 
 use super::{Arrays, Malformed};
@@ -14,6 +16,25 @@ pub struct Mesh {
     pub points: Vec<[f64; 3]>,
     /// The triangles, each with three indices of vertices.
     pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// A mesh of some of the triangles, with the vertices that they use.
+    #[must_use]
+    pub fn only(&self, triangles: &[[u32; 3]]) -> Mesh {
+        let mut places: BTreeMap<u32, u32> = triangles.as_flattened().iter().map(|&v| (v, 0)).collect();
+        (0..).zip(places.values_mut()).for_each(|(at, place)| *place = at);
+        Mesh {
+            points: places.keys().map(|&v| self.points[v as usize]).collect(),
+            triangles: triangles.iter().map(|triangle| triangle.map(|v| places[&v])).collect(),
+        }
+    }
+
+    /// The corners of each triangle.
+    #[must_use]
+    pub fn corners(&self) -> Vec<[[f64; 3]; 3]> {
+        self.triangles.iter().map(|triangle| triangle.map(|v| self.points[v as usize])).collect()
+    }
 }
 
 impl Arrays {
@@ -49,6 +70,29 @@ impl Arrays {
         Ok(Mesh { points, triangles: triangles.into_iter().map(|triangle| triangle.map(number)).collect() })
     }
 
+    /// The meshes with this name. Without `NAME.starts` there is one.
+    ///
+    /// # Errors
+    /// As [`Arrays::mesh`]; also if an array of places is wrong.
+    pub fn meshes(&self, name: &str) -> Result<Vec<Mesh>, Malformed> {
+        let all = self.mesh(name)?;
+        let starts = format!("{name}.starts");
+        if self.get(&starts).is_none() {
+            return Ok(if all.triangles.is_empty() { Vec::new() } else { vec![all] });
+        }
+        let ranges = self.ranges(&starts, all.triangles.len())?.into_iter();
+        Ok(ranges.map(|range| all.only(&all.triangles[range])).collect())
+    }
+
+    /// The polylines with this name.
+    ///
+    /// # Errors
+    /// As [`Arrays::points`] and [`Arrays::ranges`].
+    pub fn lines(&self, name: &str) -> Result<Vec<&[[f64; 2]]>, Malformed> {
+        let points = self.points::<2>(name)?;
+        Ok(self.ranges(&format!("{name}.starts"), points.len())?.into_iter().map(|range| &points[range]).collect())
+    }
+
     /// A label for each of `probes` probes.
     ///
     /// # Errors
@@ -78,6 +122,50 @@ impl Arrays {
         self.add(name, super::Array::Numbers(numbers));
         self.add(format!("{name}.starts"), super::Array::Ids(starts));
         self.add(format!("{name}.polygons"), super::Array::Ids(firsts));
+    }
+
+    /// Adds lists of whole numbers under a name.
+    ///
+    /// # Panics
+    /// If there are 2^32 numbers.
+    pub fn add_lists<L: AsRef<[u32]>>(&mut self, name: &str, lists: &[L]) {
+        self.add(name, super::Array::Ids(lists.iter().flat_map(|list| list.as_ref()).copied().collect()));
+        self.add_starts(name, lists.iter().map(|list| list.as_ref().len()));
+    }
+
+    /// Adds polylines under a name.
+    ///
+    /// # Panics
+    /// If there are 2^32 points.
+    pub fn add_lines(&mut self, name: &str, lines: &[Vec<[f64; 2]>]) {
+        self.add(name, super::Array::Numbers(lines.iter().flatten().flatten().copied().collect()));
+        self.add_starts(name, lines.iter().map(Vec::len));
+    }
+
+    /// Adds meshes under a name.
+    ///
+    /// # Panics
+    /// If there are 2^32 vertices or triangles.
+    pub fn add_meshes(&mut self, name: &str, meshes: &[Mesh]) {
+        let mut all = Mesh::default();
+        for mesh in meshes {
+            let before = u32::try_from(all.points.len()).expect("fewer than 2^32 vertices");
+            all.points.extend(&mesh.points);
+            all.triangles.extend(mesh.triangles.iter().map(|triangle| triangle.map(|v| v + before)));
+        }
+        self.add_mesh(name, &all);
+        self.add_starts(name, meshes.iter().map(|mesh| mesh.triangles.len()));
+    }
+
+    /// Adds the places of lists in an array, by their lengths.
+    fn add_starts(&mut self, name: &str, lengths: impl Iterator<Item = usize>) {
+        let mut starts = vec![0];
+        let mut total = 0;
+        starts.extend(lengths.map(|length| {
+            total += length;
+            u32::try_from(total).expect("fewer than 2^32 items")
+        }));
+        self.add(format!("{name}.starts"), super::Array::Ids(starts));
     }
 
     /// Adds a mesh under a name.

@@ -1,10 +1,10 @@
-//! Files and drawings of a program's answer, by the forms of its parts.
+//! Files and drawings of a program's answer, by the forms of its parts. Lists, labels and numbers are not drawn.
 
 use predicament_predicates::{Scene, Vertex};
 use predicament_report::drawing::{Role, Shape};
 use serde_json::json;
 
-use super::shape::{Rings, scene_of};
+use super::shape::{Mesh, Rings, scene_of};
 use super::{Arrays, Form, Malformed, Part, Replies, Reply};
 use crate::Task;
 use crate::output::{self, Canvas, Files};
@@ -13,8 +13,8 @@ fn parts<T: Task>(judge: Option<&'static dyn Replies<T>>) -> &'static [Part] {
     judge.map_or(&[], |judge| judge.parts())
 }
 
-/// Offers the files of a program's answer: polygons as SVG and GeoJSON, meshes as OFF, OBJ and PLY, indices and labels
-/// as JSON. A part with a wrong form is left out with a remark.
+/// Offers the files of a program's answer: polygons as SVG and GeoJSON, meshes as OFF, OBJ and PLY, all other
+/// forms as JSON. A part with a wrong form is left out with a remark.
 pub(crate) fn write<T: Task>(
     judge: Option<&'static dyn Replies<T>>,
     reply: &Reply,
@@ -44,15 +44,37 @@ fn write_part(part: &Part, arrays: &Arrays, files: &mut Files) -> Result<Result<
             Err(malformed) => return Ok(Err(malformed)),
         },
         Form::Mesh => match arrays.mesh(part.name) {
-            Ok(mesh) => {
-                let of = scene_of(&mesh.points)?;
-                let faces = mesh.triangles.iter().map(|triangle| triangle.map(|v| Vertex::input(v as usize)).to_vec());
-                output::mesh(files, &of, part.name, faces)?;
+            Ok(mesh) => write_mesh(part.name, &mesh, files)?,
+            Err(malformed) => return Ok(Err(malformed)),
+        },
+        Form::Meshes => match arrays.meshes(part.name) {
+            Ok(meshes) => {
+                for (at, mesh) in meshes.iter().enumerate() {
+                    write_mesh(&format!("{}-{at}", part.name), mesh, files)?;
+                }
             }
+            Err(malformed) => return Ok(Err(malformed)),
+        },
+        Form::Lines => match arrays.lines(part.name) {
+            Ok(lines) => files.json(&format!("{}.json", part.name), || json!(lines))?,
+            Err(malformed) => return Ok(Err(malformed)),
+        },
+        Form::Lists(_) => match arrays.lists(part.name, usize::MAX) {
+            Ok(lists) => files.json(&format!("{}.json", part.name), || json!(lists))?,
+            Err(malformed) => return Ok(Err(malformed)),
+        },
+        Form::Number => match arrays.number(part.name) {
+            Ok(number) => files.json(&format!("{}.json", part.name), || json!(number))?,
             Err(malformed) => return Ok(Err(malformed)),
         },
     }
     Ok(Ok(()))
+}
+
+fn write_mesh(name: &str, mesh: &Mesh, files: &mut Files) -> Result<(), output::Error> {
+    let of = scene_of(&mesh.points)?;
+    let faces = mesh.triangles.iter().map(|triangle| triangle.map(|v| Vertex::input(v as usize)).to_vec());
+    output::mesh(files, &of, name, faces)
 }
 
 /// Polygons with numbered points, in a scene of these.
@@ -86,7 +108,13 @@ pub(crate) fn draw<T: Task>(
                     canvas.faces(scene, part.name, Role::Found, [corners.as_flattened()])?;
                 }
             }
-            Form::Labels => {}
+            Form::Labels | Form::Lists(_) | Form::Number => {}
+            Form::Lines => {
+                if let Ok(lines) = arrays.lines(part.name) {
+                    let line = |line: &[[f64; 2]]| vec![line.iter().map(|&[x, y]| [x, y, 0.0]).collect()];
+                    canvas.places(part.name, Role::Found, Shape::Lines, lines.into_iter().map(line));
+                }
+            }
             Form::Polygons => {
                 if let Ok(polygons) = arrays.polygons(part.name) {
                     let rings = |rings: &Vec<Vec<[f64; 2]>>| {
@@ -95,11 +123,9 @@ pub(crate) fn draw<T: Task>(
                     canvas.places(part.name, Role::Found, Shape::Areas, polygons.iter().map(rings));
                 }
             }
-            Form::Mesh => {
+            Form::Mesh | Form::Meshes => {
                 if let Ok(mesh) = arrays.mesh(part.name) {
-                    let corners = mesh.triangles.iter().map(|corners| {
-                        vec![corners.iter().map(|&v| mesh.points[v as usize]).collect::<Vec<[f64; 3]>>()]
-                    });
+                    let corners = mesh.corners().into_iter().map(|corners| vec![corners.to_vec()]);
                     canvas.places(part.name, Role::Found, Shape::Areas, corners);
                 }
             }

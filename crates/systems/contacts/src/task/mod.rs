@@ -11,6 +11,7 @@ mod generate;
 mod judge;
 mod order;
 mod pairs;
+mod replies;
 mod section;
 mod sigma;
 mod spoiled;
@@ -35,6 +36,7 @@ pub use section::ContactRow;
 
 use pairs::closure;
 use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -210,6 +212,13 @@ impl Task for Contacts {
 
     fn spoiled(&self) -> Vec<Spoiled<Contacts>> {
         spoiled::all(*self)
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Contacts>> {
+        Some(match self.dimension {
+            Dimension::Two => &replies::IN_PLANE,
+            Dimension::Three => &replies::IN_SPACE,
+        })
     }
 
     fn describe(&self, _: &LoadedScene, content: &Complexes, _: &Watch) -> Result<String, Stop> {

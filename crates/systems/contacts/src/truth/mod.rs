@@ -4,6 +4,7 @@
 //! Some of the pairs are computed twice, the second time by the session's queries on the judge's signs.
 
 mod perturbed;
+mod proper;
 
 use std::collections::BTreeSet;
 
@@ -16,6 +17,7 @@ use crate::answer::ask;
 use crate::task::content::Complexes;
 
 pub(crate) use perturbed::perturbed;
+pub(crate) use proper::is_proper;
 
 /// A simplex of each complex.
 pub(crate) type Pair = [Simplex; 2];

@@ -7,6 +7,7 @@
 mod checks;
 pub mod content;
 mod judge;
+mod replies;
 mod spoiled;
 
 use std::collections::BTreeMap;
@@ -22,6 +23,7 @@ use predicament_report::drawing::Role;
 pub use content::Segments;
 
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -137,6 +139,10 @@ impl Task for Crossings {
 
     fn spoiled(&self) -> Vec<Spoiled<Crossings>> {
         spoiled::all()
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Crossings>> {
+        Some(&replies::Judge)
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Segments, watch: &Watch) -> Result<String, Stop> {

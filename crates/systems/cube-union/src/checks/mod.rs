@@ -8,4 +8,4 @@ mod expected;
 mod sections;
 
 pub use expected::Expected;
-pub use sections::{Measures, measured};
+pub use sections::{Measures, Ties, measured, measured_by};

@@ -9,7 +9,7 @@
 //!   The sum of du over the corners is the edges' length.
 //!
 //! Each axis takes the role of u, and that of w. Faces are in the order of their coordinates. Faces with equal
-//! coordinates are in the order of their cubes, from the last to the first. This is as if the cubes were moved by
+//! coordinates are in the order of their cubes, from the last to the first ([`Ties`] has other orders). This is as if the cubes were moved by
 //! infinitesimals that are larger for earlier cubes. Widths do not include the infinitesimals. So the result is the
 //! limit for perturbations that go to zero.
 
@@ -24,6 +24,17 @@ pub struct Measures {
     pub edge_length: i128,
 }
 
+/// The order of faces with equal coordinates.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ties {
+    /// The coordinate of the earlier cube is larger by an infinitesimal.
+    Earlier,
+    /// All cubes are larger by an infinitesimal: those that touch overlap, as closed cubes do.
+    Closed,
+    /// All cubes are smaller by an infinitesimal: those that touch have a wall between them, as open cubes do.
+    Open,
+}
+
 /// The faces along one axis by rank.
 struct Faces {
     /// The rank of each cube's lower and upper face.
@@ -35,10 +46,14 @@ struct Faces {
 }
 
 impl Faces {
-    fn new(lowers: &[[i64; 3]], edge: i64, axis: usize) -> Faces {
+    fn new(lowers: &[[i64; 3]], edge: i64, axis: usize, ties: Ties) -> Faces {
         let sides = |(cube, lower): (usize, &[i64; 3])| [(lower[axis], cube, false), (lower[axis] + edge, cube, true)];
         let mut all: Vec<(i64, usize, bool)> = lowers.iter().enumerate().flat_map(sides).collect();
-        all.sort_by(|a, b| (a.0, b.1).cmp(&(b.0, a.1)));
+        all.sort_by(|a, b| match ties {
+            Ties::Earlier => (a.0, b.1).cmp(&(b.0, a.1)),
+            Ties::Closed => (a.0, a.2).cmp(&(b.0, b.2)),
+            Ties::Open => (a.0, b.2).cmp(&(b.0, a.2)),
+        });
         let mut ranks = vec![[0; 2]; lowers.len()];
         for (rank, &(_, cube, upper)) in all.iter().enumerate() {
             ranks[cube][usize::from(upper)] = rank;
@@ -128,8 +143,19 @@ fn differing(a: &[usize], b: &[usize]) -> i128 {
 /// axes differ.
 #[must_use]
 pub fn measured(lowers: &[[i64; 3]], edge: i64) -> Measures {
+    measured_by(lowers, edge, Ties::Earlier)
+}
+
+/// The mass properties as by [`measured`], with another order of faces with equal coordinates.
+///
+/// The length of edges depends on that order in more ways than these three.
+///
+/// # Panics
+/// As [`measured`].
+#[must_use]
+pub fn measured_by(lowers: &[[i64; 3]], edge: i64, ties: Ties) -> Measures {
     assert!(edge > 0, "cubes have a positive edge length, not {edge}");
-    let axes = [0, 1, 2].map(|axis| Faces::new(lowers, edge, axis));
+    let axes = [0, 1, 2].map(|axis| Faces::new(lowers, edge, axis, ties));
     let mut volumes = [0; 3];
     let mut all = Measures::default();
     for (axis, volume) in volumes.iter_mut().enumerate() {

@@ -7,6 +7,7 @@ mod checks;
 mod content;
 mod generate;
 mod judge;
+mod replies;
 mod section;
 mod spoiled;
 
@@ -23,6 +24,7 @@ pub use content::Cubes;
 pub use section::MassRow;
 
 use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -154,6 +156,10 @@ impl Task for CubeUnion {
         spoiled::all()
     }
 
+    fn replies(&self) -> Option<&'static dyn Replies<CubeUnion>> {
+        Some(&replies::Judge)
+    }
+
     fn describe(&self, _: &LoadedScene, content: &Cubes, _: &Watch) -> Result<String, Stop> {
         Ok(format!("{} cubes\n", content.cubes))
     }
@@ -186,6 +192,11 @@ impl Task for CubeUnion {
                 "three_faces": of.three_faces,
             });
             writeln!(out, "{json:#}")
+        })?;
+        // The same in the scene's units, in doubles, as other programs compute them.
+        files.json("measures.json", || {
+            let [volume, area, edge_length] = replies::measures(answer);
+            serde_json::json!({ "volume": volume, "area": area, "edge_length": edge_length })
         })
     }
 

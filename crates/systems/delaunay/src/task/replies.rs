@@ -4,12 +4,12 @@
 //! one place. The judge turns its triangles counterclockwise and takes the smallest point of each place; then the
 //! [checks](crate::checks) apply, all but `fan`.
 
-use std::collections::HashMap;
-
 use predicament_hull::checks::{Flaw, Signs};
 use predicament_judge::{Judged, sign};
 use predicament_predicates::{Declined, Plane, Predicates, Question, Scene, Sign, Vertex};
-use predicament_tasks::replies::{Array, Arrays, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
+use predicament_tasks::replies::{
+    Array, Arrays, Example, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged, smallest_at_each_place,
+};
 use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
 use super::judge::note;
@@ -26,6 +26,10 @@ const TRIANGLES: &str = "triangles";
 impl Replies<Delaunay2d> for Judge {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(TRIANGLES, Form::Triangles, "the triangles, in any order and direction")] }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "delaunay", functions: &[("python", include_str!("../engines/delaunay2d.py"))] }
     }
 
     /// Declines constraints that cross: their crossing is not a point of the scene.
@@ -130,12 +134,4 @@ impl Replies<Delaunay2d> for Judge {
             },
         ]
     }
-}
-
-/// For each point, the smallest point at its place.
-fn smallest_at_each_place(scene: &Scene) -> Vec<Vertex> {
-    let mut at: HashMap<[u64; 2], Vertex> = HashMap::with_capacity(scene.len());
-    // Zeros of either sign are one place.
-    let place = |v: Vertex| scene.point2(Plane::Xy, v).map(|x| (x + 0.0).to_bits());
-    scene.vertices().map(|v| *at.entry(place(v)).or_insert(v)).collect()
 }

@@ -7,6 +7,7 @@ mod checks;
 pub(crate) mod content;
 mod generate;
 mod judge;
+mod replies;
 mod spoiled;
 
 use crate::algorithm::cells_at;
@@ -21,6 +22,7 @@ use rayon::prelude::*;
 pub use content::Cells;
 
 use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
     Stop, Task, Turns, Watch, digest,
@@ -162,6 +164,10 @@ impl Task for Interval {
 
     fn spoiled(&self) -> Vec<Spoiled<Interval>> {
         spoiled::all()
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Interval>> {
+        Some(&replies::Judge)
     }
 
     fn describe(&self, _: &LoadedScene, content: &Cells, _: &Watch) -> Result<String, Stop> {

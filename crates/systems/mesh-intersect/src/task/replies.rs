@@ -6,13 +6,15 @@ use predicament_judge::{nearest, sign};
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::{Declined, Plane, Question, Scene, Vertex};
+use predicament_tasks::replies::skin::Skin;
 use predicament_tasks::replies::{
-    Array, Arrays, Bound, FORM, Form, Malformed, Mesh, Part, Replies, Reply, SpoiledReply, Unjudged, add_row, note,
+    Array, Arrays, Bound, Example, FORM, Form, Malformed, Mesh, Part, Replies, Reply, SpoiledReply, Unjudged, add_row,
+    note,
 };
 use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
 use super::{MeshIntersect, Overlaid, TwoMeshes};
-use crate::checks::replies::{CROSSING, OFF, OPEN, SOLID, Skin, Solids, VOLUME};
+use crate::checks::replies::{CROSSING, OFF, OPEN, SOLID, Solids, VOLUME};
 
 /// The judge.
 pub(super) struct Judge;
@@ -40,6 +42,10 @@ impl Replies<MeshIntersect> for Judge {
                 Part::optional("symmetric-difference", Form::Mesh, "the surface of the points in exactly one"),
             ]
         }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "intersections", functions: &[("python", include_str!("../engines/mesh_intersect.py"))] }
     }
 
     /// Declines meshes of several materials, and surfaces that are not closed manifolds.
@@ -101,8 +107,7 @@ impl Replies<MeshIntersect> for Judge {
                 known = Some((far.within, solids.points([far.within, bound.coarsest], most)));
             }
             let Some((within, witnesses)) = &known else { continue };
-            let corners = |triangle: &[u32; 3]| triangle.map(|v| mesh.points[v as usize]);
-            let skin = Skin::new(mesh.triangles.iter().map(corners).collect());
+            let skin = Skin::new(mesh.corners());
             for flaw in solids.violations(operation, &skin, [*within, bound.coarsest], witnesses, most) {
                 let (class, told) = bound.violated(flaw.distance);
                 note(outcome, class, flaw.check, format!("{name}: {}{told}", flaw.what), means(flaw.check));
@@ -193,10 +198,7 @@ impl Replies<MeshIntersect> for Judge {
                     {
                         let [p, q] = [from, to].map(|v| mesh.points[v as usize]);
                         mesh.points[from as usize] = [0, 1, 2].map(|i: usize| p[i] + (q[i] - p[i]) * 2.0_f64.powi(-26));
-                        let mut others = Arrays::default();
-                        let kept = arrays.iter().filter(|(name, _)| !name.starts_with("union"));
-                        kept.for_each(|(name, array)| others.add(name, array.clone()));
-                        *arrays = others;
+                        arrays.remove("union");
                         arrays.add_mesh("union", &mesh);
                     }
                 },
@@ -226,10 +228,7 @@ impl Replies<MeshIntersect> for Judge {
                 caught_by: &[(Class::Topology, SOLID), (Class::Topology, VOLUME)],
                 spoil: |_, _, arrays| {
                     if let Ok(mesh) = arrays.mesh("union") {
-                        let mut others = Arrays::default();
-                        let kept = arrays.iter().filter(|(name, _)| !name.starts_with("intersection"));
-                        kept.for_each(|(name, array)| others.add(name, array.clone()));
-                        *arrays = others;
+                        arrays.remove("intersection");
                         arrays.add_mesh("intersection", &mesh);
                     }
                 },

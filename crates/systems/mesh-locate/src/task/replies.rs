@@ -6,7 +6,7 @@
 use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::OUTSIDE;
 use predicament_predicates::{Query, Scene};
-use predicament_tasks::replies::{Array, Arrays, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
+use predicament_tasks::replies::{Array, Arrays, Example, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
 use predicament_tasks::{AnswerLine, Asked, Case, Check, Class, Finding, Outcome};
 
 use super::content::ProbedMesh;
@@ -28,6 +28,10 @@ const MOST_ASKED_LATER: usize = 2_000;
 impl Replies<MeshLocate> for Judge {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(LABELS, Form::Labels, "the region of each probe, 0 for outside, −2 for the surface")] }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "mesh-points", functions: &[("python", include_str!("../engines/mesh_locate.py"))] }
     }
 
     fn judge(

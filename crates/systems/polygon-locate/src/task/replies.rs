@@ -4,7 +4,7 @@
 //! there is right, and so are "outside" beside a region and "on the border".
 
 use predicament_predicates::{Query, Scene};
-use predicament_tasks::replies::{Array, Arrays, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
+use predicament_tasks::replies::{Array, Arrays, Example, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
 use predicament_tasks::{AnswerLine, Asked, Case, Check, Class, Finding, Outcome};
 
 use super::{Located, MapWithProbes, PolygonLocate};
@@ -24,6 +24,10 @@ const LABEL: &str = "label";
 impl Replies<PolygonLocate> for Judge {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(LABELS, Form::Labels, "the region of each probe, −1 for outside, −2 for a border")] }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "tilings", functions: &[("python", include_str!("../engines/polygon_locate.py"))] }
     }
 
     fn judge(

@@ -9,6 +9,7 @@ mod content;
 mod faces;
 mod generate;
 mod judge;
+mod replies;
 mod spoiled;
 
 use crate::algorithm::{Sliced, Source, slice};
@@ -21,6 +22,7 @@ pub use content::Solid;
 
 pub use checks::{law, rounded};
 use predicament_tasks::output::{Canvas, Files, Placed};
+use predicament_tasks::replies::Replies;
 
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -170,6 +172,10 @@ impl Task for Slice {
 
     fn spoiled(&self) -> Vec<Spoiled<Slice>> {
         spoiled::all()
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Slice>> {
+        Some(&replies::Judge)
     }
 
     fn describe(&self, _: &LoadedScene, content: &Solid, _: &Watch) -> Result<String, Stop> {

@@ -6,7 +6,9 @@
 
 use predicament_judge::sign;
 use predicament_predicates::{Declined, Query, Question, Scene, Sign, Vertex};
-use predicament_tasks::replies::{Array, Arrays, FORM, Form, Malformed, Part, Replies, Reply, SpoiledReply, Unjudged};
+use predicament_tasks::replies::{
+    Array, Arrays, Example, FORM, Form, Malformed, Part, Replies, Reply, SpoiledReply, Unjudged,
+};
 use predicament_tasks::{Asked, Case, Check, Class, Finding, Outcome};
 
 use super::{Polygons, Triangulate, Triangulated};
@@ -27,6 +29,10 @@ impl Replies<Triangulate> for Judge {
                 Part::optional(POLYGONS, Form::Labels, "the polygon of each triangle, if there are several polygons"),
             ]
         }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "polygons", functions: &[("python", include_str!("../engines/triangulate.py"))] }
     }
 
     /// Declines polygons in space: libraries triangulate in the plane.

@@ -4,10 +4,11 @@ use std::cmp::Ordering;
 
 use predicament_judge::sign;
 use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
-use predicament_tasks::replies::{Array, Arrays, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
+use predicament_tasks::replies::{
+    Array, Arrays, Example, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged, smallest_at_each_place,
+};
 use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
-use super::smallest_at_each_place;
 use crate::algorithm::PlaneMethod;
 use crate::checks::plane_flaws;
 use crate::task::answer::{Hull2d, Polygon};
@@ -23,6 +24,10 @@ const HULL: &str = "hull";
 impl Replies<Hull2d> for JudgeInPlane {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(HULL, Form::Loop, "the hull's vertices, one after the other in either direction")] }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "hulls -f hull2d", functions: &[("python", include_str!("../../engines/hull2d.py"))] }
     }
 
     fn judge(

@@ -13,11 +13,12 @@ use std::collections::BTreeMap;
 
 use predicament_judge::{rational, sign};
 use predicament_predicates::{Declined, Plane, Question, Scene, Sign, Vertex};
-use predicament_tasks::replies::{Array, Arrays, Form, Part, Replies, Reply, SpoiledReply, Unjudged, note};
+use predicament_tasks::replies::{
+    Array, Arrays, Example, Form, Part, Replies, Reply, SpoiledReply, Unjudged, note, smallest_at_each_place,
+};
 use predicament_tasks::{Asked, Budget, Case, Check, Class, Outcome};
 use rug::Rational;
 
-use super::smallest_at_each_place;
 use crate::algorithm::SpaceMethod;
 use crate::task::answer::{Hull3d, Surface};
 use crate::task::cloud::Cloud;
@@ -35,6 +36,10 @@ const ONCE: &str = "covered once";
 impl Replies<Hull3d> for JudgeInSpace {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(TRIANGLES, Form::Triangles, "the triangles of the surface, in any order and direction")] }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "hulls -f hull3d", functions: &[("python", include_str!("../../engines/hull3d.py"))] }
     }
 
     /// Declines points in one plane: their hull has no surface that bounds a volume.

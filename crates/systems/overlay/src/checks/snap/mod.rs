@@ -152,7 +152,7 @@ pub fn new_crossings(chains: &[Vec<Pixel>]) -> usize {
 }
 
 /// The pairs of edges that cross, as the first chains that contain them.
-fn crossed(chains: &[Vec<Pixel>]) -> impl Iterator<Item = [usize; 2]> {
+pub(crate) fn crossed(chains: &[Vec<Pixel>]) -> impl Iterator<Item = [usize; 2]> {
     let of_chain = |(at, chain): (usize, &Vec<Pixel>)| {
         let edge = move |edge: &[Pixel]| ([edge[0].min(edge[1]), edge[0].max(edge[1])], at);
         chain.windows(2).map(edge).collect::<Vec<_>>()
@@ -186,7 +186,7 @@ fn pixel(point: &Point) -> Pixel {
 }
 
 /// The intersection of two segments' lines.
-fn meeting([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Point {
+pub(crate) fn meeting([a, b]: [&Point; 2], [c, d]: [&Point; 2]) -> Point {
     let [ab, cd, ac] = [[a, b], [c, d], [a, c]].map(|[p, q]| [0, 1].map(|axis| Rational::from(&q[axis] - &p[axis])));
     let turn = |p: &Point, q: &Point| Rational::from(&p[0] * &q[1]) - Rational::from(&p[1] * &q[0]);
     let t = turn(&ac, &cd) / turn(&ab, &cd);

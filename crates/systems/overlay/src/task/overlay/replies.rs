@@ -3,7 +3,8 @@
 use predicament_judge::nearest;
 use predicament_predicates::{Declined, Plane, Scene, Vertex};
 use predicament_tasks::replies::{
-    Array, Arrays, Bound, FORM, Form, Malformed, Part, Replies, Reply, Rings, SpoiledReply, Unjudged, add_row, note,
+    Array, Arrays, Bound, Example, FORM, Form, Malformed, Part, Replies, Reply, Rings, SpoiledReply, Unjudged, add_row,
+    note,
 };
 use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
@@ -36,6 +37,10 @@ impl Replies<Overlay2d> for Judge {
                 Part::optional("symmetric-difference", Form::Polygons, "the points in exactly one operand"),
             ]
         }
+    }
+
+    fn example(&self) -> Example {
+        Example { suites: "overlays", functions: &[("python", include_str!("../../engines/overlay2d.py"))] }
     }
 
     fn open(&self, _: &Scene, content: &Layered) -> Result<(), Declined> {
@@ -175,7 +180,7 @@ impl Replies<Overlay2d> for Judge {
                             let [from, to] = [ring[0], ring[1]];
                             ring[0] = [0, 1].map(|i: usize| from[i] + (to[i] - from[i]) * 2.0_f64.powi(-26));
                         }
-                        *arrays = without(arrays, "union");
+                        arrays.remove("union");
                         arrays.add_polygons("union", &rings);
                     }
                 },
@@ -204,7 +209,7 @@ impl Replies<Overlay2d> for Judge {
                 caught_by: &[(Class::Topology, OVERLAP)],
                 spoil: |_, _, arrays| {
                     if let Ok(rings) = arrays.polygons("union") {
-                        *arrays = without(arrays, "union");
+                        arrays.remove("union");
                         arrays.add_polygons("union", &[rings.clone(), rings].concat());
                     }
                 },
@@ -217,7 +222,7 @@ impl Replies<Overlay2d> for Judge {
                 spoil: |_, _, arrays| {
                     if let Ok(mut rings) = arrays.polygons("union") {
                         rings.iter_mut().flatten().filter(|ring| ring.len() > 3).for_each(|ring| ring.swap(1, 2));
-                        *arrays = without(arrays, "union");
+                        arrays.remove("union");
                         arrays.add_polygons("union", &rings);
                     }
                 },
@@ -235,18 +240,11 @@ fn first(arrays: &mut Arrays, change: impl Fn(&mut f64)) {
     }
 }
 
-/// The arrays without those of a part.
-fn without(arrays: &Arrays, part: &str) -> Arrays {
-    let mut others = Arrays::default();
-    let is_of_part = |name: &str| name == part || name.strip_prefix(part).is_some_and(|rest| rest.starts_with('.'));
-    arrays.iter().filter(|(name, _)| !is_of_part(name)).for_each(|(name, array)| others.add(name, array.clone()));
-    others
-}
-
 /// Exchanges two parts.
 fn exchange(arrays: &mut Arrays, one: &str, other: &str) {
     if let (Ok(first), Ok(second)) = (arrays.polygons(one), arrays.polygons(other)) {
-        *arrays = without(&without(arrays, one), other);
+        arrays.remove(one);
+        arrays.remove(other);
         arrays.add_polygons(one, &second);
         arrays.add_polygons(other, &first);
     }

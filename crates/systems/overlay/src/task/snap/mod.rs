@@ -7,6 +7,7 @@ mod checks;
 mod content;
 mod contradiction;
 mod judge;
+mod replies;
 mod section;
 mod spoiled;
 
@@ -26,6 +27,7 @@ pub use contradiction::Contradiction;
 pub use section::SnapRow;
 
 use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::replies::Replies;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
@@ -238,6 +240,10 @@ impl Task for Snap2d {
 
     fn spoiled(&self) -> Vec<Spoiled<Snap2d>> {
         spoiled::all()
+    }
+
+    fn replies(&self) -> Option<&'static dyn Replies<Snap2d>> {
+        Some(&replies::Judge)
     }
 
     fn describe(&self, loaded: &LoadedScene, content: &Drawn, watch: &Watch) -> Result<String, Stop> {

@@ -18,20 +18,9 @@
 //! The points are an even sample: beside triangles of both operands and of the result, on both sides and at several
 //! distances, and anywhere. Where a point is, is decided exactly: points, operands and results are doubles.
 
-mod distance;
-mod pierced;
-mod points;
-
-use std::collections::BTreeMap;
-
-use predicament_judge::boxes::{Boxes, extent};
-use predicament_judge::rational;
-use predicament_judge::solids::Boundary;
 use predicament_overlay::answer::Operation;
+use predicament_tasks::replies::skin::{self, Corners, Skin};
 use rug::Rational;
-
-/// A triangle in doubles.
-pub type Corners = [[f64; 3]; 3];
 
 /// The check of vertices.
 pub const OFF: &str = "vertex off the surfaces";
@@ -53,78 +42,6 @@ pub struct Violation {
     pub what: String,
     /// The distance from the operands' surfaces that explains it; `None` if no distance does.
     pub distance: Option<f64>,
-}
-
-/// A surface of triangles, counterclockwise as seen from outside.
-pub struct Skin {
-    triangles: Vec<Corners>,
-    index: Boxes<3>,
-    boundary: Boundary,
-}
-
-impl Skin {
-    /// A surface with these triangles.
-    #[must_use]
-    pub fn new(triangles: Vec<Corners>) -> Skin {
-        let index = Boxes::new(triangles.iter().map(|&corners| extent(corners)).collect());
-        let boundary = Boundary::new(triangles.iter().map(|corners| corners.map(|p| p.map(rational))).collect());
-        Skin { triangles, index, boundary }
-    }
-
-    /// All triangles.
-    #[must_use]
-    pub fn triangles(&self) -> &[Corners] {
-        &self.triangles
-    }
-
-    /// The distance of a point from the nearest triangle, computed in rationals and rounded once; infinite without
-    /// triangles. The search begins at a distance.
-    fn distance(&self, p: [f64; 3], from: f64) -> f64 {
-        if self.triangles.is_empty() {
-            return f64::INFINITY;
-        }
-        let mut near = Vec::new();
-        let mut reach = from.max(f64::MIN_POSITIVE);
-        loop {
-            self.index.near(&[p, p], reach, &mut near);
-            let of = |&at: &u32| distance::of_triangle(&self.triangles[at as usize], p);
-            let least = near.iter().map(of).fold(f64::INFINITY, f64::min);
-            if least <= reach || near.len() == self.triangles.len() {
-                return least;
-            }
-            reach *= 64.0;
-        }
-    }
-
-    /// Six times the volume inside.
-    fn six(&self) -> Rational {
-        let of = |corners: &Corners| {
-            let [a, b, c] = corners.map(|p| p.map(rational));
-            let minor = |i: usize, j: usize| Rational::from(&b[i] * &c[j]) - Rational::from(&b[j] * &c[i]);
-            Rational::from(&a[0] * &minor(1, 2))
-                + Rational::from(&a[1] * &minor(2, 0))
-                + Rational::from(&a[2] * &minor(0, 1))
-        };
-        predicament_judge::sum::sum(self.triangles.iter().map(of).collect())
-    }
-
-    /// The first edge at which more triangles come than go, in words.
-    fn open(&self) -> Option<String> {
-        let key = |p: [f64; 3]| p.map(|x| (x + 0.0).to_bits());
-        let mut uses: BTreeMap<[[u64; 3]; 2], i64> = BTreeMap::new();
-        for [a, b, c] in &self.triangles {
-            for [p, q] in [[a, b], [b, c], [c, a]] {
-                let [p, q] = [key(*p), key(*q)];
-                if p != q {
-                    *uses.entry([p.min(q), p.max(q)]).or_default() += if p < q { 1 } else { -1 };
-                }
-            }
-        }
-        let open: Vec<_> = uses.into_iter().filter(|(_, uses)| *uses != 0).collect();
-        let ([p, q], _) = open.first()?;
-        let [p, q] = [p, q].map(|p| p.map(f64::from_bits));
-        Some(format!("{} edges are open, first that from {p:?} to {q:?}", open.len()))
-    }
 }
 
 /// A point around which a result's surface goes another number of times than it should.
@@ -150,9 +67,9 @@ impl Solids {
     /// Two operands by their surfaces.
     #[must_use]
     pub fn new(skins: [Skin; 2]) -> Solids {
-        let all = || skins.iter().flat_map(|skin| &skin.triangles);
-        let area = all().map(points::area).sum();
-        let length = all().map(points::length).sum();
+        let all = || skins.iter().flat_map(Skin::triangles);
+        let area = all().map(skin::area).sum();
+        let length = all().map(skin::length).sum();
         Solids { skins, area, length }
     }
 
@@ -170,11 +87,11 @@ impl Solids {
         [within, coarsest]: [f64; 2],
         most: usize,
     ) -> Vec<Witness> {
-        let candidates = points::candidates(beside, [within, coarsest], most);
-        let far = |p: &[f64; 3]| !self.skins.iter().any(|skin| skin.boundary.is_near(*p, within));
+        let candidates = skin::candidates(beside, [within, coarsest], most);
+        let far = |p: &[f64; 3]| !self.skins.iter().any(|skin| skin.is_near(*p, within));
         let located = |p: [f64; 3]| {
             let [a, b] = &self.skins;
-            Some((p, [a.boundary.winding(p)? > 0, b.boundary.winding(p)? > 0]))
+            Some((p, [a.winding(p)? > 0, b.winding(p)? > 0]))
         };
         candidates.into_iter().filter(far).filter_map(located).collect()
     }
@@ -183,7 +100,7 @@ impl Solids {
     /// see [`Solids::violations`].
     #[must_use]
     pub fn points(&self, within: [f64; 2], most: usize) -> Vec<Witness> {
-        self.witnesses(self.skins.iter().flat_map(|skin| &skin.triangles), within, most)
+        self.witnesses(self.skins.iter().flat_map(Skin::triangles), within, most)
     }
 
     /// The laws that the result of an operation violates at this distance; `most` is the number of points beside the
@@ -201,11 +118,11 @@ impl Solids {
         if let Some(what) = result.open() {
             found.push(Violation { check: OPEN, what, distance: None });
         }
-        let own = self.witnesses(result.triangles.iter(), [within, coarsest], most);
+        let own = self.witnesses(result.triangles().iter(), [within, coarsest], most);
         let (mut wrong, mut first) = (0, None::<Wrong>);
         for &(p, inside) in known.iter().chain(&own) {
             let wanted = i64::from(operation.holds(inside));
-            if let Some(winding) = result.boundary.winding(p).filter(|winding| *winding != wanted) {
+            if let Some(winding) = result.winding(p).filter(|winding| *winding != wanted) {
                 wrong += 1;
                 let distance = self.skins.iter().map(|skin| skin.distance(p, within)).fold(f64::INFINITY, f64::min);
                 if first.as_ref().is_none_or(|first| distance > first.distance) {
@@ -219,7 +136,7 @@ impl Solids {
                 format!("the surface goes {winding} times around {p:?}, expected {wanted}; {wrong} of {of} points");
             found.push(Violation { check: SOLID, what, distance: Some(distance) });
         }
-        if let Some(what) = pierced::first(&result.triangles, &result.index, within, most) {
+        if let Some(what) = result.pierced(within, most) {
             found.push(Violation { check: CROSSING, what, distance: None });
         }
         found

@@ -25,17 +25,21 @@ fn norm(p: Double) -> f64 {
 }
 
 /// The area of a triangle, approximately.
-pub(super) fn area([a, b, c]: &Corners) -> f64 {
+#[must_use]
+pub fn area([a, b, c]: &Corners) -> f64 {
     norm(cross(less(*b, *a), less(*c, *a))) / 2.0
 }
 
 /// The length of a triangle's sides, approximately.
-pub(super) fn length([a, b, c]: &Corners) -> f64 {
+#[must_use]
+pub fn length([a, b, c]: &Corners) -> f64 {
     norm(less(*b, *a)) + norm(less(*c, *b)) + norm(less(*a, *c))
 }
 
-/// Points on both sides of triangles, and anywhere in their box.
-pub(super) fn candidates<'t>(
+/// Points on both sides of triangles, and anywhere in their box: at distances in units of `within` and of `coarsest`.
+/// About `most` triangles' sides are used, spread evenly.
+#[must_use]
+pub fn candidates<'t>(
     triangles: impl Iterator<Item = &'t Corners> + Clone,
     [within, coarsest]: [f64; 2],
     most: usize,
