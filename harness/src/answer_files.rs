@@ -294,7 +294,8 @@ fn columns(name: &str, text: &str, form: Form) -> Result<Vec<u32>, CorpusError> 
     Ok(ids)
 }
 
-/// The label that the last cell of a line has in the words of `solve interval`: `in 3`, `at the end of 3, 4`, `in none`.
+/// The label that the last cell of a line has in the words of `solve interval`: `in 3`, `at the end of 3, 4`, `in
+/// none`.
 fn in_words(line: &str) -> Option<u32> {
     let (_, words) = line.strip_suffix('"')?.rsplit_once('"')?;
     match words.strip_prefix("in ") {

@@ -14,6 +14,7 @@
 //! * [`interval`]: the cells of a line that a point is in.
 //! * [`locate`]: the regions of a map that a point is in.
 //! * [`nearest`]: the double nearest to a rational, for display and files.
+//! * [`skin`]: surfaces of triangles in doubles, of other programs.
 //! * [`solids`]: the region of a mesh that a point is in.
 //! * [`sum`]: sums of many rationals.
 //! * [`Sample`]: the part of a large input that is judged.
@@ -52,6 +53,8 @@ mod row;
 mod sample;
 #[cfg(feature = "gmp")]
 mod session;
+#[cfg(feature = "gmp")]
+pub mod skin;
 #[cfg(feature = "gmp")]
 pub mod solids;
 mod split;

@@ -9,7 +9,6 @@
 //! * [`Reply`]: an answer, with its time; [`Part`]: one array of it, or several that belong together.
 //! * [`Replies`]: the judge of a task's answers; [`SpoiledReply`]: a right answer with a planted fault.
 //! * [`Bound`]: the distances by which rounding can move a vertex.
-//! * [`skin`]: surfaces of triangles in doubles, for judges of solids.
 //! * [`Program`]: something that answers; [`ByProgram`]: its solver for a task.
 
 mod arrays;
@@ -19,7 +18,6 @@ mod question;
 mod row;
 mod shape;
 mod shown;
-pub mod skin;
 mod smallest;
 mod spoiled;
 mod unasked;

@@ -6,8 +6,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::AtomicBool;
 
-use predicament_corpus::{Level, Library, LoadedScene};
-use predicament_formats::Cache;
+use predicament_corpus::{Level, Library, LoadedScene, Suite};
+use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Counts, Scene};
 use predicament_tasks::replies::{Array, Arrays, Reply};
 use predicament_tasks::{Asked, Budget, Class, Contestant, How, Outcome, Purpose, Watch};
@@ -62,6 +62,70 @@ fn judged(loaded: &LoadedScene, backend: &dyn Contestant, round: Round) -> Optio
         case.judge(&asked, &Reply { arrays, ..Reply::default() }, &mut outcome)
     });
     solved.ok().map(|()| outcome)
+}
+
+/// The checks that find a fault in an answer to a scene of a suite.
+fn checks(suite: &str, arrays: &Arrays) -> Vec<String> {
+    let text = format!("title = \"Mine\"\n[[scene]]\nname = \"mine\"\n{suite}");
+    let suite = Suite::parse(predicament_bundle::vocabulary(), "s.toml", &text, None, &Manifest::default()).unwrap();
+    let loaded = suite.scenes[0].load(Level::Quick, &Cache::new("/nonexistent/predicament-cache")).unwrap();
+    let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
+    let watch = Watch::new(&never, None, &quiet);
+    let case = predicament_bundle::task(loaded.task).unwrap().case(&loaded, &watch).unwrap();
+    let exact = predicament_bundle::backend("exact").unwrap();
+    let mut outcome = Outcome { queries: loaded.count() as u64, ..Outcome::default() };
+    let reply = Reply { arrays: arrays.clone(), ..Reply::default() };
+    exact
+        .with_session(&loaded.scene, &mut |session| {
+            let asked = Asked { backend: exact.as_ref(), session, budget: Budget::QUICK, watch: &watch };
+            case.judge(&asked, &reply, &mut outcome).unwrap();
+        })
+        .unwrap();
+    outcome.findings.into_iter().map(|finding| finding.check).collect()
+}
+
+/// A segment from 0 to 4 on the x axis; one that crosses it at 1, one that begins on it at 2, one on it from 2 to 3,
+/// and one that crosses it at 3.
+#[test]
+fn segments_that_touch_may_be_listed_by_both_in_any_order_at_their_place() {
+    let scene = "task = \"crossings\"\n\
+        points = [[0, 0], [4, 0], [1, -1], [1, 1], [2, 0], [2, 1], [2, 0], [3, 0], [3, -1], [3, 1]]\n\
+        segments = [[0, 1], [2, 3], [4, 5], [6, 7], [8, 9]]\n";
+    let told = |first: &[u32], by_both: bool| {
+        let other = |at: u32| if by_both && first.contains(&at) || at == 1 || at == 4 { vec![0] } else { vec![] };
+        let lists: Vec<Vec<u32>> = std::iter::once(first.to_vec()).chain((1..5).map(other)).collect();
+        let mut arrays = Arrays::default();
+        arrays.add_lists("crossings", &lists);
+        checks(scene, &arrays)
+    };
+    for right in [&[1, 4][..], &[1, 2, 4], &[1, 2, 3, 4], &[1, 3, 2, 4], &[1, 4, 3], &[1, 2, 4, 3]] {
+        assert_eq!(told(right, true), [""; 0], "{right:?}");
+    }
+    for wrong in [&[4, 1][..], &[2, 1, 4], &[1, 4, 2], &[3, 1, 4]] {
+        assert_eq!(told(wrong, true), ["order of crossings"], "{wrong:?}");
+    }
+    assert_eq!(told(&[1], true), ["lost crossing", "strange crossing"]);
+    assert_eq!(told(&[1, 2, 4], false), ["strange crossing"], "by one alone");
+    assert_eq!(told(&[0, 1, 4], true), ["strange crossing"], "itself");
+}
+
+#[test]
+fn at_an_end_both_cells_are_right_and_outside_only_at_the_ends_of_the_row() {
+    // Ends at 0, 1 and 2; probes inside of the second cell, between the cells, at the first end, and outside.
+    let scene = "task = \"interval\"\naxis = \"x\"\n\
+        points = [[0, 0], [1, 0], [2, 0], [1.5, 0], [1, 1], [0, 1], [9, 0]]\ncells = [[0, 1], [1, 2]]\n";
+    let [outside, at_end] = [u32::MAX, u32::MAX - 1];
+    let right: [&[u32]; 4] = [&[1], &[0, 1, at_end], &[0, outside, at_end], &[outside]];
+    for (probe, right_here) in right.iter().enumerate() {
+        for label in [0, 1, 2, outside, at_end] {
+            let mut labels: Vec<u32> = right.iter().map(|labels| labels[0]).collect();
+            labels[probe] = label;
+            let mut arrays = Arrays::default();
+            arrays.add("labels", Array::Ids(labels));
+            let is_right = checks(scene, &arrays).is_empty();
+            assert_eq!(is_right, right_here.contains(&label), "probe {probe}, label {label}");
+        }
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The judge of other programs' contacts.
 //!
-//! A program lists pairs of simplices, each by the vertices of both. It may list the pairs of the largest simplices that
-//! meet, as most libraries do, or the pairs of the hierarchy, each with the lowest ranks.
+//! A program lists pairs of simplices, each by the vertices of both. It may list the pairs of the largest simplices
+//! that meet, as most libraries do, or the pairs of the hierarchy, each with the lowest ranks.
 //!
 //! * Each listed pair has a point in common.
 //! * A pair of largest simplices that meet, and still do however little they are moved, is listed, or a pair of faces

@@ -1,8 +1,8 @@
 //! Pairs of simplices that meet however little both are moved.
 //!
-//! Two convex sets S and T meet if and only if the origin is in S − T, the set of all differences. They still meet after
-//! every small movement if and only if it is in the interior of S − T. Otherwise, a movement in the direction away from
-//! S − T parts them: the sets only touch.
+//! Two convex sets S and T meet if and only if the origin is in S − T, the set of all differences. They still meet
+//! after every small movement if and only if it is in the interior of S − T. Otherwise, a movement in the direction
+//! away from S − T parts them: the sets only touch.
 //!
 //! S − T is a polytope. If it is not flat, the origin is in its interior if and only if it is on the inner side of each
 //! facet. The plane of a facet is parallel to two edges of S or T (in the plane: to one edge). So the directions across

@@ -1,8 +1,8 @@
 //! The judge of other programs' measures of unions of cubes.
 //!
-//! A program gives the volume and the area in doubles, and the length of the edges if it likes. Where cubes touch, there
-//! may be a wall between them or not: the area may be that of the union of closed cubes, that of the union of open
-//! ones, or between the two.
+//! A program gives the volume and the area in doubles, and the length of the edges if it likes. Where cubes touch,
+//! there may be a wall between them or not: the area may be that of the union of closed cubes, that of the union of
+//! open ones, or between the two.
 //!
 //! # The error in a distance
 //! Let every face of the union be displaced by at most δ. Then the volume changes by at most Aδ for an area A, up to

@@ -138,22 +138,3 @@ fn each(arrays: &mut Arrays, change: impl Fn(u32) -> u32) {
         labels.iter_mut().for_each(|label| *label = change(*label));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn at_an_end_both_cells_are_right_and_outside_only_at_the_ends_of_the_row() {
-        let inside = vec![(1, Place::Inside)];
-        let between = vec![(1, Place::AtEnd), (2, Place::AtEnd)];
-        let at_the_first_end = vec![(0, Place::AtEnd)];
-        let right = |truth: &Found, is_at_row_end: bool| -> Vec<u32> {
-            [0, 1, 2, 3, OUTSIDE, AT_END].into_iter().filter(|&label| is_right(label, truth, is_at_row_end)).collect()
-        };
-        assert_eq!(right(&inside, false), [1]);
-        assert_eq!(right(&between, false), [1, 2, AT_END]);
-        assert_eq!(right(&at_the_first_end, true), [0, OUTSIDE, AT_END]);
-        assert_eq!(right(&Vec::new(), false), [OUTSIDE]);
-    }
-}

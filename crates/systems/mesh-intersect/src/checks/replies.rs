@@ -19,7 +19,7 @@
 //! distances, and anywhere. Where a point is, is decided exactly: points, operands and results are doubles.
 
 use predicament_overlay::answer::Operation;
-use predicament_tasks::replies::skin::{self, Corners, Skin};
+use predicament_judge::skin::{self, Corners, Skin};
 use rug::Rational;
 
 /// The check of vertices.

@@ -4,8 +4,8 @@
 //! for the drawing:
 //!
 //! * `off the grid`: each vertex of a chain is a point of the grid.
-//! * `ends of chains`: a chain begins and ends in a grid point nearest to the end of its segment along each axis (of two
-//!   that are equally near, in either), the same one for all segments that end in the point.
+//! * `ends of chains`: a chain begins and ends in a grid point nearest to the end of its segment along each axis (of
+//!   two that are equally near, in either), the same one for all segments that end in the point.
 //! * `far from its segment`: each vertex of a chain is within a distance of its segment.
 //! * `way back`: a chain never goes back along its segment.
 //! * `chains cross`: chains meet only in common vertices.

@@ -12,13 +12,13 @@
 //! * `volume of parts`: the volumes of all parts add up to that of the mesh, up to the volume of their surfaces widened
 //!   by the distance.
 //!
-//! The boundary of a true part consists of pieces of faces and of planes. A surface whose vertices are within δ of where
-//! they belong is within δ of the true one, because the distance of two triangles is largest at their corners. So a part
-//! differs from the true one only within δ of faces and planes, and that is all that the checks demand. A part may be
-//! given in several pieces: together they must have each point once.
+//! The boundary of a true part consists of pieces of faces and of planes. A surface whose vertices are within δ of
+//! where they belong is within δ of the true one, because the distance of two triangles is largest at their corners. So
+//! a part differs from the true one only within δ of faces and planes, and that is all that the checks demand. A part
+//! may be given in several pieces: together they must have each point once.
 
 use predicament_judge::rational;
-use predicament_tasks::replies::skin::{Corners, Skin, area, candidates, length};
+use predicament_judge::skin::{Corners, Skin, area, candidates, length};
 use rug::Rational;
 
 use super::exact::Plane;

@@ -1,7 +1,7 @@
 //! The judge of other programs' segments that are rounded to a grid: see the [laws](crate::checks::snap_replies).
 //!
-//! Programs get the side of a pixel and the segments, and are not told of our methods. Each chain in doubles is a list of
-//! points of the grid, whose coordinates may be off by a few units in the last place.
+//! Programs get the side of a pixel and the segments, and are not told of our methods. Each chain is a list of points
+//! of the grid in doubles, which may be off by a few units in the last place.
 
 use predicament_predicates::{Declined, Plane, Query, Scene, Vertex};
 use predicament_tasks::replies::{

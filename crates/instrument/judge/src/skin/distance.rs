@@ -1,6 +1,6 @@
 //! The distance of a point from a triangle, in rationals.
 
-use predicament_judge::rational;
+use crate::rational;
 use rug::Rational;
 
 use super::Corners;

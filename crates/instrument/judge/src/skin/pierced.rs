@@ -1,7 +1,7 @@
 //! Triangles through which an edge of the same surface passes.
 
-use predicament_judge::boxes::{Boxes, extent};
-use predicament_judge::rational;
+use crate::boxes::{Boxes, extent};
+use crate::rational;
 use rug::Rational;
 
 use super::{Corners, distance};

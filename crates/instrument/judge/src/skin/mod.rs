@@ -9,10 +9,11 @@ mod points;
 
 use std::collections::BTreeMap;
 
-use predicament_judge::boxes::{Boxes, extent};
-use predicament_judge::rational;
-use predicament_judge::solids::Boundary;
 use rug::Rational;
+
+use crate::boxes::{Boxes, extent};
+use crate::rational;
+use crate::solids::Boundary;
 
 pub use points::{area, candidates, length};
 
@@ -71,7 +72,7 @@ impl Skin {
                 + Rational::from(&a[1] * &minor(2, 0))
                 + Rational::from(&a[2] * &minor(0, 1))
         };
-        predicament_judge::sum::sum(self.triangles.iter().map(of).collect())
+        crate::sum::sum(self.triangles.iter().map(of).collect())
     }
 
     /// The first edge at which more triangles come than go, in words.
