@@ -78,7 +78,7 @@ fn files_of_every_other_task_are_right_and_those_of_another_scene_are_not() {
             let (code, told) = if answer.len() > 1 {
                 judged(&answer[1..])
             } else {
-                let other = text.replace("in 1", "in 0").replace(['1', '2', '3'], "0");
+                let other = text.replace("in 1", "in 0").replace(['1', '2', '3'], "9");
                 fs::write(&answer[0], other).unwrap();
                 judged(answer)
             };

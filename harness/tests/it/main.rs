@@ -18,6 +18,7 @@ mod gate;
 mod gate_severities;
 mod gate_summary;
 mod habits;
+mod hostile_tasks;
 mod hunt;
 mod isolation;
 mod judged;

@@ -37,7 +37,7 @@ fn an_answer_is_written_for_other_programs() {
     let folder = tempdir().unwrap();
     for (suite, scene, files) in [
         ("contacts", "contacts/tetrahedra$", &[("contacts.json", "\"on_a\""), ("complexes.obj", "o b\n")][..]),
-        ("cubes", "cubes/twins$", &[("union.json", "\"volume\"")]),
+        ("cubes", "cubes/twins$", &[("union.json", "\"volume\""), ("measures.json", "\"area\":")]),
         ("tilings", "tilings/bricks$", &[("probes.geojson", "FeatureCollection")]),
     ] {
         let out = at(&folder, suite);

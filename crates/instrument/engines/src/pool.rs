@@ -26,7 +26,8 @@ struct State {
     broken: (usize, Option<Broken>),
 }
 
-/// The number of consecutive failures after which an engine is not started again.
+/// The number of consecutive failures after which an engine is not started again. Whole tasks on which a process fails
+/// do not count.
 const PATIENCE: usize = 5;
 
 /// A process, its scene, and the reason why it declined that scene, if it did.
@@ -79,11 +80,13 @@ impl Pool {
         ask: impl FnOnce(&mut Process) -> Result<R, Broken>,
     ) -> Result<Result<R, Declined>, Broken> {
         let taken = self.take(scene)?;
+        let mut has_process = taken.is_some();
         let asked = || -> Result<(Live, Result<R, Declined>), Broken> {
             let mut live = match taken {
                 Some(live) => live,
                 None => Live::new(start()?),
             };
+            has_process = true;
             if let Some(message) = message {
                 live.turn_to(message, scene)?;
             }
@@ -105,6 +108,9 @@ impl Pool {
             }
             // A process that declines is not broken.
             Err(broken) if broken.class == Class::Declined => Err(broken),
+            // A question that holds its scene is a whole task. A library may fail on many scenes and answer the next
+            // one.
+            Err(broken) if message.is_none() && has_process => Err(broken),
             Err(broken) => {
                 state.broken = (state.broken.0 + 1, Some(broken.clone()));
                 Err(broken)

@@ -6,7 +6,7 @@ mod processes;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use predicament_engines::{Config, Engine, EngineError, Step, chore};
+use predicament_engines::{Config, Engine, EngineError, Message, Step, chore};
 use predicament_predicates::{
     Axis, Backend, Broken, Class, Construction, Counts, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign,
     Vertex,
@@ -168,6 +168,52 @@ fn an_engine_that_goes_wrong_breaks_its_session_and_is_started_again() {
             assert_eq!(told, said, "{way}");
         }
     }
+}
+
+/// A question for a task, with a scene of this many bytes and the wanted size of the answer.
+fn question(scene: usize, wanted: usize) -> Message {
+    Message::new("task")
+        .with("task", "hull2d")
+        .with("numbers:points", vec![0; scene])
+        .with("word:wanted", format!("{wanted:010}"))
+}
+
+/// 256 bytes for each byte of the question, and 16 MiB.
+#[test]
+fn an_answer_to_a_task_has_a_limit_that_grows_with_the_scene() {
+    let engine = engine("").unwrap();
+    for scene in [0, 80_000] {
+        let limit = (1 << 24) + 256 * question(scene, 0).size();
+        let (answer, _) = engine.ask_task(&question(scene, limit)).unwrap().unwrap();
+        assert!(limit - answer.size() < 100, "{} bytes of {limit}", answer.size());
+        let broken = engine.ask_task(&question(scene, limit + 1)).unwrap_err();
+        let said = format!("an answer of {} bytes; at most {limit} are allowed", limit + 1);
+        assert_eq!((broken.class, broken.check, &*broken.message), (Class::Panic, "protocol", &*said));
+    }
+}
+
+#[test]
+fn an_engine_that_goes_wrong_on_a_task_breaks_this_answer_and_is_started_again() {
+    for (way, class, check, said) in [
+        ("crash on task", Class::Panic, "crashed", "the process ended with code 3; stderr: about to end / this is the"),
+        ("abort on task", Class::Panic, "crashed", "the process was ended by signal 6 (abort)"),
+        ("silent on task", Class::Timeout, "silence", "no answer to `task` within 1s"),
+        ("half an answer", Class::Panic, "protocol", "a message that ends after 48 of its 100 bytes"),
+        ("garbage on task", Class::Panic, "protocol", "no message: it begins with the bytes `orie`"),
+        ("error on task", Class::Panic, "engine error", "out of triangles"),
+        #[cfg(target_os = "linux")]
+        ("ends and leaves its pipe", Class::Panic, "crashed", "the process ended with code 0"),
+    ] {
+        let engine = engine(way).unwrap();
+        // More often than an engine of predicates may fail in a row.
+        for _ in 0..if way == "crash on task" { 7 } else { 2 } {
+            let broken = engine.ask_task(&question(16, 100)).map(|_| ()).unwrap_err();
+            assert_eq!((broken.class, broken.check), (class, check), "{way}: {broken}");
+            assert!(broken.message.starts_with(said), "{way}: {broken}");
+        }
+    }
+    let declined = engine("decline task").unwrap().ask_task(&question(16, 100)).unwrap();
+    assert!(declined.is_err_and(|declined| declined.to_string().contains("not today")));
 }
 
 /// The message with which a session breaks on a query.

@@ -18,8 +18,8 @@
 //! The points are an even sample: beside triangles of both operands and of the result, on both sides and at several
 //! distances, and anywhere. Where a point is, is decided exactly: points, operands and results are doubles.
 
-use predicament_overlay::answer::Operation;
 use predicament_judge::skin::{self, Corners, Skin};
+use predicament_overlay::answer::Operation;
 use rug::Rational;
 
 /// The check of vertices.

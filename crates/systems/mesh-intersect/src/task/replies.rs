@@ -2,11 +2,11 @@
 
 use std::collections::BTreeMap;
 
+use predicament_judge::skin::Skin;
 use predicament_judge::{nearest, sign};
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::{Declined, Plane, Question, Scene, Vertex};
-use predicament_judge::skin::Skin;
 use predicament_tasks::replies::{
     Array, Arrays, Bound, Example, FORM, Form, Malformed, Mesh, Part, Replies, Reply, SpoiledReply, Unjudged, add_row,
     note,

@@ -12,13 +12,13 @@
 //! * `lost common vertex`: the chains of segments that cross have a common vertex within that distance of the crossing.
 //!
 //! # Why these are enough
-//! A chain is connected, and within a distance of its segment at its vertices, so also between them, since the points
-//! within a distance of a segment are a convex set. Its projection on the segment's line leads from end to end, so each
-//! point of the segment has a point of the chain beside it: both are near each other everywhere. Chains that do not cross
-//! make a map with vertices on the grid, in which all segments that crossed are joined near their crossing.
+//! A chain is connected, and within a distance of its segment at its vertices. It is so between them, too, since the
+//! points within a distance of a segment are a convex set. Its projection on the segment's line leads from end to end,
+//! so each point of the segment has a point of the chain beside it: both are near each other everywhere. Chains that do
+//! not cross make a map with vertices on the grid, in which all segments that crossed are joined near their crossing.
 //!
-//! Snap rounding breaks none of these: its chains have all hot pixels that their segments meet, so the distance is that
-//! from the middle of a pixel to its corner, and the pixel of a crossing is hot.
+//! Snap rounding breaks none of these laws. Its chains have all hot pixels that their segments meet, so the distance is
+//! that from the middle of a pixel to its corner, and the pixel of a crossing is hot.
 
 use std::collections::{BTreeMap, BTreeSet};
 

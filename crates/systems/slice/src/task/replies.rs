@@ -5,9 +5,9 @@
 
 use std::collections::BTreeMap;
 
+use predicament_judge::skin::{Corners, Skin};
 use predicament_judge::{nearest, sign};
 use predicament_predicates::{Declined, Plane, Question, Scene, Sign, Vertex};
-use predicament_judge::skin::{Corners, Skin};
 use predicament_tasks::replies::{
     Array, Arrays, Bound, Example, FORM, Form, Mesh, Part, Replies, Reply, SpoiledReply, Unjudged, add_row, note,
 };

@@ -1,0 +1,131 @@
+//! An engine that goes wrong on whole tasks in every way, one scene each: each scene has its own row and reason, and
+//! the scenes after it are answered. It needs Python.
+
+use crate::common::{at, column, read, run, write};
+use tempfile::tempdir;
+
+/// Speaks the protocol without the helper. The number of points of a scene says what goes wrong on it.
+const ENGINE: &str = r#"
+import os, struct, subprocess, sys, time
+
+def receive():
+    head = os.read(0, 4)
+    if len(head) < 4:
+        sys.exit(0)
+    (length,) = struct.unpack("<I", head)
+    body = b""
+    while len(body) < length:
+        body += os.read(0, length - len(body))
+    entries, place = {}, 0
+    while place < length:
+        size = body[place]
+        key = body[place + 1 : place + 1 + size].decode()
+        place += 1 + size
+        (size,) = struct.unpack_from("<I", body, place)
+        entries[key] = body[place + 4 : place + 4 + size]
+        place += 4 + size
+    return entries
+
+def encoded(entries):
+    body = b""
+    for key, value in entries.items():
+        body += bytes([len(key)]) + key.encode() + struct.pack("<I", len(value)) + value
+    return struct.pack("<I", len(body)) + body
+
+def send(raw):
+    while raw:
+        raw = raw[os.write(1, raw):]
+
+while True:
+    asked = receive()
+    if asked["type"] == b"hello":
+        send(encoded({"type": b"hello", "protocol": b"1", "name": b"hostile", "version": b"1", "predicates": b"",
+                      "tasks": b"hull2d overlay2d", "zero": b"exact", "precision": b"f64", "id": asked["id"]}))
+        continue
+    count = len(asked["numbers:points"]) // 16
+    answer = {"type": b"answer", "ns": b"1", "id": asked["id"]}
+    hull = list(range(count))
+    if asked["task"] == b"overlay2d":
+        answer["numbers:union"] = struct.pack("<8d", 0, 0, 1, 0, 1, float("nan"), 0, 1)
+        send(encoded(answer))
+        continue
+    if count == 4:
+        hull[-1] = 10 ** 6
+    elif count == 5:
+        hull = hull[: count // 2]
+    elif count == 6:
+        os._exit(7)
+    elif count == 7:
+        time.sleep(60)
+    elif count == 8:
+        answer["ids:hull"] = struct.pack(f"<{count}I", *hull)
+        raw = encoded(answer)
+        send(raw[: len(raw) // 2])
+        os._exit(0)
+    elif count == 9:
+        subprocess.Popen([sys.executable, "-c", "import time; time.sleep(60)"], stdin=subprocess.DEVNULL)
+        os._exit(0)
+    elif count == 10:
+        # Eighty million triangles: the length comes first.
+        send(struct.pack("<I", 4 * 3 * 8 * 10 ** 7) + b"\x04type\x06\x00\x00\x00answer\x08ids:hull")
+        try:
+            while True:
+                send(b"\0" * 65536)
+        except OSError:
+            os._exit(0)
+    elif count == 11:
+        answer["ids:hull"] = b"\0" * 7
+        send(encoded(answer))
+        continue
+    elif count == 12:
+        os.kill(os.getpid(), 11)
+    answer["ids:hull"] = struct.pack(f"<{len(hull)}I", *hull)
+    send(encoded(answer))
+"#;
+
+#[test]
+#[ignore = "needs Python"]
+fn each_fault_has_its_row_and_the_scenes_after_it_are_answered() {
+    let folder = tempdir().unwrap();
+    // Points on a parabola, in their order around the hull; the last scene is answered rightly.
+    let scene = |count: i32, name: &str| {
+        let points: Vec<String> = (0..count).map(|x| format!("[{x}, {}]", x * x)).collect();
+        format!("[[scene]]\nname = \"{name}\"\ntask = \"hull2d\"\npoints = [{}]\n", points.join(", "))
+    };
+    let expected: [(&str, i32, &str, &str, &str); 10] = [
+        ("a-point-that-is-none", 4, "topology", "form of an answer", "the index 1000000, but the scene has 4 points"),
+        ("half-a-hull", 5, "topology", "span", "2 vertices of a hull of 2 dimensions"),
+        ("ends", 6, "panic", "crashed", "the process ended with code 7"),
+        ("silent", 7, "timeout", "silence", "no answer to `task` within 2s"),
+        ("half-an-answer", 8, "panic", "protocol", "a message that ends after"),
+        ("keeps-the-pipe", 9, "panic", "crashed", "the process ended with code 0"),
+        ("eighty-million-triangles", 10, "panic", "protocol", "an answer of 960000000 bytes; at most"),
+        ("half-a-number", 11, "panic", "protocol", "ids:hull"),
+        ("crash", 12, "panic", "crashed", "the process was ended by signal 11"),
+        ("right", 3, "", "", ""),
+    ];
+    let mut suite = "title = \"Hostile\"\n".to_owned();
+    suite.extend(expected.iter().map(|(name, count, ..)| scene(*count, name)));
+    suite += "[[scene]]\nname = \"nan\"\ntask = \"overlay2d\"\npoints = [[0, 0], [4, 0], [0, 4], [0, 0], [4, 0], [0, 4]]\n\
+              first = [[0, 1, 2]]\nsecond = [[3, 4, 5]]\n";
+    suite += &scene(13, "right-at-the-end");
+    let suite = write(&folder, "suite.toml", &suite);
+    write(&folder, "engine.py", ENGINE);
+    let config = "name = \"hostile\"\nrun = [\"python3\", \"engine.py\"]\ntimeout = 2\n";
+    let engine = write(&folder, "engine.toml", config);
+    let out = at(&folder, "run");
+    let ran = run(&["run", &suite, "-b", &format!("engine:{engine}"), "--out", &out]);
+    assert_eq!(ran.code, 103, "silence leaves the run incomplete: {}{}", ran.stdout, ran.stderr);
+    let summary = read(&out, "summary.csv");
+    let scenes = column(&summary, "scene");
+    assert_eq!(scenes.len(), expected.len() + 2, "a row for each scene: {summary}");
+    let findings = read(&out, "findings.csv");
+    for (name, _, class, check, said) in expected.iter().chain(&[("nan", 0, "topology", "form of an answer", "NaN")]) {
+        let rows: Vec<&str> = findings.lines().filter(|row| row.contains(&format!("suite,{name},"))).collect();
+        assert_eq!(rows.is_empty(), class.is_empty(), "{name}: {findings}");
+        let is_told = |row: &&str| row.contains(&format!(",{class},{check},")) && row.contains(said);
+        assert!(class.is_empty() || rows.iter().any(is_told), "{name}: {findings}");
+    }
+    let ok = column(&summary, "status").into_iter().zip(&scenes).filter(|(status, _)| status == "ok");
+    assert_eq!(ok.map(|(_, scene)| scene.as_str()).collect::<Vec<_>>(), ["right", "right-at-the-end"], "{summary}");
+}
