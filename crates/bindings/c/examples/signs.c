@@ -84,10 +84,28 @@ static void scene(void) {
     }
 }
 
+/* Integers of 64 bits: three corners of a square far away, and a scene that is too wide. */
+static void integers(void) {
+    const int64_t far = INT64_C(9007199254740993); /* 2^53 + 1 is not a double */
+    const int64_t points[4][2] = {{far, -far}, {far + 1, -far}, {far + 1, 1 - far}, {0, 0}};
+    const int64_t wide[2][2] = {{INT64_MIN, 0}, {INT64_MAX, 0}};
+    predicament_scene *scene = NULL;
+    predicament_result result;
+    int8_t sign = 0;
+    size_t bad = 0;
+    must(predicament_scene_new_i64(points[0], 4, sizeof *points, 2, PREDICAMENT_EXACT, &scene, &bad), "scene_new_i64");
+    must(predicament_scene_orient2d(scene, PREDICAMENT_XY, 0, 1, 2, &sign), "scene_orient2d");
+    printf("orient2d in a scene of 64-bit integers: %d\n", sign);
+    predicament_scene_free(scene);
+    result = predicament_scene_new_i64(wide[0], 2, sizeof *wide, 2, PREDICAMENT_EXACT, &scene, &bad);
+    printf("too wide: %s (point %lu)\n", predicament_result_text(result), (unsigned long)bad);
+}
+
 int main(void) {
     printf("predicament %s, header %s\n", predicament_version(), PREDICAMENT_VERSION);
     single();
     arrays();
     scene();
+    integers();
     return EXIT_SUCCESS;
 }

@@ -81,6 +81,11 @@ typedef enum {
      * any more and can only be freed.
      */
     PREDICAMENT_INTERNAL = 10,
+    /**
+     * The 64-bit integers along one axis of a scene span more than 2^54 times the largest power of two that divides
+     * all their differences.
+     */
+    PREDICAMENT_RANGE = 11,
 } predicament_result;
 
 /**
@@ -772,6 +777,20 @@ predicament_result predicament_scene_new_f32(const float *points,
  * @copydetails predicament_scene_new
  */
 predicament_result predicament_scene_new_i32(const int32_t *points,
+                                             size_t count,
+                                             size_t stride,
+                                             int32_t dimension,
+                                             int32_t backend,
+                                             predicament_scene **scene,
+                                             size_t *bad);
+
+/**
+ * The same as predicament_scene_new(), for points of 64-bit integers. The result is PREDICAMENT_RANGE if the integers
+ * along an axis span more than 2^54 times the largest power of two that divides all their differences.
+ *
+ * @copydetails predicament_scene_new
+ */
+predicament_result predicament_scene_new_i64(const int64_t *points,
                                              size_t count,
                                              size_t stride,
                                              int32_t dimension,

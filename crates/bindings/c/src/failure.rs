@@ -34,11 +34,14 @@ pub enum predicament_result {
     /// An internal error. The library has a defect; please report it. A scene that was being changed answers nothing
     /// any more and can only be freed.
     PREDICAMENT_INTERNAL = 10,
+    /// The 64-bit integers along one axis of a scene span more than 2^54 times the largest power of two that divides
+    /// all their differences.
+    PREDICAMENT_RANGE = 11,
 }
 
 impl predicament_result {
     /// All results, in the order of their numbers.
-    pub(crate) const ALL: [predicament_result; 11] = {
+    pub(crate) const ALL: [predicament_result; 12] = {
         use predicament_result::*;
         [
             PREDICAMENT_OK,
@@ -52,6 +55,7 @@ impl predicament_result {
             PREDICAMENT_REPEATED,
             PREDICAMENT_NO_POINT,
             PREDICAMENT_INTERNAL,
+            PREDICAMENT_RANGE,
         ]
     };
 
@@ -70,6 +74,7 @@ impl predicament_result {
             PREDICAMENT_REPEATED => c"a definition names a vertex twice in one line or plane",
             PREDICAMENT_NO_POINT => c"the lines and planes of a definition do not meet in a single point",
             PREDICAMENT_INTERNAL => c"internal error",
+            PREDICAMENT_RANGE => c"integers along one axis span too many bits",
         }
     }
 }

@@ -9,6 +9,7 @@
 //! * [`number`]: signs of points for each type of number.
 //! * [`prepared`]: a scene with its session, in one value.
 
+mod centred;
 mod failure;
 #[allow(unsafe_code)]
 pub mod ffi;

@@ -3,6 +3,7 @@
 use predicament_predicates::{Dimension, Vertex};
 
 use super::{Points, guarded, predicament_result};
+use crate::centred;
 use crate::failure::Failure;
 use crate::failure::predicament_result::*;
 use crate::number::Number;
@@ -14,11 +15,29 @@ use crate::prepared::{Prepared, Rule};
 /// the same time. While a thread adds vertices to it or frees it, no other thread may use it.
 pub struct predicament_scene(pub(super) Prepared);
 
+/// A coordinate of a scene.
+trait Coordinate: Copy {
+    /// Coordinates of points as doubles that give the same signs.
+    fn doubles(coordinates: Vec<Self>, dimension: usize) -> Result<Vec<f64>, Failure>;
+}
+
+impl<T: Number> Coordinate for T {
+    fn doubles(coordinates: Vec<T>, _: usize) -> Result<Vec<f64>, Failure> {
+        Ok(coordinates.into_iter().map(T::double).collect())
+    }
+}
+
+impl Coordinate for i64 {
+    fn doubles(coordinates: Vec<i64>, dimension: usize) -> Result<Vec<f64>, Failure> {
+        centred::doubles(&coordinates, dimension).map_err(|point| Failure::at(PREDICAMENT_RANGE, point))
+    }
+}
+
 /// Makes a scene of these points.
 ///
 /// # Safety
 /// The pointers keep the rules of the module.
-unsafe fn make<T: Number>(
+unsafe fn make<T: Coordinate>(
     points: Points<T>,
     dimension: i32,
     backend: i32,
@@ -42,6 +61,7 @@ unsafe fn make<T: Number>(
             3 => (Dimension::Three, unsafe { coordinates::<T, 3>(points)? }),
             _ => return Err(PREDICAMENT_ARGUMENT.into()),
         };
+        let coordinates = T::doubles(coordinates, dimension.count())?;
         let made = Box::new(predicament_scene(Prepared::new(rule, dimension, coordinates)?));
         // SAFETY: as above.
         unsafe { scene.write_unaligned(Box::into_raw(made)) };
@@ -55,7 +75,7 @@ unsafe fn make<T: Number>(
 ///
 /// # Safety
 /// The points keep the rules of the module.
-unsafe fn coordinates<T: Number, const D: usize>(points: Points<T>) -> Result<Vec<f64>, Failure> {
+unsafe fn coordinates<T: Copy, const D: usize>(points: Points<T>) -> Result<Vec<T>, Failure> {
     let points = points.checked::<D>()?;
     if points.count > Vertex::MAX_INPUT {
         return Err(PREDICAMENT_TOO_MANY.into());
@@ -63,7 +83,7 @@ unsafe fn coordinates<T: Number, const D: usize>(points: Points<T>) -> Result<Ve
     let mut coordinates = Vec::with_capacity(points.count * D);
     for index in 0..points.count {
         // SAFETY: the points are checked, and the index is below their count.
-        coordinates.extend(unsafe { points.get::<D>(index) }.map(T::double));
+        coordinates.extend(unsafe { points.get::<D>(index) });
     }
     Ok(coordinates)
 }
@@ -121,6 +141,25 @@ pub unsafe extern "C" fn predicament_scene_new_f32(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn predicament_scene_new_i32(
     points: *const i32,
+    count: usize,
+    stride: usize,
+    dimension: i32,
+    backend: i32,
+    scene: *mut *mut predicament_scene,
+    bad: *mut usize,
+) -> predicament_result {
+    let points = Points { first: points, count, stride };
+    // SAFETY: the rules of the module.
+    unsafe { make(points, dimension, backend, scene, bad) }
+}
+
+/// The same as predicament_scene_new(), for points of 64-bit integers. The result is PREDICAMENT_RANGE if the integers
+/// along an axis span more than 2^54 times the largest power of two that divides all their differences.
+///
+/// @copydetails predicament_scene_new
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn predicament_scene_new_i64(
+    points: *const i64,
     count: usize,
     stride: usize,
     dimension: i32,

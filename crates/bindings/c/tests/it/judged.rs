@@ -122,6 +122,80 @@ fn is_plain(question: Question) -> bool {
     !matches!(question, Question::Orient2d(Plane::Yz | Plane::Zx))
 }
 
+/// A scene of integers, or the failure and its place.
+fn scene_of_integers(
+    dimension: usize,
+    points: &[i64],
+    backend: predicament_backend,
+) -> Result<Owned, (predicament_result, usize)> {
+    let (mut scene, mut bad) = (std::ptr::null_mut(), usize::MAX);
+    let (count, stride) = (points.len() / dimension, dimension * 8);
+    let dimension = i32::try_from(dimension).unwrap();
+    // SAFETY: the list has so many points.
+    let made = unsafe {
+        predicament_scene_new_i64(
+            points.as_ptr(),
+            count,
+            stride,
+            dimension,
+            backend as i32,
+            &raw mut scene,
+            &raw mut bad,
+        )
+    };
+    if made == PREDICAMENT_OK { Ok(Owned(scene)) } else { Err((made, bad)) }
+}
+
+/// Integers far beyond doubles, with small differences: signs of functions without a scene, and ties and constructed
+/// vertices as in a scene about the origin.
+#[test]
+fn scenes_of_long_integers_have_the_signs_of_the_same_scene_elsewhere() {
+    let mut random = Random(9);
+    let mut zeros = 0;
+    for (origin, unit) in [(i64::MAX - 40, 1), (i64::MIN, 1), ((1 << 60) + 1, 1), (-(1 << 62), 1 << 58), (7, 3)] {
+        for dimension in [2, 3] {
+            let small: Vec<i64> = (0..POINTS as usize * dimension).map(|_| i64::from(random.below(5))).collect();
+            let points: Vec<i64> = small.iter().map(|&x| origin + x * unit).collect();
+            let doubles: Vec<f64> = small.iter().map(|&x| f64::from(i32::try_from(x).unwrap())).collect();
+            for backend in [PREDICAMENT_EXACT, PREDICAMENT_SOS] {
+                let far = scene_of_integers(dimension, &points, backend).expect("a scene");
+                let near = scene(dimension, &doubles, backend);
+                for &question in questions(dimension) {
+                    let ids = queries(question.kind().arity(), &Vec::from_iter(0..POINTS), &mut random);
+                    let signs = ask_many(&far, question, &ids).expect("signs");
+                    assert_eq!(signs, ask_many(&near, question, &ids).expect("signs"), "{origin} {question:?}");
+                    zeros += signs.iter().filter(|&&sign| sign == 0).count();
+                    if backend == PREDICAMENT_EXACT && is_plain(question) {
+                        let alone = together!(
+                            question, &points, dimension, &ids,
+                            predicament_compare_batch_i64 predicament_orient2d_batch_i64 predicament_orient3d_batch_i64
+                            predicament_incircle_batch_i64 predicament_insphere_batch_i64
+                        );
+                        assert_eq!(signs, alone, "{origin} {question:?}");
+                    }
+                }
+            }
+        }
+    }
+    assert!(zeros > 500, "{zeros}");
+}
+
+#[test]
+fn long_integers_that_span_too_much_are_refused_with_the_point() {
+    let refused = |points: &[i64]| scene_of_integers(2, points, PREDICAMENT_EXACT).err();
+    let range = |point| Some((predicament_result::PREDICAMENT_RANGE, point));
+    // A span of 2^54 is taken; one more is not, unless all differences are even.
+    let (low, high) = ((1 << 60) + 1, (1 << 60) + 1 + (1 << 54));
+    assert_eq!(refused(&[low, 0, high, 1]), None);
+    assert_eq!(refused(&[low, 0, high + 1, 1, low + 1, 5]), range(1));
+    assert_eq!(refused(&[low, 0, high + 2, 1]), None);
+    // The axes have origins of their own; one of doubles stays where it is.
+    assert_eq!(refused(&[i64::MAX, i64::MIN, i64::MAX - 9, i64::MIN + (1 << 40)]), None);
+    assert_eq!(refused(&[0, 1 << 62, 0, 1]), None);
+    assert_eq!(refused(&[0, i64::MAX, 0, i64::MIN]), range(1));
+    assert_eq!(refused(&[]), None);
+}
+
 #[test]
 fn doubles_have_the_signs_of_the_judge() {
     let mut random = Random(1);
