@@ -87,6 +87,23 @@ fn laid_out() -> Result<PathBuf, String> {
     Ok(folder)
 }
 
+/// Checks the types of a user's program and of the package by mypy, and the stubs against the package as it runs.
+fn types(python: &str, folder: &Path) -> Result<(), String> {
+    step("install mypy", &words(python, &["-m", "pip", "install", "--quiet", "mypy>=1.10"]), &[])?;
+    let path = |name: &str| root().join(PACKAGE).join(name).display().to_string();
+    let (config, program) = (path("pyproject.toml"), path("tests/typed.py"));
+    let mypy = ["-m", "mypy", "--strict", "--explicit-package-bases", "--config-file", &config];
+    step("types of a user's program", &words(python, &[&mypy[..], &[&program]].concat()), &[])?;
+    step("types of the package", &words(python, &[&mypy[..], &["-p", "predicament"]].concat()), &[])?;
+    // A cached function of the package's own has the parameters of the cache; the native module lists its names itself.
+    let (allowed, names) =
+        (folder.join("allowed.txt"), "predicament\\._run\\._types\npredicament\\._native\\.__all__\n");
+    std::fs::write(&allowed, names).map_err(|why| format!("{}: {why}", allowed.display()))?;
+    let allowed = allowed.display().to_string();
+    let test = ["-m", "mypy.stubtest", "--allowlist", &allowed, "--mypy-config-file", &config, "predicament"];
+    step("stubs of the package", &words(python, &test), &[])
+}
+
 /// Makes the wheel and the source distribution by maturin, installs each in an environment of its own, and runs the
 /// tests on the wheel.
 ///
@@ -122,6 +139,7 @@ pub fn wheel() -> Result<(), String> {
     pip(&user, &[&format!("{}[test]", made(".whl")?), "pandas"])?;
     let test = ["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider", "--rootdir", PACKAGE, PACKAGE];
     step("tests of the wheel", &words(&user, &test), &[])?;
+    types(&user, &folder)?;
     let builder = environment("builder")?;
     pip(&builder, &[&made(".tar.gz")?])?;
     let ask = ["-m", "predicament", "ask", "orient2d", "0,0", "1,0", "0,1", "-b", "exact"];

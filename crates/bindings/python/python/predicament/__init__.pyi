@@ -21,4 +21,27 @@ from ._scene import Scene as Scene
 from ._table import Table as Table
 
 __version__: str
-__all__: list[str]
+__all__ = [
+    "__version__",
+    "Cases",
+    "Findings",
+    "Gate",
+    "NonConformity",
+    "Report",
+    "Run",
+    "Scene",
+    "Table",
+    "ToolError",
+    "cases",
+    "check",
+    "compare",
+    "conforms",
+    "exact_value",
+    "families",
+    "incircle",
+    "insphere",
+    "orient2d",
+    "orient3d",
+    "run",
+    "tool",
+]

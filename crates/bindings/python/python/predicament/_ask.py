@@ -31,11 +31,12 @@ class Asked:
     def __call__(self, points: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
         args = self._args(points)
         if self.is_vectorised:
-            answers = np.asarray(self.function(*args))
-            if answers.shape != (len(points),):
-                raise ValueError(f"the function returned an array of shape {answers.shape} for {len(points)} queries")
-            if answers.dtype != object:
-                return np.ascontiguousarray(answers, dtype=np.float64)
+            array = np.asarray(self.function(*args))
+            if array.shape != (len(points),):
+                raise ValueError(f"the function returned an array of shape {array.shape} for {len(points)} queries")
+            if array.dtype != object:
+                return np.ascontiguousarray(array, dtype=np.float64)
+            answers = list(array)
         else:
             answers = [self.function(*row) for row in zip(*args)]
         return np.array([_number(answer) for answer in answers], dtype=np.float64)
@@ -60,7 +61,7 @@ def _number(answer: Any) -> float:
     """The answer as a double of the same sign; a NaN stays one."""
     if isinstance(answer, float):
         return answer
-    value = getattr(answer, "value", answer) if not isinstance(answer, np.generic) else answer
+    value: Any = getattr(answer, "value", answer) if not isinstance(answer, np.generic) else answer
     if isinstance(value, np.ndarray):
         value = value[()]
     if value != value:

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import inspect
-from typing import Any, Callable
+from typing import Any, Callable, TypeVar
 
 from ._arrays import shape_of
 from ._check import Findings, check
 
 MARK = "__predicament__"
+
+F = TypeVar("F", bound=Callable[..., Any])
 
 
 class NonConformity(AssertionError):
@@ -40,7 +42,7 @@ class Conformance:
         return findings
 
 
-def conforms(predicate: str, **options: Any) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
+def conforms(predicate: str, **options: Any) -> Callable[[F], F]:
     """Makes a test of a predicate in a test file: the pytest plugin runs it on the corpora.
 
     >>> @predicament.conforms("orient2d")
@@ -56,7 +58,7 @@ def conforms(predicate: str, **options: Any) -> Callable[[Callable[..., Any]], C
     if unknown:
         raise TypeError(f"conforms: unknown options {', '.join(sorted(unknown))}; they are those of check")
 
-    def mark(function: Callable[..., Any]) -> Callable[..., Any]:
+    def mark(function: F) -> F:
         setattr(function, MARK, Conformance(predicate, function, options))
         return function
 

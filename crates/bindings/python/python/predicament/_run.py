@@ -162,7 +162,7 @@ def run(
     further options of the command ``run``. Without ``out``, the folder lives as long as the result.
     """
     keep, folder = _folder(out, "predicament-run-")
-    words = ["run", *map(os.fspath, suites), "--level", level, "--out", folder]
+    words = ["run", *(os.fspath(suite) for suite in suites), "--level", level, "--out", os.fspath(folder)]
     if backends:
         words += ["-b", ",".join([backends] if isinstance(backends, str) else backends)]
     if filter is not None:
@@ -174,8 +174,10 @@ def run(
 def _folder(out: Any, prefix: str) -> tuple[Any, Path]:
     if out is not None:
         return None, Path(out)
-    kept = {} if sys.version_info < (3, 10) else {"ignore_cleanup_errors": True}
-    keep = tempfile.TemporaryDirectory(prefix=prefix, **kept)
+    if sys.version_info < (3, 10):
+        keep = tempfile.TemporaryDirectory(prefix=prefix)
+    else:
+        keep = tempfile.TemporaryDirectory(prefix=prefix, ignore_cleanup_errors=True)
     return keep, Path(keep.name) / "out"
 
 

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from html import escape
-from typing import Any, Iterable
+from typing import Any, Dict, Iterable, List
 
 SHOWN = 20
 
 
-class Table(list):
+class Table(List[Dict[str, Any]]):
     """A list of rows; a row is a dict with the same keys in each row."""
 
     def __init__(self, rows: Iterable[dict[str, Any]] = (), columns: Iterable[str] | None = None) -> None:
