@@ -111,7 +111,8 @@ impl Saved {
             let (name, backend) = (self.name(find), self.order.shown_by.join(", "));
             let subject =
                 Subject { spelled: &spelled, finding: &finding, backend: &backend, name: &name, suite: SUITE };
-            for (end, text) in [("rs", subject.rust()), ("cpp", subject.cpp()), ("py", subject.python())] {
+            let texts = [subject.rust(), subject.cpp(), subject.python(), subject.javascript()];
+            for (end, text) in ["rs", "cpp", "py", "mjs"].into_iter().zip(texts) {
                 put(&format!("find-{}.{end}", at + 1), &text)?;
             }
         }

@@ -22,7 +22,7 @@ use crate::{interrupt, progress};
 const EXAMPLES: &str = "\
 A hunt needs a task, backends and a class, but no place to look. It starts with small scenes of the suites and with \
 shapes of small whole numbers, derives other scenes from them, and climbs towards disagreements. Each find is shrunk. \
-The folder has finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++ and Python, and hunt.json, \
+The folder has finds.toml (a suite), hunt.csv (a table), each find as a test in Rust, C++, Python and JavaScript, and hunt.json, \
 from which --resume continues. The same seed and number of evaluations give the same finds with any number of \
 threads. docs/SEARCH.md explains the method.
 

@@ -19,7 +19,7 @@ use crate::{interrupt, progress};
 const EXAMPLES: &str = "\
 A finding: everything that the finding does not need is removed: queries, primitives, points (the others keep their order), \
 constructions and corners of loops. Then coordinates are made simpler. The folder has shrunk.toml, a suite with the \
-scene, and the scene as a test in Rust, C++ and Python. The scene is also printed.
+scene, and the scene as a test in Rust, C++, Python and JavaScript. The scene is also printed.
 
 Files: the command after `--` runs on smaller and smaller copies of the files, in parallel. `{}` stands for all files, \
 `{1}`, `{2}` for one of them, `{dir}` for their temporary folder. A candidate is taken if the command fails on it: by \

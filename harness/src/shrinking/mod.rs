@@ -34,7 +34,7 @@ pub use first::first_of_each_class;
 pub const STATE: &str = "shrink.json";
 pub const SUITE: &str = "shrunk.toml";
 /// The smallest scene as tests.
-const TESTS: [&str; 3] = ["shrunk.rs", "shrunk.cpp", "shrunk.py"];
+const TESTS: [&str; 4] = ["shrunk.rs", "shrunk.cpp", "shrunk.py", "shrunk.mjs"];
 
 /// The state of a shrink, written to `shrink.json`.
 #[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
@@ -225,7 +225,8 @@ impl Job<'_> {
             let name = name_of(state);
             let backend = state.shown_by.join(", ");
             let subject = Subject { spelled, finding, backend: &backend, name: &name, suite: SUITE };
-            for (file, text) in TESTS.iter().zip([subject.rust(), subject.cpp(), subject.python()]) {
+            let texts = [subject.rust(), subject.cpp(), subject.python(), subject.javascript()];
+            for (file, text) in TESTS.iter().zip(texts) {
                 put(file, &text)?;
             }
         }

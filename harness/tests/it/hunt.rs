@@ -23,7 +23,7 @@ fn what_is_hunted_is_shrunk_and_kept_as_a_suite_that_shows_it() {
     assert_eq!(table.headers().unwrap().iter().collect::<Vec<_>>().join(","), heads);
     let rows: Vec<_> = table.records().map(Result::unwrap).collect();
     assert_eq!((rows.len(), &rows[0][2], &rows[0][4]), (1, "sign_flip", "naive"));
-    for end in ["rs", "cpp", "py"] {
+    for end in ["rs", "cpp", "py", "mjs"] {
         assert!(fs::read_to_string(format!("{out}/find-1.{end}")).unwrap().contains("orient2d("), "{end}");
     }
     // Both suites show the finding again, and an exact backend does not.

@@ -181,6 +181,7 @@ fn the_first_of_each_class_are_shrunk_after_a_run() {
         ("shrunk.rs", ["#[test]", "f64::from_bits(0x"]),
         ("shrunk.cpp", ["const double a[] = {", "0x1."]),
         ("shrunk.py", ["def test_", "h(\"0x1."]),
+        ("shrunk.mjs", ["test(\"", "const a = ["]),
     ] {
         let text = fs::read_to_string(one.join(file)).unwrap();
         assert!(words.iter().all(|word| text.contains(word)), "{text}");

@@ -6,7 +6,7 @@
 //! * [`hunt`]: scenes that show a finding, from any scenes.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //! * [`files`]: the smallest files on which a command still fails.
-//! * [`snippets`]: such a scene as a test in Rust, C++ and Python.
+//! * [`snippets`]: such a scene as a test in Rust, C++, Python and JavaScript.
 //! * [`Witness`], [`Wanted`]: the finding that a scene must show.
 //! * [`SearchError`]: errors that prevent or end a search.
 

@@ -1,6 +1,7 @@
-//! A shrunk scene as a test in Rust, C++ and Python, to paste beside other predicates.
+//! A shrunk scene as a test in Rust, C++, Python and JavaScript, to paste beside other predicates.
 //!
-//! Coordinates are exact: bits in Rust, hex floats in C++ (17) and Python. A predicate is called by its name with the
+//! Coordinates are exact: bits in Rust, hex floats in C++ (17) and Python, and in JavaScript the shortest decimals that
+//! read back as the same doubles. A predicate is called by its name with the
 //! points in the order of the query. For other tasks the test has the data, the call, and the message of the check.
 
 use std::fmt::Write as _;
@@ -176,6 +177,47 @@ impl Subject<'_> {
         text
     }
 
+    /// The test in JavaScript, for Node's `node --test`.
+    #[must_use]
+    pub fn javascript(&self) -> String {
+        let head = "import assert from \"node:assert\";\nimport test from \"node:test\";\n";
+        let mut text = format!("// {}.\n{head}\ntest(\"{}\", () => {{\n", self.what(), self.identifier());
+        let calls = self.calls();
+        for call in &calls {
+            let _ = writeln!(text, "    {{\n        // {}", call.query);
+            let names: Vec<String> = call.points.iter().enumerate().map(|(at, _)| letter(at)).collect();
+            for (name, point) in names.iter().zip(&call.points) {
+                let _ = writeln!(text, "        const {name} = {point:?};");
+            }
+            let _ = writeln!(text, "        const sign = {}({});", call.function, names.join(", "));
+            let _ = match truth(call) {
+                Some("==") => writeln!(text, "        assert.ok(sign === 0);"),
+                Some(relation) => writeln!(text, "        assert.ok(sign {relation} 0);"),
+                None => {
+                    writeln!(
+                        text,
+                        "        console.log(sign); // contradicts the other answers or the backend's promise"
+                    )
+                }
+            };
+            text += "    }\n";
+        }
+        if calls.is_empty() {
+            let _ = writeln!(text, "    const points = {:?};", self.spelled.points);
+            for list in &self.spelled.lists {
+                let name = list.key.replace('.', "_");
+                let _ = match &list.items {
+                    Items::Rows(rows) => writeln!(text, "    const {name} = {rows:?};"),
+                    Items::Polygons(polygons) => writeln!(text, "    const {name} = {polygons:?};"),
+                    items => writeln!(text, "    const {name} = {};", tuples(items, ['[', ']'], "\"")),
+                };
+            }
+            let _ = writeln!(text, "    // {} of these", self.spelled.task);
+            self.rest(&mut text, "    // ");
+        }
+        text + "});\n"
+    }
+
     /// Writes the parts that are not lists of points or vertices as comments: options of the scene, and definitions of
     /// its constructed vertices.
     fn rest(&self, text: &mut String, comment: &str) {
@@ -269,6 +311,26 @@ mod tests {
     use predicament_tasks::Class;
 
     use super::*;
+
+    #[test]
+    fn javascript_has_the_shortest_decimals_and_the_truth() {
+        let spelled = Spelled { points: vec![vec![0.1, -0.0], vec![5e-324, 1e300]], ..Spelled::default() };
+        let queries = vec!["orient2d(xy; 0 1 1)".parse().unwrap()];
+        let finding = Finding::plain(Class::MissedZero, "sign", queries, "+".to_owned(), "0".to_owned());
+        let subject = Subject { spelled: &spelled, finding: &finding, backend: "mine", name: "1", suite: "one.toml" };
+        let text = subject.javascript();
+        for part in [
+            "test(\"scene_1\", () => {\n",
+            "const a = [0.1, -0.0];\n",
+            "const b = [5e-324, 1e300];\n",
+            "const sign = orient2d(a, b, c);\n        assert.ok(sign === 0);\n",
+        ] {
+            assert!(text.contains(part), "{text}");
+        }
+        let whole = Finding { queries: Vec::new(), ..finding.clone() };
+        let text = Subject { finding: &whole, ..subject }.javascript();
+        assert!(text.contains("    const points = [[0.1, -0.0], [5e-324, 1e300]];\n"), "{text}");
+    }
 
     #[test]
     fn a_point_in_python_is_a_tuple_even_of_one_number() {

@@ -11,6 +11,7 @@ mod measures;
 mod pieces;
 pub mod replies;
 mod settled;
+pub mod shells;
 mod surface;
 mod topology;
 

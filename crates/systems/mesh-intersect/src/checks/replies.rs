@@ -15,6 +15,8 @@
 //! belong is within δ of the true one, because the distance of two triangles is largest at their corners. So the result
 //! differs from the true one only within δ of it, and that is all that the checks demand.
 //!
+//! Components and Euler characteristics are judged in [`shells`](super::shells).
+//!
 //! The points are an even sample: beside triangles of both operands and of the result, on both sides and at several
 //! distances, and anywhere. Where a point is, is decided exactly: points, operands and results are doubles.
 
@@ -71,6 +73,12 @@ impl Solids {
         let area = all().map(skin::area).sum();
         let length = all().map(skin::length).sum();
         Solids { skins, area, length }
+    }
+
+    /// Both operands.
+    #[must_use]
+    pub fn operands(&self) -> [&Skin; 2] {
+        self.skins.each_ref()
     }
 
     /// The largest distance of a result's vertex from the operands' surfaces; zero without vertices.

@@ -15,6 +15,7 @@ use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
 use super::{MeshIntersect, Overlaid, TwoMeshes};
 use crate::checks::replies::{CROSSING, OFF, OPEN, SOLID, Solids, VOLUME};
+use crate::checks::shells::{COMPONENTS, EULER, Shells, Wanted};
 
 /// The judge.
 pub(super) struct Judge;
@@ -27,6 +28,13 @@ const OPEN_MEANS: &str = "a program's result: at each edge, as many triangles co
 const SOLID_MEANS: &str = "a program's result: it goes once around the points of the operation, and not around others";
 const CROSSING_MEANS: &str = "a program's result: no edge passes through a triangle by more than rounding";
 const VOLUME_MEANS: &str = "a program's results: their volumes add up to those of the operands, up to rounding";
+
+const COMPONENTS_MEANS: &str = "a program's union: it has one part for all parts of the operands that meet";
+const EULER_MEANS: &str =
+    "a program's results: the Euler characteristics of union and intersection add up to the operands'";
+
+/// The largest number of triangles of both operands for which components and Euler characteristics are judged.
+const MOST_TRIANGLES: usize = 20_000;
 
 impl Replies<MeshIntersect> for Judge {
     fn parts(&self) -> &'static [Part] {
@@ -119,6 +127,7 @@ impl Replies<MeshIntersect> for Judge {
             let (class, told) = bound.violated(flaw.distance);
             note(outcome, class, flaw.check, format!("{}{told}", flaw.what), means(flaw.check));
         }
+        shells(&solids, skins, outcome);
         Ok(())
     }
 
@@ -161,6 +170,8 @@ impl Replies<MeshIntersect> for Judge {
                 Check::topology(CROSSING, CROSSING_MEANS),
                 Check::topology(VOLUME, VOLUME_MEANS),
                 Check::rounded(VOLUME, VOLUME_MEANS),
+                Check::topology(COMPONENTS, COMPONENTS_MEANS),
+                Check::topology(EULER, EULER_MEANS),
             ]
         }
     }
@@ -234,6 +245,32 @@ impl Replies<MeshIntersect> for Judge {
                 },
             },
             SpoiledReply {
+                name: "mesh-intersect-reply-adds-a-part",
+                what: "the union has a tetrahedron more, between the middles of four triangles",
+                backend: BACKEND,
+                caught_by: &[(Class::Topology, COMPONENTS), (Class::Topology, EULER)],
+                spoil: |scene, content, arrays| {
+                    if let Ok(mut mesh) = arrays.mesh("union") {
+                        let triangles = content.meshes[0].triangles();
+                        let middle = |quarter: usize| {
+                            let corners = triangles[quarter * (triangles.len() - 1) / 3].map(|v| scene.point3(v));
+                            [0, 1, 2].map(|i: usize| corners.iter().map(|p| p[i] / 3.0).sum::<f64>())
+                        };
+                        let places = [0, 1, 2, 3].map(middle);
+                        let first = u32::try_from(mesh.points.len()).unwrap_or(u32::MAX);
+                        mesh.points.extend(places);
+                        let [a, b, c, d] = [0, 1, 2, 3].map(|at| first + at);
+                        let faces = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]];
+                        let corners: Vec<_> = faces.iter().map(|face| face.map(|v| mesh.points[v as usize])).collect();
+                        let is_turned = Skin::new(corners).six().cmp0().is_lt();
+                        let turned = |[a, b, c]: [u32; 3]| if is_turned { [a, c, b] } else { [a, b, c] };
+                        mesh.triangles.extend(faces.map(turned));
+                        arrays.remove("union");
+                        arrays.add_mesh("union", &mesh);
+                    }
+                },
+            },
+            SpoiledReply {
                 name: "mesh-intersect-reply-is-not-cut",
                 what: "the union is both operands, one beside the other",
                 backend: BACKEND,
@@ -250,6 +287,28 @@ impl Replies<MeshIntersect> for Judge {
                 },
             },
         ]
+    }
+}
+
+/// Judges the components of the union, and the Euler characteristics of union and intersection.
+fn shells(solids: &Solids, results: [Option<(&Skin, f64)>; 4], outcome: &mut Outcome) {
+    let [Some((union, within)), both, ..] = results else { return };
+    let within = both.map_or(within, |(_, of_both)| within.max(of_both));
+    if solids.operands().iter().map(|skin| skin.triangles().len()).sum::<usize>() > MOST_TRIANGLES {
+        return;
+    }
+    let Some(wanted) = Wanted::of(solids.operands(), within) else { return };
+    let of = |skin: &Skin| Shells::of(skin.triangles(), 2.0 * within);
+    let union = of(union);
+    if union.solids() != wanted.components {
+        let got = format!("the union has {} parts, expected {}", union.solids(), wanted.components);
+        note(outcome, Class::Topology, COMPONENTS, got, COMPONENTS_MEANS);
+    }
+    let Some((both, _)) = both else { return };
+    let euler = union.euler() + of(both).euler();
+    if euler != wanted.euler {
+        let got = format!("they add up to {euler}, expected {}", wanted.euler);
+        note(outcome, Class::Topology, EULER, got, EULER_MEANS);
     }
 }
 
