@@ -35,6 +35,16 @@
 //                                            a region is a list of rings of points
 //     "mesh-locate"({ vertices, triangles, probes })   a label for each probe: 1 inside, 0 outside, -2 on the surface
 //     "mesh-intersect"({ first, second })    as overlay2d, of meshes { vertices, triangles }
+//     contacts2d({ points, a, b })           pairs of simplices that meet, each with the indices of both; `a` and `b` are lists
+//                                            of simplices by the indices of their points. contacts3d is alike
+//     crossings({ segments })                for each segment the numbers of those that cross it, in their order along it; a
+//                                            segment is a pair of points
+//     interval({ cells, probes })            a label for each probe: the number of its cell, -1 outside, -2 at an end; a cell is
+//                                            a pair of numbers, and a probe a number
+//     "cube-union"({ cubes })                { volume, area } and, if you like, edge_length; a cube has x, y and z of its lower
+//                                            corner and the length of its edges
+//     slice({ vertices, triangles, planes }) the parts of a closed mesh, as meshes; a plane is three points
+//     snap2d({ segments, side })             for each segment a list of points with coordinates that are multiples of `side`
 //
 // The object also has `constraints` (delaunay2d: pairs of indices), `rule` (overlay2d: "even-odd" or "non-zero"), `sides`
 // (mesh-locate: the regions before and behind each triangle) and `tetrahedra` (mesh-locate). If a scene has constraints,
@@ -52,6 +62,34 @@ export class Declined extends Error {}
 
 /** The exception for input that breaks the protocol. */
 class Malformed extends Error {}
+
+/** The low corner of the bounding box of points, then the high corner with its sign changed. */
+const extent = (points) => [0, 1, 0, 1].map((axis, i) => points.reduce((least, p) => Math.min(least, i < 2 ? p[axis] : -p[axis]), Infinity));
+
+/** True if a point is in a ring of points, in plain doubles. */
+const isIn = (ring, [x, y]) =>
+    ring.filter(([ax, ay], i) => {
+        const [bx, by] = ring[(i + 1) % ring.length];
+        return ay > y !== by > y && x < ax + ((y - ay) / (by - ay)) * (bx - ax);
+    }).length % 2 === 1;
+
+/**
+ * The rings of a polygon of `triangulate`, the outer one first, for libraries that want an outer ring and holes. Declines other
+ * nests: a ring that is not in the first one's box, or a hole with most of another hole's points inside.
+ */
+export function outerFirst(rings, points) {
+    const placed = rings.map((ring) => ring.map((v) => points[v]));
+    const boxes = placed.map(extent);
+    const holds = (one, other) => one === other || boxes[one].every((x, i) => x <= boxes[other][i]);
+    const all = [...rings.keys()];
+    const outer = all.find((one) => all.every((other) => holds(one, other)));
+    const isNested = (one, other) =>
+        one !== other && holds(one, other) && 2 * placed[other].filter((p) => isIn(placed[one], p)).length > placed[other].length;
+    const holes = all.filter((one) => one !== outer);
+    if (outer === undefined || holes.some((one) => holes.some((other) => isNested(one, other))))
+        throw new Declined("the rings are not an outer ring with holes");
+    return [outer, ...holes].map((one) => rings[one]);
+}
 
 /** Answers the tool as `engine` until stdin ends; with --version, prints its version. Ends the program. */
 export function serve(engine) {
@@ -232,8 +270,30 @@ class Asked {
     }
 }
 
+/** The simplices of a complex, by the indices of their points. */
+const complex = (scene, name) => [
+    ...scene.values(`${name}.vertices`).map((v) => [v]),
+    ...["edges", "triangles", "tetrahedra"].flatMap((kind) => scene.parts(`${name}.${kind}`)),
+];
+const contacts = (scene) => [{ points: scene.points, a: complex(scene, "a"), b: complex(scene, "b") }];
+
 /** The parameters of a task's calls. */
 const GIVEN = {
+    contacts2d: contacts,
+    contacts3d: contacts,
+    crossings: (scene) => [{ segments: scene.at(scene.parts("segments")) }],
+    interval: (scene) => {
+        const axis = "xyz".indexOf(String(scene.entries.get("word:axis") ?? "x"));
+        const along = (ids) => ids.map((id) => scene.points[id][axis]);
+        return [{ cells: scene.parts("cells").map(along), probes: along(scene.values("probes")) }];
+    },
+    "cube-union": (scene) => [{ cubes: rows(scene.values("cubes"), 4) }],
+    slice: (scene) => [
+        { vertices: scene.points, triangles: rows(scene.values("triangles"), 3), planes: scene.at(scene.parts("planes")) },
+    ],
+    snap2d: (scene) => [
+        { segments: scene.at(scene.parts("segments")), side: 2 ** -Number(scene.entries.get("word:pixel") ?? 0) },
+    ],
     delaunay2d: (scene) => [
         { points: scene.points, ...(scene.has("constraints") && { constraints: rows(scene.values("constraints"), 2) }) },
     ],
@@ -285,8 +345,34 @@ function starts(items) {
 const triangles = ([answer]) => ({ "ids:triangles": ids(flat(answer)) });
 const labels = ([answer]) => ({ "ids:labels": ids(flat(answer)) });
 
+/** Lists of indices of different lengths. */
+const lists = (name) => ([answer]) => {
+    const all = Array.from(answer, flat);
+    return { [`ids:${name}`]: ids(all.flat()), [`ids:${name}.starts`]: starts(all) };
+};
+
 /** The arrays of a task's answers. */
 const MADE = {
+    contacts2d: lists("pairs"),
+    contacts3d: lists("pairs"),
+    crossings: lists("crossings"),
+    interval: labels,
+    "cube-union": ([answer]) =>
+        Object.fromEntries(Object.entries(answer).map(([name, number]) => [`numbers:${name}`, numbers([number])])),
+    slice: ([parts]) => {
+        const [vertices, triangles] = [[], []];
+        for (const part of parts) {
+            const first = vertices.length;
+            triangles.push(part.triangles.map((triangle) => flat(triangle).map((id) => id + first)));
+            vertices.push(...part.vertices);
+        }
+        return {
+            "numbers:parts.vertices": numbers(flat(vertices)),
+            "ids:parts.triangles": ids(flat(triangles)),
+            "ids:parts.starts": starts(triangles),
+        };
+    },
+    snap2d: ([lines]) => ({ "numbers:chains": numbers(flat(lines)), "ids:chains.starts": starts(lines) }),
     delaunay2d: triangles,
     hull2d: ([answer]) => ({ "ids:hull": ids(flat(answer)) }),
     hull3d: triangles,

@@ -1,29 +1,15 @@
-// The npm package poly2tri. Its page excludes points that coincide: scenes with these are declined. So are scenes for which it
-// throws its `PointError`, the exception for input that it does not support, and nests of rings that are not an outer ring
-// with holes. The outer ring's bounding box has all others in it.
+// The npm package poly2tri. Its page excludes points that coincide: scenes with these are declined. So are scenes for
+// which it throws its `PointError`, the exception for input that it does not support, and nests of rings that are not an
+// outer ring with holes.
 
 import fs from "node:fs";
 import poly2tri from "poly2tri";
-import { Declined, serve } from "../node/predicament_engine.mjs";
+import { Declined, outerFirst, serve } from "../node/predicament_engine.mjs";
 
 const manifest = new URL("node_modules/poly2tri/package.json", import.meta.url);
 
-/** The low corner of a ring's bounding box, then the high corner with its sign changed. */
-const extent = (ring) => [0, 1, 0, 1].map((axis, i) => Math.min(...ring.map((point) => (i < 2 ? point[axis] : -point[axis]))));
-
-/** The rings, the outer one first. Declines nests of rings that are not an outer ring with holes. */
-function withHoles(rings, points) {
-    const boxes = new Map(rings.map((ring) => [ring, extent(ring.map((v) => points[v]))]));
-    const holds = (one, other) => one !== other && boxes.get(one).every((x, i) => x <= boxes.get(other)[i]);
-    const outer = rings.find((ring) => rings.every((other) => ring === other || holds(ring, other)));
-    const holes = rings.filter((ring) => ring !== outer);
-    if (outer === undefined || holes.some((hole) => rings.some((other) => holds(hole, other))))
-        throw new Declined("the rings are not an outer ring with holes");
-    return [outer, ...holes];
-}
-
 function triangulate({ points, rings }) {
-    const loops = withHoles(rings, points).map((ring) => ring.map((id) => ({ x: points[id][0], y: points[id][1], id })));
+    const loops = outerFirst(rings, points).map((ring) => ring.map((id) => ({ x: points[id][0], y: points[id][1], id })));
     if (new Set(loops.flat().map(({ x, y }) => `${x + 0} ${y + 0}`)).size < loops.flat().length)
         throw new Declined("points coincide");
     try {
