@@ -257,6 +257,10 @@ impl Bench<'_> {
         }
         let level = self.selection.level;
         let Some(case) = truth.known(watch) else { return Ok(None) };
+        if let Some(dispute) = case.dispute() {
+            let message = format!("{}/{}: {dispute}", case.loaded().suite, case.loaded().name);
+            return Err(Failure { message, code: exit::CORPUS });
+        }
         let Ok(outcome) = predicament_oracle::run(case, backend, budget(level), watch) else { return Ok(None) };
         rows::record(&mut self.writer, scene, &name, &outcome, self.expected, level.name()).map_err(Failure::usage)?;
         Ok(Some(outcome.digest))

@@ -223,7 +223,7 @@ fn hunt(
 
 /// Prints the result: finds on stdout, and how near the hunt came on stderr.
 fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool) {
-    let State { evaluations, generations, known, finds, .. } = hunt.state();
+    let State { scenes, evaluations, generations, known, finds, .. } = hunt.state();
     for (at, find) in finds.iter().enumerate() {
         let [before, after] = find.pieces;
         say!(
@@ -253,6 +253,10 @@ fn tell_summary(hunt: &Hunt<'_>, saved: &Saved, folder: &Path, interrupted: bool
     }
     let end =
         if interrupted { format!("interrupted; `{} hunt --resume` continues", program()) } else { "done".to_owned() };
+    let discarded = scenes - evaluations;
+    if discarded > 0 {
+        note!("{discarded} scenes discarded: they are not valid scenes of the task, or their truth took too long");
+    }
     note!(
         "{}: {} finds in {evaluations} evaluations, {generations} generations, {:.1} s; {end}",
         folder.join(SUITE).display(),

@@ -75,6 +75,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let watch = Watch::new(&never, None, &quiet);
     let stopped = |_| Failure::usage("the judge was stopped");
     let case = task.case(&loaded, &watch).map_err(stopped)?;
+    if let Some(dispute) = case.dispute() {
+        return Err(Failure { message: format!("{name}: {dispute}"), code: exit::CORPUS });
+    }
     let exact = tool.backend("exact").map_err(Failure::usage)?;
     let mut outcome = Outcome { queries: loaded.count() as u64, ..Outcome::default() };
     let reply = Reply { arrays, ..Reply::default() };

@@ -201,7 +201,6 @@ const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
         "at level quick, every embedded scene has few enough cubes to be measured as a whole; a test of the oracle \
          plants the fault",
     ),
-    (Class::Topology, "triangulate", "loops do not cross", "it checks the input; an answer cannot change it"),
     (
         Class::Topology,
         "mesh-locate",

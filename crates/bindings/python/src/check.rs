@@ -186,7 +186,7 @@ impl Asking<'_> {
         let stopped = |_: Stop| "stopped".to_owned();
         let case = task.case(loaded, watch).map_err(stopped)?;
         if let Some(dispute) = case.dispute() {
-            return Err(format!("the published signs are of other points: {dispute}"));
+            return Err(format!("the scene is not judged: {dispute}"));
         }
         let contestant: &dyn Contestant = self.entry;
         pool.install(|| run(case.as_ref(), contestant, BUDGET, watch)).map_err(stopped)

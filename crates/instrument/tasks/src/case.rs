@@ -44,18 +44,33 @@ impl Asked<'_> {
     }
 }
 
-/// A disagreement between a scene's author and the judge: one of the two is wrong, and nothing is compared until a
-/// person has looked.
+/// A reason why a scene is not judged, before any backend has answered: a person has to look first.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct Dispute {
-    /// The number of different answers.
-    pub count: usize,
-    /// The first of them, in words.
-    pub first: String,
+pub enum Dispute {
+    /// The scene's author and the judge disagree: one of the two is wrong.
+    Signs {
+        /// The number of different answers.
+        count: usize,
+        /// The first of them, in words.
+        first: String,
+    },
+    /// The scene is not one of its task.
+    Invalid {
+        /// The reason, with the place.
+        why: String,
+        /// The fix, in one line.
+        cure: String,
+    },
 }
 
 impl std::fmt::Display for Dispute {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} of the data's own signs differ from the exact ones, first {}", self.count, self.first)
+        match self {
+            Dispute::Signs { count, first } => write!(
+                f,
+                "{count} of the data's own signs differ from the exact ones, first {first}; correct the data first"
+            ),
+            Dispute::Invalid { why, cure } => write!(f, "{why}; {cure}"),
+        }
     }
 }

@@ -75,7 +75,9 @@ pub trait Task: SceneFormat + Sized + 'static {
         None
     }
 
-    /// Compares published answers, if any, with the truth.
+    /// The reason why the scene is not judged: published answers that differ from the truth, or a content that is not
+    /// one of the task although it was read, such as a polygon that crosses itself. All commands refuse such a scene
+    /// with the same exit code, and hunts discard it.
     fn dispute(&self, case: &Case<'_, Self>) -> Option<Dispute> {
         let _ = case;
         None

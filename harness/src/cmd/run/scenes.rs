@@ -224,10 +224,10 @@ impl<'r> Run<'r> {
     }
 }
 
-/// Refuses a scene on which two computations of the truth disagree.
+/// Refuses a scene that is not judged.
 fn refuse_disputed(scene: &PlannedScene, case: Option<&dyn AnyCase>) -> Result<(), Failure> {
     let Some(dispute) = case.and_then(|case| case.dispute()) else { return Ok(()) };
-    let message = format!("{}/{}: {dispute}; correct the data first", scene.suite, scene.scene);
+    let message = format!("{}/{}: {dispute}", scene.suite, scene.scene);
     Err(Failure { message, code: exit::CORPUS })
 }
 

@@ -41,5 +41,5 @@ pub(super) fn dispute(queries: &QuerySet, truth: &[Sign], expected: &[Sign]) -> 
     let &first = wrong.peek()?;
     let query = queries.question().query(queries.args(first));
     let first = format!("{query} at query {first}: the data say {}, the judge {}", expected[first], truth[first]);
-    Some(Dispute { count: wrong.count(), first })
+    Some(Dispute::Signs { count: wrong.count(), first })
 }

@@ -176,7 +176,6 @@ fn maps_of_files_keep_the_numbers_of_their_vertices() {
     for (scene, key) in [
         ("task = \"polygon-locate\"\nmap = { path = \"map.wkt\" }\nrandom = 10\n", "regions = [0, 0, 1, 2, 2, 3]\n"),
         ("task = \"triangulate\"\nmap = { path = \"map.wkt\" }\n", "regions = [0, 0, 1, 2, 2, 3]\n"),
-        ("task = \"triangulate\"\nmap = { path = \"one.wkt\" }\n", "regions = [0]\n"),
         ("task = \"polygon-locate\"\nmap = { path = \"one.wkt\" }\n", "quick_stride = 0\n"),
         (
             "task = \"overlay2d\"\nfirst = { path = \"map.wkt\" }\nsecond = { path = \"one.wkt\" }\n",

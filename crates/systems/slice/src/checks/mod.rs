@@ -13,6 +13,7 @@ mod closed;
 mod crossing;
 mod exact;
 mod flat;
+pub mod given;
 pub mod replies;
 mod volume;
 

@@ -10,6 +10,7 @@ use predicament_mesh::half_edge::IndexedFaces;
 use predicament_predicates::{Dimension, Question, Scene, Sign, Vertex};
 
 use super::faces::{Wrong, faces_of};
+use crate::checks::given::{self, Fault};
 
 static MESH: TableKind = TableKind::new("reference to a mesh", &["path", "fetch"]);
 
@@ -37,6 +38,14 @@ impl Solid {
     pub fn mesh(&self) -> HalfEdgeMesh {
         let vertices = (0..self.vertices).map(Vertex::input).collect();
         HalfEdgeMesh::new(vertices, &self.faces).unwrap_or_else(|why| panic!("a scene without a valid mesh: {why}"))
+    }
+}
+
+impl Solid {
+    /// The reason why the faces are not a mesh to slice.
+    pub(super) fn fault(&self, scene: &Scene) -> Option<Fault> {
+        let face = |face: &[u32]| face.iter().map(|&corner| Vertex::input(corner as usize)).collect();
+        given::fault(scene, &self.faces.iter().map(face).collect::<Vec<_>>(), self.is_closed)
     }
 }
 
@@ -210,6 +219,9 @@ impl Elsewhere for Written {
             && let Some(wrong) = open_edge(&solid)
         {
             return Err(wrong.error(&file, &places, line));
+        }
+        if let Some(fault) = solid.fault(&scene) {
+            return Err(Wrong::Fault(fault).error(&file, &places, line));
         }
         Ok(Parts { notes, ..Parts::new(scene, solid) })
     }

@@ -1,5 +1,6 @@
 //! Exact validation of faces for slicing: manifold, planar, with areas.
 
+use crate::checks::given::Fault;
 use predicament_formats::{CorpusError, Places, Position};
 use predicament_judge::{rational, sign};
 use predicament_mesh::HalfEdgeMesh;
@@ -18,6 +19,8 @@ pub(super) enum Wrong {
     NoArea { face: usize },
     /// A corner of a face is off the plane of three others.
     NotPlane { face: usize, vertex: Vertex, plane: [Vertex; 3] },
+    /// Faces pass through each other or lie on each other, or a part has no volume.
+    Fault(Fault),
     /// An edge has one face, although the mesh must be closed.
     Open { face: usize, edge: [Vertex; 2] },
 }
@@ -47,6 +50,7 @@ impl Wrong {
                 let message = format!("face {face} is not planar: vertex {v} is not in the plane of {a}, {b} and {c}");
                 (message, "divide it into triangles")
             }
+            Wrong::Fault(fault) => fault.told(face),
             Wrong::Open { edge, .. } => {
                 let [a, b] = edge.map(vertex);
                 let message = format!("the edge of vertices {a} and {b} has a face on one side only");
@@ -61,6 +65,7 @@ impl Wrong {
             Wrong::NoMesh(ConversionError::SeveralFans { vertex }) => places.point(vertex.index()),
             Wrong::NoMesh(why) => why.face().and_then(|face| places.face(face)),
             Wrong::NoArea { face } | Wrong::NotPlane { face, .. } | Wrong::Open { face, .. } => places.face(*face),
+            Wrong::Fault(fault) => fault.face().and_then(|face| places.face(face)),
             Wrong::NoFaces => None,
         }
     }

@@ -13,6 +13,7 @@ mod replies;
 mod spoiled;
 
 use crate::algorithm::{Sliced, Source, slice};
+use crate::checks::given::Fault;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source as SceneSource};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
@@ -25,8 +26,8 @@ use predicament_tasks::output::{Canvas, Files, Placed};
 use predicament_tasks::replies::Replies;
 
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `slice`.
@@ -100,7 +101,7 @@ impl SceneFormat for Slice {
 
 impl Task for Slice {
     type Content = Solid;
-    type Truth = ();
+    type Truth = Option<Fault>;
     type Answer = Cut;
 
     fn compared(&self) -> &'static [Compared] {
@@ -134,9 +135,16 @@ impl Task for Slice {
         true
     }
 
-    /// The task has no separate truth: the laws and the mesh suffice.
-    fn truth(&self, _: &Scene, _: &Solid, watch: &Watch) -> Result<(), Stop> {
-        watch.done(0)
+    /// The truth is the mesh's fault, if it has one. Otherwise the laws and the mesh suffice.
+    fn truth(&self, scene: &Scene, content: &Solid, watch: &Watch) -> Result<Option<Fault>, Stop> {
+        let fault = content.fault(scene);
+        watch.done(0)?;
+        Ok(fault)
+    }
+
+    fn dispute(&self, case: &Case<'_, Slice>) -> Option<Dispute> {
+        let (why, cure) = case.truth.as_ref()?.told(|face| face.to_string());
+        Some(Dispute::Invalid { why, cure: cure.to_owned() })
     }
 
     fn solve<P: Predicates>(

@@ -1,5 +1,7 @@
 //! Tests of parts of meshes: correct parts have no flaw, and the check for each kind of damage reports it.
 
+use predicament_predicates::{Scene, Vertex};
+use predicament_slice::checks::given::{self, Fault};
 use predicament_slice::checks::{Check, Expected, Part, Piece, Slices};
 use rug::Rational;
 
@@ -266,4 +268,61 @@ fn metric_flaws_say_by_how_much() {
     assert_eq!(told(Check::CapInPlane), "a cap of part 0 is 9.5367431640625e-7 off plane 0");
     assert_eq!(told(Check::PieceInFace), "a piece of face 3 is 9.765625e-4 off its plane");
     assert!(told(Check::FaceArea).starts_with("the 4 pieces of face 2 have "), "{}", told(Check::FaceArea));
+}
+
+/// Meshes that are refused: each with its fault, over vertices of its own.
+#[test]
+fn faces_that_are_no_mesh_to_slice() {
+    let tetrahedron = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, 4.0]];
+    let faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [2, 0, 3]];
+    let with = |more: &[[f64; 3]], other: &[[usize; 3]]| {
+        let points: Vec<[f64; 3]> = tetrahedron.iter().chain(more).copied().collect();
+        let scene = Scene::from_points3(&points).unwrap();
+        let all: Vec<Vec<Vertex>> =
+            faces.iter().chain(other).map(|face| face.iter().map(|&at| Vertex::input(at)).collect()).collect();
+        given::fault(&scene, &all, true)
+    };
+    let copy = [[4, 6, 5], [4, 5, 7], [5, 6, 7], [6, 4, 7]];
+    let moved = |by: [f64; 3]| tetrahedron.map(|p| [0, 1, 2].map(|axis: usize| p[axis] + by[axis]));
+    assert_eq!(with(&[], &[]), None);
+    assert_eq!(with(&tetrahedron, &copy), Some(Fault::Doubled([0, 4])));
+    assert_eq!(with(&moved([1.0, 1.0, 0.0]), &copy), Some(Fault::Doubled([0, 4])));
+    assert_eq!(with(&moved([0.5, 0.5, 0.5]), &copy), Some(Fault::Crossing([2, 4])));
+    assert_eq!(with(&moved([4.0, 0.0, 0.0]), &copy), None, "they touch in a corner");
+    assert_eq!(with(&moved([9.0, 0.0, 0.0]), &copy), None, "apart");
+    // A solid that stands on a face of another, over vertices of its own.
+    let below = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [0.0, 0.0, -4.0]];
+    let turned = copy.map(|[a, b, c]| [a, c, b]);
+    assert_eq!(with(&below, &turned), None);
+    // Two faces back to back, apart from the rest.
+    let flat = [[9.0, 0.0, 0.0], [9.0, 4.0, 0.0], [9.0, 0.0, 4.0]];
+    assert_eq!(with(&flat, &[[4, 5, 6], [4, 6, 5]]), Some(Fault::Flat(4)));
+    assert_eq!(
+        given::fault(
+            &Scene::from_points3(&flat).unwrap(),
+            &[vec![0, 1, 2].into_iter().map(Vertex::input).collect()],
+            false
+        ),
+        None
+    );
+    // One mesh alone: inside out, folded, and faces that are not polygons.
+    let alone = |points: &[[f64; 3]], faces: &[&[usize]], is_closed: bool| {
+        let all: Vec<Vec<Vertex>> =
+            faces.iter().map(|face| face.iter().copied().map(Vertex::input).collect()).collect();
+        given::fault(&Scene::from_points3(points).unwrap(), &all, is_closed)
+    };
+    let inverted = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+    let inverted: Vec<&[usize]> = inverted.iter().map(|face| face.as_slice()).collect();
+    assert_eq!(alone(&tetrahedron, &inverted, true), Some(Fault::InsideOut));
+    let square = [[1.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    assert_eq!(alone(&square, &[&[1, 2, 3], &[0, 3, 2]], false), Some(Fault::Folded([0, 1])));
+    assert_eq!(alone(&square, &[&[0, 1, 2], &[0, 2, 3]], false), None);
+    assert_eq!(alone(&square, &[&[0, 1, 2, 3]], false), None);
+    let crossed = alone(&square, &[&[0, 2, 1, 3]], false).expect("a bow tie");
+    assert_eq!(crossed.face(), Some(0));
+    assert!(crossed.told(|face| face.to_string()).0.starts_with("face 0 is not a polygon: the edges from 0 to 2 and"));
+    let repeated = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    assert_eq!(alone(&repeated, &[&[0, 3, 1, 2]], false), Some(Fault::Repeated(0)));
+    let (why, cure) = Fault::Flat(4).told(|face| face.to_string());
+    assert_eq!((why.as_str(), cure), ("the closed part with face 4 has no volume", "leave the part out"));
 }

@@ -37,10 +37,6 @@ pub struct Flaw {
 #[must_use]
 pub fn flaws(polygon: &Polygon, triangles: &[[Vertex; 3]], flat: Flat) -> Vec<Flaw> {
     let points = &polygon.points;
-    if let Some(fault) = polygon.fault() {
-        let [got, truth] = [fault.to_string(), "loops that bound a polygon".to_owned()];
-        return vec![Flaw { check: "loops do not cross", vertices: fault.vertices.clone(), got, truth }];
-    }
     let mut found = Vec::new();
     let mut places = Vec::with_capacity(triangles.len());
     for &triangle in triangles {

@@ -1,11 +1,11 @@
 //! Checks of triangulations of polygons, decided in integers.
 //!
 //! [`Polygon`] holds the truth about a set of loops: which of them are holes, the area, the number of triangles, where
-//! loops cross, and where they touch. [`flaws`] compares triangles with it. Neither knows how triangles are made; both
+//! loops cross, and where they touch. [`flaws`] compares triangles with a polygon without a
+//! [fault](Polygon::fault). Neither knows how triangles are made; both
 //! see coordinates as integers in a common unit.
 //!
 //! # The checks
-//! * `loops do not cross`: of the polygon, before any check of triangles;
 //! * `vertices`: three different vertices of the polygon;
 //! * `count`: n + 2h − 2c, two fewer for each further loop that passes through a vertex from inside another loop;
 //! * `positive`: no triangle is clockwise, and a flat triangle occurs only where loops touch;

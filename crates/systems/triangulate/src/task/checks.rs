@@ -7,7 +7,6 @@ use predicament_tasks::Check;
 pub const RULES: &[&str] = Contradiction::RULES;
 
 pub(super) const CHECKS: &[Check] = &[
-    Check::topology("loops do not cross", "the loops make a polygon"),
     Check::topology("vertices", "the corners of each triangle are three vertices of the polygon"),
     Check::topology("count", "there are n + 2h − 2 triangles"),
     Check::topology("positive", "each triangle is counterclockwise, or flat if loops touch there or ties are broken"),

@@ -1,15 +1,13 @@
 //! The keys of the task: `points` and `loops`, or `map`; polygons to triangulate, in the plane or in space.
 
 use crate::algorithm::Method;
-use crate::checks::Polygon;
 use predicament_corpus::{
     Canon, Content, Context, Elsewhere, Items, Level, List, Parts, PointSource, Source, Spelled, spelled_points,
 };
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
-use predicament_judge::sign;
-use predicament_predicates::{Dimension, Plane, Question, Scene, Vertex};
+use predicament_predicates::{Scene, Vertex};
 
-use crate::truth::seen;
+use crate::truth::{Examined, Flaw, first_flaw_if_all};
 use predicament_tasks::map_loops::{Loops, MapLoops, labelled_loops, read_loops};
 use predicament_tasks::map_source::MapSource;
 
@@ -38,12 +36,11 @@ impl Content for Polygons {
         }
     }
 
-    /// Writes several polygons, and a polygon of a map whose loops cross, with `regions`, which are read unchecked as
-    /// maps are. Returns `None` if there are no polygons.
+    /// Writes several polygons with `regions`, as a map. Returns `None` if there are no polygons.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let list = match &self.polygons[..] {
             [] => return None,
-            [polygon] if flaw(scene, polygon).is_none() => List::required("loops", Items::Loops(polygon.clone())),
+            [polygon] => List::required("loops", Items::Loops(polygon.clone())),
             polygons => labelled_loops(polygons)?,
         };
         let words = vec![("method", format!("\"{}\"", method_name(self.method)))];
@@ -132,8 +129,8 @@ impl Elsewhere for OfPoints {
         if loops.is_empty() {
             return Err(self.points.error("a polygon without loops", "write at least one loop"));
         }
-        if let Some((message, corners, cure)) = flaw(scene, &loops) {
-            return Err(self.points.error(message + &points.places(&corners), cure));
+        if let Some(Flaw { why, vertices, cure }) = Examined::new(scene, &loops).flaw {
+            return Err(self.points.error(why + &points.places(&vertices), cure));
         }
         Ok(Parts {
             notes: points.notes,
@@ -144,35 +141,6 @@ impl Elsewhere for OfPoints {
     fn fetch_entry(&self) -> Option<&Entry> {
         self.points.entry()
     }
-}
-
-/// The reason why loops bound no polygon, the corners there if known, and a fix.
-fn flaw(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>, &'static str)> {
-    if let Some((message, corners)) = uneven(scene, loops) {
-        return Some((message, corners, "put all corners in one plane but not on one line, or divide the face"));
-    }
-    let (plane, reversed) = seen(scene, loops);
-    let polygon = Polygon::new(scene, plane, reversed, loops);
-    let fault = polygon.fault()?;
-    Some((fault.to_string(), fault.vertices.clone(), fault.cure()))
-}
-
-/// The reason why the corners of a face are not in one plane, or are all in line; and those corners.
-fn uneven(scene: &Scene, loops: &[Vec<Vertex>]) -> Option<(String, Vec<Vertex>)> {
-    let corners: Vec<Vertex> = loops.iter().flatten().copied().collect();
-    let in_space = scene.dimension() == Dimension::Three;
-    let planes = if in_space { &[Plane::Xy, Plane::Yz, Plane::Zx][..] } else { &[Plane::Xy] };
-    let turns = |b: Vertex, c: Vertex| {
-        planes.iter().any(|&plane| !sign(scene, Question::Orient2d(plane), &[corners[0], b, c]).is_zero())
-    };
-    let second = corners.iter().copied().find(|&b| scene.point(b) != scene.point(corners[0]));
-    let plane = second.and_then(|b| Some((b, corners.iter().copied().find(|&c| turns(b, c))?)));
-    let Some((b, c)) = plane else {
-        return Some(("all corners are on one line".to_owned(), vec![corners[0]]));
-    };
-    let is_off = |d: &&Vertex| !sign(scene, Question::Orient3d, &[corners[0], b, c, **d]).is_zero();
-    let off = corners.iter().find(|d| in_space && is_off(d))?;
-    Some((format!("the corner {off} is not in the plane of {}, {b} and {c}", corners[0]), vec![*off, corners[0], b, c]))
 }
 
 /// The regions of a map, each as a polygon.
@@ -190,6 +158,9 @@ impl Elsewhere for InMap {
         let polygons: Vec<_> = imported.map.regions().iter().map(rings).filter(|rings| !rings.is_empty()).collect();
         let scene = Scene::from_points2(&imported.points)
             .map_err(|error| CorpusError::file("map", error.to_string(), "divide the data"))?;
+        if let Some((region, Flaw { why, cure, .. })) = first_flaw_if_all(&scene, &polygons) {
+            return Err(CorpusError::file("map", format!("region {region}: {why}"), cure));
+        }
         Ok(Parts { notes: imported.notes, ..Parts::new(scene, Polygons { polygons, method: self.method }) })
     }
 

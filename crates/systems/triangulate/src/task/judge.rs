@@ -16,12 +16,12 @@ pub(super) fn judge(
 ) -> Result<(), Stop> {
     let zero = asked.contract(PredicateKind::Orient2d).zero;
     let most = asked.budget.findings_per_class;
-    for (at, (found, truth)) in answer.0.iter().zip(&case.truth.polygons).enumerate() {
+    for (at, (found, examined)) in answer.0.iter().zip(&case.truth.polygons).enumerate() {
         asked.watch.done(0)?;
-        if case.truth.is_left_out(truth) {
+        if examined.flaw.is_some() {
             continue;
         }
-        let (plane, reversed) = case.truth.seen[at];
+        let (truth, (plane, reversed)) = (&examined.polygon, examined.seen);
         let ties = (zero == ZeroMeaning::Never).then(|| asked.backend.tie_judge()).flatten();
         let perturbed = ties.map(|ties| Perturbed { judged: Judged::perturbed(case.scene(), ties), plane, reversed });
         let broken = found.broken.map(|broken| Flaw {

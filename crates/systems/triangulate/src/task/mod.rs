@@ -26,8 +26,8 @@ pub use checks::RULES;
 use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `triangulate`.
@@ -133,6 +133,11 @@ impl Task for Triangulate {
         truth.sampled()
     }
 
+    fn dispute(&self, case: &Case<'_, Triangulate>) -> Option<Dispute> {
+        let flaw = case.truth.flaw()?;
+        Some(Dispute::Invalid { why: flaw.why.clone(), cure: flaw.cure.to_owned() })
+    }
+
     fn solve<P: Predicates>(
         &self,
         session: &mut P,
@@ -169,8 +174,8 @@ impl Task for Triangulate {
     fn describe(&self, loaded: &LoadedScene, content: &Polygons, watch: &Watch) -> Result<String, Stop> {
         let truth = Truth::new(&loaded.scene, &content.polygons, watch)?;
         let loops: usize = content.polygons.iter().map(Vec::len).sum();
-        let corners: usize = truth.polygons.iter().map(crate::checks::Polygon::corners).sum();
-        let touching: usize = truth.polygons.iter().map(|polygon| polygon.touches().touching.len()).sum();
+        let corners: usize = truth.polygons.iter().map(|examined| examined.polygon.corners()).sum();
+        let touching: usize = truth.polygons.iter().map(|examined| examined.polygon.touches().touching.len()).sum();
         Ok(format!(
             "{} polygons, {loops} loops, {corners} corners; {touching} pairs of edges touch without a common vertex\n",
             content.polygons.len()

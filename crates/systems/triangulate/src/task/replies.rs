@@ -64,7 +64,7 @@ impl Replies<Triangulate> for Judge {
             let Some(found) = found.get_mut(polygon) else {
                 return Err(Malformed(format!("`{POLYGONS}` has {polygon}, but there are {}", polygons.len())).into());
             };
-            let (plane, _) = case.truth.seen[polygon];
+            let (plane, _) = polygons[polygon].seen;
             if sign(scene, Question::Orient2d(plane), &triangle) == Sign::Negative {
                 triangle.swap(1, 2);
             }
@@ -73,10 +73,10 @@ impl Replies<Triangulate> for Judge {
         let most = asked.budget.findings_per_class;
         for (at, (triangles, truth)) in found.iter().zip(polygons).enumerate() {
             asked.watch.done(0)?;
-            if case.truth.is_left_out(truth) {
+            if truth.flaw.is_some() {
                 continue;
             }
-            let flaws = uncovered(truth, triangles);
+            let flaws = uncovered(&truth.polygon, triangles);
             if flaws.is_empty() {
                 outcome.note(Class::Agree, most, || unreachable!("legal"));
             }
