@@ -130,6 +130,29 @@ pub(crate) fn leaves_much<P: Predicate<D, N>, const D: usize, const N: usize>(
     open.into_iter().any(|open| open * 8 >= LOOKS)
 }
 
+/// Returns true if most queries of a sample are decided: of random vertices, and of neighbours in the list.
+///
+/// Like [`choose`], it only chooses an order.
+#[cfg(feature = "formulas")]
+pub(crate) fn is_mostly(
+    count: usize,
+    arity: usize,
+    is_decided: impl Fn(&[predicament_predicates::Vertex]) -> bool,
+) -> bool {
+    if count < LOOKED_AT_FROM {
+        return true;
+    }
+    let decided = |are_neighbours: bool| {
+        let query = |look: usize| -> Vec<_> {
+            let first = place(look, count / arity) * arity;
+            let at = |i: usize| if are_neighbours { first + i } else { place(look * arity + i, count) };
+            (0..arity).map(|i| predicament_predicates::Vertex::input(at(i))).collect()
+        };
+        (0..LOOKS).filter(|&look| is_decided(&query(look))).count()
+    };
+    decided(false) * 8 >= LOOKS * 7 && decided(true) * 8 >= LOOKS * 7
+}
+
 /// The vertices of a sampled query: anywhere, or neighbours in the list.
 ///
 /// Typical queries are about near points, and points near in space are often near in the list.

@@ -16,12 +16,20 @@ use crate::decider::Decider;
 /// The exact backend's session, prepared for one scene.
 pub struct Session<'s, T> {
     decider: Decider<'s>,
+    /// The static bounds of formulas.
+    #[cfg(feature = "formulas")]
+    bounds: crate::derived::Bounds,
     tally: T,
 }
 
 impl<'s, T: Tally> Session<'s, T> {
     pub(crate) fn new(scene: &'s Scene, tally: T) -> Result<Session<'s, T>, Declined> {
-        Ok(Session { decider: Decider::new(scene)?, tally })
+        Ok(Session {
+            decider: Decider::new(scene)?,
+            #[cfg(feature = "formulas")]
+            bounds: Default::default(),
+            tally,
+        })
     }
 
     /// The method [`Predicates::construct`] with an additional condition, for sessions that build on this one.
@@ -113,6 +121,16 @@ impl<'s, T: Tally> Session<'s, T> {
         self.decider.decide_insphere(a, b, c, d, e)
     }
 
+    /// The answer of [`Predicates::sign`] and the stage that settled it, not tallied.
+    ///
+    /// # Panics
+    /// If a vertex is constructed or out of range, or the number of vertices is not the formula's.
+    #[cfg(feature = "formulas")]
+    #[must_use]
+    pub fn decide_derived(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> (Sign, usize) {
+        self.bounds.decide(self.decider.scene(), predicate, vertices)
+    }
+
     #[inline(always)]
     fn tallied(&self, kind: PredicateKind, (sign, stage): (Sign, usize)) -> Sign {
         self.tally.settled(kind, stage);
@@ -145,7 +163,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     #[cfg(feature = "formulas")]
     fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
-        self.tallied(PredicateKind::Derived(predicate), crate::derived::decide(self.scene(), predicate, vertices))
+        self.tallied(PredicateKind::Derived(predicate), self.decide_derived(predicate, vertices))
     }
 
     fn unperturbed(&self) -> Option<&dyn Sessions> {

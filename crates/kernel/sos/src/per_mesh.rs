@@ -201,7 +201,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
     #[cfg(feature = "formulas")]
     fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
         let kind = PredicateKind::Derived(predicate);
-        let (sign, stage) = predicament_exact::derived::decide(self.scene(), predicate, vertices);
+        let (sign, stage) = self.exact.decide_derived(predicate, vertices);
         if sign.is_zero() {
             let decided = derived::moved_tie(self.second(), self.scene(), predicate, vertices);
             return self.broken(kind, decided.map(|(sign, place)| (sign, place + 1)), || stage);

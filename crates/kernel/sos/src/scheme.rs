@@ -12,8 +12,8 @@ use crate::{Term, tables};
 pub enum Scheme {
     /// Coordinate number i of the scene (2k, 2k+1 or 3k, 3k+1, 3k+2 for vertex k) moves by ε^(3^i).
     ///
-    /// The strongest coordinate of a vertex is x. The points are really moved, so `incircle` and `insphere` lift the
-    /// moved points.
+    /// The strongest coordinate of a vertex is x. The points are really moved, so lifted predicates lift the moved
+    /// points.
     ///
     /// Franklin and Magalhães write ε^(2^i), which works for multilinear determinants only. A lifted determinant is
     /// quadratic in each coordinate, and (ε^(2^i))² is the next coordinate's infinitesimal: monomials collide. In base
@@ -25,7 +25,7 @@ pub enum Scheme {
     /// Coordinate j = 1…δ of vertex i moves by ε^(2^(iδ − j)) (Edelsbrunner and Mücke, ACM Transactions on Graphics
     /// 9(1), 1990).
     ///
-    /// The *last* coordinate of a vertex is its strongest. In `incircle` and `insphere` the lifted coordinate is
+    /// The *last* coordinate of a vertex is its strongest. In lifted predicates the lifted coordinate is
     /// coordinate number d + 1 and moves independently, as the strongest of its vertex: every predicate stays
     /// multilinear.
     ///

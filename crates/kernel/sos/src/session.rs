@@ -123,7 +123,7 @@ impl<T: Tally> Predicates for Session<'_, T> {
 
     #[cfg(feature = "formulas")]
     fn sign(&self, predicate: predicament_predicates::Derived, vertices: &[Vertex]) -> Sign {
-        let exact = predicament_exact::derived::decide(self.scene(), predicate, vertices);
+        let exact = self.breaker.exact.decide_derived(predicate, vertices);
         self.settle(PredicateKind::Derived(predicate), exact, || {
             let decided = derived::tie(self.breaker.scheme, self.scene(), predicate, vertices);
             decided.map_or((Sign::Zero, AS_EXACT), |(sign, place)| (sign, stage::of_term(self.breaker.scheme, place)))

@@ -1,9 +1,9 @@
 //! One monomial of a perturbed determinant, as data.
 //!
-//! Every predicate is the determinant of a matrix with one row per vertex: its coordinates, for `incircle` and
-//! `insphere` their sum of squares (the lift), and a 1. Perturbed, it becomes a polynomial in infinitesimals. The
-//! coefficient of a monomial is a smaller determinant of the same kind, times at most one difference of coordinates; a
-//! [`Term`] describes it.
+//! Every predicate is the determinant of a matrix with one row per vertex: its coordinates, for lifted
+//! predicates (circles and spheres) their sum of squares, and a 1. Perturbed, it becomes a polynomial in
+//! infinitesimals. The coefficient of a monomial is a smaller determinant of the same kind, times at most one
+//! difference of coordinates; a [`Term`] describes it.
 
 use predicament_predicates::Sign;
 

@@ -9,6 +9,7 @@ mod constructed;
 mod dyadic;
 mod equality;
 mod exponents;
+mod formulas;
 mod left_open;
 mod partial;
 #[path = "../rational/mod.rs"]
