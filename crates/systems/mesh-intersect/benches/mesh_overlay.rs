@@ -208,7 +208,7 @@ impl Pair {
         times[1] = Instant::now();
         let mut session = backend.prepare(&self.scene, Off).expect("in space");
         times[2] = Instant::now();
-        let overlay = mesh_overlay(&mut session, meshes, Zeros::Refused).unwrap_or_else(|why| panic!("{why}"));
+        let overlay = mesh_overlay(&mut session, meshes, Zeros::Zero).unwrap_or_else(|why| panic!("{why}"));
         times[3] = Instant::now();
         let union = black_box(overlay.solid(Operation::Union));
         times[4] = Instant::now();

@@ -21,6 +21,9 @@ pub struct Regions {
     pub sides: Vec<[u32; 2]>,
     /// For each triangle, its source.
     pub sources: Vec<Source>,
+    /// For each of the last triangles, which both meshes have, its triangle in the second mesh; its source is in the
+    /// first.
+    pub also: Vec<u32>,
     /// Pairs of a region of the first mesh and a region of the second, ascending.
     pub pairs: Vec<[u32; 2]>,
 }

@@ -55,7 +55,7 @@ pub(super) fn follow(
     let steps = steps::Cascade {
         perturbed: &own,
         exact: if breaks_ties { &exact } else { &own },
-        zeros: if breaks_ties { Zeros::Refused } else { Zeros::Positive },
+        zeros: if breaks_ties { Zeros::Zero } else { Zeros::Positive },
         rounding,
     };
     let mut cells = start.cell.map(|_| Cells::default());

@@ -8,6 +8,8 @@
 pub mod cascade;
 pub mod limit;
 pub mod overlay;
+mod planar;
+mod ray;
 pub mod resolve;
 pub mod rounding;
 pub mod sessions;

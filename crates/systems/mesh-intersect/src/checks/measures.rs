@@ -16,16 +16,63 @@ pub type Measure = [Rational; 4];
 /// A sum for each source triangle.
 pub type Sums = BTreeMap<Source, Measure>;
 
+/// Sets of triangles in one plane, joined by common parts. A part of two triangles has one of them as its source, so
+/// measures are compared set by set.
+#[derive(Clone, Default, Debug)]
+pub struct Together {
+    leaders: BTreeMap<Source, Source>,
+}
+
+impl Together {
+    fn leader(&self, mut source: Source) -> Source {
+        while let Some(&next) = self.leaders.get(&source) {
+            source = next;
+        }
+        source
+    }
+
+    /// The sums of each set, by the first triangle of it.
+    #[must_use]
+    pub fn merged(&self, sums: Sums) -> Sums {
+        if self.leaders.is_empty() {
+            return sums;
+        }
+        let mut merged = Sums::new();
+        sums.iter().for_each(|(source, measure)| add(&mut merged, self.leader(*source), measure, 1));
+        merged
+    }
+}
+
 /// The names of both meshes.
 const MESHES: [&str; 2] = ["first", "second"];
 
 impl Laws<'_> {
+    /// The triangles of both meshes that have parts in common.
+    #[must_use]
+    pub fn together(&self) -> Together {
+        let mut together = Together::default();
+        let alone = self.regions.triangles.len().saturating_sub(self.regions.also.len());
+        for (&first, &second) in self.regions.sources[alone..].iter().zip(&self.regions.also) {
+            let [first, second] = [first, Source { mesh: 1, triangle: second }].map(|source| together.leader(source));
+            if first != second {
+                together.leaders.insert(first.max(second), first.min(second));
+            }
+        }
+        together
+    }
+
     fn six(&self, triangle: [Vertex; 3]) -> Rational {
         let [a, b, c] = self.corners(triangle);
         let minor = |i: usize, j: usize| Rational::from(&b[i] * &c[j]) - Rational::from(&b[j] * &c[i]);
         Rational::from(&a[0] * &minor(1, 2))
             + Rational::from(&a[1] * &minor(2, 0))
             + Rational::from(&a[2] * &minor(0, 1))
+    }
+
+    /// The normal of a triangle, twice as long as its area.
+    pub(super) fn normal(&self, triangle: [Vertex; 3]) -> [Rational; 3] {
+        let [x, y, z, _] = self.measure(triangle);
+        [x, y, z]
     }
 
     fn measure(&self, triangle: [Vertex; 3]) -> Measure {
@@ -66,8 +113,10 @@ impl Laws<'_> {
     /// of the meshes, and so on. The same holds for areas, triangle by triangle: a part of a triangle is in the surface
     /// of the union, or in that of the intersection.
     pub fn results(&self, found: &mut Violations) {
-        let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| self.of_result(at));
-        let [first, second] = [0, 1].map(|mesh| self.of_mesh(mesh));
+        let together = self.together();
+        let merged = |sums: Sums| together.merged(sums);
+        let [union, intersection, difference, exclusive] = [0, 1, 2, 3].map(|at| merged(self.of_result(at)));
+        let [first, second] = [0, 1].map(|mesh| merged(self.of_mesh(mesh)));
         let laws: [(&str, Vec<(&Sums, i32)>); 3] = [
             (
                 "union and intersection together equal both meshes together",

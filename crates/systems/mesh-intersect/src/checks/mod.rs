@@ -14,6 +14,7 @@ mod settled;
 pub mod shells;
 mod surface;
 mod topology;
+mod touches;
 
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Scene, Vertex};
 
 pub use crate::truth::Point;
-pub use measures::{Measure, Sums, add};
+pub use measures::{Measure, Sums, Together, add};
 pub use settled::{Settled, Settlement};
 pub use surface::flaw_of;
 

@@ -8,6 +8,7 @@ use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::Vertex;
 use predicament_slice::checks::{Expected, Part, Piece, Slices};
+use rug::Rational;
 
 use super::{Laws, Violations, name, note};
 
@@ -39,23 +40,42 @@ impl Laws<'_> {
         }
     }
 
-    /// Checks that each piece has the regions of its triangle on its sides, and one region of the other mesh on both.
+    /// Checks that each piece has the regions of its triangle on its sides, and one region of the other mesh on both,
+    /// or those of the other mesh's triangle that it is also a part of, seen from the same side.
     pub fn sides(&self, found: &mut Violations) {
         let regions = self.regions;
-        let wrong = regions.sources.iter().zip(&regions.sides).filter(|(source, sides)| {
+        let alone = regions.triangles.len().saturating_sub(regions.also.len());
+        let also = std::iter::repeat_n(None, alone).chain(regions.also.iter().copied().map(Some));
+        let is_wrong = |(source, sides, also): (&Source, &[u32; 2], Option<u32>)| {
             let (own, other) = (usize::from(source.mesh), 1 - usize::from(source.mesh));
             let pairs = sides.map(|side| regions.pairs[side as usize]);
             let of = self.meshes[own].sides()[source.triangle as usize];
-            pairs.map(|pair| pair[own]) != of || pairs[0][other] != pairs[1][other]
-        });
-        let wrong: Vec<_> = wrong.collect();
-        if let Some((source, _)) = wrong.first() {
-            let got = format!("{} times, first: a piece of {}", wrong.len(), name(**source));
+            let others = pairs.map(|pair| pair[other]);
+            let is_right = match also {
+                None => others[0] == others[1],
+                Some(also) => {
+                    let mut of = self.meshes[other].sides()[also as usize];
+                    let [first, second] = [(own, source.triangle), (other, also)]
+                        .map(|(mesh, at)| self.normal(self.meshes[mesh].triangles()[at as usize]));
+                    let along: Rational = first.iter().zip(&second).map(|(a, b)| Rational::from(a * b)).sum();
+                    if along < 0 {
+                        of.reverse();
+                    }
+                    others == of
+                }
+            };
+            (pairs.map(|pair| pair[own]) != of || !is_right).then_some(*source)
+        };
+        let all = regions.sources.iter().zip(&regions.sides).zip(also);
+        let wrong: Vec<Source> = all.filter_map(|((source, sides), also)| is_wrong((source, sides, also))).collect();
+        if let Some(source) = wrong.first() {
+            let got = format!("{} times, first: a piece of {}", wrong.len(), name(*source));
             note(
                 found,
                 "sides of a piece",
                 got,
-                "a piece separates the regions of its triangle, inside one region of the other mesh",
+                "a piece separates the regions of its triangle, inside one region of the other mesh, or those of the \
+                 other mesh's triangle that it is in as well",
             );
         }
     }
@@ -116,9 +136,21 @@ impl Laws<'_> {
             0 => Piece::Face(source.triangle as usize),
             _ => Piece::Face(triangles(0).len() + source.triangle as usize),
         };
+        // A part of two triangles covers both.
+        let alone = regions.triangles.len().saturating_sub(regions.also.len());
+        let also = regions.also.iter().map(|&triangle| Source { mesh: 1, triangle });
+        let of = regions.triangles.iter().zip(regions.sources.iter().copied());
+        let of = of.chain(regions.triangles[alone..].iter().zip(also)).map(|(&t, source)| (t, source));
+        let turned = |([a, b, c], source): ([Vertex; 3], Source)| {
+            let own = self.normal(self.meshes[usize::from(source.mesh)].triangles()[source.triangle as usize]);
+            let along: Rational = own.iter().zip(&self.normal([a, b, c])).map(|(a, b)| Rational::from(a * b)).sum();
+            (if along < 0 { [a, c, b] } else { [a, b, c] }, source)
+        };
+        let (triangles, sources): (Vec<_>, Vec<_>) =
+            of.enumerate().map(|(at, part)| if at < regions.triangles.len() { part } else { turned(part) }).unzip();
         let part = Part {
-            triangles: regions.triangles.iter().map(|t| t.map(|v| number(self.place(v)))).collect(),
-            pieces: regions.sources.iter().map(place).collect(),
+            triangles: triangles.iter().map(|t| t.map(|v| number(self.place(v)))).collect(),
+            pieces: sources.iter().map(place).collect(),
             open: Vec::new(),
         };
         let slices = Slices { points: self.points.clone(), faces, planes: Vec::new(), parts: vec![part] };

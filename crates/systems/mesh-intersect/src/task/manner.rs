@@ -22,5 +22,5 @@ pub(super) fn manner(session: &dyn Predicates, content: &TwoMeshes) -> Manner {
         return Manner::Contacts;
     }
     let is_rounded = session.estimate(question, &[a, b, c, d]).is_some();
-    Manner::Signs(if is_rounded { Zeros::Positive } else { Zeros::Refused })
+    Manner::Signs(if is_rounded { Zeros::Positive } else { Zeros::Zero })
 }

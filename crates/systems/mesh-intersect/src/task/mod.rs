@@ -90,7 +90,7 @@ impl Overlaid {
         let (overlay, registered) = match overlaid {
             Ok(overlaid) => overlaid,
             Err(Undone::Refused(why)) => return Err(why.into()),
-            Err(touch @ (Undone::Touch(_) | Undone::Contact(_))) => {
+            Err(touch @ Undone::Contact(_)) => {
                 let why = format!("{touch}; use a backend that breaks ties, such as sos:per-mesh");
                 return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
             }

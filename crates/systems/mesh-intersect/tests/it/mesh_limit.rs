@@ -122,9 +122,20 @@ impl Pair {
         Pair { scene, meshes }
     }
 
+    /// The limit of a result by a backend that moves the second mesh.
     fn limit(&self, operation: Operation) -> Result<(Limit, Scene), String> {
-        let mut session = PerMesh.prepare(&self.scene, Off).unwrap();
-        let overlay = mesh_overlay(&mut session, self.meshes.clone(), Zeros::Refused).map_err(|why| why.to_string())?;
+        self.limit_by(&mut PerMesh.prepare(&self.scene, Off).unwrap(), operation)
+    }
+
+    /// The result without any move, as a limit that changes nothing.
+    fn exactly(&self, operation: Operation) -> Result<(Limit, Scene), String> {
+        let (limit, scene) = self.limit_by(&mut Exact.prepare(&self.scene, Off).unwrap(), operation)?;
+        let is_same = limit.counts == Counts::default();
+        if is_same { Ok((limit, scene)) } else { Err(format!("it is not regular: {:?}", limit.counts)) }
+    }
+
+    fn limit_by(&self, session: &mut dyn Predicates, operation: Operation) -> Result<(Limit, Scene), String> {
+        let overlay = mesh_overlay(session, self.meshes.clone(), Zeros::Zero).map_err(|why| why.to_string())?;
         let perturbed = session.scene().clone();
         let mut exact = Exact.prepare(&perturbed, Off).unwrap();
         let limit = limit(&mut exact, &overlay, overlay.solid(operation)).map_err(|why| why.to_string())?;
@@ -215,6 +226,11 @@ fn flaws(cases: u64) -> (Vec<String>, Counts) {
                 }
             };
             flaws.extend(why.map(|why| format!("{seed}, {}: {why}", operation.name())));
+            let why = match pair.exactly(operation) {
+                Err(why) => Some(why),
+                Ok((limit, scene)) => flaw(&limit, &scene, cells.len(), squares(&cells)),
+            };
+            flaws.extend(why.map(|why| format!("{seed}, {} exactly: {why}", operation.name())));
         }
     }
     (flaws, all)

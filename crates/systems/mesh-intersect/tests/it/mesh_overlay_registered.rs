@@ -32,7 +32,7 @@ fn by_contacts(first: &Shape, second: &Shape) -> Became {
     };
     assert_eq!(steps, 5);
     let mut exact = Exact.prepare(&scene, Off).unwrap();
-    let truth = mesh_overlay(&mut exact, meshes, Zeros::Refused).unwrap();
+    let truth = mesh_overlay(&mut exact, meshes, Zeros::Zero).unwrap();
     assert_eq!(overlay.regions(), truth.regions(), "{:?}", pair.shapes);
     assert_eq!(overlay.constructions(), truth.constructions());
     let reach = scene.coordinates().iter().fold(0.0_f64, |reach, x| reach.max(x.abs()));

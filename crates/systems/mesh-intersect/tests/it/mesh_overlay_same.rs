@@ -41,7 +41,7 @@ impl<P: Predicates> Predicates for Counted<P> {
 fn overlaid(pair: &Pair, moves: bool) -> (MeshOverlay, usize) {
     let session = PerMesh.prepare(&pair.scene, Off).unwrap();
     let mut session = Counted { session, moves, asked: AtomicUsize::new(0) };
-    let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Refused).unwrap();
+    let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Zero).unwrap();
     (overlay, session.asked.into_inner())
 }
 

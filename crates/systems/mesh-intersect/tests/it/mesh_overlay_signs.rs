@@ -32,7 +32,7 @@ fn the_answer_is_the_same_on_any_number_of_threads() {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
             let mut session: Box<dyn Predicates> = Box::new(PerMesh.prepare(&pair.scene, Off).unwrap());
-            told(&mesh_overlay(&mut session, pair.meshes(), Zeros::Refused).unwrap())
+            told(&mesh_overlay(&mut session, pair.meshes(), Zeros::Zero).unwrap())
         })
     };
     let one = on(1);
@@ -40,19 +40,23 @@ fn the_answer_is_the_same_on_any_number_of_threads() {
     assert_eq!(one, on(2));
     assert_eq!(one, on(3));
     let mut exact = Exact.prepare(&pair.scene, Off).unwrap();
-    assert_eq!(one, told(&mesh_overlay(&mut exact, pair.meshes(), Zeros::Refused).unwrap()), "nothing is tied");
+    assert_eq!(one, told(&mesh_overlay(&mut exact, pair.meshes(), Zeros::Zero).unwrap()), "nothing is tied");
 }
 
 #[test]
-fn a_zero_is_refused_or_positive() {
+fn a_zero_is_a_zero_or_positive() {
     // A corner of the second stands on a face of the first, and on nothing else: it counts as behind the face if zeros
     // are positive.
     let stands = Shape::tetrahedron([[3., 2., 8.], [2., 1., 12.], [7., 3., 12.], [4., 6., 12.]]);
     let pair = Pair::new(Shape::cuboid([0.; 3], [8.; 3]), stands);
     let corner = pair.scene.vertices().find(|&v| pair.scene.point3(v) == [3., 2., 8.]).unwrap();
     let mut session = Exact.prepare(&pair.scene, Off).unwrap();
-    let Err(Undone::Touch(touch)) = mesh_overlay(&mut session, pair.meshes(), Zeros::Refused) else { panic!() };
-    assert!(touch.mesh == 1 && touch.edge.contains(&corner), "{touch:?}");
+    let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Zero).unwrap();
+    pair.laws(session.scene(), &overlay);
+    let contacts = overlay.contacts();
+    assert_eq!((overlay.constructions().len(), contacts.points), (0, vec![corner]), "the corner is on the face");
+    assert!(contacts.segments.is_empty() && contacts.faces.is_empty());
+    let mut session = Exact.prepare(&pair.scene, Off).unwrap();
     let overlay = mesh_overlay(&mut session, pair.meshes(), Zeros::Positive).unwrap();
     assert_eq!(overlay.constructions().len(), 3, "each edge at the corner passes through");
     pair.laws(session.scene(), &overlay);
@@ -128,7 +132,7 @@ fn outcome(result: Result<MeshOverlay, Undone>) -> &'static str {
             told(&overlay);
             "done"
         }
-        Err(Undone::Touch(_) | Undone::Contact(_)) => "touch",
+        Err(Undone::Contact(_)) => "contact",
         Err(Undone::Refused(_)) => "refused",
         Err(Undone::Broken(broken)) => broken.rule(),
     }
@@ -148,10 +152,14 @@ fn signs_that_mean_nothing_end() {
         overlay(&mut liar(3 + seed), Zeros::Positive);
         let exact = Exact.prepare(scene, Off).unwrap();
         overlay(&mut Slip { honest: &exact, liar: liar(5), odds: 30 }, Zeros::Positive);
-        for zeros in [Zeros::Positive, Zeros::Refused] {
+        for zeros in [Zeros::Positive, Zeros::Zero] {
             let takes = Takes(scene.clone());
             overlay(&mut Lies { liar: liar(1 << 40), session: takes, is_honest_in_space: false }, zeros);
             let honest = PerMesh.prepare(scene, Off).unwrap();
+            overlay(&mut Lies { liar: liar(3 + seed), session: honest, is_honest_in_space: true }, zeros);
+            let honest = Exact.prepare(scene, Off).unwrap();
+            overlay(&mut Lies { liar: liar(3), session: honest, is_honest_in_space: false }, zeros);
+            let honest = Exact.prepare(scene, Off).unwrap();
             overlay(&mut Lies { liar: liar(3 + seed), session: honest, is_honest_in_space: true }, zeros);
             let honest = sos.prepare(scene, Off).unwrap();
             overlay(&mut Lies { liar: liar(1 << 40), session: honest, is_honest_in_space: true }, zeros);

@@ -146,7 +146,7 @@ fn united(seed: u64) -> Rounded {
     let scene = Scene::from_points3(&both.points).unwrap().with_second_mesh((first..all).map(Vertex::input));
     let meshes = [Arc::new(sphere.mesh(0, all)), Arc::new(other.mesh(first, all))];
     let mut session = PerMesh.prepare(&scene, Off).unwrap();
-    let overlay = mesh_overlay(&mut session, meshes, Zeros::Refused).unwrap();
+    let overlay = mesh_overlay(&mut session, meshes, Zeros::Zero).unwrap();
     let perturbed = session.scene().clone();
     let mut exact = Exact.prepare(&perturbed, Off).unwrap();
     let limit = limit(&mut exact, &overlay, overlay.solid(Operation::Union)).unwrap();

@@ -243,7 +243,7 @@ impl Cutting<'_> {
 }
 
 /// The coordinate plane in which a triangle has the largest area, and true if it is clockwise there.
-fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane, bool), Contradiction> {
+pub(super) fn projection(session: &dyn Predicates, triangle: [Vertex; 3]) -> Result<(Plane, bool), Contradiction> {
     let [a, b, c] = triangle;
     let [from, to, third] = triangle.map(|v| session.scene().point3(v));
     let area = |i: usize, j: usize| {

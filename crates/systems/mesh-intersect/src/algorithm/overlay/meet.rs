@@ -10,8 +10,8 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 use rayon::prelude::*;
 
+use super::Zeros;
 use super::near::{Near, number};
-use super::{Touch, Zeros};
 
 /// The number of triangles in one thread's work item.
 const PART: usize = 256;
@@ -29,8 +29,6 @@ pub(super) struct Hit {
 /// The edges of one mesh and the triangles of the other, to be tested in one direction.
 pub(super) struct Question<'a> {
     pub session: &'a dyn Predicates,
-    /// The mesh of the edges, 0 or 1.
-    pub mesh: u8,
     pub edges: &'a Near,
     pub of: &'a MaterialMesh,
     pub triangles: &'a Near,
@@ -41,8 +39,8 @@ impl Question<'_> {
     /// All edges that pass through triangles, by triangle, then by edge.
     ///
     /// # Errors
-    /// An edge that touches a triangle, if zeros are refused: the first by triangle.
-    pub fn hits(&self) -> Result<Vec<Hit>, Touch> {
+    /// [`Touches`] if an edge touches a triangle, and a zero is a zero.
+    pub fn hits(&self) -> Result<Vec<Hit>, Touches> {
         let scene = self.session.scene();
         let edges = &self.edges.edges;
         let box_of = |ends: &[Vertex; 2]| Bounds::of(ends.map(|v| scene.point3(v)));
@@ -72,7 +70,7 @@ impl Question<'_> {
         boxes: &[Bounds<3>],
         asked: &mut Asked,
         hits: &mut Vec<Hit>,
-    ) -> Result<(), Touch> {
+    ) -> Result<(), Touches> {
         let triangle = self.of.triangles()[self.triangles.triangles[place] as usize];
         let scene = self.session.scene();
         let bounds = Bounds::of(triangle.map(|v| scene.point3(v)));
@@ -96,13 +94,12 @@ impl Question<'_> {
         for (&edge, &places) in asked.edges.iter().zip(&asked.places) {
             let ends = self.edges.edges[edge as usize];
             let sides = places.map(|place| asked.signs[place as usize]);
-            let touch = || Touch { mesh: self.mesh, edge: ends, triangle: self.triangles.triangles[place] };
             let passes = match self.zeros {
                 Zeros::Positive => {
                     let sides = sides.map(or_positive);
                     sides[0] != sides[1] && self.turns(ends, triangle, or_positive).is_ok_and(is_one_sign)
                 }
-                Zeros::Refused => {
+                Zeros::Zero => {
                     if !sides[0].is_zero() && sides[0] == sides[1] {
                         continue;
                     }
@@ -110,11 +107,11 @@ impl Question<'_> {
                         if is_apart(self.session, ends, triangle) {
                             continue;
                         }
-                        return Err(touch());
+                        return Err(Touches);
                     }
                     let Ok(turns) = self.turns(ends, triangle, |sign| sign) else { continue };
                     if turns.contains(&Sign::Zero) || sides.contains(&Sign::Zero) {
-                        return Err(touch());
+                        return Err(Touches);
                     }
                     true
                 }
@@ -151,6 +148,9 @@ impl Question<'_> {
         Ok([first, second, third])
     }
 }
+
+/// The result for an edge and a triangle that touch: with an end, at the border, or along a part.
+pub(super) struct Touches;
 
 /// The result for a line that meets the plane of a triangle outside it.
 struct PassesBy;

@@ -20,8 +20,8 @@
 //! # Zeros
 //! The algorithm is for meshes between which nothing is degenerate, as under Simulation of Simplicity; in the paper one
 //! mesh moves by (ε, ε², ε³), which is `sos:per-mesh` here. If a session returns zero where an edge and a triangle
-//! touch, the overlay can be refused, with the edge and the triangle ([`Zeros::Refused`]), or the zero can count as
-//! positive ([`Zeros::Positive`]), as in programs that compare with `>=`. A session that registers contacts has a
+//! touch, the overlay goes over to all cases of contact ([`Zeros::Zero`], `touching`), or the zero can count as positive
+//! ([`Zeros::Positive`]), as in programs that compare with `>=`. A session that registers contacts has a
 //! separate function ([`mesh_overlay_registered`]). Between two vertices, edges or triangles of one mesh, only the
 //! order of triangles around an edge and the plane that a triangle is seen in are tested: each mesh may have coplanar
 //! triangles.
@@ -47,7 +47,7 @@
 //! let first = Arc::new(MaterialMesh::of_closed(4, triangles.to_vec())?);
 //! let second = Arc::new(MaterialMesh::clone(&first).shifted(4));
 //! let mut session = Exact.prepare(&scene, Off)?;
-//! let overlay = mesh_overlay(&mut session, [first, second], Zeros::Refused)?;
+//! let overlay = mesh_overlay(&mut session, [first, second], Zeros::Zero)?;
 //! // The part of both is a smaller tetrahedron: one face of the first, three of the second, two of them cut off.
 //! assert_eq!(overlay.solid(Operation::Intersection).triangles.len(), 4);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -65,6 +65,7 @@ mod regions;
 mod registered;
 mod result;
 mod same;
+mod touching;
 
 use std::num::NonZero;
 use std::sync::Arc;
@@ -77,6 +78,7 @@ pub use crate::answer::{Regions, Source};
 pub use contradiction::{Contradiction, SurfaceContradiction};
 pub use registered::{Registered, mesh_overlay_registered};
 pub use result::Solid;
+pub use touching::{Contact, Contacts, Shared};
 
 use self::cut::Cutting;
 use self::meet::{Hit, Question};
@@ -88,28 +90,15 @@ use self::regions::Known;
 /// The meaning of a zero between the two meshes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Zeros {
-    /// A contact of an edge and a triangle is refused: there is no result.
-    Refused,
+    /// A zero is a zero: meshes that touch are overlaid by cases.
+    Zero,
     /// A zero counts as positive.
     Positive,
-}
-
-/// An edge of one mesh that touches a triangle of the other: with an end, at the border, or along a part.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub struct Touch {
-    /// The mesh of the edge: 0 for the first.
-    pub mesh: u8,
-    /// The ends of the edge.
-    pub edge: [Vertex; 2],
-    /// The index of the triangle in the other mesh.
-    pub triangle: u32,
 }
 
 /// The reason why there is no overlay.
 #[derive(Clone, PartialEq, Debug)]
 pub enum Undone {
-    /// An edge and a triangle touch.
-    Touch(Touch),
     /// Two simplices smaller than an edge and a triangle are registered as in contact: the vertices of the first mesh's
     /// simplex, and of the second's.
     Contact([Vec<Vertex>; 2]),
@@ -125,14 +114,15 @@ impl From<Refused> for Undone {
     }
 }
 
+impl From<Contradiction> for Undone {
+    fn from(broken: Contradiction) -> Undone {
+        Undone::Broken(broken)
+    }
+}
+
 impl std::fmt::Display for Undone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Undone::Touch(Touch { mesh, edge: [a, b], triangle }) => write!(
-                f,
-                "the edge of vertices {a} and {b} of the {} mesh touches triangle {triangle} of the other",
-                ["first", "second"][usize::from(*mesh)]
-            ),
             Undone::Contact(simplices) => {
                 let [first, second] = simplices.each_ref().map(|simplex| {
                     let kind = ["vertex", "edge", "triangle"].get(simplex.len().wrapping_sub(1)).unwrap_or(&"simplex");
@@ -168,6 +158,8 @@ pub struct MeshOverlay {
     whole: [Vec<Option<NonZero<u32>>>; 2],
     /// The pieces of cut triangles, in order.
     pieces: [Vec<Piece>; 2],
+    /// The parts of triangles of both meshes, in order.
+    shared: Vec<Shared>,
     constructions: Vec<Construction>,
 }
 
@@ -187,12 +179,18 @@ impl MeshOverlay {
         &self.pieces[mesh]
     }
 
+    /// The parts of triangles of both meshes that coincide.
+    #[must_use]
+    pub fn shared(&self) -> &[Shared] {
+        &self.shared
+    }
+
     /// The memory of the overlay without the meshes, in bytes.
     #[must_use]
     pub fn bytes(&self) -> usize {
         let whole: usize = self.whole.iter().map(|whole| size_of_val(&whole[..])).sum();
         let pieces: usize = self.pieces.iter().map(|pieces| size_of_val(&pieces[..])).sum();
-        whole + pieces + size_of_val(&self.constructions[..])
+        whole + pieces + size_of_val(&self.shared[..]) + size_of_val(&self.constructions[..])
     }
 
     /// The overlay's new constructions in the session, in the order of the vertices: all of its points in a new
@@ -206,8 +204,7 @@ impl MeshOverlay {
 /// Overlays two meshes with disjoint vertices in one scene.
 ///
 /// # Errors
-/// [`Undone`] if the session returns zero and zeros are refused, does not construct a point, or has signs that break an
-/// invariant.
+/// [`Undone`] if the session does not construct a point, or has signs that break an invariant.
 pub fn mesh_overlay(
     session: &mut dyn Predicates,
     meshes: [Arc<MaterialMesh>; 2],
@@ -279,9 +276,12 @@ fn run(
     let hits = |mesh: u8| {
         let [own, other] = [usize::from(mesh), usize::from(1 - mesh)];
         let session = &*session;
-        Question { session, mesh, edges: near[own], of: both[other], triangles: near[other], zeros }.hits()
+        Question { session, edges: near[own], of: both[other], triangles: near[other], zeros }.hits()
     };
-    let hits = [hits(0).map_err(Undone::Touch)?, hits(1).map_err(Undone::Touch)?];
+    let (Ok(first), Ok(second)) = (hits(0), hits(1)) else {
+        return touching::overlay(session, &meshes, extent, done);
+    };
+    let hits = [first, second];
     done(Step::Passages);
     finish(session, &meshes, before, (near, &bounds), hits, extent, done)
 }
@@ -330,5 +330,5 @@ fn finish(
     }
     let constructions = session.scene().constructions()[before..].to_vec();
     done(Step::Faces);
-    Ok(MeshOverlay { meshes: meshes.clone(), whole, pieces, constructions })
+    Ok(MeshOverlay { meshes: meshes.clone(), whole, pieces, shared: Vec::new(), constructions })
 }

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 const PART: usize = 16384;
 
 /// The triangles of a mesh that may meet the other one.
+#[derive(Default)]
 pub(super) struct Near {
     /// The indices of the triangles in the mesh, ascending.
     pub triangles: Vec<u32>,
@@ -55,11 +56,17 @@ impl Near {
     }
 
     fn new(mesh: &MaterialMesh, triangles: Vec<u32>) -> Near {
-        let corners = |&place: &u32| mesh.triangles()[place as usize];
-        let smallest = triangles.iter().flat_map(corners).map(Vertex::index).min().unwrap_or(0);
-        let largest = triangles.iter().flat_map(corners).map(Vertex::index).max().unwrap_or(0);
+        let corners: Vec<[Vertex; 3]> = triangles.iter().map(|&place| mesh.triangles()[place as usize]).collect();
+        Near { triangles, ..Near::default() }.over(&corners)
+    }
+
+    /// The same triangles with these corners.
+    pub fn over(self, corners: &[[Vertex; 3]]) -> Near {
+        let triangles = self.triangles;
+        let smallest = corners.as_flattened().iter().map(|v| v.index()).min().unwrap_or(0);
+        let largest = corners.as_flattened().iter().map(|v| v.index()).max().unwrap_or(0);
         let side = |[a, b]: [Vertex; 2]| (a.min(b).index() - smallest, a.max(b));
-        let sides = || triangles.iter().map(corners).flat_map(|[a, b, c]| [[a, b], [b, c], [c, a]]).map(side);
+        let sides = || corners.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]).map(side);
         // Counting sort by the smaller vertex; few edges share it, and these are sorted by the larger.
         let mut starts = vec![0_u32; largest - smallest + 2];
         sides().for_each(|(from, _)| starts[from + 1] += 1);

@@ -38,3 +38,8 @@ fn is_opposite(session: &dyn Predicates, [a, b]: [Vertex; 2], v: Vertex, w: Vert
             !sides[0].is_zero() && sides[0] == -sides[1]
         })
 }
+
+/// True if two vertices are in one half-plane that ends at an axis.
+pub(super) fn is_along(session: &dyn Predicates, [a, b]: [Vertex; 2], v: Vertex, w: Vertex) -> bool {
+    session.orient3d(a, b, v, w).is_zero() && !is_opposite(session, [a, b], v, w)
+}

@@ -23,12 +23,18 @@ const UNKNOWN: u32 = u32::MAX;
 const PART: usize = 16384;
 
 /// Sets of vertices, by union-find.
-struct Sets {
+pub(super) struct Sets {
     parent: Vec<u32>,
 }
 
 impl Sets {
-    fn find(&mut self, v: u32) -> u32 {
+    /// Sets of one number each.
+    pub fn new(count: usize) -> Sets {
+        Sets { parent: (0..number(count)).collect() }
+    }
+
+    /// The representative of a set.
+    pub fn find(&mut self, v: u32) -> u32 {
         let mut at = v;
         loop {
             let up = self.parent[at as usize];
@@ -42,7 +48,7 @@ impl Sets {
     }
 
     /// Joins two sets; the larger number is the representative.
-    fn join(&mut self, a: u32, b: u32) {
+    pub fn join(&mut self, a: u32, b: u32) {
         let [a, b] = [self.find(a), self.find(b)];
         self.parent[a.min(b) as usize] = a.max(b);
     }
@@ -173,16 +179,8 @@ impl Known<'_> {
         if unknown.is_empty() {
             return Ok(Vec::new());
         }
-        let index = MeshIndex::new(Arc::clone(mesh), self.session.scene());
         let queries: Vec<Vertex> = unknown.values().copied().collect();
-        let locations = match self.extent {
-            Extent::Whole => locate_all(&index, self.session, &queries, &|_| true),
-            // The cells without triangles have no known region; a ray straight up stays in the column.
-            Extent::Columns => {
-                let up = |&q: &Vertex| index.question(self.session, q, Ray::UP, &mut Scratch::default());
-                predicament_grid::parallel::all(&queries, &up)
-            }
-        };
+        let locations = locations(self.session, mesh, &queries, self.extent);
         let region = |(root, location)| match location {
             Location::In(region) => Ok((root, region)),
             Location::On(_) | Location::Contradiction | Location::Undecided => {
@@ -190,5 +188,26 @@ impl Known<'_> {
             }
         };
         unknown.into_keys().zip(locations).map(region).collect()
+    }
+}
+
+/// The locations of vertices in a mesh.
+pub(super) fn locations(
+    session: &dyn Predicates,
+    mesh: &Arc<MaterialMesh>,
+    queries: &[Vertex],
+    extent: Extent,
+) -> Vec<Location> {
+    if queries.is_empty() {
+        return Vec::new();
+    }
+    let index = MeshIndex::new(Arc::clone(mesh), session.scene());
+    match extent {
+        Extent::Whole => locate_all(&index, session, queries, &|_| true),
+        // The cells without triangles have no known region; a ray straight up stays in the column.
+        Extent::Columns => {
+            let up = |&q: &Vertex| index.question(session, q, Ray::UP, &mut Scratch::default());
+            predicament_grid::parallel::all(queries, &up)
+        }
     }
 }

@@ -6,7 +6,7 @@ use predicament_mesh::half_edge::{ConversionError, HalfEdgeMesh, IndexedFaces};
 use predicament_predicates::Vertex;
 use rayon::prelude::*;
 
-use super::{MeshOverlay, Piece};
+use super::{MeshOverlay, Piece, Shared};
 use predicament_overlay::algorithm::overlay::Operation;
 
 /// The number of triangles in one thread's work item.
@@ -50,7 +50,8 @@ impl Solid {
 impl MeshOverlay {
     /// The result of an operation on the insides of the meshes: all of their regions.
     ///
-    /// Triangles of the first mesh come first, whole triangles before pieces, both in the order of the mesh.
+    /// Triangles of the first mesh come first, whole triangles before pieces, both in the order of the mesh. Parts of
+    /// triangles of both meshes come last, with the first mesh's triangle as source.
     #[must_use]
     pub fn solid(&self, operation: Operation) -> Solid {
         let mut solid = Solid::default();
@@ -86,6 +87,15 @@ impl MeshOverlay {
                 solid.turned.push(is_turned);
             }
         }
+        for shared in &self.shared {
+            let inside = self.sides_of_shared(shared).map(|pair| operation.holds(pair.map(|region| region != OUTSIDE)));
+            if inside[0] != inside[1] {
+                let [a, b, c] = shared.triangle;
+                solid.triangles.push(if inside[1] { [a, b, c] } else { [a, c, b] });
+                solid.sources.push(Source { mesh: 0, triangle: shared.of[0] });
+                solid.turned.push(inside[0]);
+            }
+        }
         solid
     }
 
@@ -107,15 +117,35 @@ impl MeshOverlay {
             self.meshes[usize::from(*side)].sides()[piece.of as usize].map(pair)
         };
         pairs.extend(all.iter().flat_map(of));
+        pairs.extend(self.shared.iter().flat_map(|shared| self.sides_of_shared(shared)));
         pairs.sort_unstable();
         pairs.dedup();
         let number = |pair: [u32; 2]| super::near::number(pairs.partition_point(|other| *other < pair));
+        let shared = || self.shared.iter();
         Regions {
-            triangles: all.iter().map(|(_, piece)| piece.triangle).collect(),
-            sides: all.iter().map(|one| of(one).map(number)).collect(),
-            sources: all.iter().map(|&(mesh, piece)| Source { mesh, triangle: piece.of }).collect(),
+            triangles: all.iter().map(|(_, piece)| piece.triangle).chain(shared().map(|part| part.triangle)).collect(),
+            sides: all
+                .iter()
+                .map(|one| of(one).map(number))
+                .chain(shared().map(|part| self.sides_of_shared(part).map(number)))
+                .collect(),
+            sources: all
+                .iter()
+                .map(|&(mesh, piece)| Source { mesh, triangle: piece.of })
+                .chain(shared().map(|part| Source { mesh: 0, triangle: part.of[0] }))
+                .collect(),
+            also: shared().map(|part| part.of[1]).collect(),
             pairs,
         }
+    }
+
+    /// The pair of regions of both meshes in front of a part of both, and behind it.
+    pub(super) fn sides_of_shared(&self, shared: &Shared) -> [[u32; 2]; 2] {
+        let [first, mut second] = [0, 1].map(|mesh: usize| self.meshes[mesh].sides()[shared.of[mesh] as usize]);
+        if shared.is_turned {
+            second.reverse();
+        }
+        [0, 1].map(|side: usize| [first[side], second[side]])
     }
 
     fn whole_piece(&self, side: usize, place: usize) -> Option<Piece> {

@@ -2,7 +2,7 @@
 //!
 //! Triangles of one plane that meet are cut together, so their common part is cut in one way. In their plane the edges
 //! of all of them, and the traces of the triangles of other planes that meet one of them, are arranged
-//! ([`mod@predicament_overlay::algorithm::overlay`]) and triangulated (`planar.rs`).
+//! ([`mod@predicament_overlay::algorithm::overlay`]) and triangulated ([`crate::algorithm::planar`]).
 //!
 //! A trace may extend beyond the triangle that it cuts, and cross others there. This has no effect: parts outside are
 //! left out. Inside, each point of a trace is a point of both triangles, so both are cut at the same points.
@@ -12,11 +12,11 @@ use std::collections::BTreeMap;
 use predicament_predicates::{Construction, Plane, Predicates, Sign, Vertex};
 
 use super::faces::{Face, side, turn};
-use super::planar::Points;
 use crate::algorithm::limit::Places;
 use crate::algorithm::limit::plane::{InPlane, Line};
 use crate::algorithm::limit::sheets::view;
 use crate::algorithm::overlay::{SurfaceContradiction, Undone};
+use crate::algorithm::planar::Points;
 use predicament_overlay::algorithm::overlay::{Edge, Method, arrange};
 
 /// Groups of triangles that meet others.

@@ -45,12 +45,12 @@ fn is_flat(session: &dyn Predicates, [a, b, c]: [Vertex; 3]) -> bool {
 }
 
 /// The turn of three vertices in a coordinate plane; zero if two of them are one vertex.
-pub(super) fn turn(session: &dyn Predicates, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
+pub(crate) fn turn(session: &dyn Predicates, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
     if a == b || b == c || c == a { Sign::Zero } else { session.orient2d(plane, a, b, c) }
 }
 
 /// The side of a triangle's plane on which a vertex is: positive behind it; zero for a corner.
-pub(super) fn side(session: &dyn Predicates, corners: [Vertex; 3], v: Vertex) -> Sign {
+pub(crate) fn side(session: &dyn Predicates, corners: [Vertex; 3], v: Vertex) -> Sign {
     let [a, b, c] = corners;
     if corners.contains(&v) { Sign::Zero } else { session.orient3d(a, b, c, v) }
 }

@@ -35,8 +35,7 @@
 //! other than doubles are: such parts merge, or vanish.
 
 mod cut;
-mod faces;
-mod planar;
+pub(crate) mod faces;
 mod winding;
 
 use predicament_predicates::{Declined, Predicates, Scene, SceneError, Vertex};

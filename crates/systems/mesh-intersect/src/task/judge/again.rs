@@ -98,7 +98,9 @@ impl Judging<'_> {
         let of = |at: usize| {
             judged.laws.of_result(at).into_iter().map(|(source, measure)| (places(source), measure)).collect()
         };
-        Some([0, 1, 2, 3].map(of))
+        // Parts of two triangles may have the other one as source.
+        let together = self.laws.together();
+        Some([0, 1, 2, 3].map(of).map(|sums| together.merged(sums)))
     }
 
     fn with_exchanged(&self, asked: &Asked<'_>, is_exact: bool, found: &mut Violations) {
@@ -119,8 +121,9 @@ impl Judging<'_> {
         let Some(other) = Other::new(&points, [second, first]) else { return };
         let back = |source: Source| Source { mesh: 1 - source.mesh, ..source };
         let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let own = [0, 1, 2, 3].map(|at| self.laws.of_result(at));
-        let second = self.laws.of_mesh(1);
+        let together = self.laws.together();
+        let own = [0, 1, 2, 3].map(|at| together.merged(self.laws.of_result(at)));
+        let second = together.merged(self.laws.of_mesh(1));
         // The difference of the second and the first, together with the intersection, is the second.
         let laws: [(&str, Vec<(&Sums, i32)>); 4] = [
             ("the unions are the same", vec![(&own[0], 1), (&results[0], -1)]),
@@ -173,7 +176,8 @@ impl Judging<'_> {
             _ => Source { triangle: places.get(source.triangle as usize).copied().unwrap_or(beyond), ..source },
         };
         let Some(results) = self.results_of(&other, asked, CHECK, &back, found) else { return };
-        let left = left(&[(&self.laws.of_result(2), 1), (&results[1], -1)]);
+        let own = self.laws.together().merged(self.laws.of_result(2));
+        let left = left(&[(&own, 1), (&results[1], -1)]);
         if let Some((source, _)) = left.first_key_value() {
             let of = if source.triangle == beyond { "the box".to_owned() } else { name(*source) };
             let got = format!("{} triangles, first {of}: its parts differ", left.len());

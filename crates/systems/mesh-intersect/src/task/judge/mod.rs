@@ -104,7 +104,7 @@ pub(super) fn judge(
         judged.measured(&exact, &measures, outcome)?;
     }
     asked.watch.done(0)?;
-    laws.topology(found);
+    laws.topology(asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact, found);
     asked.watch.done(0)?;
     let settlement = judged.settlement(found);
     if let Some(settlement) = &settlement {

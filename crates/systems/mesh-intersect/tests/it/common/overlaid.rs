@@ -4,9 +4,7 @@ use std::collections::BTreeMap;
 
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{Points, rational};
-use predicament_mesh_intersect::algorithm::overlay::{
-    MeshOverlay, Regions, Source, Touch, Undone, Zeros, mesh_overlay,
-};
+use predicament_mesh_intersect::algorithm::overlay::{MeshOverlay, Regions, Source, Undone, Zeros, mesh_overlay};
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Predicates, Scene, Vertex};
 use rug::Rational;
@@ -28,7 +26,6 @@ pub struct Pair {
 #[derive(Clone, Copy, Default, Debug)]
 pub struct Seen {
     pub done: usize,
-    pub touching: usize,
     pub refused: usize,
     /// Constructed vertices, triangles whose region the judge confirmed, and triangles of no area.
     pub constructed: usize,
@@ -39,7 +36,6 @@ pub struct Seen {
 impl std::ops::AddAssign for Seen {
     fn add_assign(&mut self, other: Seen) {
         self.done += other.done;
-        self.touching += other.touching;
         self.refused += other.refused;
         self.constructed += other.constructed;
         self.located += other.located;
@@ -92,10 +88,6 @@ impl Pair {
     pub fn check(&self, session: &mut dyn Predicates, zeros: Zeros) -> Seen {
         match mesh_overlay(session, self.meshes(), zeros) {
             Ok(overlay) => self.laws(session.scene(), &overlay),
-            Err(Undone::Touch(touch)) => {
-                assert!(self.do_touch(touch), "{touch:?} of {:?}", self.shapes);
-                Seen { touching: 1, ..Seen::default() }
-            }
             Err(Undone::Contact(simplices)) => panic!("{simplices:?}: signs register nothing"),
             Err(Undone::Refused(_)) => Seen { refused: 1, ..Seen::default() },
             Err(Undone::Broken(rule)) => panic!("{rule}: {:?}", self.shapes),
@@ -189,12 +181,20 @@ impl Pair {
     /// Asserts that pieces of a triangle are in it, have its orientation, and its area together.
     fn assert_parts(&self, regions: &Regions, at: &dyn Fn(&[Vertex; 3]) -> [Point; 3]) {
         let mut areas: BTreeMap<[usize; 2], Point> = BTreeMap::new();
-        for (triangle, source) in regions.triangles.iter().zip(&regions.sources) {
-            let (mesh, of) = (usize::from(source.mesh), source.triangle as usize);
+        let alone = regions.triangles.len() - regions.also.len();
+        let of_both = regions.triangles[alone..].iter().zip(regions.also.iter().map(|&at| (1, at as usize)));
+        let all =
+            regions.triangles.iter().zip(regions.sources.iter().map(|of| (usize::from(of.mesh), of.triangle as usize)));
+        for (place, (triangle, (mesh, of))) in all.chain(of_both).enumerate() {
             let [corners, normal] = [at(triangle), self.source(mesh, of)];
             self.assert_of(&corners, mesh, of);
-            let area = area(&corners);
-            assert!(dot(&area, &super::volumes::area(&normal)).cmp0().is_ge(), "turned over: {:?}", self.shapes);
+            let mut area = area(&corners);
+            let is_turned = dot(&area, &super::volumes::area(&normal)).cmp0().is_lt();
+            if is_turned && place >= regions.triangles.len() {
+                area.iter_mut().for_each(|x| *x = -x.clone());
+            } else {
+                assert!(!is_turned, "turned over: {:?}", self.shapes);
+            }
             let sum = areas.entry([mesh, of]).or_default();
             sum.iter_mut().zip(&area).for_each(|(sum, x)| *sum += x);
         }
@@ -219,7 +219,8 @@ impl Pair {
                 continue;
             }
             let is_whole = triangle.iter().all(|v| !v.is_constructed());
-            if place % 5 == 0 || !is_whole && place % 3 == 0 {
+            let is_alone = place + regions.also.len() < regions.triangles.len();
+            if is_alone && (place % 5 == 0 || !is_whole && place % 3 == 0) {
                 let centroid = [0, 1, 2]
                     .map(|i: usize| (Rational::from(&corners[0][i] + &corners[1][i]) + &corners[2][i]).to_f64() / 3.0);
                 queries.push((place, centroid));
@@ -248,15 +249,6 @@ impl Pair {
             }
         }
         (located, flat)
-    }
-
-    /// True if an edge and a triangle have a point in common, other than by a passage of the edge through the triangle.
-    fn do_touch(&self, Touch { mesh, edge, triangle }: Touch) -> bool {
-        let mesh = usize::from(mesh);
-        let meshes = self.meshes();
-        let corners = meshes[1 - mesh].triangles()[triangle as usize];
-        assert!(meshes[mesh].triangles().iter().any(|of| edge.iter().all(|v| of.contains(v))), "an edge of the mesh");
-        self.touches(edge, corners)
     }
 
     /// True if anything touches.

@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet, VecDeque};
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 /// Points seen in a coordinate plane.
-pub(super) struct Points<'a> {
+pub(crate) struct Points<'a> {
     pub session: &'a dyn Predicates,
     pub plane: Plane,
     /// The vertices, all at different positions.
