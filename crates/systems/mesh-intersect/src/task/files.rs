@@ -4,6 +4,7 @@ use predicament_predicates::{Scene, Vertex};
 use serde_json::json;
 
 use super::settled::{Result, Settled};
+use crate::algorithm::overlay::Contacts;
 use predicament_tasks::output::{self, Error, Files};
 
 /// Offers a mesh for each operation, and `rounding.json` with the statistics of the limit and of rounding for each.
@@ -20,6 +21,24 @@ pub(super) fn settled(settled: &Settled, files: &mut Files) -> std::result::Resu
     files.json("rounding.json", || {
         let counts = settled.by_operation().map(|(operation, result)| (operation.name().to_owned(), told(result)));
         serde_json::Value::Object(counts.collect())
+    })
+}
+
+/// The points, segments and faces where two solids touch, by vertices, with the coordinates of input vertices. The file
+/// of all vertices has the others.
+pub(super) fn contacts(contacts: &Contacts, place: &dyn Fn(Vertex) -> Option<[f64; 3]>) -> serde_json::Value {
+    let vertex = |v: Vertex| match place(v) {
+        Some(point) => json!({ "vertex": v.to_string(), "point": point }),
+        None => json!({ "vertex": v.to_string() }),
+    };
+    let faces = contacts.faces.iter().map(|face| {
+        let triangles: Vec<_> = face.triangles.iter().map(|triangle| triangle.map(vertex)).collect();
+        json!({ "triangle_of_first": face.of[0], "triangle_of_second": face.of[1], "triangles": triangles })
+    });
+    json!({
+        "points": contacts.points.iter().map(|&v| vertex(v)).collect::<Vec<_>>(),
+        "segments": contacts.segments.iter().map(|ends| ends.map(vertex)).collect::<Vec<_>>(),
+        "faces": faces.collect::<Vec<_>>(),
     })
 }
 

@@ -21,7 +21,7 @@ mod spoiled;
 mod spoiled_results;
 
 use crate::algorithm::overlay::{
-    Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
+    Contacts, Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
 };
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
@@ -58,6 +58,8 @@ pub struct Overlaid {
     pub solids: [Vec<[Vertex; 3]>; 4],
     /// For each triangle of these, its source.
     pub sources: [Vec<OfMesh>; 4],
+    /// Where the solids touch without a common inside, if zeros are exact.
+    pub contacts: Contacts,
     /// The constructions.
     pub constructions: Vec<Construction>,
     /// The number of constructions that the scene had before.
@@ -101,6 +103,7 @@ impl Overlaid {
         Ok(Overlaid {
             settled: if settles { settled::settled(session, &overlay, &solids, before) } else { None },
             regions: overlay.regions(),
+            contacts: if settles { overlay.contacts() } else { Contacts::default() },
             sources: solids.each_ref().map(|solid| solid.sources.clone()),
             solids: solids.map(|solid| solid.triangles),
             rounded: output::rounded_points(session, before, constructions.len()),
@@ -313,6 +316,10 @@ impl Task for MeshIntersect {
             let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
             serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })
         })?;
+        if answer.contacts != Contacts::default() {
+            let place = |v: Vertex| placed.exact.construction(v).is_none().then(|| placed.exact.point3(v));
+            files.json("contacts.json", || files::contacts(&answer.contacts, &place))?;
+        }
         match &answer.rounded {
             None => output::vertices(files, &placed.exact, regions.triangles.as_flattened().iter().copied()),
             Some(_) => Ok(()),

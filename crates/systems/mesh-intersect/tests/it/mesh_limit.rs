@@ -143,21 +143,24 @@ impl Pair {
     }
 }
 
+/// The position of a vertex of a scene.
+fn place(scene: &Scene, v: Vertex) -> [Rational; 3] {
+    let mut points = Points::of(scene);
+    let point = match scene.construction(v) {
+        None => scene.point3(v).map(predicament_judge::rational).to_vec(),
+        Some(definition) => {
+            let v = points.construct(&[*definition]).unwrap()[0];
+            points.point(v).unwrap().into_owned()
+        }
+    };
+    point.try_into().unwrap()
+}
+
 /// The flaw of a limit, given the right numbers of unit cells and of squares around them.
 fn flaw(limit: &Limit, scene: &Scene, cells: usize, squares: usize) -> Option<String> {
-    let mut points = Points::of(scene);
     let mut place = BTreeMap::new();
     for &v in limit.solid.triangles.as_flattened() {
-        place.entry(v).or_insert_with(|| {
-            let point = match scene.construction(v) {
-                None => scene.point3(v).map(predicament_judge::rational).to_vec(),
-                Some(definition) => {
-                    let v = points.construct(&[*definition]).unwrap()[0];
-                    points.point(v).unwrap().into_owned()
-                }
-            };
-            <[Rational; 3]>::try_from(point).unwrap()
-        });
+        place.entry(v).or_insert_with(|| self::place(scene, v));
     }
     for (&v, point) in &place {
         assert_eq!(limit.places.nearest(scene, v), point.each_ref().map(nearest));
@@ -236,9 +239,91 @@ fn flaws(cases: u64) -> (Vec<String>, Counts) {
     (flaws, all)
 }
 
+/// The area, the length and the number of points where two sets of cells touch without a common cell beside.
+fn touching([a, b]: &[BTreeSet<Cell>; 2]) -> [usize; 3] {
+    // Around a square, an edge or a corner are the cells before and after it along each axis across it.
+    let around = |at: Cell, across: &[usize]| -> Vec<Cell> {
+        let mut cells = vec![at];
+        for &axis in across {
+            let before: Vec<Cell> = cells.iter().map(|&cell| moved(cell, axis, -1)).collect();
+            cells.extend(before);
+        }
+        cells
+    };
+    let touch = |at: Cell, across: &[usize]| {
+        let cells = around(at, across);
+        let has = |set: &BTreeSet<Cell>| cells.iter().any(|cell| set.contains(cell));
+        has(a) && has(b) && !cells.iter().any(|cell| a.contains(cell) && b.contains(cell))
+    };
+    // The squares at an edge along an axis, and the edges at a corner, each by the cell after it.
+    let squares_at = |at: Cell, axis: usize| -> Vec<(Cell, usize)> {
+        let [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        vec![(at, u), (moved(at, v, -1), u), (at, v), (moved(at, u, -1), v)]
+    };
+    let edges_at = |at: Cell| (0..3).flat_map(move |axis| [(at, axis), (moved(at, axis, -1), axis)]);
+    let is_square = |(at, axis): (Cell, usize)| touch(at, &[axis]);
+    let is_edge = |(at, axis): (Cell, usize)| {
+        touch(at, &[(axis + 1) % 3, (axis + 2) % 3]) && !squares_at(at, axis).into_iter().any(is_square)
+    };
+    let is_corner = |at: Cell| {
+        let squares = || edges_at(at).flat_map(|(at, axis)| squares_at(at, axis));
+        touch(at, &[0, 1, 2]) && !edges_at(at).any(is_edge) && !squares().any(is_square)
+    };
+    let range = || 0..7_i64;
+    let all = || range().flat_map(move |x| range().flat_map(move |y| range().map(move |z| [x, y, z])));
+    let along = |holds: &dyn Fn((Cell, usize)) -> bool| {
+        all().flat_map(|at| (0..3).map(move |axis| (at, axis))).filter(|&one| holds(one)).count()
+    };
+    [along(&is_square), along(&is_edge), all().filter(|&at| is_corner(at)).count()]
+}
+
+fn moved(mut cell: Cell, axis: usize, by: i64) -> Cell {
+    cell[axis] += by;
+    cell
+}
+
+#[test]
+fn contacts_of_cubes_are_counted() {
+    let mut seen = [0; 3];
+    for seed in 0..predicament_effort::some_or_all(30, 3_000) {
+        let mut random = Random(seed + 1);
+        let offset = [(); 3].map(|()| i64::from(random.whole(1) == 0.0));
+        let first = Cubes::random(&mut random, 1, [0; 3], 3);
+        let second = Cubes::random(&mut random, 2, offset, 2);
+        let units = [first.units(), second.units()];
+        // Without the cells of the first one, so that there are contacts.
+        let apart = Cubes { size: 1, from: [0; 3], cells: units[1].difference(&units[0]).copied().collect() };
+        for second in [&second, &apart] {
+            if second.cells.is_empty() {
+                continue;
+            }
+            let pair = Pair::new([&first, second], &mut random);
+            let mut session = Exact.prepare(&pair.scene, Off).unwrap();
+            let contacts = mesh_overlay(&mut session, pair.meshes.clone(), Zeros::Zero).unwrap().contacts();
+            let at = |v: Vertex| place(session.scene(), v);
+            let minus = |p: &[Rational; 3], q: &[Rational; 3]| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
+            let area: Rational =
+                contacts.faces.iter().flat_map(|face| &face.triangles).fold(Rational::new(), |sum, of| {
+                    let [a, b, c] = of.map(at);
+                    let [p, q] = [minus(&b, &a), minus(&c, &a)];
+                    let minor = |i: usize, j: usize| Rational::from(&p[i] * &q[j]) - Rational::from(&p[j] * &q[i]);
+                    sum + (minor(0, 1).abs() + minor(1, 2).abs() + minor(2, 0).abs()) / 2
+                });
+            let length: Rational = contacts.segments.iter().fold(Rational::new(), |sum, &[a, b]| {
+                sum + minus(&at(a), &at(b)).into_iter().map(Rational::abs).sum::<Rational>()
+            });
+            let found = [area, length, Rational::from(contacts.points.len())];
+            let wanted = touching(&[first.units(), second.units()]);
+            assert_eq!(found, wanted.map(Rational::from), "{seed}: {first:?} and {second:?}");
+            (0..3).for_each(|kind| seen[kind] += wanted[kind]);
+        }
+    }
+    assert!(seen.iter().all(|count| *count > 1), "{seen:?}");
+}
+
 #[test]
 fn limits_of_cubes_are_their_cells() {
-    let (flaws, counts) = flaws(predicament_effort::cases(24).into());
+    let (flaws, counts) = flaws(predicament_effort::some_or_all(24, 10_000));
     assert!(flaws.is_empty(), "{} flaws, first: {}", flaws.len(), flaws[0]);
     let Counts { merged, flat, cancelled, covered, divided } = counts;
     assert!([merged, flat, cancelled, covered, divided].iter().all(|count| *count > 0), "{counts:?}");

@@ -4,6 +4,8 @@
 //! edges of the triangle on the same side. Whatever the signs are, each edge of a triangle is tested in one direction
 //! for all triangles that have it, so no edge falls between two triangles.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use predicament_grid::Bounds;
 use predicament_grid::two_level::{Sizes, TwoLevel};
 use predicament_mesh::MaterialMesh;
@@ -46,11 +48,17 @@ impl Question<'_> {
         let box_of = |ends: &[Vertex; 2]| Bounds::of(ends.map(|v| scene.point3(v)));
         let boxes: Vec<Bounds<3>> = edges.par_iter().with_min_len(PART).map(box_of).collect();
         let grid = TwoLevel::new(&boxes, Sizes::of(&boxes));
+        // The other threads stop at a contact, too.
+        let touches = AtomicBool::new(false);
         let part = |part: usize| {
             let mut asked = Asked::default();
             let (mut hits, count) = (Vec::new(), self.triangles.triangles.len());
+            if touches.load(Ordering::Relaxed) {
+                return Err(Touches);
+            }
             for place in part * PART..count.min((part + 1) * PART) {
-                self.through(place, &grid, &boxes, &mut asked, &mut hits)?;
+                let through = self.through(place, &grid, &boxes, &mut asked, &mut hits);
+                through.inspect_err(|_| touches.store(true, Ordering::Relaxed))?;
             }
             Ok(hits)
         };

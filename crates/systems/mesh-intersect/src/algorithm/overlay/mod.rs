@@ -278,10 +278,9 @@ fn run(
         let session = &*session;
         Question { session, edges: near[own], of: both[other], triangles: near[other], zeros }.hits()
     };
-    let (Ok(first), Ok(second)) = (hits(0), hits(1)) else {
+    let Ok(hits) = hits(0).and_then(|first| Ok([first, hits(1)?])) else {
         return touching::overlay(session, &meshes, extent, done);
     };
-    let hits = [first, second];
     done(Step::Passages);
     finish(session, &meshes, before, (near, &bounds), hits, extent, done)
 }

@@ -149,6 +149,7 @@ pub(super) fn overlay(
             divide(&dividing, &stands, &twins[mesh], &meshes[mesh], &meshes[1 - mesh], &bounds[1 - mesh], extent)?;
         overlay.add(mesh, decided, session)?;
     }
+    overlay.add_twins(&twins[0], &stands);
     done(Step::Regions);
     overlay.constructions = session.scene().constructions()[before..].to_vec();
     done(Step::Faces);
@@ -200,13 +201,11 @@ fn divide(
     let mut divided = Divided { whole, parts: Vec::new() };
     for (at, region) in divided.whole.iter_mut().enumerate() {
         let corners = mesh.triangles()[at];
-        let standing = corners.map(|v| stands.of(v));
-        if let Some(twin) = twins[at] {
-            divided.parts.push((number(at), Place::Shared(twin), vec![standing]));
-        } else if standing != corners
+        if region.is_some()
+            && corners.map(|v| stands.of(v)) != corners
             && let Some(region) = region.take()
         {
-            divided.parts.push((number(at), Place::Region(region), vec![standing]));
+            divided.parts.push((number(at), Place::Region(region), vec![corners.map(|v| stands.of(v))]));
         }
     }
     for ((part, of), place) in parts.into_iter().zip(of).zip(places) {
@@ -216,7 +215,6 @@ fn divide(
         };
         divided.parts.push((of, place, part.triangles));
     }
-    divided.parts.sort_by_key(|part| part.0);
     Ok(divided)
 }
 
@@ -240,6 +238,19 @@ impl MeshOverlay {
             }
         }
         Ok(())
+    }
+
+    /// Adds the triangles that both meshes have.
+    fn add_twins(&mut self, twins: &[Option<u32>], stands: &Stands) {
+        let standing = |mesh: usize, at: u32| self.meshes[mesh].triangles()[at as usize].map(|v| stands.of(v));
+        let twin = |(at, twin): (u32, &Option<u32>)| {
+            let of = [at, (*twin)?];
+            let triangle = standing(0, at);
+            let [a, b, c] = standing(1, of[1]);
+            Some(Shared { triangle, of, is_turned: ![[a, b, c], [b, c, a], [c, a, b]].contains(&triangle) })
+        };
+        let shared: Vec<Shared> = (0..).zip(twins).filter_map(twin).collect();
+        self.shared.extend(shared);
     }
 
     /// True if two triangles in one plane, one of either mesh, face opposite ways.
