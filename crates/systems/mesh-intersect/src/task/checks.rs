@@ -16,7 +16,8 @@ pub(super) const CHECKS: &[Check] = &[
     Check::topology("region not closed", "the boundary of each region is closed"),
     Check::topology(
         "sides of a piece",
-        "a piece separates the regions of its triangle, inside one region of the other mesh",
+        "a piece separates the regions of its triangle, inside one region of the other mesh, or those of a triangle \
+         of it",
     ),
     Check::topology("operation", "the surface of a result consists of the pieces between its inside and its outside"),
     law(Law::PieceInFace),
@@ -75,7 +76,7 @@ pub(super) const CHECKS: &[Check] = &[
         "place of a rounded vertex",
         "each coordinate in doubles is within one ulp of the exact coordinate",
     ),
-    Check::new(Class::Declined, "touch", "for a backend that does not break ties, the meshes do not touch"),
+    Check::new(Class::Declined, "touch", "for a backend that registers contacts, nothing smaller than an edge and a triangle is in contact"),
     Check::new(Class::Declined, "memory", "the memory suffices for all pairs of triangles"),
     Check::invariants("cutting triangles does not contradict itself", &[RULES, TRIANGULATION, ARRANGEMENT]),
 ];
