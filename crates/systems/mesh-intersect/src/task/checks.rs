@@ -76,7 +76,11 @@ pub(super) const CHECKS: &[Check] = &[
         "place of a rounded vertex",
         "each coordinate in doubles is within one ulp of the exact coordinate",
     ),
-    Check::new(Class::Declined, "touch", "for a backend that registers contacts, nothing smaller than an edge and a triangle is in contact"),
+    Check::new(
+        Class::Declined,
+        "touch",
+        "for a backend that registers contacts, nothing smaller than an edge and a triangle is in contact",
+    ),
     Check::new(Class::Declined, "memory", "the memory suffices for all pairs of triangles"),
     Check::invariants("cutting triangles does not contradict itself", &[RULES, TRIANGULATION, ARRANGEMENT]),
 ];

@@ -33,26 +33,21 @@ pub(super) fn add(session: &dyn Predicates, triangles: [&Triangle; 2], found: &m
     let Some((plane, first)) = seen.into_iter().find(|(_, turn)| !turn.is_zero()) else { return };
     let turns = Turns { session, plane, orientations: [first, turn(plane, 1)] };
     // For each mesh, the sides of the other's edges on which its corners are.
-    let mut sides = [[[Sign::Zero; 3]; 3]; 2];
-    for mesh in [0, 1] {
-        let (own, other) = (triangles[mesh], triangles[1 - mesh]);
-        for edge in 0..3 {
-            let ends = [other.corners[edge], other.corners[(edge + 1) % 3]];
-            for corner in 0..3 {
-                sides[mesh][corner][edge] = turns.of(1 - mesh, ends, own.corners[corner]);
-            }
-            if (0..3).all(|corner| sides[mesh][corner][edge] == Sign::Negative) {
-                return;
-            }
-        }
+    let sides: [[[Sign; 3]; 3]; 2] = [0, 1].map(|mesh: usize| {
+        let [a, b, c] = triangles[1 - mesh].corners;
+        let edges = [[a, b], [b, c], [c, a]];
+        triangles[mesh].corners.map(|v| edges.map(|ends| turns.of(1 - mesh, ends, v)))
+    });
+    let is_beyond = |corners: &[[Sign; 3]; 3], edge: usize| corners.iter().all(|of| of[edge] == Sign::Negative);
+    if sides.iter().any(|corners| (0..3).any(|edge| is_beyond(corners, edge))) {
+        return;
     }
     // Each point with the edges of both triangles through it, a bit for each.
     let mut points: Vec<(Pair, [u8; 2])> = Vec::with_capacity(6);
     let around = |corner: usize| 1_u8 << corner | 1 << ((corner + 2) % 3);
     for mesh in [0, 1] {
         let (own, other) = (triangles[mesh], triangles[1 - mesh]);
-        for corner in 0..3 {
-            let of = sides[mesh][corner];
+        for (corner, of) in sides[mesh].iter().enumerate() {
             if of.contains(&Sign::Negative) {
                 continue;
             }
