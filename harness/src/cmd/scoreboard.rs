@@ -7,7 +7,7 @@ use predicament_records::{RunDir, make_folder, replace};
 use crate::exit::{self, Failure};
 use crate::places::apart;
 use crate::progress;
-use crate::scoreboard::{Board, csv, index, page, shown};
+use crate::scoreboard::{Board, csv, html, index, page, shown};
 use crate::tool::Tool;
 
 const EXAMPLES: &str = "\
@@ -22,8 +22,8 @@ Examples:
 
 /// Compare libraries on whole tasks: scenes right, rounded, broken, times, memory
 ///
-/// Writes README.md, a page for each task, scoreboard.csv, and the smallest scene behind each kind of finding as a
-/// suite and a picture.
+/// Writes index.html and README.md, a page for each task in HTML and Markdown, scoreboard.csv, and the smallest scene
+/// behind each kind of finding as a suite and a picture.
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
@@ -53,9 +53,11 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     for task in board.tasks.keys() {
         let shown = shown(&board, task, &runs, tool, &args.out)?;
         write(&format!("{task}.md"), &page(&board, task, &shown))?;
+        write(&format!("{task}.html"), &html::page(&board, task, &shown)?)?;
     }
     write("scoreboard.csv", &csv(&board))?;
     write("README.md", &index(&board))?;
+    write("index.html", &html::index(&board)?)?;
     say!("{}", args.out.join("README.md").display());
     Ok(exit::OK)
 }

@@ -1,38 +1,69 @@
 //! The pages of a scoreboard, in Markdown, and its figures as CSV.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 
 use super::figures::{Board, Cell, Grade, Row};
 use super::smallest::Shown;
 
+/// The text above the index.
+pub(super) const LEAD: &str = "Each cell has the scenes that a library got right, of those that it answered; declined \
+                               scenes are not among them. A page for each task has the rest.";
+/// The text above the figures of a task.
+pub(super) const KEY: &str = "Scenes by their worst finding. Broken is a wrong answer, rounded one that is off by its \
+                              rounding, failed an exception, a crash or a timeout. Distances are those of the farthest \
+                              vertex of each result.";
+
 /// The index: a table of all libraries and tasks.
 pub fn index(board: &Board) -> String {
-    let mut text = "# Scoreboard\n\nEach cell has the scenes that a library got right, of those that it answered; \
-                    declined scenes are not among them. A page for each task has the rest.\n\n"
-        .to_owned();
+    let mut text = format!("# Scoreboard\n\n{LEAD}\n\n");
     let names: BTreeSet<&String> = board.tasks.values().flat_map(|task| task.keys()).collect();
     let tasks: Vec<&String> = board.tasks.keys().collect();
     let links: Vec<String> = tasks.iter().map(|task| format!("[{task}]({task}.md)")).collect();
     let _ = writeln!(text, "| library | {} |", links.join(" | "));
     let _ = writeln!(text, "|---|{}", "---:|".repeat(tasks.len()));
     for name in names {
-        let cells = tasks.iter().map(|task| match board.tasks[*task].get(name) {
-            None => String::new(),
-            Some(row) => {
-                let all = row.all();
-                let answered = all.total() - all.count(Grade::Declined);
-                format!("{} of {answered}", all.count(Grade::Right))
-            }
-        });
+        let cells = tasks.iter().map(|task| board.tasks[*task].get(name).map_or_else(String::new, count));
         let _ = writeln!(text, "| `{name}` | {} |", cells.collect::<Vec<_>>().join(" | "));
     }
     text
 }
 
+/// The right scenes of a library on a task, of those that it answered.
+pub(super) fn count(row: &Row) -> String {
+    let all = row.all();
+    format!("{} of {}", all.count(Grade::Right), all.total() - all.count(Grade::Declined))
+}
+
+/// The figures of each library on a task: the heads of the columns after the name, and the cells of each row.
+pub(super) fn figures<'r>(
+    rows: &'r BTreeMap<String, Row>,
+    reference: Option<&str>,
+    of: Option<&Row>,
+) -> (Vec<String>, Vec<(&'r str, Vec<String>)>) {
+    let unit = reference.map_or_else(|| "time".to_owned(), |name| format!("time / `{name}` (families)"));
+    let heads = ["scenes", "right", "rounded", "broken", "failed", "declined", "median", "worst", "worst / L"];
+    let heads = heads.into_iter().map(str::to_owned).chain([unit, "memory".to_owned()]).collect();
+    let line = |(name, row): (&'r String, &Row)| {
+        let all = row.all();
+        let grades = [Grade::Right, Grade::Rounded, Grade::Broken, Grade::Failed, Grade::Declined];
+        let counts = [all.total()].into_iter().chain(grades.map(|grade| all.count(grade))).map(|n| n.to_string());
+        let ulps = |ulps: Option<f64>| ulps.map_or_else(String::new, |ulps| format!("{} ulp", short(ulps)));
+        let rest = [
+            ulps(row.median_ulps()),
+            ulps(row.ulps.last().copied()),
+            if row.ulps.is_empty() { String::new() } else { format!("{:.1e}", row.worst_over_l) },
+            of.and_then(|of| row.ratio(of)).map_or_else(String::new, |(ratio, n)| format!("{ratio:.2} ({n})")),
+            if row.bytes == 0 { String::new() } else { format!("{} MiB", row.bytes >> 20) },
+        ];
+        (name.as_str(), counts.chain(rest).collect())
+    };
+    (heads, rows.iter().map(line).collect())
+}
+
 /// The library whose times are the unit: `exact` where it was timed, so that a ratio does not depend on the other
 /// libraries of a run; otherwise the library with most right scenes.
-fn reference(board: &Board, task: &str) -> Option<String> {
+pub(super) fn reference(board: &Board, task: &str) -> Option<String> {
     let libraries = board.tasks.get(task)?.iter().filter(|(_, row)| !row.nanoseconds.is_empty());
     let best = libraries.max_by_key(|(name, row)| {
         (*name == "exact", row.all().count(Grade::Right), std::cmp::Reverse((*name).clone()))
@@ -46,31 +77,15 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
     let Some(rows) = board.tasks.get(task) else { return text };
     let reference = reference(board, task);
     let of = reference.as_ref().and_then(|name| rows.get(name));
-    text += "Scenes by their worst finding. *Broken* is a wrong answer, *rounded* one that is off by its rounding, \
-             *failed* an exception, a crash or a timeout. Distances are those of the farthest vertex of each result.\n\n";
-    let unit = reference.as_deref().map_or_else(|| "time".to_owned(), |name| format!("time / `{name}` (families)"));
     let _ = writeln!(
         text,
-        "| library | scenes | right | rounded | broken | failed | declined | median | worst | worst / L | {unit} | memory |"
+        "{}\n",
+        KEY.replace("Broken", "*Broken*").replace(" rounded", " *rounded*").replace(" failed", " *failed*")
     );
-    let _ = writeln!(text, "|---|{}", "---:|".repeat(11));
-    for (name, row) in rows {
-        let all = row.all();
-        let counts: Vec<String> = [Grade::Right, Grade::Rounded, Grade::Broken, Grade::Failed, Grade::Declined]
-            .into_iter()
-            .map(|grade| all.count(grade).to_string())
-            .collect();
-        let time = of.and_then(|of| row.ratio(of)).map_or_else(String::new, |(ratio, n)| format!("{ratio:.2} ({n})"));
-        let _ = writeln!(
-            text,
-            "| `{name}` | {} | {} | {} | {} | {} | {time} | {} |",
-            all.total(),
-            counts.join(" | "),
-            row.median_ulps().map_or_else(String::new, |ulps| format!("{} ulp", short(ulps))),
-            row.ulps.last().map_or_else(String::new, |ulps| format!("{} ulp", short(*ulps))),
-            if row.ulps.is_empty() { String::new() } else { format!("{:.1e}", row.worst_over_l) },
-            if row.bytes == 0 { String::new() } else { format!("{} MiB", row.bytes >> 20) },
-        );
+    let (heads, lines) = figures(rows, reference.as_deref(), of);
+    let _ = writeln!(text, "| library | {} |\n|---|{}", heads.join(" | "), "---:|".repeat(heads.len()));
+    for (name, cells) in lines {
+        let _ = writeln!(text, "| `{name}` | {} |", cells.join(" | "));
     }
     text += "\n## By suite\n\nRight scenes of all, then what else there is.\n\n";
     let suites: BTreeSet<&String> = rows.values().flat_map(|row| row.suites.keys()).collect();
@@ -97,7 +112,7 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
 }
 
 /// A cell in a few words.
-fn brief(cell: &Cell) -> String {
+pub(super) fn brief(cell: &Cell) -> String {
     let mut text = format!("{} of {}", cell.count(Grade::Right), cell.total());
     for grade in [Grade::Broken, Grade::Failed, Grade::Rounded, Grade::Declined] {
         if cell.count(grade) > 0 {

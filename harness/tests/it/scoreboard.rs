@@ -36,6 +36,17 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     assert!(page.contains("scenes/delaunay2d-naive-broken.toml") && page.contains("delaunay2d-naive-broken.svg"));
     let again = run(&["run", &smallest, "-b", "naive", "--out", &at(&folder, "again")]);
     assert_eq!(again.code, 100, "{}", again.stderr);
+    // The pages in HTML have the same figures and pictures, and find each other.
+    let [index, html] = ["index", "delaunay2d"].map(|name| fs::read_to_string(format!("{out}/{name}.html")).unwrap());
+    assert!(
+        index.contains("<a href=\"delaunay2d.html\">")
+            && index.contains(&format!("<td class=n>{scenes} of {scenes}</td>"))
+    );
+    for part in
+        ["<a href=\"index.html\">", "<code>naive</code>", "src=\"scenes/delaunay2d-naive-broken.svg\"", "1.00 (1)"]
+    {
+        assert!(html.contains(part), "{part}: {html}");
+    }
     // The counts are those of the run.
     let csv = fs::read_to_string(format!("{out}/scoreboard.csv")).unwrap();
     assert!(csv.contains(&format!("delaunay2d,exact,delaunay,{scenes},{scenes},0,0,0,0\n")), "{csv}");

@@ -40,7 +40,7 @@ pub mod text;
 mod web;
 
 pub use origin::Origin;
-pub use page::{html, markdown, section_markdown, write_pages};
+pub use page::{html, markdown, plain_html, section_markdown, write_pages};
 pub use pixel_map::{PixelMap, PixelMapError, Standing, data_uri, side_by_side};
 pub use pixel_sheet::{Column, sheet};
 pub use plot::{

@@ -14,6 +14,7 @@ use predicament_records::{Beside, Hold, make_folder};
 
 const HTML: &str = "page.html";
 const MORE: &str = "more.html";
+const PLAIN: &str = "plain.html";
 const MARKDOWN: &str = "page.md";
 const MARKDOWN_SECTION: &str = "section.md";
 
@@ -114,6 +115,18 @@ pub fn section_markdown(section: &Section) -> Result<String, Error> {
     fill(MARKDOWN_SECTION, context! { section => section.value(None) })
 }
 
+/// An HTML page without scripts, in the style of reports: its title, links to other pages by text and address, and
+/// sections with all rows of their tables.
+///
+/// # Errors
+/// If the template can't be filled in.
+pub fn plain_html(title: &str, links: &[[String; 2]], sections: &[Section]) -> Result<String, Error> {
+    let links: Vec<Value> = links.iter().map(|[text, to]| context! { text => text, to => to }).collect();
+    let sections: Vec<Value> = sections.iter().map(|section| section.value(None)).collect();
+    let style = Value::from_safe_string(web::STYLE.to_owned());
+    fill(PLAIN, context! { title => title, style => style, links => links, sections => sections })
+}
+
 fn environment() -> Result<Environment<'static>, minijinja::Error> {
     let mut env = Environment::new();
     env.set_undefined_behavior(UndefinedBehavior::Strict);
@@ -123,6 +136,8 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     env.add_filter("code", code);
     env.add_filter("breakable", breakable);
     env.add_template(HTML, include_str!("../templates/page.html"))?;
+    env.add_template("body.html", include_str!("../templates/body.html"))?;
+    env.add_template(PLAIN, include_str!("../templates/plain.html"))?;
     env.add_template("rows.html", include_str!("../templates/rows.html"))?;
     env.add_template(MORE, include_str!("../templates/more.html"))?;
     env.add_template("view.html", include_str!("../templates/view.html"))?;
