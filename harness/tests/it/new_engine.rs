@@ -228,7 +228,17 @@ fn a_folder_without_engines_says_how_to_begin() {
 
 #[test]
 #[ignore = "needs Python"]
-fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
+fn a_new_engine_of_a_task_in_python_is_judged_on_the_scenes_of_the_task() {
+    tasks_are_judged("python");
+}
+
+#[test]
+#[ignore = "needs Node"]
+fn a_new_engine_of_a_task_in_node_is_judged_on_the_scenes_of_the_task() {
+    tasks_are_judged("node");
+}
+
+fn tasks_are_judged(language: &str) {
     let folder = tempdir().unwrap();
     let all = [
         "overlay2d",
@@ -247,8 +257,8 @@ fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
         "slice",
         "snap2d",
     ];
-    for task in &all[..some_or_all(3, all.len())] {
-        let new = call(folder.path(), &["engines", "new", task, "--language", "python", "--task", task]);
+    for task in &all[..some_or_all(if language == "node" { 1 } else { 3 }, all.len())] {
+        let new = call(folder.path(), &["engines", "new", task, "--language", language, "--task", task]);
         assert_eq!(new.code, 0, "{task}: {}", new.stderr);
         let checked = call(folder.path(), &["engines", "check", task]);
         assert!(checked.code == 0 && checked.stdout.contains(&format!("tasks {task}")), "{task}: {}", checked.stdout);
@@ -267,7 +277,11 @@ fn a_new_engine_of_a_task_is_judged_on_the_scenes_of_the_task() {
         assert!(rows.iter().all(|row| row[column("timeout")] == "0"), "{task}: nothing takes long");
     }
     let refused = call(folder.path(), &["engines", "new", "x", "--language", "cpp", "--task", "hull2d"]);
-    assert!(refused.code == 2 && refused.stderr.contains("--task writes engines in Python"), "{}", refused.stderr);
+    assert!(
+        refused.code == 2 && refused.stderr.contains("--task writes engines in Python and in"),
+        "{}",
+        refused.stderr
+    );
     let refused = call(folder.path(), &["engines", "new", "x", "--language", "python", "--task", "hull4d"]);
     assert!(refused.code == 2 && refused.stderr.contains("hull2d"), "{}", refused.stderr);
 }

@@ -51,7 +51,7 @@ pub struct Args {
     #[arg(long, value_enum)]
     pub language: Language,
 
-    /// Answer a whole task instead of predicates, such as delaunay2d; in Python
+    /// Answer a whole task instead of predicates, such as delaunay2d; in Python or JavaScript (node)
     #[arg(long, value_name = "TASK")]
     pub task: Option<String>,
 

@@ -1,4 +1,5 @@
-//! `engines new --task`: the source of an engine that answers a whole task. Each task brings its function.
+//! `engines new --task`: the source of an engine that answers a whole task. Each task brings its function in each
+//! language.
 
 use predicament_formats::use_one_of;
 
@@ -7,8 +8,25 @@ use crate::exit::Failure;
 use crate::out::{program, word};
 use crate::tool::Tool;
 
-const HEAD: &str = include_str!("../../../templates/engine/python/tasks/head.py");
-const TAIL: &str = include_str!("../../../templates/engine/python/tasks/tail.py");
+/// The text around a task's function in a language: the language's name in the tasks' examples, head and tail.
+const AROUND: [(Language, &str, [&str; 2]); 2] = [
+    (
+        Language::Python,
+        "python",
+        [
+            include_str!("../../../templates/engine/python/tasks/head.py"),
+            include_str!("../../../templates/engine/python/tasks/tail.py"),
+        ],
+    ),
+    (
+        Language::Node,
+        "node",
+        [
+            include_str!("../../../templates/engine/node/tasks/head.mjs"),
+            include_str!("../../../templates/engine/node/tasks/tail.mjs"),
+        ],
+    ),
+];
 
 /// The source of an engine for a task, and the suites with scenes of the task.
 pub fn source(tool: &Tool, name: &str, task: &str, language: Language) -> Result<(String, &'static str), Failure> {
@@ -18,16 +36,18 @@ pub fn source(tool: &Tool, name: &str, task: &str, language: Language) -> Result
         let known: Vec<&str> = open().map(|(of, _)| of).collect();
         return Err(Failure::usage(format!("no task `{task}` is open to engines; {}", use_one_of(task, &known))));
     };
-    if language != Language::Python {
+    let around = AROUND.iter().find(|(of, ..)| *of == language);
+    let function = around.and_then(|(_, word, _)| example.functions.iter().find(|(of, _)| of == word));
+    let (Some((.., [head, tail])), Some((_, function))) = (around, function) else {
         return Err(Failure::usage(
-            "--task writes engines in Python; docs/ENGINES.md says how the other languages answer tasks",
+            "--task writes engines in Python and in JavaScript (node); docs/ENGINES.md says how the other languages \
+             answer tasks",
         ));
-    }
-    let function = example.functions.iter().find(|(of, _)| *of == "python").map_or("", |(_, function)| function);
+    };
     let fill = |text: &str| {
         text.replace("{name}", name).replace("{task}", task).replace("{function}", &task.replace('-', "_"))
     };
-    Ok((format!("{}{function}{}", fill(HEAD), fill(TAIL)), example.suites))
+    Ok((format!("{}{function}{}", fill(head), fill(tail)), example.suites))
 }
 
 /// The two commands to go on with.

@@ -51,8 +51,14 @@ impl Replies<Contacts> for Judge {
 
     fn example(&self) -> Example {
         let functions: &[(&str, &str)] = match self.0 {
-            Dimension::Two => &[("python", include_str!("../engines/contacts2d.py"))],
-            Dimension::Three => &[("python", include_str!("../engines/contacts3d.py"))],
+            Dimension::Two => &[
+                ("python", include_str!("../engines/contacts2d.py")),
+                ("node", include_str!("../engines/contacts2d.mjs")),
+            ],
+            Dimension::Three => &[
+                ("python", include_str!("../engines/contacts3d.py")),
+                ("node", include_str!("../engines/contacts3d.mjs")),
+            ],
         };
         Example { suites: "contacts", functions }
     }

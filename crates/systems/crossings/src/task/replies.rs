@@ -48,7 +48,13 @@ impl Replies<Crossings> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "crossings", functions: &[("python", include_str!("../engines/crossings.py"))] }
+        Example {
+            suites: "crossings",
+            functions: &[
+                ("python", include_str!("../engines/crossings.py")),
+                ("node", include_str!("../engines/crossings.mjs")),
+            ],
+        }
     }
 
     fn judge(

@@ -49,7 +49,13 @@ impl Replies<CubeUnion> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "cubes", functions: &[("python", include_str!("../engines/cube_union.py"))] }
+        Example {
+            suites: "cubes",
+            functions: &[
+                ("python", include_str!("../engines/cube_union.py")),
+                ("node", include_str!("../engines/cube_union.mjs")),
+            ],
+        }
     }
 
     fn judge(

@@ -29,7 +29,13 @@ impl Replies<Delaunay2d> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "delaunay", functions: &[("python", include_str!("../engines/delaunay2d.py"))] }
+        Example {
+            suites: "delaunay",
+            functions: &[
+                ("python", include_str!("../engines/delaunay2d.py")),
+                ("node", include_str!("../engines/delaunay2d.mjs")),
+            ],
+        }
     }
 
     /// Declines constraints that cross: their crossing is not a point of the scene.

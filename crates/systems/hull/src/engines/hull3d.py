@@ -2,7 +2,7 @@
 
 # REPLACE. The triangles of the hull's surface, as rows of three indices of points. Every triangle is tried.
 def hull3d(points):
-    if len(points) > 20:
+    if len(points) > 24:
         raise predicament_engine.Declined("too many points for this example")
     n = range(len(points))
     every = ((a, b, c) for a in n for b in n for c in n if a < b and a < c and b != c)

@@ -28,7 +28,13 @@ impl Replies<Interval> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "intervals", functions: &[("python", include_str!("../engines/interval.py"))] }
+        Example {
+            suites: "intervals",
+            functions: &[
+                ("python", include_str!("../engines/interval.py")),
+                ("node", include_str!("../engines/interval.mjs")),
+            ],
+        }
     }
 
     /// Adds the probes: a suite does not list them.

@@ -53,7 +53,13 @@ impl Replies<MeshIntersect> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "intersections", functions: &[("python", include_str!("../engines/mesh_intersect.py"))] }
+        Example {
+            suites: "intersections",
+            functions: &[
+                ("python", include_str!("../engines/mesh_intersect.py")),
+                ("node", include_str!("../engines/mesh_intersect.mjs")),
+            ],
+        }
     }
 
     /// Declines meshes of several materials, and surfaces that are not closed manifolds.

@@ -31,7 +31,13 @@ impl Replies<MeshLocate> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "mesh-points", functions: &[("python", include_str!("../engines/mesh_locate.py"))] }
+        Example {
+            suites: "mesh-points",
+            functions: &[
+                ("python", include_str!("../engines/mesh_locate.py")),
+                ("node", include_str!("../engines/mesh_locate.mjs")),
+            ],
+        }
     }
 
     fn judge(

@@ -27,7 +27,13 @@ impl Replies<PolygonLocate> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "tilings", functions: &[("python", include_str!("../engines/polygon_locate.py"))] }
+        Example {
+            suites: "tilings",
+            functions: &[
+                ("python", include_str!("../engines/polygon_locate.py")),
+                ("node", include_str!("../engines/polygon_locate.mjs")),
+            ],
+        }
     }
 
     fn judge(

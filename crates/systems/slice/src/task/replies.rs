@@ -38,7 +38,13 @@ impl Replies<Slice> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "slices", functions: &[("python", include_str!("../engines/slice.py"))] }
+        Example {
+            suites: "slices",
+            functions: &[
+                ("python", include_str!("../engines/slice.py")),
+                ("node", include_str!("../engines/slice.mjs")),
+            ],
+        }
     }
 
     fn open(&self, scene: &Scene, content: &Solid) -> Result<(), Declined> {

@@ -32,7 +32,13 @@ impl Replies<Triangulate> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "polygons", functions: &[("python", include_str!("../engines/triangulate.py"))] }
+        Example {
+            suites: "polygons",
+            functions: &[
+                ("python", include_str!("../engines/triangulate.py")),
+                ("node", include_str!("../engines/triangulate.mjs")),
+            ],
+        }
     }
 
     /// Declines polygons in space: libraries triangulate in the plane.

@@ -27,7 +27,13 @@ impl Replies<Hull2d> for JudgeInPlane {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "hulls -f hull2d", functions: &[("python", include_str!("../../engines/hull2d.py"))] }
+        Example {
+            suites: "hulls -f hull2d",
+            functions: &[
+                ("python", include_str!("../../engines/hull2d.py")),
+                ("node", include_str!("../../engines/hull2d.mjs")),
+            ],
+        }
     }
 
     fn judge(

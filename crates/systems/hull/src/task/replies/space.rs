@@ -39,7 +39,13 @@ impl Replies<Hull3d> for JudgeInSpace {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "hulls -f hull3d", functions: &[("python", include_str!("../../engines/hull3d.py"))] }
+        Example {
+            suites: "hulls -f hull3d",
+            functions: &[
+                ("python", include_str!("../../engines/hull3d.py")),
+                ("node", include_str!("../../engines/hull3d.mjs")),
+            ],
+        }
     }
 
     /// Declines points in one plane: their hull has no surface that bounds a volume.

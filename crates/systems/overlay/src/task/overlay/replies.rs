@@ -40,7 +40,13 @@ impl Replies<Overlay2d> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "overlays", functions: &[("python", include_str!("../../engines/overlay2d.py"))] }
+        Example {
+            suites: "overlays",
+            functions: &[
+                ("python", include_str!("../../engines/overlay2d.py")),
+                ("node", include_str!("../../engines/overlay2d.mjs")),
+            ],
+        }
     }
 
     fn open(&self, _: &Scene, content: &Layered) -> Result<(), Declined> {

@@ -39,7 +39,13 @@ impl Replies<Snap2d> for Judge {
     }
 
     fn example(&self) -> Example {
-        Example { suites: "snaps", functions: &[("python", include_str!("../../engines/snap2d.py"))] }
+        Example {
+            suites: "snaps",
+            functions: &[
+                ("python", include_str!("../../engines/snap2d.py")),
+                ("node", include_str!("../../engines/snap2d.mjs")),
+            ],
+        }
     }
 
     /// Declines scenes that are about another method of ours: to a program they are the same as those of `snap`.

@@ -1,0 +1,2 @@
+
+serve({ name: "{name}", version: "1.0", tasks: { "{task}": {function} } }); // the version of your library
