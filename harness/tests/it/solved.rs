@@ -101,7 +101,7 @@ fn a_large_answer_is_written_without_what_is_seldom_wanted() {
     assert_eq!(solved(0, &crossing).0, "edges.json triangles.geojson triangles.svg vertices.json");
 }
 
-/// Meshes that are open, touch or cross themselves are sliced or refused, and an error is about the mesh.
+/// Meshes that are open or touch themselves are sliced, others are refused, and an error is about the mesh.
 #[test]
 fn a_bad_mesh_is_blamed_and_not_the_folder() {
     let second = TETRAHEDRON.lines().skip(2).take(4).map(|line| line.replace('0', "1") + "\n").collect::<String>();
@@ -116,8 +116,8 @@ fn a_bad_mesh_is_blamed_and_not_the_folder() {
     let origin = "planes=[[[0,0,0],[0,1,0],[0,0,1]],[[0,0,0],[0,0,1],[1,0,0]],[[0,0,0],[1,0,0],[0,1,0]]]";
     for (name, text, more, refused) in [
         ("open", TETRAHEDRON.replace("4 4 0", "4 3 0").replace("3 2 0 3\n", ""), &[][..], false),
-        ("crossing", crossing.clone(), &[], false),
-        ("twice", twice, &[], false),
+        ("crossing", crossing.clone(), &[], true),
+        ("twice", twice, &[], true),
         ("pinched", pinched.to_owned(), &["--set", origin], false),
         ("turned", TETRAHEDRON.replace("3 2 0 3", "3 0 2 3"), &[], true),
         (
@@ -229,16 +229,23 @@ fn flat_hulls_are_written_with_a_note() {
     let space = |text: &str| text.lines().map(|line| format!("{line},7\n")).collect::<String>();
     for (text, what) in [(space(line), "a line between two points"), (space(place), "one point")] {
         let (written, said, _) = hull("hull3d", &text, "exact");
-        assert_eq!(written, "vertices.json", "no mesh without faces");
-        let note = format!("the hull has no faces: it is {what}; vertices.json has it, and there is no mesh\n");
+        assert_eq!(written, "hull.json vertices.json", "no mesh without faces");
+        let note =
+            format!("the hull has no faces: it is {what}; hull.json and vertices.json have it, and there is no mesh\n");
         assert_eq!(said, note);
+        let (edges, vertices) =
+            if text.ends_with("1,1,7\n") { (r#"[["0","2"]]"#, r#"["0","2"]"#) } else { ("[]", r#"["0"]"#) };
+        let names = read(&at(&folder, "out"), "hull.json").replace([' ', '\n'], "");
+        assert_eq!(names, format!(r#"{{"edges":{edges},"faces":[],"vertices":{vertices}}}"#));
     }
     let points = write(&folder, "points.csv", &space(line));
     let (_, told) = solved(2, &["hull3d", &points, "--format", "off"]);
     let said = "--format: the answer has no format `off`; it has json; the hull has no faces";
     assert!(told.stderr.contains(said), "{}", told.stderr);
     let (written, said, _) = hull("hull3d", &space("0,0\n4,0\n0,4\n4,4\n2,2\n"), "exact");
-    assert_eq!(written, "hull.obj hull.off hull.ply");
+    assert_eq!(written, "hull.json hull.obj hull.off hull.ply");
+    let names = read(&at(&folder, "out"), "hull.json").replace([' ', '\n'], "");
+    assert!(names.contains(r#""vertices":["0","1","2","3"]"#) && names.matches("],[").count() == 1, "{names}");
     assert_eq!(said, "the hull has no volume: it is a polygon, written as two faces back to back\n");
     let off = read(&at(&folder, "out"), "hull.off");
     assert!(off.starts_with("OFF\n4 2 0\n") && off.lines().filter(|line| line.starts_with("4 ")).count() >= 2, "{off}");

@@ -4,7 +4,7 @@ use crate::algorithm::{Hull3, SpaceMethod, hull3d};
 use crate::checks::space_flaws;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
-use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
+use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
 
 use super::answer::{Hull3d, Surface};
@@ -163,9 +163,17 @@ impl Task for Hull3d {
     ) -> Result<(), output::Error> {
         let Hull3 { vertices, faces, broken } = &answer.0;
         files.broken(*broken);
+        files.json("hull.json", || {
+            let ids = |vertices: &Vec<Vertex>| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
+            let faces: Vec<Vec<String>> = faces.iter().map(ids).collect();
+            let edges = if vertices.len() == 2 { vec![ids(vertices)] } else { Vec::new() };
+            serde_json::json!({ "vertices": ids(vertices), "edges": edges, "faces": faces })
+        })?;
         if faces.is_empty() {
             let what = if vertices.len() == 2 { "a line between two points" } else { "one point" };
-            files.note(format!("the hull has no faces: it is {what}; vertices.json has it, and there is no mesh"));
+            files.note(format!(
+                "the hull has no faces: it is {what}; hull.json and vertices.json have it, and there is no mesh"
+            ));
             return output::all_vertices(files, scene, vertices.iter().copied());
         }
         if faces.len() == 2 {
