@@ -80,8 +80,8 @@ impl Overlaid {
     /// Overlays the meshes of a scene; with `settles`, also computes the results without the perturbation.
     ///
     /// # Errors
-    /// [`Halt::Refused`] if the session does not construct a vertex, or registers a contact of smaller simplices than an
-    /// edge and a triangle.
+    /// [`Halt::Refused`] if the session does not construct a vertex, or registers a contact of smaller simplices than
+    /// an edge and a triangle.
     fn of(session: &mut dyn Predicates, content: &TwoMeshes, settles: bool) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
