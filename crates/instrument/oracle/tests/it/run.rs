@@ -7,7 +7,7 @@ use predicament_predicates::{
     Axis, Backend, Contract, Declined, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, ZeroMeaning,
 };
 use predicament_tasks::signs::SignQueries;
-use predicament_tasks::{Class, Entry};
+use predicament_tasks::{Class, Dispute, Entry};
 
 use crate::common::{judged, judged_by_name, load, with_case};
 
@@ -125,7 +125,7 @@ fn signs_that_came_with_the_data_are_held_against_the_judge() {
     };
     assert_eq!(with(signs.clone()), None);
     let wrong = signs.iter().enumerate().map(|(i, &sign)| if i == 4 { -sign } else { sign }).collect();
-    let dispute = with(wrong).unwrap();
-    assert_eq!(dispute.count, 1);
-    assert!(dispute.first.contains("at query 4"), "{dispute}");
+    let Some(Dispute::Signs { count, first }) = with(wrong) else { panic!("no dispute about signs") };
+    assert_eq!(count, 1);
+    assert!(first.contains("at query 4"), "{first}");
 }
