@@ -23,9 +23,12 @@ fn two_files_are_cut_and_touches_are_named() {
     let folder = tempdir().unwrap();
     let first = write(&folder, "first.off", OFF);
     let out = at(&folder, "out");
-    // A mesh with itself: exact reports the touching triangles, the perturbation decides them.
-    let told = expect(2, &["solve", "mesh-intersect", &first, &first, "--out", &out]);
-    assert!(told.stderr.contains("of the first mesh touches triangle"), "{}", told.stderr);
+    // A mesh with itself: for registered contacts a vertex is on a vertex, for exact both are one solid, and the
+    // perturbation decides.
+    let told = expect(2, &["solve", "mesh-intersect", &first, &first, "-b", "tolerance", "--out", &out]);
+    assert!(told.stderr.contains("of the first mesh is within the tolerance of"), "{}", told.stderr);
+    let told = expect(0, &["solve", "mesh-intersect", &first, &first, "--out", &at(&folder, "exactly")]);
+    assert!(told.stderr.contains("the mesh difference is empty"), "{}", told.stderr);
     expect(0, &["solve", "mesh-intersect", &first, &first, "-b", "sos:per-mesh", "--out", &out]);
     let faces = |name: &str| {
         let text = read(&out, &format!("{name}.off"));

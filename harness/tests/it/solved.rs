@@ -178,7 +178,7 @@ fn errors_about_files_name_them() {
         (&["contacts3d", &mesh, &flat], &[&flat]),
         (&["mesh-intersect", &mesh, &square], &[&square]),
         // What a backend declines is about all files of the scene.
-        (&["mesh-intersect", &mesh, &mesh], &[&mesh, &mesh]),
+        (&["mesh-intersect", &mesh, &mesh, "-b", "tolerance"], &[&mesh, &mesh]),
         (&["slice", &huge, "-b", "tolerance"], &[&huge]),
         (&["overlay2d", &bow, "-b", "tolerance"], &[&bow]),
     ];
