@@ -26,9 +26,7 @@ the answer is right, and 100 otherwise.
 Examples:
   predicament judge delaunay2d survey.csv --answer triangles.json
   predicament judge mesh-intersect part.stl tool.stl --answer union=result.off
-  predicament judge overlay2d first.geojson --answer union.geojson --answer intersection.geojson
-  predicament judge slice part.stl --answer parts=left.off --answer parts=right.off
-  predicament judge mesh-locate part.off probes.csv --answer labels.csv --format json
+  predicament judge delaunay2d survey.csv --answer triangles.json --format json
   predicament judge overlays -f stars --answer union=out/union.geojson";
 
 /// Judge the answer of another program to one scene, exactly

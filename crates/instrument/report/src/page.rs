@@ -135,6 +135,7 @@ fn environment() -> Result<Environment<'static>, minijinja::Error> {
     env.add_filter("plain", plain);
     env.add_filter("code", code);
     env.add_filter("breakable", breakable);
+    env.add_template("head.html", include_str!("../templates/head.html"))?;
     env.add_template(HTML, include_str!("../templates/page.html"))?;
     env.add_template("body.html", include_str!("../templates/body.html"))?;
     env.add_template(PLAIN, include_str!("../templates/plain.html"))?;

@@ -10,8 +10,8 @@
 //!
 //! Each axis takes the role of u, and that of w. Faces are in the order of their coordinates. Faces with equal
 //! coordinates are in the order of their cubes, from the last to the first ([`Ties`] has other orders). This is as if
-//! the cubes were moved by infinitesimals that are larger for earlier cubes. Widths do not include the infinitesimals.
-//! So the result is the limit for perturbations that go to zero.
+//! the cubes were moved by infinitesimals that are larger for earlier cubes. Widths do not include the infinitesimals:
+//! the result is the limit for perturbations that go to zero.
 
 /// Mass properties of a union.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]

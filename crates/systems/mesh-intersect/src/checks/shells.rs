@@ -2,7 +2,7 @@
 //! distance.
 //!
 //! * `components of the union`: a part of one solid and a part of the other are in one part of the union if they meet.
-//!   So the number of parts of the union is that of the classes of parts of the operands.
+//!   The union has as many parts as there are classes of parts of the operands.
 //! * `Euler characteristics`: those of union and intersection add up to those of both operands, as for all closed sets:
 //!   a point of both operands is counted twice on both sides.
 //!

@@ -88,8 +88,7 @@ impl Touches {
             match is_inside {
                 _ if in_turn => Some(FaultKind::Spike),
                 Some(_) => Some(FaultKind::Overlap),
-                None if is_between => None,
-                None => Some(FaultKind::Doubled),
+                None => (!is_between).then_some(FaultKind::Doubled),
             }
         } else {
             let is_apart = !e.iter().any(|end| f.contains(end));

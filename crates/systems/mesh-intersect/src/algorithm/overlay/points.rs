@@ -1,11 +1,11 @@
 //! The points where edges pass through triangles: constructed together, and sorted along their edges.
 
 use predicament_mesh::MaterialMesh;
-use predicament_predicates::{Axis, Construction, Predicates, Refused, Vertex};
+use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
+use super::along::sort_along;
 use super::meet::Hit;
 use super::near::{Near, number};
-use predicament_grid::sort::sort_by_sign;
 
 /// The points on the edges of one mesh.
 pub(super) struct Points {
@@ -52,7 +52,7 @@ impl Points {
         let many: Vec<u32> = (0..number(near.edges.len())).filter(|&edge| points.on(edge).len() > 1).collect();
         let sorted = predicament_grid::parallel::each(many.len(), &|at| {
             let mut places = points.on(many[at]).to_vec();
-            points.sort(session, near.edges[many[at] as usize], &mut places);
+            sort_along(session, near.edges[many[at] as usize], &mut places, |at| points.vertices[at as usize]);
             places
         });
         for (edge, places) in many.into_iter().zip(sorted) {
@@ -73,19 +73,6 @@ impl Points {
         let start = self.hits.partition_point(|hit| hit.triangle < triangle);
         let count = self.hits[start..].iter().take_while(|hit| hit.triangle == triangle).count();
         start..start + count
-    }
-
-    /// Sorts along the axis in which the edge is longest.
-    fn sort(&self, session: &dyn Predicates, [p, q]: [Vertex; 2], places: &mut [u32]) {
-        let [from, to] = [p, q].map(|v| session.scene().point3(v));
-        let extent = [0, 1, 2].map(|axis: usize| (to[axis] / 2.0 - from[axis] / 2.0).abs());
-        let longest = (0..3).fold(0, |best, axis| if extent[axis] > extent[best] { axis } else { best });
-        let axis = [Axis::X, Axis::Y, Axis::Z][longest];
-        let is_up = from[longest] < to[longest];
-        sort_by_sign(places, |a, b| {
-            let sign = session.compare(axis, self.vertices[a as usize], self.vertices[b as usize]);
-            if is_up { sign } else { -sign }
-        });
     }
 }
 

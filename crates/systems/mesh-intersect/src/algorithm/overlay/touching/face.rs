@@ -4,8 +4,9 @@ use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
 use super::found::Simplex;
-use super::marks::{Mark, Marks, longest};
+use super::marks::{Mark, Marks};
 use super::triangle::{Triangle, Triangles};
+use crate::algorithm::overlay::along::longest;
 use crate::algorithm::overlay::cut::projection;
 use crate::algorithm::overlay::known::Known;
 use crate::algorithm::overlay::near::number;

@@ -1,9 +1,9 @@
 //! The points and segments of one mesh, by the simplices that they are in.
 
-use predicament_grid::sort::sort_by_sign;
-use predicament_predicates::{Axis, Predicates, Vertex};
+use predicament_predicates::{Predicates, Vertex};
 
 use super::found::{Found, Pair, Segment, Simplex};
+use crate::algorithm::overlay::along::sort_along;
 use crate::algorithm::overlay::near::Near;
 
 /// The points and segments in one mesh's simplices.
@@ -87,7 +87,7 @@ impl Marks {
         for (edge, &ends) in (0..).zip(&near.edges) {
             let range = marks.on_edges.range(edge);
             if range.len() > 1 {
-                sort_along(session, ends, &mut marks.on_edges.items[range]);
+                sort_along(session, ends, &mut marks.on_edges.items[range], |v| v);
             }
         }
         marks
@@ -112,21 +112,4 @@ impl Marks {
     pub fn across_triangle(&self, triangle: u32) -> &[Mark] {
         self.across_triangles.of(triangle)
     }
-}
-
-/// The axis along which an edge of input vertices is longest, and true if the edge goes up there.
-pub(super) fn longest(session: &dyn Predicates, ends: [Vertex; 2]) -> (Axis, bool) {
-    let [from, to] = ends.map(|v| session.scene().point3(v));
-    let extent = |axis: Axis| (to[axis.index()] / 2.0 - from[axis.index()] / 2.0).abs();
-    let longer = |best: Axis, axis: Axis| if extent(axis) > extent(best) { axis } else { best };
-    let axis = [Axis::Y, Axis::Z].into_iter().fold(Axis::X, longer);
-    (axis, from[axis.index()] < to[axis.index()])
-}
-
-fn sort_along(session: &dyn Predicates, ends: [Vertex; 2], points: &mut [Vertex]) {
-    let (axis, is_up) = longest(session, ends);
-    sort_by_sign(points, |v, w| {
-        let sign = session.compare(axis, v, w);
-        if is_up { sign } else { -sign }
-    });
 }
