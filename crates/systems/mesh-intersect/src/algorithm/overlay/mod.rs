@@ -66,6 +66,7 @@ mod regions;
 mod registered;
 mod result;
 mod same;
+mod table;
 mod touching;
 
 use std::num::NonZero;
@@ -270,6 +271,9 @@ fn run(
 ) -> Result<MeshOverlay, Undone> {
     let before = session.scene().constructions().len();
     let both = [&*meshes[0], &*meshes[1]];
+    if zeros == Zeros::Zero && extent == Extent::Whole && same::do_touch(session, both) {
+        return touching::overlay(session, &meshes, extent, done);
+    }
     let asked = if extent == Extent::Whole { same::asked_about(session, both) } else { None };
     let (near, bounds) = Near::of(session.scene(), both, asked);
     done(Step::Near);

@@ -30,6 +30,7 @@ use predicament_predicates::{Plane, Predicates, Scene, Sign, Vertex};
 
 use super::meet::do_meet;
 use super::near::{number, span};
+use super::table::{NONE, Table, bits};
 
 /// The minimum size of a mesh; smaller meshes are tested in full.
 const FEWEST: usize = 4096;
@@ -41,8 +42,6 @@ const SHARE: usize = 8;
 const PART: usize = 4096;
 /// The maximum number of triangles of a cell; in cells with more, none is set aside.
 const MOST: usize = 512;
-/// The index for no vertex or triangle.
-const NONE: u32 = u32::MAX;
 
 /// The triangles of either mesh that must be tested, ascending: all except those set aside. `None` if setting aside is
 /// not worthwhile, or the session is not known to move a mesh as a whole.
@@ -75,6 +74,35 @@ pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) 
     Some([asked(aside.len(), &|at| aside[at]), asked(same.len(), &|at| same[at] != NONE && aside[same[at] as usize])])
 }
 
+/// True if both meshes are large, share many vertices, and a vertex of one at a corner of the other is in the plane of a
+/// triangle there: zeros mean zero, and the meshes touch.
+pub(super) fn do_touch(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> bool {
+    if session.moves_second_mesh() || meshes.iter().any(|mesh| mesh.triangles().len() < FEWEST) {
+        return false;
+    }
+    let scene = session.scene();
+    let [first, second] = meshes.map(Vertices::of);
+    if !is_worth_it(scene, first, second) {
+        return false;
+    }
+    let same = same_vertices(scene, first, second);
+    let Some(at) = same.iter().position(|&at| at != NONE) else { return false };
+    let (corner, v) = (first.vertex(same[at] as usize), second.vertex(at));
+    let triangle = meshes[0].triangles().iter().find(|triangle| triangle.contains(&corner));
+    triangle.is_some_and(|&[a, b, c]| session.orient3d(a, b, c, v).is_zero())
+}
+
+/// For each triangle of either mesh, the other mesh's triangle with corners at the same positions.
+pub(super) fn twins(scene: &Scene, meshes: [&MaterialMesh; 2]) -> [Vec<Option<u32>>; 2] {
+    let [first, second] = meshes.map(Vertices::of);
+    let same = same_triangles(meshes, first, second, &same_vertices(scene, first, second));
+    let mut of_first = vec![None; meshes[0].triangles().len()];
+    for (&at, twin) in same.iter().zip(0..).filter(|(at, _)| **at != NONE) {
+        of_first[at as usize] = Some(twin);
+    }
+    [of_first, same.into_iter().map(|at| (at != NONE).then_some(at)).collect()]
+}
+
 /// The range of a mesh's vertices, from the first to the last.
 #[derive(Clone, Copy)]
 struct Vertices {
@@ -94,56 +122,6 @@ impl Vertices {
 
     fn vertex(self, place: usize) -> Vertex {
         Vertex::input(self.first + place)
-    }
-}
-
-/// The bits of a point; −0 becomes 0.
-fn bits(p: [f64; 3]) -> [u64; 3] {
-    p.map(|x| (x + 0.0).to_bits())
-}
-
-/// A hash of three words.
-fn mixed(words: [u64; 3]) -> usize {
-    // (Odd numbers without a pattern; any others would do.)
-    let sum = words[0].wrapping_mul(0x9e37_79b9_7f4a_7c15)
-        ^ words[1].wrapping_mul(0xc2b2_ae3d_27d4_eb4f).rotate_left(21)
-        ^ words[2].wrapping_mul(0x1656_67b1_9e37_79f9).rotate_left(42);
-    #[allow(clippy::cast_possible_truncation)] // the lower half is as good
-    let low = (sum ^ sum >> 32) as usize;
-    low
-}
-
-/// A hash table of items by three words, with linear probing.
-struct Table {
-    slots: Vec<u32>,
-}
-
-impl Table {
-    /// Inserts the items `0..count`; items without words are left out, and of those with the same words the first is
-    /// kept.
-    fn of(count: usize, words: &dyn Fn(usize) -> [u64; 3]) -> Table {
-        let mut table = Table { slots: vec![NONE; (2 * count).next_power_of_two()] };
-        for at in 0..count {
-            let own = words(at);
-            let slot = table.slot(own, &|other| words(other) == own);
-            if table.slots[slot] == NONE {
-                table.slots[slot] = number(at);
-            }
-        }
-        table
-    }
-
-    /// The slot of an item, or the empty slot for it.
-    fn slot(&self, words: [u64; 3], is_it: &dyn Fn(usize) -> bool) -> usize {
-        let mut slot = mixed(words) & (self.slots.len() - 1);
-        while self.slots[slot] != NONE && !is_it(self.slots[slot] as usize) {
-            slot = (slot + 1) & (self.slots.len() - 1);
-        }
-        slot
-    }
-
-    fn get(&self, words: [u64; 3], is_it: &dyn Fn(usize) -> bool) -> u32 {
-        self.slots[self.slot(words, is_it)]
     }
 }
 

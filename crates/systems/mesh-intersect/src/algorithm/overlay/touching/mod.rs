@@ -22,7 +22,7 @@
 //! constructions of one point never arise.
 //!
 //! # Steps
-//! 1. Vertices at one position get one representative, and triangles that both meshes have are set aside (`same.rs`).
+//! 1. Vertices at one position get one representative (`stands.rs`), and triangles that both meshes have are set aside.
 //! 2. Each other pair of near triangles is intersected: two planes (`skew.rs`), or one (`coplanar.rs`). All decisions
 //!    are orientations of input vertices.
 //! 3. Points inside edges are constructed, each by its edge and a plane, and distributed over simplices (`marks.rs`).
@@ -50,8 +50,8 @@ mod face;
 mod found;
 mod marks;
 mod regions;
-mod same;
 mod skew;
+mod stands;
 mod triangle;
 
 use std::num::NonZero;
@@ -67,9 +67,10 @@ use self::face::{Dividing, Part, Place};
 use self::found::{Found, Simplex};
 use self::marks::Marks;
 use self::regions::{Decided, Regions};
-use self::same::Stands;
+use self::stands::Stands;
 use self::triangle::Triangles;
 use super::near::{Near, number};
+use super::same;
 use super::{Contradiction, Extent, MeshOverlay, Piece, Step, Undone};
 use crate::algorithm::resolve::faces::turn;
 
@@ -94,7 +95,7 @@ pub(super) fn overlay(
     let before = session.scene().constructions().len();
     let both = [&*meshes[0], &*meshes[1]];
     let stands = Stands::new(session.scene(), both);
-    let twins = stands.twins(both);
+    let twins = same::twins(session.scene(), both);
     let asked = twins[0].iter().any(Option::is_some).then(|| {
         let others =
             |twins: &Vec<Option<u32>>| (0..).zip(twins).filter(|(_, twin)| twin.is_none()).map(|(at, _)| at).collect();
