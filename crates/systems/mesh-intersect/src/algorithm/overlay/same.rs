@@ -74,8 +74,8 @@ pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) 
     Some([asked(aside.len(), &|at| aside[at]), asked(same.len(), &|at| same[at] != NONE && aside[same[at] as usize])])
 }
 
-/// True if both meshes are large, share many vertices, and a vertex of one at a corner of the other is in the plane of a
-/// triangle there: zeros mean zero, and the meshes touch.
+/// True if both meshes are large, share many vertices, and a vertex of one at a corner of the other is in the plane of
+/// a triangle there: zeros mean zero, and the meshes touch.
 pub(super) fn do_touch(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> bool {
     if session.moves_second_mesh() || meshes.iter().any(|mesh| mesh.triangles().len() < FEWEST) {
         return false;
