@@ -46,6 +46,13 @@
 //     Labels polygon_locate(const Polygons& regions, const Points2& probes)     the region, -1 outside, -2 on a border
 //     Labels mesh_locate(const Mesh& mesh, const Points3& probes)     1 inside, 0 outside, -2 on the surface
 //     Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second)
+//     Pairs contacts2d(const Points2& points, const Simplices& a, const Simplices& b)     simplices that meet
+//     Pairs contacts3d(const Points3& points, const Simplices& a, const Simplices& b)
+//     std::vector<Ids> crossings(const Segments& segments)     for each segment those that cross it, in order along it
+//     Labels interval(const Cells& cells, const std::vector<double>& probes)     the cell, -1 outside, -2 at an end
+//     Measures cube_union(const Cubes& cubes)
+//     std::vector<Mesh> slice(const Mesh& mesh, const Planes& planes)     parts, each on one side of each plane
+//     Chains snap2d(const Segments& segments, double side)     coordinates that are multiples of `side`
 //
 // A task throws `predicament::Declined` if a scene is not for the library. Only the call is timed.
 //
@@ -60,6 +67,7 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -130,6 +138,17 @@ using Labels = std::vector<std::int64_t>;
 struct Mesh {
     Points3 vertices;
     Triangles triangles;
+};
+using Simplices = std::vector<Ids>;
+using Pairs = std::vector<std::array<Ids, 2>>;
+using Segments = std::vector<std::array<Point2, 2>>;
+using Cells = std::vector<std::array<double, 2>>;
+using Cubes = std::vector<std::array<double, 4>>;  // x, y and z of the lower corner, and the length of the edges
+using Planes = std::vector<std::array<Point3, 3>>;
+using Chains = std::vector<Points2>;
+struct Measures {
+    double volume = 0, area = 0;
+    std::optional<double> edge_length;
 };
 
 /// The results of Boolean operations; operations that the library lacks stay empty. In a polygon of a result, the outer
@@ -452,6 +471,15 @@ PREDICAMENT_TASK(PolygonLocate, "polygon-locate", (E & e, const Polygons& region
 PREDICAMENT_TASK(MeshLocate, "mesh-locate", (E & e, const Mesh& mesh, const Points3& probes), e.mesh_locate(mesh, probes));
 PREDICAMENT_TASK(MeshIntersect, "mesh-intersect", (E & e, const Mesh& first, const Mesh& second),
                  e.mesh_intersect(first, second));
+PREDICAMENT_TASK(Contacts2d, "contacts2d", (E & e, const Points2& points, const Simplices& a, const Simplices& b),
+                 e.contacts2d(points, a, b));
+PREDICAMENT_TASK(Contacts3d, "contacts3d", (E & e, const Points3& points, const Simplices& a, const Simplices& b),
+                 e.contacts3d(points, a, b));
+PREDICAMENT_TASK(Crossings, "crossings", (E & e, const Segments& segments), e.crossings(segments));
+PREDICAMENT_TASK(Interval, "interval", (E & e, const Cells& cells, const std::vector<double>& probes), e.interval(cells, probes));
+PREDICAMENT_TASK(CubeUnion, "cube-union", (E & e, const Cubes& cubes), e.cube_union(cubes));
+PREDICAMENT_TASK(Slice, "slice", (E & e, const Mesh& mesh, const Planes& planes), e.slice(mesh, planes));
+PREDICAMENT_TASK(Snap2d, "snap2d", (E & e, const Segments& segments, double side), e.snap2d(segments, side));
 #undef PREDICAMENT_TASK
 
 /// Whether the engine `E` has the task `T`, for arguments of these types.
@@ -535,6 +563,36 @@ public:
         return mesh;
     }
 
+    /// The largest simplices of a complex.
+    Simplices complex(const std::string& name) const {
+        Simplices all;
+        for (const std::uint32_t vertex : ids(name + ".vertices")) all.push_back({vertex});
+        for (const char* const kind : {".edges", ".triangles", ".tetrahedra"})
+            for (const Ids& simplex : rings(name + kind)) all.push_back(simplex);
+        return all;
+    }
+
+    /// The points of tuples of indices.
+    template <std::size_t N, std::size_t D>
+    std::vector<std::array<std::array<double, D>, N>> corners(const std::string& name) const {
+        const std::vector<std::array<double, D>> points = this->points<D>("points");
+        std::vector<std::array<std::array<double, D>, N>> all;
+        for (const auto& tuple : tuples<N>(name)) {
+            all.emplace_back();
+            for (std::size_t i = 0; i < N; ++i) all.back()[i] = points.at(tuple[i]);
+        }
+        return all;
+    }
+
+    /// The coordinates of all points along the axis of `interval`, in a scene of `D` dimensions.
+    template <std::size_t D>
+    std::vector<double> along() const {
+        const std::string axis = message_.value("word:axis").text();
+        std::vector<double> along;
+        for (const auto& point : points<D>("points")) along.push_back(point.at(axis == "z" ? 2 : axis == "y" ? 1 : 0));
+        return along;
+    }
+
 private:
     const Message& message_;
 };
@@ -586,6 +644,46 @@ public:
 
     void add(const std::string& name, const Mesh& mesh) {
         points(name + ".vertices", mesh.vertices), tuples(name + ".triangles", mesh.triangles);
+    }
+
+    /// The place of each list's first item, and the number of items.
+    template <class T>
+    void starts(const std::string& name, const T& lists) {
+        Ids starts{0};
+        for (const auto& list : lists) starts.push_back(starts.back() + static_cast<std::uint32_t>(list.size()));
+        ids(name + ".starts", starts);
+    }
+
+    void lists(const std::string& name, const std::vector<Ids>& lists) { tuples(name, lists), starts(name, lists); }
+
+    void pairs(const Pairs& pairs) {
+        std::vector<Ids> rows;
+        for (const auto& [a, b] : pairs) rows.push_back(a), rows.back().insert(rows.back().end(), b.begin(), b.end());
+        lists("pairs", rows);
+    }
+
+    void parts(const std::vector<Mesh>& parts) {
+        Mesh all;
+        Ids starts{0};
+        for (const Mesh& part : parts) {
+            const auto before = static_cast<std::uint32_t>(all.vertices.size());
+            all.vertices.insert(all.vertices.end(), part.vertices.begin(), part.vertices.end());
+            for (const auto& [a, b, c] : part.triangles) all.triangles.push_back({a + before, b + before, c + before});
+            starts.push_back(static_cast<std::uint32_t>(all.triangles.size()));
+        }
+        add("parts", all), ids("parts.starts", starts);
+    }
+
+    void chains(const Chains& chains) {
+        Points2 all;
+        for (const Points2& chain : chains) all.insert(all.end(), chain.begin(), chain.end());
+        points("chains", all), starts("chains", chains);
+    }
+
+    void measures(const Measures& found) {
+        const auto number = [&](const char* name, double x) { points(name, std::array<std::array<double, 1>, 1>{{{x}}}); };
+        number("volume", found.volume), number("area", found.area);
+        if (found.edge_length) number("edge_length", *found.edge_length);
     }
 
     template <class T>
@@ -721,10 +819,13 @@ private:
     template <class T, class... A>
     static constexpr bool does = Does<T, E, std::tuple<A...>>::value;
     static constexpr bool has_constraints = does<Constrained, Points2, Edges>;
-    static constexpr bool has_tasks = does<Delaunay2d, Points2> || has_constraints || does<Hull2d, Points2> ||
-                                      does<Hull3d, Points3> || does<Triangulate, Points2, Rings> ||
-                                      does<Overlay2d, Polygon, Polygon, bool> || does<PolygonLocate, Polygons, Points2> ||
-                                      does<MeshLocate, Mesh, Points3> || does<MeshIntersect, Mesh, Mesh>;
+    static constexpr bool has_tasks =
+        does<Delaunay2d, Points2> || has_constraints || does<Hull2d, Points2> || does<Hull3d, Points3> ||
+        does<Triangulate, Points2, Rings> || does<Overlay2d, Polygon, Polygon, bool> ||
+        does<PolygonLocate, Polygons, Points2> || does<MeshLocate, Mesh, Points3> || does<MeshIntersect, Mesh, Mesh> ||
+        does<Contacts2d, Points2, Simplices, Simplices> || does<Contacts3d, Points3, Simplices, Simplices> ||
+        does<Crossings, Segments> || does<Interval, Cells, std::vector<double>> || does<CubeUnion, Cubes> ||
+        does<Slice, Mesh, Planes> || does<Snap2d, Segments, double>;
 
     /// The names of the engine's tasks.
     static std::string tasks() {
@@ -737,6 +838,10 @@ private:
         add("overlay2d", does<Overlay2d, Polygon, Polygon, bool>);
         add("polygon-locate", does<PolygonLocate, Polygons, Points2>), add("mesh-locate", does<MeshLocate, Mesh, Points3>);
         add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
+        add("contacts2d", does<Contacts2d, Points2, Simplices, Simplices>);
+        add("contacts3d", does<Contacts3d, Points3, Simplices, Simplices>), add("crossings", does<Crossings, Segments>);
+        add("interval", does<Interval, Cells, std::vector<double>>), add("cube-union", does<CubeUnion, Cubes>);
+        add("slice", does<Slice, Mesh, Planes>), add("snap2d", does<Snap2d, Segments, double>);
         return names;
     }
 
@@ -776,6 +881,31 @@ private:
         if (name == "mesh-intersect") {
             refuse("first_regions"), refuse("second_regions");
             return call<MeshIntersect>(results, asked.mesh("first"), asked.mesh("second"));
+        }
+        const auto pairs = [](Answered& to, const Pairs& found) { to.pairs(found); };
+        if (name == "contacts2d") return call<Contacts2d>(pairs, asked.points<2>("points"), asked.complex("a"), asked.complex("b"));
+        if (name == "contacts3d") return call<Contacts3d>(pairs, asked.points<3>("points"), asked.complex("a"), asked.complex("b"));
+        if (name == "crossings") {
+            const auto add = [](Answered& to, const std::vector<Ids>& lists) { to.lists("crossings", lists); };
+            return call<Crossings>(add, asked.corners<2, 2>("segments"));
+        }
+        if (name == "interval") {
+            const std::vector<double> along = message.need("dimension").text() == "2" ? asked.along<2>() : asked.along<3>();
+            Cells cells;
+            for (const auto& [left, right] : asked.tuples<2>("cells")) cells.push_back({along.at(left), along.at(right)});
+            std::vector<double> probes;
+            for (const std::uint32_t probe : asked.ids("probes")) probes.push_back(along.at(probe));
+            return call<Interval>(labels, cells, probes);
+        }
+        if (name == "cube-union")
+            return call<CubeUnion>([](Answered& to, const Measures& found) { to.measures(found); }, asked.points<4>("cubes"));
+        if (name == "slice") {
+            const auto add = [](Answered& to, const std::vector<Mesh>& parts) { to.parts(parts); };
+            return call<Slice>(add, Mesh{asked.points<3>("points"), asked.tuples<3>("triangles")}, asked.corners<3, 3>("planes"));
+        }
+        if (name == "snap2d") {
+            const double side = std::ldexp(1.0, -std::atoi(message.value("word:pixel").text().c_str()));
+            return call<Snap2d>([](Answered& to, const Chains& found) { to.chains(found); }, asked.corners<2, 2>("segments"), side);
         }
         throw Declined("this engine has no `" + name + "`");
     }

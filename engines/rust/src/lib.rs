@@ -169,6 +169,20 @@ pub enum Task {
     MeshLocate,
     /// Boolean operations on solids.
     MeshIntersect,
+    /// Simplices in the plane that meet.
+    Contacts2d,
+    /// Simplices in space that meet.
+    Contacts3d,
+    /// Crossings of segments.
+    Crossings,
+    /// Numbers in the cells of a line.
+    Interval,
+    /// The measures of a union of cubes.
+    CubeUnion,
+    /// Cuts of a solid by planes.
+    Slice,
+    /// Segments rounded to a grid.
+    Snap2d,
 }
 
 impl Task {
@@ -184,6 +198,13 @@ impl Task {
             Task::PolygonLocate => "polygon-locate",
             Task::MeshLocate => "mesh-locate",
             Task::MeshIntersect => "mesh-intersect",
+            Task::Contacts2d => "contacts2d",
+            Task::Contacts3d => "contacts3d",
+            Task::Crossings => "crossings",
+            Task::Interval => "interval",
+            Task::CubeUnion => "cube-union",
+            Task::Slice => "slice",
+            Task::Snap2d => "snap2d",
         }
     }
 }
@@ -198,6 +219,23 @@ pub struct Mesh {
     pub vertices: Vec<[f64; 3]>,
     /// The triangles, by indices of vertices.
     pub triangles: Vec<[u32; 3]>,
+}
+
+/// The largest simplices of a complex, each with the indices of its points.
+pub type Simplices = Vec<Vec<u32>>;
+
+/// A segment of the plane.
+pub type Segment = [[f64; 2]; 2];
+
+/// The measures of a union of cubes.
+#[derive(Clone, Copy, PartialEq, Default, Debug)]
+pub struct Measures {
+    /// The volume.
+    pub volume: f64,
+    /// The area of the surface.
+    pub area: f64,
+    /// The length of the edges; `None` if the library lacks it.
+    pub edge_length: Option<f64>,
 }
 
 /// The results of Boolean operations; `None` for operations that the library lacks.
@@ -327,6 +365,48 @@ pub trait Engine: Default {
     /// Boolean operations on two solids.
     fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {
         let _ = (first, second);
+        not_written()
+    }
+
+    /// The pairs of simplices that meet: the indices of one of `a`, and those of one of `b`.
+    fn contacts2d(&self, points: &[[f64; 2]], a: &Simplices, b: &Simplices) -> Result<Vec<[Vec<u32>; 2]>, String> {
+        let _ = (points, a, b);
+        not_written()
+    }
+
+    /// The pairs of simplices that meet, in space.
+    fn contacts3d(&self, points: &[[f64; 3]], a: &Simplices, b: &Simplices) -> Result<Vec<[Vec<u32>; 2]>, String> {
+        let _ = (points, a, b);
+        not_written()
+    }
+
+    /// For each segment the numbers of those that cross it, in their order from its first end on.
+    fn crossings(&self, segments: &[Segment]) -> Result<Vec<Vec<u32>>, String> {
+        let _ = segments;
+        not_written()
+    }
+
+    /// For each probe the number of its cell, −1 outside, −2 at an end of a cell.
+    fn interval(&self, cells: &[[f64; 2]], probes: &[f64]) -> Result<Vec<i64>, String> {
+        let _ = (cells, probes);
+        not_written()
+    }
+
+    /// The measures of a union of cubes. A cube has x, y and z of its lower corner and the length of its edges.
+    fn cube_union(&self, cubes: &[[f64; 4]]) -> Result<Measures, String> {
+        let _ = cubes;
+        not_written()
+    }
+
+    /// The parts of a closed mesh that is cut by planes, each part on one side of each plane. A plane is three points.
+    fn slice(&self, mesh: &Mesh, planes: &[[[f64; 3]; 3]]) -> Result<Vec<Mesh>, String> {
+        let _ = (mesh, planes);
+        not_written()
+    }
+
+    /// For each segment a polyline from its first end to its second, with coordinates that are multiples of `side`.
+    fn snap2d(&self, segments: &[Segment], side: f64) -> Result<Vec<Vec<[f64; 2]>>, String> {
+        let _ = (segments, side);
         not_written()
     }
 }

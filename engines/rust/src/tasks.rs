@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::message::{Message, Reply};
 use super::server::{Refused, caught};
-use super::{Engine, Mesh, Polygon, Results, Task};
+use super::{Engine, Measures, Mesh, Polygon, Results, Simplices, Task};
 
 /// The arrays of a task's scene.
 struct Asked<'m>(&'m Message);
@@ -62,6 +62,30 @@ impl Asked<'_> {
         triangles.as_flattened_mut().iter_mut().for_each(|id| *id = own[id]);
         Mesh { vertices: own.keys().map(|&id| points[id as usize]).collect(), triangles }
     }
+
+    /// The largest simplices of a complex.
+    fn complex(&self, name: &str) -> Simplices {
+        let vertices = self.ids(&format!("{name}.vertices")).into_iter().map(|vertex| vec![vertex]);
+        let kinds = ["edges", "triangles", "tetrahedra"].into_iter();
+        vertices.chain(kinds.flat_map(|kind| self.rings(&format!("{name}.{kind}")))).collect()
+    }
+
+    /// The points of tuples of indices.
+    fn corners<const N: usize, const D: usize>(&self, name: &str) -> Vec<[[f64; D]; N]> {
+        let points = self.points::<D>("points");
+        self.tuples::<N>(name).into_iter().map(|tuple| tuple.map(|id| points[id as usize])).collect()
+    }
+
+    /// The coordinates of all points along the axis of `interval`.
+    fn along(&self) -> Result<Vec<f64>, Refused> {
+        let dimension = if self.0.need("dimension")? == b"3" { 3 } else { 2 };
+        let axis = match self.0.bytes("word:axis") {
+            Some(b"z") => 2,
+            Some(b"y") => 1,
+            _ => 0,
+        };
+        Ok(self.points::<1>("points").chunks(dimension).map(|point| point[axis.min(dimension - 1)][0]).collect())
+    }
 }
 
 /// Arrays of an answer.
@@ -114,6 +138,42 @@ fn results<T: Shape>(mut to: Reply, all: Results<T>) -> Reply {
         };
     }
     to
+}
+
+/// Lists of different lengths, with their places.
+fn lists(to: Reply, name: &str, lists: &[Vec<u32>]) -> Reply {
+    starts(ids(to, name, &lists.concat()), name, lists.iter().map(Vec::len))
+}
+
+/// The place of each list's first item, and the number of items.
+fn starts(to: Reply, name: &str, lengths: impl Iterator<Item = usize>) -> Reply {
+    let mut all = vec![0];
+    for length in lengths {
+        all.push(all[all.len() - 1] + length as u32);
+    }
+    ids(to, &format!("{name}.starts"), &all)
+}
+
+fn pairs(to: Reply, pairs: Vec<[Vec<u32>; 2]>) -> Reply {
+    lists(to, "pairs", &pairs.iter().map(|pair| pair.concat()).collect::<Vec<_>>())
+}
+
+fn measures(to: Reply, found: Measures) -> Reply {
+    let to = numbers(numbers(to, "volume", &[found.volume]), "area", &[found.area]);
+    match found.edge_length {
+        Some(length) => numbers(to, "edge_length", &[length]),
+        None => to,
+    }
+}
+
+fn parts(to: Reply, parts: Vec<Mesh>) -> Reply {
+    let mut all = Mesh::default();
+    for part in &parts {
+        let before = all.vertices.len() as u32;
+        all.vertices.extend(&part.vertices);
+        all.triangles.extend(part.triangles.iter().map(|triangle| triangle.map(|v| v + before)));
+    }
+    starts(all.add(to, "parts"), "parts", parts.iter().map(|part| part.triangles.len()))
 }
 
 fn labels(to: Reply, labels: Vec<i64>) -> Reply {
@@ -182,6 +242,43 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
         Task::MeshIntersect => {
             let (first, second) = (asked.mesh("first"), asked.mesh("second"));
             timed(|| engine.mesh_intersect(&first, &second), results)
+        }
+        Task::Contacts2d => {
+            let (points, a, b) = (asked.points("points"), asked.complex("a"), asked.complex("b"));
+            timed(|| engine.contacts2d(&points, &a, &b), pairs)
+        }
+        Task::Contacts3d => {
+            let (points, a, b) = (asked.points("points"), asked.complex("a"), asked.complex("b"));
+            timed(|| engine.contacts3d(&points, &a, &b), pairs)
+        }
+        Task::Crossings => {
+            let segments = asked.corners("segments");
+            timed(|| engine.crossings(&segments), |to, found| lists(to, "crossings", &found))
+        }
+        Task::Interval => {
+            let along = asked.along()?;
+            let place = |id: u32| along[id as usize];
+            let cells: Vec<[f64; 2]> = asked.tuples("cells").into_iter().map(|cell| cell.map(place)).collect();
+            let probes: Vec<f64> = asked.ids("probes").into_iter().map(place).collect();
+            timed(|| engine.interval(&cells, &probes), labels)
+        }
+        Task::CubeUnion => {
+            let cubes = asked.points("cubes");
+            timed(|| engine.cube_union(&cubes), measures)
+        }
+        Task::Slice => {
+            let mesh = Mesh { vertices: asked.points("points"), triangles: asked.tuples("triangles") };
+            let planes = asked.corners("planes");
+            timed(|| engine.slice(&mesh, &planes), parts)
+        }
+        Task::Snap2d => {
+            let segments = asked.corners("segments");
+            let pixel = message.bytes("word:pixel").and_then(|word| std::str::from_utf8(word).ok()?.parse().ok());
+            let side = 2.0_f64.powi(-pixel.unwrap_or(0));
+            timed(|| engine.snap2d(&segments, side), |to, found| {
+                let to = numbers(to, "chains", found.concat().as_flattened());
+                starts(to, "chains", found.iter().map(Vec::len))
+            })
         }
     }
 }

@@ -72,6 +72,52 @@ task = "mesh-intersect"
 points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [-1, -1, -1], [9, -1, -1], [-1, 9, -1], [-1, -1, 9]]
 first = [[4, 6, 5], [4, 5, 7], [5, 6, 7], [4, 7, 6]]
 second = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+
+[[scene]]
+name = "edges"
+task = "contacts2d"
+points = [[0, 0], [4, 4], [0, 4], [4, 0]]
+a = { edges = [[0, 1]] }
+b = { edges = [[2, 3]] }
+
+[[scene]]
+name = "edge-through-triangle"
+task = "contacts3d"
+points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [1, 1, -1], [1, 1, 1]]
+a = { triangles = [[0, 1, 2]] }
+b = { edges = [[3, 4]] }
+
+[[scene]]
+name = "cross"
+task = "crossings"
+points = [[0, 0], [4, 4], [0, 4], [4, 0]]
+segments = [[0, 1], [2, 3]]
+
+[[scene]]
+name = "ends"
+task = "interval"
+axis = "y"
+points = [[0, 0], [0, 4], [0, 8], [7, 4]]
+cells = [[0, 1], [1, 2]]
+
+[[scene]]
+name = "one-cube"
+task = "cube-union"
+cubes = [[0.25, -1, 3, 0.5]]
+
+[[scene]]
+name = "two-planes"
+task = "slice"
+points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+faces = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+planes = [[[9, 0, 0], [9, 1, 0], [9, 0, 1]], [[0, 0, -1], [1, 0, -1], [0, 1, -1]]]
+
+[[scene]]
+name = "halves"
+task = "snap2d"
+points = [[0, 0.5], [3, 4]]
+segments = [[0, 1]]
+pixel = 1
 "#;
 
 /// Writes a new engine of a language with this source, builds it, and compares the judge's findings with the expected
@@ -87,7 +133,8 @@ fn is_judged(language: &str, file: &str, source: &str) {
     std::fs::write(Path::new(&at(&folder, "engines/mine")).join(file), source).unwrap();
     let (code, said) = call(&["engines", "build", "mine"]);
     assert_eq!(code, 0, "{said}");
-    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-intersect";
+    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-intersect, \
+               contacts2d, contacts3d, crossings, interval, cube-union, slice, snap2d";
     let (code, said) = call(&["engines", "check", "mine"]);
     assert!(code == 0 && said.contains(all), "{said}");
     write(&folder, "suite.toml", SUITE);
@@ -124,6 +171,13 @@ engine.task("overlay2d", lambda first, second: {"union": [first], "intersection"
 engine.task("polygon-locate", lambda regions, probes: [0] * len(probes))
 engine.task("mesh-locate", lambda vertices, triangles, probes: [-2] * len(probes))
 engine.task("mesh-intersect", lambda first, second: {"union": first, "intersection": second})
+engine.task("contacts2d", lambda points, a, b: [(a[0], b[0])])
+engine.task("contacts3d", lambda points, a, b: [(a[0], b[0])])
+engine.task("crossings", lambda segments: [[1], [0]])
+engine.task("interval", lambda cells, probes: [-2 if probe in cells[0] else -1 for probe in probes])
+engine.task("cube-union", lambda cubes: {"volume": cubes[0][3] ** 3, "area": 1.5, "edge_length": 6})
+engine.task("slice", lambda vertices, triangles, planes: [(vertices, triangles)] if len(planes) == 2 else [])
+engine.task("snap2d", lambda segments, side: segments if side == 0.5 else [])
 predicament_engine.serve(engine)
 "#,
     );
@@ -147,6 +201,13 @@ const tasks = {
     "polygon-locate": ({ probes }) => probes.map(() => 0),
     "mesh-locate": ({ probes }) => probes.map(() => -2),
     "mesh-intersect": ({ first, second }) => ({ union: first, intersection: second }),
+    contacts2d: ({ a, b }) => [[a[0], b[0]]],
+    contacts3d: ({ a, b }) => [[a[0], b[0]]],
+    crossings: () => [[1], [0]],
+    interval: ({ cells, probes }) => probes.map((probe) => (cells[0].includes(probe) ? -2 : -1)),
+    "cube-union": ({ cubes }) => ({ volume: cubes[0][3] ** 3, area: 1.5, edge_length: 6 }),
+    slice: ({ vertices, triangles, planes }) => (planes.length === 2 ? [{ vertices, triangles }] : []),
+    snap2d: ({ segments, side }) => (side === 0.5 ? segments : []),
 };
 serve({ name: "mine", version: "1.0", tasks });
 "#,
@@ -177,6 +238,21 @@ struct Mine {
     static Labels polygon_locate(const Polygons&, const Points2& probes) { return Labels(probes.size(), 0); }
     static Labels mesh_locate(const Mesh&, const Points3& probes) { return Labels(probes.size(), -2); }
     static Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second) { return {first, second, {}, {}}; }
+    static Pairs contacts2d(const Points2&, const Simplices& a, const Simplices& b) { return {{a.at(0), b.at(0)}}; }
+    static Pairs contacts3d(const Points3&, const Simplices& a, const Simplices& b) { return {{a.at(0), b.at(0)}}; }
+    static std::vector<Ids> crossings(const Segments&) { return {{1}, {0}}; }
+    static Labels interval(const Cells& cells, const std::vector<double>& probes) {
+        Labels labels;
+        for (const double probe : probes) labels.push_back(probe == cells[0][0] || probe == cells[0][1] ? -2 : -1);
+        return labels;
+    }
+    static Measures cube_union(const Cubes& cubes) { return {cubes[0][3] * cubes[0][3] * cubes[0][3], 1.5, 6.0}; }
+    static std::vector<Mesh> slice(const Mesh& mesh, const Planes& planes) {
+        return planes.size() == 2 ? std::vector<Mesh>{mesh} : std::vector<Mesh>{};
+    }
+    static Chains snap2d(const Segments& segments, double side) {
+        return side == 0.5 ? Chains{{segments[0][0], segments[0][1]}} : Chains{};
+    }
 };
 
 int main(int argc, char** argv) { return serve<Mine>(argc, argv); }
@@ -194,7 +270,7 @@ fn tasks_in_rust_are_judged() {
 #[allow(dead_code)]
 mod predicament_engine;
 
-use predicament_engine::{Engine, Mesh, Polygon, Results, Task, serve};
+use predicament_engine::{Engine, Measures, Mesh, Polygon, Results, Segment, Simplices, Task, serve};
 
 #[derive(Default)]
 struct Mine;
@@ -210,6 +286,13 @@ impl Engine for Mine {
         Task::PolygonLocate,
         Task::MeshLocate,
         Task::MeshIntersect,
+        Task::Contacts2d,
+        Task::Contacts3d,
+        Task::Crossings,
+        Task::Interval,
+        Task::CubeUnion,
+        Task::Slice,
+        Task::Snap2d,
     ];
 
     fn version() -> String {
@@ -248,6 +331,34 @@ impl Engine for Mine {
     fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {
         let [union, intersection] = [first, second].map(|mesh| Some(mesh.clone()));
         Ok(Results { union, intersection, difference: None, symmetric_difference: None })
+    }
+
+    fn contacts2d(&self, _: &[[f64; 2]], a: &Simplices, b: &Simplices) -> Result<Vec<[Vec<u32>; 2]>, String> {
+        Ok(vec![[a[0].clone(), b[0].clone()]])
+    }
+
+    fn contacts3d(&self, _: &[[f64; 3]], a: &Simplices, b: &Simplices) -> Result<Vec<[Vec<u32>; 2]>, String> {
+        Ok(vec![[a[0].clone(), b[0].clone()]])
+    }
+
+    fn crossings(&self, _: &[Segment]) -> Result<Vec<Vec<u32>>, String> {
+        Ok(vec![vec![1], vec![0]])
+    }
+
+    fn interval(&self, cells: &[[f64; 2]], probes: &[f64]) -> Result<Vec<i64>, String> {
+        Ok(probes.iter().map(|probe| if cells[0].contains(probe) { -2 } else { -1 }).collect())
+    }
+
+    fn cube_union(&self, cubes: &[[f64; 4]]) -> Result<Measures, String> {
+        Ok(Measures { volume: cubes[0][3].powi(3), area: 1.5, edge_length: Some(6.0) })
+    }
+
+    fn slice(&self, mesh: &Mesh, planes: &[[[f64; 3]; 3]]) -> Result<Vec<Mesh>, String> {
+        Ok(if planes.len() == 2 { vec![mesh.clone()] } else { vec![] })
+    }
+
+    fn snap2d(&self, segments: &[Segment], side: f64) -> Result<Vec<Vec<[f64; 2]>>, String> {
+        Ok(if side == 0.5 { vec![segments[0].to_vec()] } else { vec![] })
     }
 }
 

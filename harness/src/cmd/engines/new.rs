@@ -51,7 +51,7 @@ pub struct Args {
     #[arg(long, value_enum)]
     pub language: Language,
 
-    /// Answer a whole task instead of predicates, such as delaunay2d; in Python or JavaScript (node)
+    /// Answer a whole task instead of predicates, such as delaunay2d
     #[arg(long, value_name = "TASK")]
     pub task: Option<String>,
 
@@ -201,7 +201,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     say!("Replace the {what} in {} by calls of your library. Next:", into.join(template.source.0).display());
     let reference = if out.is_some() { into.join(FILE).display().to_string() } else { name.clone() };
     let commands = match whole {
-        Some((_, suites)) => whole::next(&reference, suites),
+        Some((_, suites)) => whole::next(&reference, template.first, suites),
         None => next(&reference, template.first),
     };
     for line in commands {

@@ -53,10 +53,14 @@ impl Replies<Contacts> for Judge {
         let functions: &[(&str, &str)] = match self.0 {
             Dimension::Two => &[
                 ("python", include_str!("../engines/contacts2d.py")),
+                ("cpp", include_str!("../engines/contacts2d.cpp")),
+                ("rust", include_str!("../engines/contacts2d.rs")),
                 ("node", include_str!("../engines/contacts2d.mjs")),
             ],
             Dimension::Three => &[
                 ("python", include_str!("../engines/contacts3d.py")),
+                ("cpp", include_str!("../engines/contacts3d.cpp")),
+                ("rust", include_str!("../engines/contacts3d.rs")),
                 ("node", include_str!("../engines/contacts3d.mjs")),
             ],
         };

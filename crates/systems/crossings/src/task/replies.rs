@@ -52,6 +52,8 @@ impl Replies<Crossings> for Judge {
             suites: "crossings",
             functions: &[
                 ("python", include_str!("../engines/crossings.py")),
+                ("cpp", include_str!("../engines/crossings.cpp")),
+                ("rust", include_str!("../engines/crossings.rs")),
                 ("node", include_str!("../engines/crossings.mjs")),
             ],
         }

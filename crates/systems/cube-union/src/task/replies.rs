@@ -53,6 +53,8 @@ impl Replies<CubeUnion> for Judge {
             suites: "cubes",
             functions: &[
                 ("python", include_str!("../engines/cube_union.py")),
+                ("cpp", include_str!("../engines/cube_union.cpp")),
+                ("rust", include_str!("../engines/cube_union.rs")),
                 ("node", include_str!("../engines/cube_union.mjs")),
             ],
         }

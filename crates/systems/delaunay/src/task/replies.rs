@@ -33,6 +33,8 @@ impl Replies<Delaunay2d> for Judge {
             suites: "delaunay",
             functions: &[
                 ("python", include_str!("../engines/delaunay2d.py")),
+                ("cpp", include_str!("../engines/delaunay2d.cpp")),
+                ("rust", include_str!("../engines/delaunay2d.rs")),
                 ("node", include_str!("../engines/delaunay2d.mjs")),
             ],
         }

@@ -32,6 +32,8 @@ impl Replies<Interval> for Judge {
             suites: "intervals",
             functions: &[
                 ("python", include_str!("../engines/interval.py")),
+                ("cpp", include_str!("../engines/interval.cpp")),
+                ("rust", include_str!("../engines/interval.rs")),
                 ("node", include_str!("../engines/interval.mjs")),
             ],
         }

@@ -57,6 +57,8 @@ impl Replies<MeshIntersect> for Judge {
             suites: "intersections",
             functions: &[
                 ("python", include_str!("../engines/mesh_intersect.py")),
+                ("cpp", include_str!("../engines/mesh_intersect.cpp")),
+                ("rust", include_str!("../engines/mesh_intersect.rs")),
                 ("node", include_str!("../engines/mesh_intersect.mjs")),
             ],
         }

@@ -35,6 +35,8 @@ impl Replies<MeshLocate> for Judge {
             suites: "mesh-points",
             functions: &[
                 ("python", include_str!("../engines/mesh_locate.py")),
+                ("cpp", include_str!("../engines/mesh_locate.cpp")),
+                ("rust", include_str!("../engines/mesh_locate.rs")),
                 ("node", include_str!("../engines/mesh_locate.mjs")),
             ],
         }

@@ -31,6 +31,8 @@ impl Replies<PolygonLocate> for Judge {
             suites: "tilings",
             functions: &[
                 ("python", include_str!("../engines/polygon_locate.py")),
+                ("cpp", include_str!("../engines/polygon_locate.cpp")),
+                ("rust", include_str!("../engines/polygon_locate.rs")),
                 ("node", include_str!("../engines/polygon_locate.mjs")),
             ],
         }

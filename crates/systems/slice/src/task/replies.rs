@@ -42,6 +42,8 @@ impl Replies<Slice> for Judge {
             suites: "slices",
             functions: &[
                 ("python", include_str!("../engines/slice.py")),
+                ("cpp", include_str!("../engines/slice.cpp")),
+                ("rust", include_str!("../engines/slice.rs")),
                 ("node", include_str!("../engines/slice.mjs")),
             ],
         }

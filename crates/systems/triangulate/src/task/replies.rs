@@ -36,6 +36,8 @@ impl Replies<Triangulate> for Judge {
             suites: "polygons",
             functions: &[
                 ("python", include_str!("../engines/triangulate.py")),
+                ("cpp", include_str!("../engines/triangulate.cpp")),
+                ("rust", include_str!("../engines/triangulate.rs")),
                 ("node", include_str!("../engines/triangulate.mjs")),
             ],
         }

@@ -31,6 +31,8 @@ impl Replies<Hull2d> for JudgeInPlane {
             suites: "hulls -f hull2d",
             functions: &[
                 ("python", include_str!("../../engines/hull2d.py")),
+                ("cpp", include_str!("../../engines/hull2d.cpp")),
+                ("rust", include_str!("../../engines/hull2d.rs")),
                 ("node", include_str!("../../engines/hull2d.mjs")),
             ],
         }

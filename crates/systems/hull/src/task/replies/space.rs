@@ -43,6 +43,8 @@ impl Replies<Hull3d> for JudgeInSpace {
             suites: "hulls -f hull3d",
             functions: &[
                 ("python", include_str!("../../engines/hull3d.py")),
+                ("cpp", include_str!("../../engines/hull3d.cpp")),
+                ("rust", include_str!("../../engines/hull3d.rs")),
                 ("node", include_str!("../../engines/hull3d.mjs")),
             ],
         }

@@ -44,6 +44,8 @@ impl Replies<Overlay2d> for Judge {
             suites: "overlays",
             functions: &[
                 ("python", include_str!("../../engines/overlay2d.py")),
+                ("cpp", include_str!("../../engines/overlay2d.cpp")),
+                ("rust", include_str!("../../engines/overlay2d.rs")),
                 ("node", include_str!("../../engines/overlay2d.mjs")),
             ],
         }

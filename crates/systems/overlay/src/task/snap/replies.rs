@@ -43,6 +43,8 @@ impl Replies<Snap2d> for Judge {
             suites: "snaps",
             functions: &[
                 ("python", include_str!("../../engines/snap2d.py")),
+                ("cpp", include_str!("../../engines/snap2d.cpp")),
+                ("rust", include_str!("../../engines/snap2d.rs")),
                 ("node", include_str!("../../engines/snap2d.mjs")),
             ],
         }

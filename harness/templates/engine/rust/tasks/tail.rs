@@ -1,0 +1,4 @@
+
+fn main() -> std::process::ExitCode {
+    serve::<Mine>()
+}
