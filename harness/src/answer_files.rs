@@ -1,6 +1,6 @@
 //! Files with the answer of another program, read into the arrays that its task's judge takes.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
 use predicament_formats::{CorpusError, Decimals, geometry, mesh as meshes, read_bytes, text_of};
@@ -19,8 +19,14 @@ const POLYGONS: [&str; 3] = ["geojson", "json", "wkt"];
 /// The arrays of an answer, and the number of decimals that were rounded.
 ///
 /// Each file is `FILE` or `PART=FILE`. Without a part, the file's name without its extension is the part if the task
-/// has such a part; otherwise the task's only or first part.
-pub fn read(task: &dyn AnyTask, scene: &Scene, files: &[String]) -> Result<(Arrays, usize), Failure> {
+/// has such a part; otherwise the task's only or first part. Points of a file are found by the coordinates of the scene
+/// and of the probes of the question.
+pub fn read(
+    task: &dyn AnyTask,
+    scene: &Scene,
+    question: &Arrays,
+    files: &[String],
+) -> Result<(Arrays, usize), Failure> {
     let parts = task
         .parts_of_replies()
         .ok_or_else(|| Failure::usage(format!("{} has no judge of other programs' answers", task.name())))?;
@@ -28,7 +34,7 @@ pub fn read(task: &dyn AnyTask, scene: &Scene, files: &[String]) -> Result<(Arra
     let mut arrays = Arrays::default();
     for file in files {
         let (part, path) = part_of(task, parts, file)?;
-        add((part, parts), scene, &path, &decimals, &mut arrays)?;
+        add((part, parts), (scene, question), &path, &decimals, &mut arrays)?;
     }
     Ok((arrays, decimals.rounded()))
 }
@@ -62,7 +68,7 @@ fn part_of<'p>(task: &dyn AnyTask, parts: &'p [Part], file: &str) -> Result<(&'p
 
 fn add(
     (part, parts): (&Part, &[Part]),
-    scene: &Scene,
+    (scene, question): (&Scene, &Arrays),
     path: &Path,
     decimals: &Decimals,
     arrays: &mut Arrays,
@@ -115,6 +121,11 @@ fn add(
             let corners = rings.iter().flatten().flatten().map(|point| at(point)).collect();
             arrays.add(part.name, Array::Ids(corners));
         }
+        Form::Labels if is(&["geojson"]) => {
+            let labelled = json(&name, bytes, |value| labelled(value, decimals), "points with a property `label`");
+            let labels = of_probes(&name, (scene, question), &labelled.map_err(Failure::usage)?);
+            arrays.add(part.name, Array::Ids(labels.map_err(Failure::usage)?));
+        }
         Form::Triangles | Form::Loop | Form::Labels if is(&["json"]) => {
             let ids =
                 json(&name, bytes, numbers, "an array of whole numbers from 0 on, −1 for outside, or −2 for a border")
@@ -134,7 +145,7 @@ fn add(
                 Form::Polygons => "GeoJSON or WKT",
                 Form::Triangles => "OFF, OBJ, PLY, STL, GeoJSON, WKT, JSON or CSV",
                 Form::Loop => "GeoJSON, WKT, JSON or CSV",
-                Form::Labels => "JSON or CSV",
+                Form::Labels => "GeoJSON, JSON or CSV",
             };
             let of = part.name;
             return Err(Failure::usage(format!("{name}: `{of}` is read from {takes}, by the file's extension")));
@@ -153,9 +164,13 @@ fn polygons(name: &str, bytes: Vec<u8>, decimals: &Decimals) -> Result<Rings, Co
     Ok(geometry::read(name, bytes, decimals)?.polygons())
 }
 
+/// A point as a key: equal for equal coordinates.
+fn key(point: &[f64]) -> Vec<u64> {
+    point.iter().map(|x| (x + 0.0).to_bits()).collect()
+}
+
 /// A function that finds the first point of a scene with these coordinates; `u32::MAX` stands for none.
 fn places(scene: &Scene) -> impl Fn(&[f64]) -> u32 {
-    let key = |point: &[f64]| point.iter().map(|x| (x + 0.0).to_bits()).collect::<Vec<u64>>();
     let mut at: HashMap<Vec<u64>, u32> = HashMap::new();
     for v in scene.vertices() {
         at.entry(key(scene.point(v))).or_insert(u32::try_from(v.index()).unwrap_or(u32::MAX));
@@ -190,6 +205,47 @@ fn numbers(value: &Value) -> Result<Vec<u32>, String> {
         _ => None,
     };
     number.and_then(label).map(|id| vec![id]).ok_or_else(|| value.to_string())
+}
+
+/// The points of a GeoJSON collection, each with its property `label`.
+fn labelled(value: &Value, decimals: &Decimals) -> Result<Vec<(Vec<f64>, u32)>, String> {
+    let feature = |value: &Value| {
+        let place = &value["geometry"]["coordinates"];
+        let place: Vec<f64> = match place.as_array() {
+            Some(place) => place.iter().map(|x| coordinate(x, decimals)).collect::<Result<_, _>>()?,
+            None => return Err(value.to_string()),
+        };
+        match numbers(&value["properties"]["label"])?.as_slice() {
+            [label] => Ok((place, *label)),
+            _ => Err(value.to_string()),
+        }
+    };
+    value["features"].as_array().ok_or_else(|| value.to_string())?.iter().map(feature).collect()
+}
+
+/// The label of each probe, by its coordinates: a program may list its points in another order. Probes that the program
+/// left out have no label, so that the judge counts them.
+fn of_probes(
+    name: &str,
+    (scene, question): (&Scene, &Arrays),
+    labelled: &[(Vec<f64>, u32)],
+) -> Result<Vec<u32>, CorpusError> {
+    let wrong = |what: String, cure: &str| CorpusError::file(name, what, cure);
+    let dimension = scene.dimension().count();
+    let Some(Array::Numbers(probes)) = question.get("probes") else {
+        return Err(wrong("the probes of this task have no coordinates".to_owned(), "write JSON or CSV"));
+    };
+    let probes: Vec<Vec<u64>> = probes.chunks_exact(dimension).map(key).collect();
+    let known: HashSet<&Vec<u64>> = probes.iter().collect();
+    let mut of = HashMap::new();
+    for (place, label) in labelled {
+        let at = key(place.get(..dimension).unwrap_or_default());
+        if !known.contains(&at) {
+            return Err(wrong(format!("{place:?} is not a probe of this scene"), "write the probes alone"));
+        }
+        of.insert(at, *label);
+    }
+    Ok(probes.iter().filter_map(|probe| of.get(probe)).copied().collect())
 }
 
 /// Lists of whole numbers; of an object, the values of these keys together.
@@ -280,10 +336,6 @@ fn columns(name: &str, text: &str, form: Form) -> Result<Vec<u32>, CorpusError> 
         let cells: Vec<&str> =
             line.split([',', ';', ' ', '\t']).map(str::trim).filter(|cell| !cell.is_empty()).collect();
         let read = |cell: &&str| cell.parse::<i64>().ok().and_then(label);
-        if let Some(label) = (form == Form::Labels).then(|| in_words(line)).flatten() {
-            ids.push(label);
-            continue;
-        }
         let used = if form == Form::Labels { &cells[cells.len().saturating_sub(1)..] } else { &cells[..] };
         match used.iter().find(|cell| read(cell).is_none()) {
             Some(_) if at == 0 => {}
@@ -292,17 +344,6 @@ fn columns(name: &str, text: &str, form: Form) -> Result<Vec<u32>, CorpusError> 
         }
     }
     Ok(ids)
-}
-
-/// The label that the last cell of a line has in the words of `solve interval`: `in 3`, `at the end of 3, 4`, `in
-/// none`.
-fn in_words(line: &str) -> Option<u32> {
-    let (_, words) = line.strip_suffix('"')?.rsplit_once('"')?;
-    match words.strip_prefix("in ") {
-        Some("none") => label(-1),
-        Some(cell) => cell.split([';', ',']).next()?.parse().ok(),
-        None => words.starts_with("at the end of ").then(|| label(-2)).flatten(),
-    }
 }
 
 fn wrong(name: &str, what: &str, line: Option<usize>) -> CorpusError {

@@ -13,11 +13,11 @@ use crate::tool::Tool;
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
-The input is that of `solve`: a task on your own files, or one scene of a suite. The answer is in files: meshes as OFF, \
-OBJ, PLY or STL, polygons as GeoJSON or WKT, triangles in one of these or as indices in JSON or CSV, labels of probes in \
-JSON or CSV, pairs and other lists in JSON or CSV (a list a line), polylines as GeoJSON or WKT, numbers in JSON. An answer \
-of several parts is written PART=FILE, or in files with the names of the parts. docs/ENGINES.md lists the parts of each \
-task.
+The input is that of `solve`: a task on your own files, or one scene of a suite. The answer is in files: meshes as \
+OFF, OBJ, PLY or STL, polygons as GeoJSON or WKT, triangles in one of these or as indices in JSON or CSV, labels of \
+probes in JSON or CSV, or as points of GeoJSON with a property `label`, pairs and other lists in JSON or CSV (a list \
+a line), polylines as GeoJSON or WKT, numbers in JSON. An answer of several parts is written PART=FILE, or in files \
+with the names of the parts. docs/ENGINES.md lists the parts of each task.
 
 The judge decides in rationals. Triangulations, hulls, labels, crossings and contacts are right or wrong. Polygons, solids, \
 cuts, polylines on a grid and measures are right, rounded by a distance that is printed, or wrong. The exit code is 0 if \
@@ -65,9 +65,10 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let loaded = args.scene.load(tool)?;
     let task = tool.task(loaded.task);
     let name = args.scene.named(&loaded);
-    task.question(&loaded.scene, loaded.content.as_ref())
+    let question = task
+        .question(&loaded.scene, loaded.content.as_ref())
         .map_err(|declined| Failure::usage(format!("{name}: not judged: {declined}")))?;
-    let (arrays, rounded) = answer_files::read(task, &loaded.scene, &args.answers)?;
+    let (arrays, rounded) = answer_files::read(task, &loaded.scene, &question, &args.answers)?;
     working.now(format!("judging {name}"));
     let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
     let watch = Watch::new(&never, None, &quiet);

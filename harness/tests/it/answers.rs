@@ -47,10 +47,11 @@ fn files_that_solve_writes_are_right() {
 #[test]
 fn files_of_every_other_task_are_right_and_those_of_another_scene_are_not() {
     let folder = tempdir().unwrap();
-    let scenes: [(&str, &str, &str, &[&str]); 6] = [
+    let scenes: [(&str, &str, &str, &[&str]); 7] = [
         ("contacts", "crossing-squares", "exact", &["contacts.json"]),
         ("crossings", "three-through-one-point", "exact", &["crossings.json"]),
         ("intervals", "three-cells", "exact", &["cells.csv"]),
+        ("mesh-points", "two-tetrahedra", "exact", &["probes.csv"]),
         ("cubes", "twins$", "sos", &["measures.json"]),
         ("slices", "cube-in-thirds", "exact", &[]),
         ("snaps", "twice-and-crossed-snap", "exact", &["chains.geojson", "chains.wkt"]),
@@ -78,7 +79,7 @@ fn files_of_every_other_task_are_right_and_those_of_another_scene_are_not() {
             let (code, told) = if answer.len() > 1 {
                 judged(&answer[1..])
             } else {
-                let other = text.replace("in 1", "in 0").replace(['1', '2', '3'], "9");
+                let other = text.replace('-', "").replace(['1', '2', '3'], "9");
                 fs::write(&answer[0], other).unwrap();
                 judged(answer)
             };
@@ -148,4 +149,45 @@ fn a_rounded_solid_is_told_from_a_wrong_one() {
     assert!(code == 100 && told.contains(": wrong\n"), "{told}");
     let (code, told) = judged(&at(&folder, "nothing.off"));
     assert!(code == 2 && told.contains("nothing.off"), "{told}");
+}
+
+/// Points of GeoJSON are found by their coordinates: their order is free, each probe counts, and nothing else is taken.
+#[test]
+fn labels_of_points_are_read_in_any_order() {
+    let folder = tempdir().unwrap();
+    let map = at(&folder, "map.wkt");
+    fs::write(&map, "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))\n").unwrap();
+    let probes = at(&folder, "probes.csv");
+    fs::write(&probes, "x,y\n1,1\n9,9\n4,2\n").unwrap();
+    let (asked, out) = (["polygon-locate", &map, &probes, "--set", "quick_stride=0"], at(&folder, "out"));
+    let called = |command: &str, more: [&str; 2]| {
+        let told = run(&[&[command], &asked[..], &more].concat());
+        (told.code, told.stdout + &told.stderr)
+    };
+    assert_eq!(called("solve", ["--out", &out]).0, 0);
+    let (code, told) = called("judge", ["--answer", &format!("{out}/probes.geojson")]);
+    assert!(code == 0 && told.contains(": right"), "{told}");
+    let point = |x: i32, y: i32, label: &str| {
+        format!(
+            r#"{{"type":"Feature","geometry":{{"type":"Point","coordinates":[{x},{y},0]}},"properties":{{{label}}}}}"#
+        )
+    };
+    let judged = |points: &[String]| {
+        let path = at(&folder, "found.geojson");
+        fs::write(&path, format!(r#"{{"type":"FeatureCollection","features":[{}]}}"#, points.join(","))).unwrap();
+        called("judge", ["--answer", &path])
+    };
+    let [border, inside, outside] =
+        [point(4, 2, r#""label":-2"#), point(1, 1, r#""label":0"#), point(9, 9, r#""label":-1"#)];
+    let (code, told) = judged(&[border.clone(), inside.clone(), outside.clone()]);
+    assert!(code == 0 && told.contains(": right"), "{told}");
+    for (points, code, why) in [
+        (vec![border.clone(), inside.clone(), point(9, 9, r#""label":0"#)], 100, "label (topology)"),
+        (vec![border.clone(), inside.clone()], 100, "`labels` has 2 labels for 3 probes"),
+        (vec![border.clone(), inside.clone(), outside.clone(), point(2, 2, r#""label":0"#)], 2, "is not a probe"),
+        (vec![border.clone(), inside.clone(), point(9, 9, r#""name":"sea""#)], 2, "`null` is not a part of"),
+    ] {
+        let (found, told) = judged(&points);
+        assert!(found == code && told.contains(why), "{why}: {found}: {told}");
+    }
 }

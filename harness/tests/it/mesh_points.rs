@@ -171,10 +171,10 @@ fn regions_and_probes_come_from_files() {
         solve(0, good);
         assert_eq!(
             read(&out, "probes.csv"),
-            "vertex,kind,x,y,z,answer,region,triangle\n\
-             0,given,1.0,1.0,1.0,in,7,\n\
-             6,given,1.0,1.0,0.0,on,,0\n\
-             1,given,9.0,9.0,9.0,in,0,\n"
+            "vertex,kind,x,y,z,answer,region,triangle,label\n\
+             0,given,1.0,1.0,1.0,in,7,,7\n\
+             6,given,1.0,1.0,0.0,on,,0,-2\n\
+             1,given,9.0,9.0,9.0,in,0,,0\n"
         );
     }
     let cure = "write for each face the region in front of it and the one behind, 0 for outside";

@@ -192,9 +192,12 @@ impl Task for Interval {
 
     fn write(&self, _: &Scene, content: &Cells, answer: &CellsFound, files: &mut Files) -> Result<(), output::Error> {
         files.write("cells.csv", |out| {
-            writeln!(out, "probe,cells")?;
+            writeln!(out, "probe,cells,label")?;
             let mut lines = content.probes.iter().zip(&answer.0);
-            lines.try_for_each(|(probe, cells)| writeln!(out, "{probe},\"{}\"", describe(cells)))
+            lines.try_for_each(|(probe, cells)| {
+                let (words, label) = (describe(cells), replies::label(cells).cast_signed());
+                writeln!(out, "{probe},\"{words}\",{label}")
+            })
         })
     }
 

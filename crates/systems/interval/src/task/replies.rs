@@ -22,6 +22,14 @@ const AT_END: u32 = u32::MAX - 1;
 /// The name of the check.
 const CELL: &str = "cell";
 
+/// The label of an answer: the first cell that the probe is in or at an end of, or [`OUTSIDE`].
+pub(super) fn label(found: &Found) -> u32 {
+    match found.first() {
+        Some(&(cell, _)) => u32::try_from(cell).expect("fewer than 2^32 cells"),
+        None => OUTSIDE,
+    }
+}
+
 impl Replies<Interval> for Judge {
     fn parts(&self) -> &'static [Part] {
         const { &[Part::new(LABELS, Form::Labels, "the cell of each probe, −1 for outside, −2 for an end of a cell")] }
@@ -71,10 +79,6 @@ impl Replies<Interval> for Judge {
     }
 
     fn reply_of(&self, _: &Scene, _: &Cells, answer: &CellsFound) -> Arrays {
-        let label = |found: &Found| match found.first() {
-            Some(&(cell, _)) => u32::try_from(cell).expect("fewer than 2^32 cells"),
-            None => OUTSIDE,
-        };
         let mut arrays = Arrays::default();
         arrays.add(LABELS, Array::Ids(answer.0.iter().map(label).collect()));
         arrays

@@ -277,8 +277,8 @@ impl Task for MeshLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// Offers a CSV file: each probe with its rule, its coordinates, the answer, and the region that it is in or the
-    /// triangle that it is on.
+    /// Offers a CSV file: each probe with its rule, its coordinates, the answer, the region that it is in or the
+    /// triangle that it is on, and its label.
     fn write(
         &self,
         scene: &Scene,
@@ -287,7 +287,7 @@ impl Task for MeshLocate {
         files: &mut Files,
     ) -> Result<(), output::Error> {
         files.write("probes.csv", |out| {
-            writeln!(out, "vertex,kind,x,y,z,answer,region,triangle")?;
+            writeln!(out, "vertex,kind,x,y,z,answer,region,triangle,label")?;
             for (probe, location) in content.probes.iter().zip(&answer.0) {
                 let [x, y, z] = scene.point3(probe.vertex);
                 let [answer, region, triangle] = match location {
@@ -297,7 +297,8 @@ impl Task for MeshLocate {
                     Location::Undecided => ["undecided", "", ""].map(str::to_owned),
                 };
                 let (vertex, kind) = (probe.vertex, probe.kind.name());
-                writeln!(out, "{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle}")?;
+                let label = replies::label(location).map_or_else(String::new, |label| label.cast_signed().to_string());
+                writeln!(out, "{vertex},{kind},{x:?},{y:?},{z:?},{answer},{region},{triangle},{label}")?;
             }
             Ok(())
         })

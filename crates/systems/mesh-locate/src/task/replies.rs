@@ -22,6 +22,16 @@ const LABELS: &str = "labels";
 const ON_SURFACE: u32 = u32::MAX - 1;
 /// The name of the check.
 const LABEL: &str = "label";
+
+/// The label of a location: the region, or [`ON_SURFACE`]; `None` for a location without a place.
+pub(super) fn label(location: &Location) -> Option<u32> {
+    match location {
+        Location::In(region) => Some(*region),
+        Location::On(_) => Some(ON_SURFACE),
+        Location::Undecided | Location::Contradiction => None,
+    }
+}
+
 /// The maximum number of probes that the judge locates although they are not in the sample of the truth.
 const MOST_ASKED_LATER: usize = 2_000;
 
@@ -99,12 +109,9 @@ impl Replies<MeshLocate> for Judge {
     }
 
     fn reply_of(&self, _: &Scene, _: &ProbedMesh, answer: &Located) -> Arrays {
-        let label = |location: &Location| match location {
-            Location::In(region) => *region,
-            Location::On(_) | Location::Undecided | Location::Contradiction => ON_SURFACE,
-        };
+        let labels = answer.0.iter().map(|location| label(location).unwrap_or(ON_SURFACE));
         let mut arrays = Arrays::default();
-        arrays.add(LABELS, Array::Ids(answer.0.iter().map(label).collect()));
+        arrays.add(LABELS, Array::Ids(labels.collect()));
         arrays
     }
 

@@ -219,7 +219,7 @@ impl Task for PolygonLocate {
         Ok(about.with_answers(backends, ask))
     }
 
-    /// Offers GeoJSON: each probe as a point with the regions that it is in and on.
+    /// Offers GeoJSON: each probe as a point with the regions that it is in and on, and its label.
     fn write(
         &self,
         scene: &Scene,
@@ -238,6 +238,7 @@ impl Task for PolygonLocate {
                         "vertex": probe.vertex.to_string(),
                         "inside": names(location.inside),
                         "on": names(location.boundary),
+                        "label": replies::label(location).cast_signed(),
                     },
                 }))
             });

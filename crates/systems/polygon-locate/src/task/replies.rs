@@ -8,6 +8,7 @@ use predicament_tasks::replies::{Array, Arrays, Example, FORM, Form, Part, Repli
 use predicament_tasks::{AnswerLine, Asked, Case, Check, Class, Finding, Outcome};
 
 use super::{Located, MapWithProbes, PolygonLocate};
+use crate::answer::Location;
 
 /// The judge.
 pub(super) struct Judge;
@@ -20,6 +21,15 @@ const OUTSIDE: u32 = u32::MAX;
 const ON_BORDER: u32 = u32::MAX - 1;
 /// The name of the check.
 const LABEL: &str = "label";
+
+/// The label of a location: the first region that the probe is in, [`OUTSIDE`] or [`ON_BORDER`].
+pub(super) fn label(location: Location<'_>) -> u32 {
+    match (location.inside, location.boundary) {
+        ([region, ..], _) => *region,
+        ([], []) => OUTSIDE,
+        ([], _) => ON_BORDER,
+    }
+}
 
 impl Replies<PolygonLocate> for Judge {
     fn parts(&self) -> &'static [Part] {
@@ -88,11 +98,6 @@ impl Replies<PolygonLocate> for Judge {
     }
 
     fn reply_of(&self, _: &Scene, _: &MapWithProbes, answer: &Located) -> Arrays {
-        let label = |location: crate::answer::Location<'_>| match (location.inside, location.boundary) {
-            ([region, ..], _) => *region,
-            ([], []) => OUTSIDE,
-            ([], _) => ON_BORDER,
-        };
         let mut arrays = Arrays::default();
         arrays.add(LABELS, Array::Ids(answer.0.iter().map(label).collect()));
         arrays
