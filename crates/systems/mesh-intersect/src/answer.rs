@@ -1,4 +1,4 @@
-//! The answer of an overlay of two meshes: its triangles, their sources, and the regions beside them.
+//! The answer of an overlay of two meshes: its triangles, their sources, the regions beside them, and contacts.
 
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::Vertex;
@@ -26,6 +26,26 @@ pub struct Regions {
     pub also: Vec<u32>,
     /// Pairs of a region of the first mesh and a region of the second, ascending.
     pub pairs: Vec<[u32; 2]>,
+}
+
+/// A face in which two solids touch: the common part of two triangles in one plane.
+#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub struct Contact {
+    /// The index of the triangle in either mesh.
+    pub of: [u32; 2],
+    /// The face as triangles.
+    pub triangles: Vec<[Vertex; 3]>,
+}
+
+/// Where two solids touch. A point is not listed if it is in a listed segment, nor a segment if it is in a listed face.
+#[derive(Clone, PartialEq, Eq, Default, Debug)]
+pub struct Contacts {
+    /// Single points.
+    pub points: Vec<Vertex>,
+    /// Segments, between vertices of the overlay.
+    pub segments: Vec<[Vertex; 2]>,
+    /// Faces.
+    pub faces: Vec<Contact>,
 }
 
 impl Regions {

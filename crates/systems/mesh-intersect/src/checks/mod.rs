@@ -4,8 +4,11 @@
 //! another one; and each piece is in the region of the other mesh that contains its middle, according to the judge of
 //! points in meshes. The other laws follow from these and are decided by other means: volumes and areas of results
 //! (`measures.rs`), the topology of pieces (`topology.rs`), points in space in results (`located.rs`). The results
-//! without the perturbation, and in doubles, are compared with these (`settled.rs`).
+//! without the perturbation, and in doubles, are compared with these (`settled.rs`). Contacts are compared with all
+//! intersections of two triangles (`contacts.rs`).
 
+pub mod chains;
+mod contacts;
 mod located;
 mod measures;
 mod pieces;

@@ -1,8 +1,8 @@
 //! Checks of the unperturbed results, before rounding and after, decided in rationals.
 //!
 //! A limit has no sheets, no triangles without area and no two vertices at one position, so more laws apply to it than
-//! to the perturbed result. The part in each plane is the same before and after: as chains of oriented triangles both
-//! are one surface. So their volumes are the same, too.
+//! to the perturbed result. As sums of oriented triangles both are one surface (`chains.rs`). So their volumes are the
+//! same, too.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,15 +11,11 @@ use predicament_judge::solids::Boundary;
 use predicament_overlay::answer::Operation;
 use predicament_predicates::{Construction, Vertex};
 use predicament_slice::checks::Check;
-use rug::Rational;
 
+use super::chains::Chain;
 use super::surface::flaws;
 use super::{Laws, Point, Violations, note};
 use crate::truth;
-
-/// A plane: the axis along which its normal's component is one, the other two components, and the distance along that
-/// axis.
-type Plane = (usize, Point);
 
 /// A result of an operation without the perturbation.
 #[derive(Clone, Copy, Debug)]
@@ -137,27 +133,20 @@ impl<'a> Settlement<'a> {
         }
     }
 
-    /// Checks that each plane of a limit contains the same as in the perturbed result.
+    /// Checks that each limit is the same surface as the perturbed result.
     pub fn planes(&self, found: &mut Violations) {
-        for ((operation, _), [limit, _]) in self.by_operation().zip(&self.surfaces) {
-            let mut left: BTreeMap<Plane, Rational> = BTreeMap::new();
-            for &triangle in &limit.triangles {
-                add(&mut left, limit.corners(triangle), 1);
-            }
-            let at = Operation::ALL.iter().position(|of| *of == operation).unwrap_or_default();
-            for &triangle in &self.laws.solids[at] {
-                add(&mut left, self.laws.corners(triangle), -1);
-            }
-            left.retain(|_, area| !area.is_zero());
-            if let Some(((axis, plane), area)) = left.first_key_value() {
-                let at = plane.each_ref().map(Rational::to_f64);
-                let got = format!(
-                    "{}: in {} planes, first the plane with normal and height {at:?} along axis {axis}, by {:e}",
-                    operation.name(),
-                    left.len(),
-                    area.to_f64() / 2.0
+        for (((operation, _), [limit, _]), solid) in self.by_operation().zip(&self.surfaces).zip(self.laws.solids) {
+            let mut left = Chain::default();
+            limit.triangles.iter().for_each(|&triangle| left.add(limit.corners(triangle), 1));
+            solid.iter().for_each(|&triangle| left.add(self.laws.corners(triangle), -1));
+            if let Some(at) = left.rest() {
+                let got = format!("{}: they differ near {at:?}", operation.name());
+                note(
+                    found,
+                    "areas of a limit",
+                    got,
+                    "a limit covers the same areas in each plane as the perturbed result",
                 );
-                note(found, "areas of a limit", got, "a limit has the same area in each plane as the perturbed result");
             }
         }
     }
@@ -232,20 +221,4 @@ fn whole(surface: &Surface, of: &str, crossed: usize, found: &mut Violations) {
         };
         note(found, check, format!("{of}: {} times, first: {}", flaw.count, flaw.what), flaw.check.law());
     }
-}
-
-/// Adds the area of a triangle to the area of its plane.
-fn add(areas: &mut BTreeMap<Plane, Rational>, [a, b, c]: [&Point; 3], times: i32) {
-    let minus = |p: &Point| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &a[i]));
-    let [u, v] = [minus(b), minus(c)];
-    let minor = |i: usize, j: usize| Rational::from(&u[i] * &v[j]) - Rational::from(&u[j] * &v[i]);
-    let normal = [minor(1, 2), minor(2, 0), minor(0, 1)];
-    let Some(axis) = normal.iter().position(|x| !x.is_zero()) else { return };
-    let area = normal[axis].clone();
-    let mut plane = normal.map(|x| x / &area);
-    let height = plane.iter().zip(a).map(|(x, y)| Rational::from(x * y)).sum();
-    // Its component along the axis is one.
-    plane[axis] = height;
-    let sum = areas.entry((axis, plane)).or_default();
-    if times > 0 { *sum += area } else { *sum -= area }
 }

@@ -60,6 +60,18 @@ pub(super) const CHECKS: &[Check] = &[
         "Euler characteristic",
         "the Euler characteristics of results add up to the characteristics of the meshes",
     ),
+    Check::topology(
+        "faces of contact",
+        "solids touch in the common parts of two triangles in one plane, one solid on either side",
+    ),
+    Check::topology(
+        "segments of contact",
+        "solids touch in the segments of both surfaces without a common inside or a face of contact",
+    ),
+    Check::topology(
+        "points of contact",
+        "solids touch in the points of both surfaces without a common inside, a face or a segment of contact",
+    ),
     Check::topology("meshes exchanged", "exchanged meshes give the same results"),
     Check::rounded("meshes exchanged", "exchanged meshes give the same results"),
     Check::topology("difference by complement", "A∖B equals the intersection of A and the complement of B"),
@@ -67,7 +79,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check::topology("limit", "a result has a limit if every constructed vertex is a point"),
     Check::topology("vertex of a limit", "every vertex of a limit is a point"),
     Check::topology("vertices of a limit", "two vertices of a limit are not at the same place"),
-    Check::topology("areas of a limit", "a limit has the same area in each plane as the perturbed result"),
+    Check::topology("areas of a limit", "a limit covers the same areas in each plane as the perturbed result"),
     Check::topology("limit of a mesh with itself", "a mesh less itself is empty"),
     Check::topology("settled result not closed", "a limit, and a result in doubles, is closed"),
     Check::topology("settled result crosses itself", "a limit, and a result in doubles, does not pass through itself"),

@@ -5,7 +5,7 @@ use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Construction, Vertex};
 
 use super::settled::Settled;
-use super::{MeshIntersect, Overlaid};
+use super::{MeshIntersect, Overlaid, TwoMeshes};
 use predicament_tasks::{Class, Spoiled};
 
 /// The results without the perturbation, for damage.
@@ -28,6 +28,56 @@ pub(super) fn all() -> Vec<Spoiled<MeshIntersect>> {
             |_, _, answer: &mut Overlaid| {
                 answer.solids[0] = answer.solids[0].split_off(usize::from(!answer.solids[0].is_empty()));
                 answer.sources[0] = answer.sources[0].split_off(usize::from(!answer.sources[0].is_empty()));
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-loses-a-contact-face",
+            "the last triangle of the last face of contact is lost",
+            "exact",
+            &[(Class::Topology, "faces of contact")],
+            |_, _, answer: &mut Overlaid| {
+                answer.contacts.faces.last_mut().and_then(|face| face.triangles.pop());
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-widens-a-contact-face",
+            "the first triangle of each face of contact is replaced by the triangle of the first mesh",
+            "exact",
+            &[(Class::Topology, "faces of contact")],
+            |_, content: &TwoMeshes, answer: &mut Overlaid| {
+                for face in &mut answer.contacts.faces {
+                    face.triangles[0] = content.meshes[0].triangles()[face.of[0] as usize];
+                }
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-loses-a-contact-segment",
+            "the first segment of contact is lost",
+            "exact",
+            &[(Class::Topology, "segments of contact")],
+            |_, _, answer: &mut Overlaid| {
+                let segments = &mut answer.contacts.segments;
+                segments.drain(..segments.len().min(1));
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-loses-a-contact-point",
+            "the last point of contact is lost",
+            "exact",
+            &[(Class::Topology, "points of contact")],
+            |_, _, answer: &mut Overlaid| {
+                answer.contacts.points.pop();
+            },
+        ),
+        Spoiled::new(
+            "mesh-intersect-invents-a-contact",
+            "the first two vertices of the first mesh are listed as a point and a segment of contact",
+            "exact",
+            &[(Class::Topology, "points of contact"), (Class::Topology, "segments of contact")],
+            |_, content: &TwoMeshes, answer: &mut Overlaid| {
+                let [a, b, _] = content.meshes[0].triangles()[0];
+                answer.contacts.points.push(a);
+                answer.contacts.segments.push([a, b]);
             },
         ),
         Spoiled::new(

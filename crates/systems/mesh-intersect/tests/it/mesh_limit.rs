@@ -8,6 +8,8 @@ use predicament_judge::{Points, nearest};
 use predicament_mesh::MaterialMesh;
 use predicament_mesh_intersect::algorithm::limit::{Counts, Limit, limit};
 use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
+use predicament_mesh_intersect::truth;
+use predicament_mesh_intersect::truth::contacts::{Touching, contacts as touching_of};
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
 use predicament_sos::PerMesh;
@@ -282,6 +284,23 @@ fn moved(mut cell: Cell, axis: usize, by: i64) -> Cell {
     cell
 }
 
+/// The area of triangles, the length of segments, both along axes, and the number of points.
+fn measures(
+    triangles: impl Iterator<Item = [[Rational; 3]; 3]>,
+    segments: impl Iterator<Item = [[Rational; 3]; 2]>,
+    points: usize,
+) -> [Rational; 3] {
+    let minus = |p: &[Rational; 3], q: &[Rational; 3]| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
+    let area = triangles.fold(Rational::new(), |sum, [a, b, c]| {
+        let [p, q] = [minus(&b, &a), minus(&c, &a)];
+        let minor = |i: usize, j: usize| Rational::from(&p[i] * &q[j]) - Rational::from(&p[j] * &q[i]);
+        sum + (minor(0, 1).abs() + minor(1, 2).abs() + minor(2, 0).abs()) / 2
+    });
+    let length = segments
+        .fold(Rational::new(), |sum, [a, b]| sum + minus(&a, &b).into_iter().map(Rational::abs).sum::<Rational>());
+    [area, length, Rational::from(points)]
+}
+
 #[test]
 fn contacts_of_cubes_are_counted() {
     let mut seen = [0; 3];
@@ -301,21 +320,24 @@ fn contacts_of_cubes_are_counted() {
             let mut session = Exact.prepare(&pair.scene, Off).unwrap();
             let contacts = mesh_overlay(&mut session, pair.meshes.clone(), Zeros::Zero).unwrap().contacts();
             let at = |v: Vertex| place(session.scene(), v);
-            let minus = |p: &[Rational; 3], q: &[Rational; 3]| [0, 1, 2].map(|i: usize| Rational::from(&p[i] - &q[i]));
-            let area: Rational =
-                contacts.faces.iter().flat_map(|face| &face.triangles).fold(Rational::new(), |sum, of| {
-                    let [a, b, c] = of.map(at);
-                    let [p, q] = [minus(&b, &a), minus(&c, &a)];
-                    let minor = |i: usize, j: usize| Rational::from(&p[i] * &q[j]) - Rational::from(&p[j] * &q[i]);
-                    sum + (minor(0, 1).abs() + minor(1, 2).abs() + minor(2, 0).abs()) / 2
-                });
-            let length: Rational = contacts.segments.iter().fold(Rational::new(), |sum, &[a, b]| {
-                sum + minus(&at(a), &at(b)).into_iter().map(Rational::abs).sum::<Rational>()
-            });
-            let found = [area, length, Rational::from(contacts.points.len())];
-            let wanted = touching(&[first.units(), second.units()]);
-            assert_eq!(found, wanted.map(Rational::from), "{seed}: {first:?} and {second:?}");
-            (0..3).for_each(|kind| seen[kind] += wanted[kind]);
+            let triangles = contacts.faces.iter().flat_map(|face| &face.triangles).map(|of| of.map(at));
+            let segments = contacts.segments.iter().map(|ends| ends.map(at));
+            let found = measures(triangles, segments, contacts.points.len());
+            let counted = touching(&[first.units(), second.units()]);
+            let wanted = counted.map(Rational::from);
+            assert_eq!(found, wanted, "{seed}: {first:?} and {second:?}");
+            // The truth of the judge compares all pairs of triangles.
+            if seed % 10 == 0 {
+                let Touching { faces, segments, points } =
+                    touching_of(&truth::given(&pair.scene), pair.meshes.each_ref().map(|mesh| &**mesh)).unwrap();
+                let fan = |(_, polygon): ([u32; 2], Vec<[Rational; 3]>)| {
+                    let corners = |at: usize| [0, at, at + 1].map(|at| polygon[at].clone());
+                    (1..polygon.len() - 1).map(corners).collect::<Vec<_>>()
+                };
+                let of_truth = measures(faces.into_iter().flat_map(fan), segments.into_iter(), points.len());
+                assert_eq!(of_truth, wanted, "{seed}: {first:?} and {second:?}");
+            }
+            (0..3).for_each(|kind| seen[kind] += counted[kind]);
         }
     }
     assert!(seen.iter().all(|count| *count > 1), "{seen:?}");

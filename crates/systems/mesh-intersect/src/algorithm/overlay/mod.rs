@@ -76,11 +76,11 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
-pub use crate::answer::{Regions, Source};
+pub use crate::answer::{Contact, Contacts, Regions, Source};
 pub use contradiction::{Contradiction, SurfaceContradiction};
 pub use registered::{Registered, mesh_overlay_registered};
 pub use result::Solid;
-pub use touching::{Contact, Contacts, Shared};
+pub use touching::Shared;
 
 use self::cut::Cutting;
 use self::meet::{Hit, Question};

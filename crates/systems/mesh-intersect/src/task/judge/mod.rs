@@ -40,6 +40,8 @@ const METRIC: [&str; 8] = [
     "meshes exchanged",
     "difference by complement",
 ];
+/// The maximum number of triangles of meshes whose contacts are computed from all pairs, at the two levels.
+const CONTACTS: [usize; 2] = [40, 300];
 /// The maximum number of triangles of meshes that are overlaid again, at the two levels; 24 times as many if ties are
 /// not broken, because tie-breaking takes the most time.
 const AGAIN: [usize; 2] = [12, 100];
@@ -104,8 +106,13 @@ pub(super) fn judge(
         judged.measured(&exact, &measures, outcome)?;
     }
     asked.watch.done(0)?;
-    laws.topology(asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact, found);
+    let zeros_are_exact = asked.contract(PredicateKind::Orient3d).zero == ZeroMeaning::Exact;
+    laws.topology(zeros_are_exact, found);
     asked.watch.done(0)?;
+    if zeros_are_exact && answer.rounded.is_none() && case.content.triangles() <= CONTACTS[level] {
+        laws.contacts(&answer.contacts, found);
+        asked.watch.done(0)?;
+    }
     let settlement = judged.settlement(found);
     if let Some(settlement) = &settlement {
         settlement.surfaces(CROSSED[level], found);

@@ -4,5 +4,6 @@
 pub mod liar;
 pub mod overlaid;
 pub mod shapes;
+pub mod surfaces;
 pub mod touching;
 pub mod volumes;

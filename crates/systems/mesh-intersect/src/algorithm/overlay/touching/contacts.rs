@@ -8,26 +8,7 @@ use predicament_mesh::OUTSIDE;
 use predicament_predicates::Vertex;
 
 use crate::algorithm::overlay::MeshOverlay;
-
-/// A face in which two solids touch: the common part of two triangles in one plane.
-#[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub struct Contact {
-    /// The index of the triangle in either mesh.
-    pub of: [u32; 2],
-    /// The face as triangles.
-    pub triangles: Vec<[Vertex; 3]>,
-}
-
-/// Where two solids touch. A point is not listed if it is in a listed segment, nor a segment if it is in a listed face.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct Contacts {
-    /// Single points.
-    pub points: Vec<Vertex>,
-    /// Segments, between vertices of the overlay.
-    pub segments: Vec<[Vertex; 2]>,
-    /// Faces.
-    pub faces: Vec<Contact>,
-}
+use crate::answer::{Contact, Contacts};
 
 /// The use of a vertex or an edge by triangles of the overlay.
 #[derive(Clone, Copy, Default)]

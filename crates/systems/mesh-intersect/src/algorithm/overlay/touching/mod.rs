@@ -61,8 +61,6 @@ use predicament_grid::Bounds;
 use predicament_mesh::MaterialMesh;
 use predicament_predicates::{Construction, Predicates, Vertex};
 
-pub use self::contacts::{Contact, Contacts};
-
 use self::face::{Dividing, Part, Place};
 use self::found::{Found, Simplex};
 use self::marks::Marks;

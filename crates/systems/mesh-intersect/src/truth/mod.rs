@@ -1,5 +1,8 @@
-//! The positions of an overlay's vertices by their definitions. The [checks](crate::checks) say what must hold for
-//! pieces and results: by crossing sums of the judge, and in rationals.
+//! The positions of an overlay's vertices by their definitions, and the contacts of two solids. The
+//! [checks](crate::checks) say what must hold for pieces and results: by crossing sums of the judge, and in rationals.
+
+pub mod contacts;
+mod faces;
 
 use predicament_judge::rational;
 use predicament_predicates::{Construction, Scene};
