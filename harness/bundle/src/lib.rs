@@ -32,6 +32,7 @@ use predicament_studies::mesh_cascades::MeshCascades;
 use predicament_studies::parity::Parity;
 use predicament_studies::resolution::Resolution;
 use predicament_studies::stress::Stress;
+use predicament_studies::touching::Touching;
 use predicament_studies::worst::Worst;
 use predicament_tasks::{AnyTask, Contestant, Entry, OnTask, Solver, TaskList, with_signs};
 use predicament_triangulate::task::Triangulate;
@@ -103,6 +104,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<Laws>(),
     studies::Entry::of::<Cascades>(),
     studies::Entry::of::<MeshCascades>(),
+    studies::Entry::of::<Touching>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

@@ -15,6 +15,7 @@
 //! * [`audit`]: do the tolerance paper's algorithms keep their guarantee at their thresholds?
 //! * [`worst`]: how near do the worst inputs come to that paper's bounds?
 //! * [`cascades`]: how does a polygon change if each result is an operand of the next step?
+//! * [`touching`]: what do solids that touch cost, and what does each philosophy return?
 //! * [`cut`]: how good is a tetrahedral mesh that is cut by the contacts of a backend?
 //! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
@@ -97,6 +98,7 @@ pub mod parity;
 pub mod resolution;
 pub mod shrink;
 pub mod stress;
+pub mod touching;
 pub mod worst;
 
 mod common;
@@ -108,6 +110,7 @@ mod folder;
 mod host;
 mod precision;
 mod report;
+mod solids;
 mod study;
 
 pub use common::Common;

@@ -9,6 +9,8 @@ use predicament_formats::bits::{integer, step};
 use predicament_mesh_intersect::algorithm::cascade::Closed;
 use predicament_overlay::algorithm::overlay::Operation;
 
+use crate::solids::{boxed, sphere};
+
 /// A step: an operation and its second operand.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Operand {
@@ -69,13 +71,6 @@ fn whole(n: usize) -> i64 {
     i64::try_from(n).expect("few steps")
 }
 
-/// The box with these corners; corner `k` is on the upper side of axis `a` if bit `a` of `k` is set.
-fn boxed(points: [[f64; 3]; 8]) -> Closed {
-    let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
-    let triangles = faces.into_iter().flat_map(|[a, b, c, d]| [[a, b, c], [a, c, d]]).collect();
-    Closed { points: points.to_vec(), triangles }
-}
-
 fn cube(operation: Operation, cell: [i64; 3]) -> Operand {
     let corner = |at: usize| [0, 1, 2].map(|axis: usize| integer(cell[axis] + whole(at >> axis & 1)));
     Operand { operation, mesh: boxed([0, 1, 2, 3, 4, 5, 6, 7].map(corner)), cell: Some(cell) }
@@ -101,33 +96,6 @@ fn cubes(count: usize, random: Option<&mut Random>) -> (Operand, Vec<Operand>) {
     let mut all = up.into_iter().chain(down).take(count + 1);
     let start = all.next().expect("there is a first cube");
     (start, all.collect())
-}
-
-/// An octahedron on the unit sphere, with each edge halved `levels` times: points and triangles.
-fn sphere(levels: usize) -> Closed {
-    let on_sphere = |p: [f64; 3]| {
-        let length = (p[0] * p[0] + p[1] * p[1] + p[2] * p[2]).sqrt();
-        p.map(|x| x / length)
-    };
-    let mut points = vec![[1., 0., 0.], [-1., 0., 0.], [0., 1., 0.], [0., -1., 0.], [0., 0., 1.], [0., 0., -1.]];
-    let mut triangles: Vec<[u32; 3]> =
-        vec![[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]];
-    for _ in 0..levels {
-        let mut middles = std::collections::BTreeMap::new();
-        let mut middle = |a: u32, b: u32| {
-            *middles.entry([a.min(b), a.max(b)]).or_insert_with(|| {
-                let [p, q] = [points[a as usize], points[b as usize]];
-                points.push(on_sphere([0, 1, 2].map(|axis: usize| p[axis] + q[axis])));
-                u32::try_from(points.len() - 1).expect("few points")
-            })
-        };
-        let divided = triangles.iter().flat_map(|&[a, b, c]| {
-            let [d, e, f] = [middle(a, b), middle(b, c), middle(c, a)];
-            [[a, d, f], [b, e, d], [c, f, e], [d, e, f]]
-        });
-        triangles = divided.collect();
-    }
-    Closed { points, triangles }
 }
 
 /// A point of the golden spiral on the sphere: any two are distinct.

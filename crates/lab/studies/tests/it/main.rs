@@ -13,6 +13,7 @@ mod parity_space;
 mod shape;
 mod standing;
 mod stress;
+mod touching;
 mod which;
 mod worst;
 

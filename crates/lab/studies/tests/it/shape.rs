@@ -26,7 +26,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 11] = [
+const SMALL: [(&str, &[&str]); 12] = [
     ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -92,6 +92,10 @@ const SMALL: [(&str, &[&str]); 11] = [
             "mesh-shave-time.svg",
             "mesh-shave-time.pdf",
         ],
+    ),
+    (
+        "touching -p general,faces --side 2 --levels 1 --rounds 1",
+        &["touching.csv", "touching-times.csv", "touching.md", "touching.toml"],
     ),
 ];
 

@@ -9,7 +9,6 @@ mod files;
 mod flaw;
 mod generate;
 mod judge;
-mod manner;
 mod memory;
 mod phases;
 mod read;
@@ -20,9 +19,7 @@ mod shapes;
 mod spoiled;
 mod spoiled_results;
 
-use crate::algorithm::overlay::{
-    Contacts, Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay, mesh_overlay_registered,
-};
+use crate::algorithm::overlay::{Contacts, Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay_as_answered};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_overlay::algorithm::overlay::Operation;
@@ -31,8 +28,6 @@ use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, 
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
-
-use manner::{Manner, manner};
 
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
@@ -85,11 +80,7 @@ impl Overlaid {
     fn of(session: &mut dyn Predicates, content: &TwoMeshes, settles: bool) -> Result<Overlaid, Halt> {
         memory::affordable(session.scene(), content)?;
         let before = session.scene().constructions().len();
-        let overlaid = match manner(session, content) {
-            Manner::Signs(zeros) => mesh_overlay(session, content.meshes.clone(), zeros).map(|overlay| (overlay, None)),
-            Manner::Contacts => mesh_overlay_registered(session, content.meshes.clone(), &mut |_| {})
-                .map(|(overlay, registered)| (overlay, Some(registered))),
-        };
+        let overlaid = mesh_overlay_as_answered(session, content.meshes.clone(), &mut |_| {});
         let (overlay, registered) = match overlaid {
             Ok(overlaid) => overlaid,
             Err(Undone::Refused(why)) => return Err(why.into()),

@@ -4,14 +4,14 @@
 use std::time::{Duration, Instant};
 
 use crate::algorithm::limit::limit;
-use crate::algorithm::overlay::{MeshOverlay, Solid, Step, mesh_overlay_by_steps, mesh_overlay_registered};
+use crate::algorithm::overlay::{MeshOverlay, Solid, Step, mesh_overlay_as_answered};
 use crate::algorithm::rounding::rounded;
 use predicament_mesh::MaterialMesh;
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Predicates, Vertex};
 
 use super::content::TwoMeshes;
-use super::{Manner, manner, memory};
+use super::memory;
 use predicament_tasks::Phase;
 
 /// The phase that uses no predicate.
@@ -41,18 +41,13 @@ pub(super) fn asking<P: Predicates>(session: &mut P, content: &TwoMeshes) -> Vec
     }
     let count = content.triangles();
     let phase = |name: &'static str, elapsed: Duration| Phase { name, unit: "triangle", count, elapsed, bytes: None };
-    let manner = manner(session, content);
     let (mut phases, mut clock) = (Vec::new(), Instant::now());
     let mut done = |step| {
         phases.push(phase(name(step), clock.elapsed()));
         clock = Instant::now();
     };
-    let meshes = content.meshes.clone();
-    let overlaid = match manner {
-        Manner::Signs(zeros) => mesh_overlay_by_steps(session, meshes, zeros, &mut done),
-        Manner::Contacts => mesh_overlay_registered(session, meshes, &mut done).map(|(overlay, _)| overlay),
-    };
-    let Ok(overlay) = overlaid else { return Vec::new() };
+    let overlaid = mesh_overlay_as_answered(session, content.meshes.clone(), &mut done);
+    let Ok((overlay, _)) = overlaid else { return Vec::new() };
     if let Some(last) = phases.last_mut() {
         *last = last.with_bytes(overlay.bytes());
     }

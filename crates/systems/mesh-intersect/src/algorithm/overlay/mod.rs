@@ -58,6 +58,7 @@ mod arcs;
 mod contradiction;
 mod cut;
 mod known;
+mod manner;
 mod meet;
 mod near;
 mod points;
@@ -78,6 +79,7 @@ use predicament_predicates::{Construction, Predicates, Refused, Vertex};
 
 pub use crate::answer::{Contact, Contacts, Regions, Source};
 pub use contradiction::{Contradiction, SurfaceContradiction};
+pub use manner::mesh_overlay_as_answered;
 pub use registered::{Registered, mesh_overlay_registered};
 pub use result::Solid;
 pub use touching::Shared;
