@@ -25,7 +25,7 @@ are compared with counted values. `cleared` is the number of triangles that the 
 area, cancelled by an opposite one, covered by facing ones, divided at vertices on edges. `undefined` is the number \
 of constructed vertices that only the moved solids have.
 
-Files in the folder: touching.csv, touching-times.csv, touching.md, and touching.toml: the pairs as a suite, on which \
+Files in the folder: touching.csv, touching-times.csv, touching.md, and touching-pairs.toml: the pairs as a suite, on which \
 `bench` times other programs too. Everything except times is the same in every run.
 
 Exit code 100 if exact or sos:per-mesh has no result, or a volume, or a contact of exact, is not the counted one, or \

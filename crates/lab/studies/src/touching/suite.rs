@@ -45,5 +45,5 @@ pub(super) fn suite(study: &Touching, measured: &Measured) -> Result<File, Error
         description: "The pairs of the study of solids that touch.".to_owned(),
         scene: scenes.collect(),
     };
-    Ok(File::new("touching.toml", toml::to_string(&suite).map_err(Error::format)?))
+    Ok(File::new("touching-pairs.toml", toml::to_string(&suite).map_err(Error::format)?))
 }

@@ -95,7 +95,7 @@ const SMALL: [(&str, &[&str]); 12] = [
     ),
     (
         "touching -p general,faces --side 2 --levels 1 --rounds 1",
-        &["touching.csv", "touching-times.csv", "touching.md", "touching.toml"],
+        &["touching.csv", "touching-times.csv", "touching.md", "touching-pairs.toml"],
     ),
 ];
 
