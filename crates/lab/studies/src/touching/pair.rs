@@ -1,4 +1,4 @@
-//! Pairs of solids, and what counting says of them.
+//! Pairs of solids, with counted volumes and contacts.
 
 use predicament_mesh_intersect::algorithm::cascade::Closed;
 
@@ -25,7 +25,7 @@ pub enum Pair {
     Corners,
 }
 
-/// What counting says of a pair.
+/// The counted truth about a pair.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Known {
     /// The volume of the union.
