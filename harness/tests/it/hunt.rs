@@ -153,7 +153,7 @@ fn unions_of_cubes_are_hunted() {
     }
     // Two findings in one scene are two finds and one scene of the suite.
     let [out, suite] = ["finds", "mine.toml"].map(|name| at(&folder, name));
-    let hunt = ["hunt", "cube-union", "-b", "naive", "--seed", "11", "--evaluations", "100", "--out", &out];
+    let hunt = ["hunt", "cube-union", "-b", "epsilon:1e-10", "--seed", "11", "--evaluations", "100", "--out", &out];
     expect(0, &[&hunt[..], &["--into", &suite]].concat());
     let text = fs::read_to_string(format!("{out}/finds.toml")).unwrap();
     let rows = fs::read_to_string(format!("{out}/hunt.csv")).unwrap().lines().count() - 1;

@@ -21,8 +21,12 @@
 //! the three axes is swept once, and all sweeps must find the same volume and vertices. Widths are integers over one
 //! common denominator.
 //!
+//! [`Cubes::closed`] measures the union of closed cubes, which are not moved.
+//!
 //! The algorithm under test has no cells: it sums up the contributions of vertices. For thousands of cubes the sweep is
 //! too slow; [`Cubes::sample`] says which cubes are then measured.
+
+mod closed;
 
 use std::cmp::Reverse;
 use std::ops::RangeInclusive;
@@ -31,6 +35,8 @@ use predicament_predicates::{Dimension, Scene, Vertex};
 use rug::{Integer, Rational};
 
 use crate::determinant::rational;
+
+pub use closed::{Closed, Shape, shape};
 
 /// The reason why a scene is not a set of congruent cubes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

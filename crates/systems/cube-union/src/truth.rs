@@ -1,4 +1,7 @@
 //! The truth about a union: measured in sections, which do not use vertices, and by the judge's cells.
+//!
+//! There are two unions: that of the perturbed cubes, for backends that break ties, and that of the closed cubes, for
+//! backends whose zero means zero. They are equal if no two faces are in one plane.
 
 use crate::checks::{Measures, Ties, measured, measured_by};
 use predicament_judge::cubes::{self as exact, Cubes as Judged};
@@ -13,6 +16,10 @@ pub struct Truth {
     pub measures: Measures,
     /// The vertices of the perturbed union, if the judge has measured all of it.
     pub vertices: Option<exact::Vertices>,
+    /// The measures of the whole union of closed cubes, in the same units.
+    pub closed: Measures,
+    /// The measures and vertices of the union of closed cubes by the judge's cells, if there are few enough cells.
+    pub counted: Option<exact::Closed>,
     /// The exponent of the unit: lengths are multiples of 2^`exponent`.
     pub exponent: i32,
     /// The part of the cubes that the judge has measured, if it has not measured all.
@@ -25,6 +32,7 @@ pub(crate) struct Part {
     pub(crate) cubes: usize,
     pub(crate) of: usize,
     pub(crate) measures: exact::Measures,
+    pub(crate) closed: Option<exact::Closed>,
 }
 
 impl Truth {
@@ -40,16 +48,31 @@ impl Truth {
         let judged = Judged::of_scene(scene).unwrap_or_else(|error| panic!("not a scene of cubes: {error}"));
         let (lowers, edge, exponent) = integers(scene);
         let measures = measured(&lowers, edge);
+        let is_tied = judged.have_common_planes();
+        let closed = if is_tied { measured_by(&lowers, edge, Ties::Merged) } else { measures };
         watch.done(0)?;
         let sample = judged.sample();
-        let found = judged.only(&sample).measures();
+        let sampled = judged.only(&sample);
+        let found = sampled.measures();
         watch.done(judged.len() as u64)?;
-        let mut truth = Truth { measures, vertices: None, exponent, part: None };
-        if sample.len() < judged.len() {
+        let is_whole = sample.len() == judged.len();
+        let counted = match is_tied {
+            true => judged.closed(),
+            false => is_whole.then(|| untied(&found)),
+        };
+        if let Some(counted) = &counted {
+            let of = [&counted.volume, &counted.area, &counted.edge_length];
+            let by_sections = in_units(&closed, exponent);
+            assert_eq!(by_sections.each_ref(), of, "the cells contradict the sections of a union of closed cubes");
+        }
+        let mut truth = Truth { measures, vertices: None, closed, counted, exponent, part: None };
+        if !is_whole {
             let corners = sample.iter().flat_map(|&cube| [2 * cube, 2 * cube + 1]);
             let corners = corners.flat_map(|corner| scene.point(Vertex::input(corner)).to_vec()).collect();
             let part = Scene::new(Dimension::Three, corners).expect("corners of the scene");
-            truth.part = Some(Part { scene: part, cubes: sample.len(), of: judged.len(), measures: found });
+            let closed = if sampled.have_common_planes() { sampled.closed() } else { Some(untied(&found)) };
+            let (cubes, of) = (sample.len(), judged.len());
+            truth.part = Some(Part { scene: part, cubes, of, measures: found, closed });
         } else {
             let of = [&found.volume, &found.area, &found.edge_length];
             let by_sections = in_units(&measures, exponent);
@@ -77,6 +100,23 @@ impl Truth {
     /// Volume, area and edge length in the scene's units, each rounded once.
     pub(crate) fn in_units(&self, of: &Measures) -> [f64; 3] {
         [self.in_scene_units(of.volume, 3), self.in_scene_units(of.area, 2), self.in_scene_units(of.edge_length, 1)]
+    }
+}
+
+/// The measures of the union of closed cubes, of which no two have faces in one plane: those of the perturbed union.
+fn untied(moved: &exact::Measures) -> exact::Closed {
+    let exact::Vertices { corners, edge_faces, three_faces } = moved.vertices;
+    // The filled octants of the three kinds.
+    let counts = [(0b1, corners), (0b1_1111, edge_faces), (0b111_1111, three_faces)];
+    let [corners, edge_faces, three_faces] = counts.map(|(_, count)| count.cast_signed());
+    let counts = counts.into_iter().filter(|&(_, count)| count > 0);
+    exact::Closed {
+        volume: moved.volume.clone(),
+        area: moved.area.clone(),
+        edge_length: moved.edge_length.clone(),
+        // By Gauss and Bonnet, half of the characteristic of the boundary.
+        euler_characteristic: (corners - edge_faces + three_faces) / 8,
+        vertices: counts.map(|(octants, count)| (exact::shape(octants), count)).collect(),
     }
 }
 

@@ -63,9 +63,15 @@
 //! by pairs, with n bits each: time grows with n³, with a small constant, and memory with n².
 //!
 //! # The source of comparisons
-//! [`cube_union`] compares integers and breaks ties itself. [`cube_union_by`] asks a session instead, which shows the
-//! effect of other treatments of ties on the same algorithm; [`union_in_order`] takes any [`Order`]. Both process every
-//! pair of cubes, as an inconsistent order does not allow sorting.
+//! [`cube_union`] compares integers and breaks ties itself. [`cube_union_by`] asks a session instead, and
+//! [`union_in_order`] takes any [`Order`]. Both process every pair of cubes, as an inconsistent order does not allow
+//! sorting.
+//!
+//! # Ties that stay ties
+//! A session that does not break ties compares two faces in one plane as equal. At the first such answer
+//! [`cube_union_by`] goes over to the union of the cubes as closed sets (`touching`): faces in one plane are one plane,
+//! and the octants around a point say what it contributes, by one table of 22 cases. A union in general position has
+//! three of them and never enters the table.
 //!
 //! # Exactness
 //! Coordinates are integers, or [scaled](ScaledCubes) to integers without rounding, and all sums are exact.
@@ -91,6 +97,7 @@ mod error;
 mod mass;
 mod order;
 mod scaled;
+mod touching;
 mod wide;
 
 use predicament_predicates::{PredicateKind, Predicates};
@@ -104,6 +111,7 @@ pub use error::CubesError;
 pub use mass::{Mass, Vertices};
 pub use order::{ByIndex, BySession, Face, Order};
 pub use scaled::ScaledCubes;
+pub use touching::TIED;
 
 /// The number of cells that one task processes.
 const CELLS: usize = 1 << 12;
@@ -193,9 +201,9 @@ fn bounds<C: Coordinate>(lowers: &[[C; 3]], edge: i64) -> Result<([C; 3], [u64; 
 /// The mass properties of the union of a scene's cubes, by the session's comparisons, and the exponent of their unit:
 /// volumes are multiples of (2^exponent)³.
 ///
-/// Vertex 2i of the scene is the lower corner of cube i and vertex 2i + 1 its upper corner. A zero puts a face within
-/// the other cube. Sessions with exact signs for perturbed points agree with [`cube_union`]. With other sessions,
-/// vertices are missing or redundant if coordinates are equal or nearly so.
+/// Vertex 2i of the scene is the lower corner of cube i and vertex 2i + 1 its upper corner. Sessions with exact signs
+/// for perturbed points agree with [`cube_union`]. If two faces of two cubes compare as equal, the result is the union
+/// of closed cubes. If a zero does not mean zero, faces merge that the session doesn't tell apart.
 ///
 /// Time and memory grow with the square of the number of cubes.
 ///
@@ -208,7 +216,8 @@ pub fn cube_union_by<S: Predicates>(session: &S) -> Result<(Mass, i32), CubesErr
     Ok((union_in_order(&BySession(session), &cubes.lowers, cubes.edge)?, cubes.exponent))
 }
 
-/// The mass properties of the union of cubes for any order of their faces.
+/// The mass properties of the union of cubes for any order of their faces: of closed cubes, if faces of two cubes
+/// compare as equal.
 ///
 /// # Errors
 /// Like [`cube_union`].
@@ -223,12 +232,12 @@ pub fn union_in_order<O: Order>(order: &O, lowers: &[[i64; 3]], edge: i64) -> Re
     let (least, _) = bounds(lowers, edge)?;
     let faces: Vec<Face> = (0..count).flat_map(|cube| [false, true].map(|upper| Face { cube, upper })).collect();
     let mut mass = Mass::default();
-    wide::vertices(order, count, [&faces, &faces, &faces], |vertex| {
+    let is_general = wide::vertices(order, count, [&faces, &faces, &faces], |vertex| {
         let at = [0, 1, 2].map(|axis| {
             let Face { cube, upper } = vertex[axis];
             lowers[cube as usize][axis] - least[axis] + if upper { edge } else { 0 }
         });
         mass.add(vertex.map(|face| face.cube as usize), at, vertex.map(|face| face.upper), 1);
     });
-    Ok(mass)
+    Ok(if is_general { mass } else { touching::union(order, count, lowers, edge, least) })
 }

@@ -18,11 +18,17 @@ pub trait Order: Sync {
     /// The sign of a's coordinate minus b's.
     fn compare(&self, axis: Axis, a: Face, b: Face) -> Sign;
 
-    /// True if the face's plane meets the cube, ends included. A cube's own faces always meet it and are not queried.
-    fn reaches(&self, axis: Axis, face: Face, cube: u32) -> bool {
-        face.cube == cube
-            || (self.compare(axis, face, Face { cube, upper: false }) != Sign::Negative
-                && self.compare(axis, Face { cube, upper: true }, face) != Sign::Negative)
+    /// The position of a face's plane relative to a cube: positive within, zero at one of its faces, negative beyond. A
+    /// cube's own faces always count as within and are not queried.
+    #[inline]
+    fn contact(&self, axis: Axis, face: Face, cube: u32) -> Sign {
+        if face.cube == cube {
+            return Sign::Positive;
+        }
+        match self.compare(axis, face, Face { cube, upper: false }) {
+            Sign::Positive => self.compare(axis, Face { cube, upper: true }, face),
+            other => other,
+        }
     }
 }
 

@@ -3,7 +3,7 @@
 //! Every pair of a face and a cube is queried once; the rest works on bits. Memory alone limits the number of cubes:
 //! one bit for each pair of a face and a cube.
 
-use predicament_predicates::Axis;
+use predicament_predicates::{Axis, Sign};
 
 use super::order::{Face, Order};
 
@@ -71,25 +71,35 @@ struct Reach {
 }
 
 impl Reach {
-    fn new<O: Order>(order: &O, axis: Axis, cubes: u32, faces: &[Face]) -> Reach {
+    /// `None` if faces of two cubes are in one plane. Every pair of them is compared: a face that is equal to a cube's
+    /// upper face is not before its lower one.
+    fn new<O: Order>(order: &O, axis: Axis, cubes: u32, faces: &[Face]) -> Option<Reach> {
         let count = cubes as usize;
         let [met, own] = [(); 2].map(|()| Rows::new(count, faces.len()));
         let mut reach = Reach { cubes: Rows::new(faces.len(), count), faces: met, own };
         for (at, &face) in faces.iter().enumerate() {
             reach.own.set(face.cube as usize, at);
-            for cube in (0..cubes).filter(|&cube| order.reaches(axis, face, cube)) {
-                reach.cubes.set(at, cube as usize);
-                reach.faces.set(cube as usize, at);
+            for cube in 0..cubes {
+                match order.contact(axis, face, cube) {
+                    Sign::Negative => {}
+                    Sign::Zero => return None,
+                    Sign::Positive => {
+                        reach.cubes.set(at, cube as usize);
+                        reach.faces.set(cube as usize, at);
+                    }
+                }
             }
         }
-        reach
+        Some(reach)
     }
 }
 
 /// Calls `found` with the three faces (x, y, z) of each vertex of the union of the cubes 0 to `cubes`. Only vertices on
-/// one of these faces for each axis are reported.
-pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut found: impl FnMut([Face; 3])) {
-    let [x, y, z] = [0, 1, 2].map(|axis| Reach::new(order, AXES[axis], cubes, faces[axis]));
+/// one of these faces for each axis are reported. If faces of two cubes are in one plane, the answer is false, and
+/// nothing is found.
+pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut found: impl FnMut([Face; 3])) -> bool {
+    let along = |axis: usize| Reach::new(order, AXES[axis], cubes, faces[axis]);
+    let (Some(x), Some(y), Some(z)) = (along(0), along(1), along(2)) else { return false };
     let (mut both, mut others) = (Vec::new(), Vec::new());
     for (at, &a) in faces[0].iter().enumerate() {
         let owner_a = a.cube as usize;
@@ -127,4 +137,5 @@ pub(super) fn vertices<O: Order>(order: &O, cubes: u32, faces: [&[Face]; 3], mut
             }
         }
     }
+    true
 }

@@ -12,6 +12,12 @@
 //! coordinates are in the order of their cubes, from the last to the first ([`Ties`] has other orders). This is as if
 //! the cubes were moved by infinitesimals that are larger for earlier cubes. Widths do not include the infinitesimals:
 //! the result is the limit for perturbations that go to zero.
+//!
+//! For closed cubes ([`Ties::Merged`]) the lines between strips with equal coordinates are one line. An interval that
+//! ends where another one starts continues. A point of the line is a corner if the strips on its two sides differ
+//! there: one has an end and the other has not, or one ends and the other starts.
+
+use std::collections::BTreeSet;
 
 /// Mass properties of a union.
 #[derive(Clone, Copy, PartialEq, Eq, Default, Debug)]
@@ -33,6 +39,9 @@ pub enum Ties {
     Closed,
     /// All cubes are smaller by an infinitesimal: those that touch have a wall between them, as open cubes do.
     Open,
+    /// Cubes are closed sets and not moved: those that touch overlap, and a seam between two faces in one plane is
+    /// not an edge.
+    Merged,
 }
 
 /// The faces along one axis by rank.
@@ -51,7 +60,7 @@ impl Faces {
         let mut all: Vec<(i64, usize, bool)> = lowers.iter().enumerate().flat_map(sides).collect();
         all.sort_by(|a, b| match ties {
             Ties::Earlier => (a.0, b.1).cmp(&(b.0, a.1)),
-            Ties::Closed => (a.0, a.2).cmp(&(b.0, b.2)),
+            Ties::Closed | Ties::Merged => (a.0, a.2).cmp(&(b.0, b.2)),
             Ties::Open => (a.0, b.2).cmp(&(b.0, a.2)),
         });
         let mut ranks = vec![[0; 2]; lowers.len()];
@@ -90,7 +99,7 @@ struct Section {
 }
 
 /// The section of the cubes whose faces along v are at these ranks.
-fn section(v: &Faces, w: &Faces, active: &[usize]) -> Section {
+fn section(v: &Faces, w: &Faces, active: &[usize], ties: Ties) -> Section {
     let mut section = Section::default();
     let (mut lowers, mut before, mut now) = (Vec::new(), Vec::new(), Vec::new());
     for (at, &rank) in active.iter().enumerate() {
@@ -111,7 +120,14 @@ fn section(v: &Faces, w: &Faces, active: &[usize]) -> Section {
             section.area += width * lengths;
             section.ends += width * now.len() as i128;
         }
-        section.corners += differing(&before, &now);
+        if ties == Ties::Merged {
+            if active.get(at + 1).is_some_and(|&next| v.values[next] == v.values[rank]) {
+                continue;
+            }
+            section.corners += differing_points(w, &before, &now);
+        } else {
+            section.corners += differing(&before, &now);
+        }
         std::mem::swap(&mut before, &mut now);
     }
     section
@@ -128,6 +144,15 @@ fn differing(a: &[usize], b: &[usize]) -> i128 {
         }
     }
     (a.len() + b.len() - 2 * common) as i128
+}
+
+/// The number of points at which two unions of intervals differ, by the ranks of their ends.
+fn differing_points(w: &Faces, a: &[usize], b: &[usize]) -> i128 {
+    let ends = |ranks: &[usize]| -> BTreeSet<(i64, usize)> {
+        ranks.iter().enumerate().map(|(place, &rank)| (w.values[rank], place % 2)).collect()
+    };
+    let points: BTreeSet<i64> = ends(a).symmetric_difference(&ends(b)).map(|end| end.0).collect();
+    points.len() as i128
 }
 
 /// The mass properties of the union of cubes, by their lower corners and the length of their edges.
@@ -165,7 +190,7 @@ pub fn measured_by(lowers: &[[i64; 3]], edge: i64, ties: Ties) -> Measures {
             v.ranks[cube].into_iter().for_each(|rank| toggle(&mut active, rank));
             let width = if rank + 1 < u.owners.len() { u.width(rank, rank + 1) } else { 0 };
             if width > 0 {
-                let section = section(v, w, &active);
+                let section = section(v, w, &active, ties);
                 *volume += width * section.area;
                 all.area += width * section.ends;
                 all.edge_length += width * section.corners;

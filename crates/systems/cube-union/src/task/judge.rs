@@ -3,12 +3,15 @@
 //! The whole union is measured in sections, which do not use vertices. The judge also measures as much as it can in
 //! time (all cubes, or a box full of them), from the definition, in rationals, including the vertices. The two methods
 //! have to agree. Backends run the algorithm by comparing coordinates, so errors of their sums come from their
-//! treatment of equal coordinates.
+//! treatment of equal coordinates. Backends that break ties have to find the perturbed union, and all others the union
+//! of closed cubes.
+
+use std::collections::BTreeMap;
 
 use crate::algorithm::{self, Mass};
 use crate::checks::Measures;
 use crate::truth::{Part, Truth, in_units};
-use predicament_judge::cubes::Vertices;
+use predicament_judge::cubes::{Shape, Vertices, shape};
 use predicament_predicates::{PredicateKind, ZeroMeaning};
 use rug::Rational;
 
@@ -16,26 +19,64 @@ use super::section::MassRow;
 use super::{CubeUnion, Cubes, Union};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
 
-/// The failed checks as [name, found, expected].
-///
-/// Vertices are compared only for sessions that break ties. Other sessions may find fewer vertices at equal
-/// coordinates, as long as the sums are right.
-fn failed(truth: &Truth, found: &Mass, zero: ZeroMeaning) -> Vec<[String; 3]> {
-    let sums = &truth.measures;
+/// A check: its name, and the found and the expected value in words.
+type Checked = [String; 3];
+
+/// The checks of a union, by the meaning of the backend's zeros. The perturbed union is expected of a backend that
+/// breaks ties, and the union of closed cubes of any other.
+fn checks(truth: &Truth, found: &Mass, zero: ZeroMeaning) -> Vec<Checked> {
+    let is_perturbed = zero == ZeroMeaning::Never;
+    let sums = if is_perturbed { &truth.measures } else { &truth.closed };
     let mut checks = vec![
         ["volume".to_owned(), found.volume.to_string(), sums.volume.to_string()],
         ["area".to_owned(), found.area.to_string(), sums.area.to_string()],
         ["edge length".to_owned(), found.edge_length.to_string(), sums.edge_length.to_string()],
     ];
-    if let Some(wanted) = truth.vertices.filter(|_| zero == ZeroMeaning::Never) {
-        checks.push(["vertices".to_owned(), kinds(vertices(found)), kinds(wanted)]);
-    }
-    checks.retain(|[_, found, truth]| found != truth);
-    if found.vertices.euler_characteristic().is_none() {
-        let expected = "a multiple of eight quarters".to_owned();
-        checks.push(["euler characteristic".to_owned(), kinds(vertices(found)), expected]);
+    let mut check = |name: &str, found: String, expected: String| checks.push([name.to_owned(), found, expected]);
+    if is_perturbed {
+        if let Some(wanted) = truth.vertices {
+            check("vertices", kinds(vertices(found)), kinds(wanted));
+        }
+        if found.vertices.euler_characteristic().is_none() {
+            check("euler characteristic", all_kinds(&found.vertices), "a multiple of eight quarters".to_owned());
+        }
+    } else {
+        let euler = found.vertices.of_the_union().map(|euler| euler.to_string());
+        let got = euler.clone().unwrap_or_else(|| all_kinds(&found.vertices));
+        match &truth.counted {
+            Some(counted) => {
+                check("vertices", shapes(&by_shape(&found.vertices)), shapes(&counted.vertices));
+                check("euler characteristic", got, counted.euler_characteristic.to_string());
+            }
+            None if euler.is_none() => check("euler characteristic", got, "a multiple of eight eighths".to_owned()),
+            None => {}
+        }
     }
     checks
+}
+
+/// The failed checks.
+fn failed(truth: &Truth, found: &Mass, zero: ZeroMeaning) -> Vec<Checked> {
+    let mut checks = checks(truth, found, zero);
+    checks.retain(|[_, found, truth]| found != truth);
+    checks
+}
+
+/// The numbers of vertices by shape.
+fn by_shape(of: &algorithm::Vertices) -> BTreeMap<Shape, u64> {
+    of.by_octants().filter(|&(_, count)| count > 0).map(|(octants, count)| (shape(octants), count)).collect()
+}
+
+fn shapes(of: &BTreeMap<Shape, u64>) -> String {
+    let words = |([octants, faces, edges], count): (&Shape, &u64)| {
+        format!("{count} of {octants} octants with {faces} common faces and {edges} common edges")
+    };
+    if of.is_empty() { "none".to_owned() } else { of.iter().map(words).collect::<Vec<_>>().join(", ") }
+}
+
+fn all_kinds(of: &algorithm::Vertices) -> String {
+    let words = |(name, count): (&str, u64)| format!("{count} {name}");
+    of.by_name().filter(|&(_, count)| count > 0).map(words).collect::<Vec<_>>().join(", ")
 }
 
 fn measures(mass: &Mass) -> Measures {
@@ -43,7 +84,7 @@ fn measures(mass: &Mass) -> Measures {
 }
 
 fn vertices(of: &Mass) -> Vertices {
-    let algorithm::Vertices { corners, edge_faces, three_faces } = of.vertices;
+    let algorithm::Vertices { corners, edge_faces, three_faces, .. } = of.vertices;
     Vertices { corners, edge_faces, three_faces }
 }
 
@@ -61,14 +102,22 @@ fn finding(part: &Part, asked: &Asked<'_>) -> Option<Finding> {
         Err(why) => return Some(finding(why.to_string(), format!("the union of {} cubes", part.cubes))),
     };
     let found = in_units(&measures(&union.mass), union.exponent);
-    let truth = [&part.measures.volume, &part.measures.area, &part.measures.edge_length];
-    let breaks_ties = asked.contract(PredicateKind::Compare).zero == ZeroMeaning::Never;
-    let (got_vertices, true_vertices) = (vertices(&union.mass), part.measures.vertices);
-    let same = found.each_ref() == truth && (!breaks_ties || got_vertices == true_vertices);
-    let words = |[volume, area, edges]: [&Rational; 3], of: Vertices| {
-        format!("volume {volume}, area {area}, edges {edges}; {}", kinds(of))
+    let words = |[volume, area, edges]: [&Rational; 3], vertices: String| {
+        format!("volume {volume}, area {area}, edges {edges}; {vertices}")
     };
-    (!same).then(|| finding(words(found.each_ref(), got_vertices), words(truth, true_vertices)))
+    let (got, truth) = if asked.contract(PredicateKind::Compare).zero == ZeroMeaning::Never {
+        let of = &part.measures;
+        let truth = words([&of.volume, &of.area, &of.edge_length], kinds(of.vertices));
+        (words(found.each_ref(), kinds(vertices(&union.mass))), truth)
+    } else {
+        let of = part.closed.as_ref()?;
+        let euler =
+            |of: Option<i128>| of.map_or("no Euler characteristic".to_owned(), |of| format!("characteristic {of}"));
+        let vertices = [shapes(&by_shape(&union.mass.vertices)), euler(union.mass.vertices.of_the_union())].join("; ");
+        let wanted = [shapes(&of.vertices), euler(Some(of.euler_characteristic.into()))].join("; ");
+        (words(found.each_ref(), vertices), words([&of.volume, &of.area, &of.edge_length], wanted))
+    };
+    (got != truth).then(|| finding(got, truth))
 }
 
 /// Judges the mass properties found by a backend.
@@ -87,7 +136,8 @@ pub(super) fn judge(case: &Case<'_, CubeUnion>, asked: &Asked<'_>, found: &Union
         outcome.counts.add(Class::Agree, outcome.queries);
     }
     let [volume, area, edge_length] = case.truth.in_units(&measures(found));
-    let [true_volume, limit_area, limit_edge_length] = case.truth.in_units(&case.truth.measures);
+    let expected = if zero == ZeroMeaning::Never { &case.truth.measures } else { &case.truth.closed };
+    let [true_volume, limit_area, limit_edge_length] = case.truth.in_units(expected);
     let loaded = case.loaded;
     outcome.row(&MassRow {
         suite: loaded.suite.clone(),

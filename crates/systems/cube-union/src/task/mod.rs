@@ -1,7 +1,8 @@
 //! `cube-union`: volume, area and edge length of a union of congruent cubes.
 //!
-//! Franklin and Magalhães, section 4.3. In the relevant scenes every face coincides with others. The algorithm has no
-//! degenerate cases, so its results show how the comparisons treat ties.
+//! Franklin and Magalhães, section 4.3. In the relevant scenes every face coincides with others. A backend that breaks
+//! ties has no degenerate cases, and its answer is the union of cubes that are moved by infinitesimals. The answer of
+//! every other backend is the union of closed cubes.
 
 mod checks;
 mod content;
@@ -10,6 +11,8 @@ mod judge;
 mod replies;
 mod section;
 mod spoiled;
+
+use std::collections::BTreeMap;
 
 use crate::algorithm::{Mass, cube_union_by};
 use crate::truth::Truth;
@@ -47,8 +50,8 @@ impl Answer for Union {
     fn digest(&self) -> u64 {
         let (mass, of) = (&self.mass, self.mass.vertices);
         let sums = [mass.volume, mass.area, mass.edge_length].map(i128::to_le_bytes);
-        let counts = [of.corners, of.edge_faces, of.three_faces].map(u64::to_le_bytes);
-        digest(sums.into_iter().flatten().chain(counts.into_iter().flatten()))
+        let counts = of.by_name().map(|(_, count)| count.to_le_bytes());
+        digest(sums.into_iter().flatten().chain(counts.flatten()))
     }
 }
 
@@ -190,6 +193,9 @@ impl Task for CubeUnion {
                 "corners": of.corners,
                 "edge_faces": of.edge_faces,
                 "three_faces": of.three_faces,
+                // Vertices that need faces in one plane.
+                "tied": of.by_name().skip(3).filter(|&(_, count)| count > 0).collect::<BTreeMap<_, _>>(),
+                "euler_characteristic": of.of_the_union().map(|euler| euler.to_string()),
             });
             writeln!(out, "{json:#}")
         })?;

@@ -24,12 +24,12 @@ predicament_records::table! {
         pub true_volume: f64 ["cubed units"],
         /// The area of the boundary found by the backend.
         pub area: f64 ["squared units"],
-        /// The area of the perturbed union, in the limit of a perturbation that goes to zero. If faces coincide, it is
-        /// not the area of the union itself.
+        /// The area that is expected: if the backend breaks ties, that of the perturbed union, in the limit of a
+        /// perturbation that goes to zero; otherwise that of the union of closed cubes.
         pub limit_area: f64 ["squared units"],
         /// The total length of the boundary's edges found by the backend.
         pub edge_length: f64 ["units"],
-        /// The total length of the perturbed union's edges, in the same limit.
+        /// The total length of edges that is expected, of the same union.
         pub limit_edge_length: f64 ["units"],
         /// Corners of cubes that the backend found on the boundary.
         pub corners: u64,
@@ -81,8 +81,9 @@ pub(super) fn section(runs: &[RunDir]) -> Result<Option<Section>, Error> {
         id: "cubes",
         title: "Unions of cubes",
         lead: "Volume, area and edge length of the union, as sums over its vertices, and the number of vertices of \
-               each kind. If a sum is not as expected, the table shows both values. Area and edge length are the \
-               limits of the measures of the perturbed cubes."
+               each kind. If a sum is not as expected, the table shows both values. Of a backend that breaks ties, area \
+               and edge length are the limits of the measures of the perturbed cubes; of any other backend, those of \
+               closed cubes."
             .to_owned(),
         blocks: vec![block],
     }))

@@ -30,8 +30,15 @@ pub(super) fn all() -> Vec<Spoiled<CubeUnion>> {
             "cube-union-adds-a-corner",
             "the count of corners is one too large",
             "exact",
-            &[(Class::Topology, "euler characteristic")],
+            &[(Class::Topology, "euler characteristic"), (Class::Topology, "vertices")],
             |_, _, answer: &mut Union| answer.mass.vertices.corners += 1,
+        ),
+        Spoiled::new(
+            "cube-union-adds-a-part",
+            "the counts of vertices have a whole Euler characteristic, with one part too many",
+            "exact",
+            &[(Class::Topology, "euler characteristic"), (Class::Topology, "vertices")],
+            |_, _, answer: &mut Union| answer.mass.vertices.corners += 8,
         ),
     ]
 }

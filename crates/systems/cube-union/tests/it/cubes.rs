@@ -1,6 +1,7 @@
 //! Unions of cubes: the sums over vertices, compared with other ways to measure them.
 
 mod backends;
+mod closed;
 mod crowds;
 mod dense;
 mod expected;

@@ -24,7 +24,7 @@ fn identical(n: u32, edge: i64) -> (Measures, Vertices) {
     let (count, e) = (i128::from(n), i128::from(edge));
     let known = Measures { volume: e.pow(3), area: 6 * e * e, edge_length: (6 + 6 * (2 * count - 1)) * e };
     let n = u64::from(n);
-    (known, Vertices { corners: 6 * n + 2, edge_faces: 6 * (n - 1), three_faces: 0 })
+    (known, Vertices { corners: 6 * n + 2, edge_faces: 6 * (n - 1), ..Vertices::default() })
 }
 
 #[test]
