@@ -6,13 +6,13 @@ use crate::exact::indirect;
 
 #[test]
 fn exact_conforms() {
-    check::indirect::orient2d(indirect::orient2d).cases(1000).assert();
-    check::indirect::orient3d(indirect::orient3d).cases(1000).assert();
-    check::indirect::incircle(indirect::incircle).cases(200).assert();
-    check::indirect::insphere(indirect::insphere).cases(150).assert();
-    check::indirect::orient2d_of_3d(indirect::orient2d_of_3d).cases(1000).assert();
-    check::indirect::compare2d(indirect::compare2d).cases(1000).assert();
-    check::indirect::compare3d(indirect::compare3d).cases(1000).assert();
+    check::indirect::orient2d(indirect::orient2d).cases(300).assert();
+    check::indirect::orient3d(indirect::orient3d).cases(300).assert();
+    check::indirect::incircle(indirect::incircle).cases(100).assert();
+    check::indirect::insphere(indirect::insphere).cases(60).assert();
+    check::indirect::orient2d_of_3d(indirect::orient2d_of_3d).cases(300).assert();
+    check::indirect::compare2d(indirect::compare2d).cases(300).assert();
+    check::indirect::compare3d(indirect::compare3d).cases(300).assert();
 }
 
 /// The meeting point of lines in doubles.
@@ -68,7 +68,7 @@ fn a_fault_about_the_last_point_of_a_sphere_is_found() {
         (Point3::Input(_), Point3::Tpi(_)) => Sign::Zero,
         _ => indirect::insphere(a, b, c, d, e),
     };
-    let report = check::indirect::insphere(predicate).cases(150).report();
+    let report = check::indirect::insphere(predicate).cases(80).report();
     assert!(report.wrong > 2, "{report}");
     let elsewhere = report.sources.iter().filter(|source| source.wrong > 0 && !source.name.contains("tpi"));
     assert_eq!(elsewhere.count(), 0, "{report}");
@@ -93,14 +93,14 @@ fn a_forgotten_sign_of_the_weight_is_found() {
         let sign = indirect::orient3d(a, b, c, d);
         if [a, b, c, d].into_iter().filter(|&point| is_negative(point)).count() % 2 == 1 { -sign } else { sign }
     };
-    let report = check::indirect::orient3d(predicate).cases(1000).report();
+    let report = check::indirect::orient3d(predicate).cases(300).report();
     let of = |name: &str| report.sources.iter().find(|source| source.name.starts_with(name)).unwrap().wrong;
     assert!(of("lpi-uniform") > 0 && of("tpi-uniform") == 0, "{report}");
     let predicate = |a, b, c, d, e| {
         let sign = indirect::insphere(a, b, c, d, e);
         if [a, b, c, d, e].into_iter().filter(|&point| is_negative(point)).count() % 2 == 1 { -sign } else { sign }
     };
-    let report = check::indirect::insphere(predicate).cases(100).report();
+    let report = check::indirect::insphere(predicate).cases(60).report();
     let of = |name: &str| report.sources.iter().find(|source| source.name.starts_with(name)).unwrap().wrong;
     assert!(of("lpi-uniform") > 0 && of("tpi-uniform") == 0, "{report}");
 }
@@ -111,7 +111,7 @@ fn every_axis_and_plane_is_asked() {
     use predicament_conformance::{Axis, Plane};
     for axis in [Axis::X, Axis::Y, Axis::Z] {
         let predicate = |on, a, b| if on == axis { Sign::Zero } else { indirect::compare3d(on, a, b) };
-        let report = check::indirect::compare3d(predicate).cases(500).report();
+        let report = check::indirect::compare3d(predicate).cases(100).report();
         assert!(report.wrong > 0, "{axis:?}");
         let end = format!(" {}", axis.name());
         let elsewhere = report.sources.iter().filter(|source| source.wrong > 0 && !source.name.ends_with(&end));
@@ -119,7 +119,7 @@ fn every_axis_and_plane_is_asked() {
     }
     for plane in [Plane::Xy, Plane::Yz, Plane::Zx] {
         let predicate = |on, a, b, c| if on == plane { Sign::Zero } else { indirect::orient2d_of_3d(on, a, b, c) };
-        let report = check::indirect::orient2d_of_3d(predicate).cases(500).report();
+        let report = check::indirect::orient2d_of_3d(predicate).cases(100).report();
         let found = report.findings.iter().find(|finding| !finding.way.is_empty()).unwrap();
         assert!(found.test.contains("(Plane::") && found.way == plane.name(), "{report}");
     }
