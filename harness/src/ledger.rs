@@ -16,6 +16,7 @@ use crate::exit::{self, Failure};
 use crate::pixels::of_square;
 use crate::rows;
 use crate::stopwatch::Cost;
+use crate::tool::Only;
 
 /// The finished work of a run, in memory and on disk.
 pub struct Ledger {
@@ -26,6 +27,8 @@ pub struct Ledger {
     pub wholes: BTreeMap<String, BTreeSet<String>>,
     pub done: Vec<SummaryRow>,
     pub precision: Vec<PrecisionRow>,
+    /// The tasks of each backend that runs for some tasks only.
+    pub only: Only,
     /// Backends of the tool that run only if named, and were not named.
     pub left_out: Vec<String>,
     /// For a part of a run: the position of each of its scenes in the whole run.
@@ -35,6 +38,11 @@ pub struct Ledger {
 }
 
 impl Ledger {
+    /// True if the backend runs for scenes of this task.
+    pub fn takes(&self, backend: &str, task: &str) -> bool {
+        self.only.get(backend).is_none_or(|tasks| tasks.contains(task))
+    }
+
     pub fn is_done(&self, scene: &PlannedScene, backend: &str) -> bool {
         self.done.iter().any(|row| row.suite == scene.suite && row.scene == scene.scene && row.backend == backend)
     }

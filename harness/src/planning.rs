@@ -82,6 +82,7 @@ pub fn plan(
         timed: false,
         scenes: scenes.iter().map(|scene| scene.plan.clone()).collect(),
         backends: backends.iter().map(|backend| backend.name()).collect(),
+        only: BTreeMap::new(),
         judged_whole: judged_whole.map(|task| task.name().to_owned()).collect(),
         ladder: Exact.stages().iter().map(|&stage| stage.to_owned()).collect(),
         shard,

@@ -1,10 +1,10 @@
 //! The tasks, backends, suites and expectations that every command uses.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::OnceLock;
 
-use predicament_corpus::{Library, Suite, Vocabulary};
+use predicament_corpus::{Library, SceneDef, Suite, Vocabulary};
 use predicament_engines::PREFIX;
 use predicament_formats::CorpusError;
 use predicament_oracle::roster::{self, BackendError, Roster};
@@ -17,6 +17,9 @@ use crate::BackendList;
 use crate::exit::Failure;
 
 type Find = Box<dyn Fn(&str) -> Result<Box<dyn Contestant>, BackendError> + Send + Sync>;
+
+/// The tasks of each backend that runs for some tasks only.
+pub type Only = BTreeMap<String, BTreeSet<String>>;
 
 /// The names given to `-b`, separated by commas or repeated.
 pub fn each(names: &[String]) -> impl Iterator<Item = &str> {
@@ -171,10 +174,32 @@ impl Tool {
         Ok(picked)
     }
 
-    /// The built-in backends that do not run by default; empty if `-b` names backends.
-    pub fn left_out(&self, names: &[String]) -> Vec<String> {
+    /// The backends of a run over these scenes, and the tasks of each backend that runs for some tasks only.
+    ///
+    /// Without `-b` they are the default backends and, if a scene has two meshes, those that move a mesh as a whole.
+    pub fn pick_for(
+        &self,
+        names: &[String],
+        scenes: &[&SceneDef],
+    ) -> Result<(Vec<Box<dyn Contestant>>, Only), Failure> {
+        let mut picked = self.pick(names)?;
+        let mut only = Only::new();
+        let has_two = |name: &&str| self.task(name).is_on_two_meshes();
+        let tasks: BTreeSet<String> =
+            scenes.iter().map(|scene| scene.task).filter(has_two).map(str::to_owned).collect();
+        if names.is_empty() && !tasks.is_empty() {
+            for &name in roster::ON_TWO_MESHES {
+                picked.push(self.backend(name).map_err(Failure::usage)?);
+                only.insert(name.to_owned(), tasks.clone());
+            }
+        }
+        Ok((picked, only))
+    }
+
+    /// The built-in backends that the plan has not and `-b` would add; empty if `-b` names backends.
+    pub fn left_out(&self, names: &[String], only: &Only) -> Vec<String> {
         let more: &[&str] = if names.is_empty() { roster::MORE } else { &[] };
-        more.iter().map(|&name| name.to_owned()).collect()
+        more.iter().filter(|&&name| !only.contains_key(name)).map(|&name| name.to_owned()).collect()
     }
 
     /// The help for the values of `-b`.

@@ -13,7 +13,7 @@ use crate::tool::Tool;
 /// The honest backends, which must have only expected findings.
 const CLEAN: [&str; 5] = ["exact", "sos", "sos:edelsbrunner-mucke", TWO_MESHES, "tolerance"];
 
-/// The honest backend that runs only if named; here it runs on every scene with two meshes.
+/// The honest backend for scenes with two meshes.
 pub const TWO_MESHES: &str = "sos:per-mesh";
 
 /// The kind of an entry.

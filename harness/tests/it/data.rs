@@ -191,6 +191,7 @@ fn plan() -> Plan {
         timed: true,
         scenes: vec![scene("orient2d", "near"), scene("orient3d", "near")],
         backends: ["exact", "naive", "sos"].map(str::to_owned).into(),
+        only: [].into(),
         judged_whole: [].into(),
         ladder: Vec::new(),
         shard: Shard::WHOLE,

@@ -389,6 +389,18 @@ fn a_run_of_default_backends_says_which_others_there_are() {
     assert!(told.stdout.ends_with(line), "{}", told.stdout);
     let told = run(&[&scenes[..], &["-b", "exact", "--out", &one]].concat());
     assert!(!told.stdout.contains("not run:"), "{}", told.stdout);
+    // The second of two meshes is moved where there are two meshes.
+    let two = at(&folder, "two");
+    let told = run(&["run", "classics", "touching", "-f", "kettner-a1$|vertex-on-vertex$", "--out", &two]);
+    assert!(
+        told.stdout.ends_with("not run: tolerance:f32, naive:nalgebra; `-b tolerance:f32,naive:nalgebra` runs them\n"),
+        "{}",
+        told.stdout
+    );
+    assert!(told.stdout.contains("; complete\n"), "{}", told.stdout);
+    let rows = read(&two, "summary.csv");
+    let of = |backend: &str| rows.lines().filter(|row| row.split(',').any(|cell| cell == backend)).count();
+    assert_eq!([of("exact"), of("sos:per-mesh")], [2, 1], "{rows}");
     for (out, is_said) in [(&all, true), (&one, false)] {
         expect(0, &["report", out, "--out", &pages]);
         let page = read(&pages, "report.md");

@@ -26,6 +26,9 @@ use crate::visit::hand;
 pub const DEFAULT: &[&str] =
     &["exact", "sos", "sos:edelsbrunner-mucke", "tolerance", "naive", "naive:first", "epsilon:1e-10", "shewchuk"];
 
+/// The backends of [`MORE`] that a run takes by default for scenes of tasks on two meshes.
+pub const ON_TWO_MESHES: &[&str] = &["sos:per-mesh"];
+
 /// The parameterless backends of this workspace that do not run by default, in the order of the help.
 pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
 
@@ -36,7 +39,7 @@ exact:stages=K          the first K of its 6 stages, then the sign of the double
                         (and exact:twice computes each sign twice: a yardstick of times)
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
-sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3), for contacts
+sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3)
 tolerance               the hierarchical tolerances of Wang et al.
 tolerance:f32           the same in single precision, for scenes whose coordinates it holds exactly
 naive, naive:first      plain floating point, pivot at the last or the first argument

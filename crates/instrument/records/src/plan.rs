@@ -218,6 +218,9 @@ pub struct Plan {
     pub scenes: Vec<PlannedScene>,
     /// The backends' names, with their parameters.
     pub backends: Vec<String>,
+    /// The tasks of each backend that runs for some tasks only; other backends run for all.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub only: BTreeMap<String, BTreeSet<String>>,
     /// The tasks whose answers are judged as a whole: if one law is broken, the whole answer to the scene is wrong.
     #[serde(default, skip_serializing_if = "BTreeSet::is_empty")]
     pub judged_whole: BTreeSet<String>,
@@ -265,6 +268,17 @@ pub struct ExpectedFile {
 }
 
 impl Plan {
+    /// True if the backend runs for scenes of this task.
+    #[must_use]
+    pub fn takes(&self, backend: &str, task: &str) -> bool {
+        self.only.get(backend).is_none_or(|tasks| tasks.contains(task))
+    }
+
+    /// The backends that run for scenes of this task, in their order.
+    pub fn backends_for(&self, task: &str) -> impl Iterator<Item = &String> {
+        self.backends.iter().filter(move |backend| self.takes(backend, task))
+    }
+
     /// The command-line argument for a suite: its file if the run was given a file, otherwise its name.
     #[must_use]
     pub fn argument<'p>(&'p self, suite: &'p str) -> &'p str {

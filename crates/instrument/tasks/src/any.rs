@@ -95,6 +95,8 @@ pub trait AnyTask: SceneFormat {
     fn constructs_vertices(&self) -> bool;
     /// Calls [`Task::judges_whole`].
     fn is_judged_whole(&self) -> bool;
+    /// Calls [`Task::has_two_meshes`].
+    fn is_on_two_meshes(&self) -> bool;
 
     /// Calls [`Task::compared`].
     fn compared_on(&self) -> &'static [Compared];
@@ -277,6 +279,10 @@ impl<T: Task> AnyTask for T {
 
     fn is_judged_whole(&self) -> bool {
         self.judges_whole()
+    }
+
+    fn is_on_two_meshes(&self) -> bool {
+        self.has_two_meshes()
     }
 
     fn compared_on(&self) -> &'static [Compared] {

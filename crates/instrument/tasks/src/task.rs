@@ -57,6 +57,11 @@ pub trait Task: SceneFormat + Sized + 'static {
         false
     }
 
+    /// True if the scenes of the task have two meshes, the second of which a perturbation can move as a whole.
+    fn has_two_meshes(&self) -> bool {
+        false
+    }
+
     /// True if [`solve`](Task::solve) checks its watch often enough to be stopped by it. Otherwise it runs in a
     /// separate process under a time limit.
     fn looks_at_watch(&self) -> bool {

@@ -41,15 +41,16 @@ impl Job {
 
     /// A new job for the scenes and backends that the command line selects.
     fn new(args: &Args, tool: &Tool, expected: &str) -> Result<Job, Failure> {
-        let backends = tool.pick(&args.backends)?;
         let selection = args.selector.select(tool)?;
+        let (backends, only) = tool.pick_for(&args.backends, &selection.defs())?;
         let shard = args.shard.unwrap_or(Shard::WHOLE);
         let (scenes, whole) = selection.part(shard)?;
         let plan = Plan {
             answers: args.answers,
             permutations: args.permutations.map(|most| most as u64),
             engines: recorded(&args.backends, &backends)?,
-            left_out: tool.left_out(&args.backends),
+            left_out: tool.left_out(&args.backends, &only),
+            only,
             expected: args.expected.as_deref().map(expectations::file).transpose()?,
             whole: whole.map(|whole| Whole { expected: Some(expected.to_owned()), ..whole }),
             ..plan(tool, &selection, &scenes, &backends, shard)
@@ -109,8 +110,8 @@ impl Job {
         let writer = RunWriter::create(&folder, &plan, &env, &tables_of(tool, &plan)).map_err(Failure::usage)?;
         let (level, answers, permutations) = (selection.level, plan.answers, permutations(&plan));
         let (done, precision, wholes) = (Vec::new(), Vec::new(), BTreeMap::new());
-        let (places, left_out) = (places(&plan), plan.left_out);
-        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
+        let (places, left_out, only) = (places(&plan), plan.left_out, plan.only);
+        let ledger = Ledger { level, answers, wholes, done, precision, only, left_out, places, folder, writer };
         Ok(Job { selection, scenes, backends, engines, permutations, ledger })
     }
 
@@ -148,7 +149,7 @@ impl Job {
             ))
         })?;
         let permutations = args.permutations.or(permutations(plan));
-        let (answers, left_out, places) = (plan.answers, plan.left_out.clone(), places(plan));
+        let (answers, left_out, only, places) = (plan.answers, plan.left_out.clone(), plan.only.clone(), places(plan));
         same_versions(folder, &backends)?;
         let (writer, before) =
             RunWriter::resume(folder, || env_of(&backends), &tables_of(tool, plan)).map_err(Failure::usage)?;
@@ -157,7 +158,7 @@ impl Job {
         let RunDir { summary, precision, .. } = before;
         let (done, precision) = (summary.into(), precision.into());
         let (folder, wholes, level) = (folder.clone(), BTreeMap::new(), selection.level);
-        let ledger = Ledger { level, answers, wholes, done, precision, left_out, places, folder, writer };
+        let ledger = Ledger { level, answers, wholes, done, precision, only, left_out, places, folder, writer };
         Ok(Job { selection, scenes, backends, engines, permutations, ledger })
     }
 }

@@ -42,7 +42,7 @@ pub struct Ended {
 /// Runs the scenes of a job, except those that are done.
 pub fn all(args: &Args, tool: &Tool, job: Job, expected: &Expectations) -> Result<Ended, Failure> {
     let Job { selection, mut scenes, backends, engines, permutations, ledger } = job;
-    let work = scenes.iter().map(|scene| scene.plan.queries * (backends.len() as u64 + 1)).sum();
+    let work = scenes.iter().map(|scene| work(&scene.plan, &backends, &ledger)).sum();
     let by_level = budget(selection.level);
     let mut run = Run {
         args,
@@ -146,12 +146,12 @@ impl<'r> Run<'r> {
 
     /// The backends that have not answered a scene.
     fn left(&self, scene: &PlannedScene) -> Vec<&'r dyn Contestant> {
-        let backends = self.backends.iter().map(AsRef::as_ref);
-        backends.filter(|backend| !self.ledger.is_done(scene, &backend.name())).collect()
+        let is_left = |name: &str| self.ledger.takes(name, &scene.task) && !self.ledger.is_done(scene, name);
+        self.backends.iter().map(AsRef::as_ref).filter(|backend| is_left(&backend.name())).collect()
     }
 
     fn pass_over(&self, scene: &PlannedScene) -> Flow {
-        self.bar.inc(scene.queries * (self.backends.len() as u64 + 1));
+        self.bar.inc(work(scene, self.backends, &self.ledger));
         Flow::Continue(())
     }
 
@@ -229,6 +229,12 @@ fn refuse_disputed(scene: &PlannedScene, case: Option<&dyn AnyCase>) -> Result<(
     let Some(dispute) = case.and_then(|case| case.dispute()) else { return Ok(()) };
     let message = format!("{}/{}: {dispute}", scene.suite, scene.scene);
     Err(Failure { message, code: exit::CORPUS })
+}
+
+/// The work of a scene, in answers: the truth, and the answers of the backends that run for its task.
+fn work(scene: &PlannedScene, backends: &[Box<dyn Contestant>], ledger: &Ledger) -> u64 {
+    let count = backends.iter().filter(|backend| ledger.takes(&backend.name(), &scene.task)).count();
+    scene.queries * (count as u64 + 1)
 }
 
 /// Calls `each` for all backends at once. Threads work for any backend when they are free; the common cost is divided

@@ -65,15 +65,16 @@ pub struct Args {
 pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let costs = Costs::read(&args.costs).map_err(Failure::usage)?;
     let digest = expectations::held(tool, args.expected.as_ref())?.digest;
-    let backends = tool.pick(&args.backends)?;
     let selection = args.selector.select(tool)?;
+    let (backends, only) = tool.pick_for(&args.backends, &selection.defs())?;
     let scenes = selection.plan()?;
     tell_not_selected(&selection.not_selected, "planned");
     let plan = Plan {
         answers: args.answers,
         permutations: args.permutations.map(|most| most as u64),
         engines: recorded(&args.backends, &backends)?,
-        left_out: tool.left_out(&args.backends),
+        left_out: tool.left_out(&args.backends, &only),
+        only,
         ..plan(tool, &selection, &scenes, &backends, Shard::WHOLE)
     };
     let known: Vec<(Option<u64>, Basis)> = plan.scenes.iter().map(|scene| costs.of(scene, &plan.backends)).collect();

@@ -81,6 +81,7 @@ pub fn plan() -> Plan {
         timed: true,
         scenes: vec![scene("a"), scene("b")],
         backends: vec!["exact".to_owned(), "naive".to_owned()],
+        only: [].into(),
         judged_whole: [].into(),
         ladder: Vec::new(),
         shard: Shard::WHOLE,

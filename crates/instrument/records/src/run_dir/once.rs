@@ -76,8 +76,8 @@ fn pair_of(row: &SummaryRow) -> Pair {
 }
 
 fn planned(run: &RunDir) -> BTreeSet<Pair> {
-    let backends = &run.plan.backends;
-    let pairs = run.plan.scenes.iter().flat_map(|scene| backends.iter().map(move |backend| (scene, backend)));
+    let scenes = run.plan.scenes.iter();
+    let pairs = scenes.flat_map(|scene| run.plan.backends_for(&scene.task).map(move |backend| (scene, backend)));
     pairs.map(|(s, backend)| [&s.suite, &s.scene, &s.scene_id, &s.task, backend].map(String::clone)).collect()
 }
 

@@ -231,7 +231,7 @@ impl RunDir {
             self.elsewhere.iter().map(|pair| pair.each_ref().map(String::as_str)).collect();
         let mut missing = Vec::new();
         for scene in &self.plan.scenes {
-            for backend in &self.plan.backends {
+            for backend in self.plan.backends_for(&scene.task) {
                 let pair = [&*scene.suite, &*scene.scene, &*scene.scene_id, &*scene.task, &**backend];
                 let is_told = checked.contains(&pair) || elsewhere.contains(&pair);
                 if !is_told && !timed.contains(&[&*scene.task, &*scene.family, &**backend]) {

@@ -73,6 +73,7 @@ pub fn plan() -> Plan {
         paths: [(scene("").suite, "far/near.toml".to_owned())].into(),
         scenes: vec![scene("one"), scene("two")],
         backends: vec!["exact".to_owned()],
+        only: [].into(),
         judged_whole: ["hull2d".to_owned()].into(),
         ladder: vec!["filter".to_owned(), "wide integer".to_owned()],
         whole: None,
@@ -282,7 +283,14 @@ fn a_run_is_incomplete_until_it_says_otherwise() {
 
     let (writer, _) = resume(folder.path()).unwrap();
     writer.finish(Outcome::Complete).unwrap();
-    assert!(!RunDir::open(folder.path()).unwrap().is_complete(), "a planned scene is still missing");
+    let mut run = RunDir::open(folder.path()).unwrap();
+    assert!(!run.is_complete(), "a planned scene is still missing");
+
+    // A backend that runs for some tasks only misses no scenes of other tasks.
+    run.plan.only = [("exact".to_owned(), [scene("two").task].into())].into();
+    assert_eq!(run.not_run(), missing);
+    run.plan.only = [("exact".to_owned(), ["another".to_owned()].into())].into();
+    assert!(run.is_complete());
 }
 
 #[test]

@@ -56,6 +56,11 @@ fn ids_are_pinned_on_every_platform() {
     }
     assert!(new.is_empty(), "add these to {PINNED} of the crates whose tasks they are of:\n{}", new.join("\n"));
     assert!(pinned.is_empty(), "these are gone: {:?}", pinned.keys());
+    // A perturbation of one mesh is run for these tasks alone.
+    for loaded in offline() {
+        let has_two = predicament_bundle::task(loaded.task).unwrap().is_on_two_meshes();
+        assert_eq!(loaded.scene.second_mesh().is_some(), has_two, "{}/{}", loaded.suite, loaded.name);
+    }
 }
 
 #[test]

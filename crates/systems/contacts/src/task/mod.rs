@@ -118,6 +118,10 @@ impl Task for Contacts {
     type Truth = Truth;
     type Answer = Registered;
 
+    fn has_two_meshes(&self) -> bool {
+        true
+    }
+
     // Coordinates are singles, so that single-precision backends accept them.
     fn compared(&self) -> &'static [Compared] {
         match self.dimension {

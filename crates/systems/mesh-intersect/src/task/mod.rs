@@ -193,6 +193,10 @@ impl Task for MeshIntersect {
         true
     }
 
+    fn has_two_meshes(&self) -> bool {
+        true
+    }
+
     fn judges_whole(&self) -> bool {
         true
     }

@@ -129,6 +129,10 @@ impl Task for MeshLocate {
     type Truth = Truth;
     type Answer = Located;
 
+    fn has_two_meshes(&self) -> bool {
+        true
+    }
+
     fn compared(&self) -> &'static [Compared] {
         const {
             &[
