@@ -901,7 +901,7 @@ private:
             return call<CubeUnion>([](Answered& to, const Measures& found) { to.measures(found); }, asked.points<4>("cubes"));
         if (name == "slice") {
             const auto add = [](Answered& to, const std::vector<Mesh>& parts) { to.parts(parts); };
-            return call<Slice>(add, Mesh{asked.points<3>("points"), asked.tuples<3>("triangles")}, asked.corners<3, 3>("planes"));
+            return call<Slice>(add, asked.mesh("triangles"), asked.corners<3, 3>("planes"));
         }
         if (name == "snap2d") {
             const double side = std::ldexp(1.0, -std::atoi(message.value("word:pixel").text().c_str()));

@@ -28,5 +28,21 @@ def boolean(first, second):
     return {"union": mesh(a + b), "intersection": mesh(a ^ b), "difference": mesh(a - b)}
 
 
+def cut(vertices, triangles, planes):
+    parts = [solid((vertices, triangles))]
+    for a, b, c in planes:
+        normal = numpy.cross(b - a, c - a)
+        normal /= numpy.linalg.norm(normal)
+        parts = [side for part in parts for side in part.split_by_plane(normal, normal @ a)]
+    return [mesh(part) for part in parts if not part.is_empty()]
+
+
+def cubes(cubes):
+    solids = [manifold3d.Manifold.cube([edge] * 3).translate([x, y, z]) for x, y, z, edge in cubes.tolist()]
+    union = manifold3d.Manifold.batch_boolean(solids, manifold3d.OpType.Add)
+    return {"volume": union.volume(), "area": union.surface_area()}
+
+
 engine = predicament_engine.Engine("manifold", importlib.metadata.version("manifold3d"), arrays=True)
-predicament_engine.serve(engine.task("mesh-intersect", boolean))
+engine.task("mesh-intersect", boolean).task("slice", cut).task("cube-union", cubes)
+predicament_engine.serve(engine)

@@ -288,9 +288,7 @@ const GIVEN = {
         return [{ cells: scene.parts("cells").map(along), probes: along(scene.values("probes")) }];
     },
     "cube-union": (scene) => [{ cubes: rows(scene.values("cubes"), 4) }],
-    slice: (scene) => [
-        { vertices: scene.points, triangles: rows(scene.values("triangles"), 3), planes: scene.at(scene.parts("planes")) },
-    ],
+    slice: (scene) => [{ ...scene.mesh("triangles"), planes: scene.at(scene.parts("planes")) }],
     snap2d: (scene) => [
         { segments: scene.at(scene.parts("segments")), side: 2 ** -Number(scene.entries.get("word:pixel") ?? 0) },
     ],

@@ -483,7 +483,10 @@ class _Scene:
 
     def mesh(self, name):
         """The vertices of a mesh, which has its own, and its triangles."""
-        triangles = self.parts(name)
+        return self.own(self.parts(name))
+
+    def own(self, triangles):
+        """The points that triangles use, and the triangles with the places of these points."""
         used = sorted({corner for triangle in triangles for corner in triangle})
         place = {corner: at for at, corner in enumerate(used)}
         triangles = [tuple(place[corner] for corner in triangle) for triangle in triangles]
@@ -555,8 +558,9 @@ def _of_cubes(scene):
 
 
 def _of_solid(scene):
+    vertices, triangles = scene.own(list(zip(*[iter(scene.numbers("triangles"))] * 3)))
     planes = [scene.at(plane) for plane in scene.parts("planes")]
-    yield {"vertices": scene.points, "triangles": scene.rows("triangles", 3), "planes": planes}
+    yield {"vertices": vertices, "triangles": triangles, "planes": planes}
 
 
 def _flat(values):

@@ -52,6 +52,27 @@ def locate(regions, probes):
     return labels
 
 
+def shape(points, simplex):
+    """A point, a segment or a triangle."""
+    kinds = {1: shapely.Point, 2: shapely.LineString, 3: shapely.Polygon}
+    return kinds[len(simplex)]([points[v] for v in simplex])
+
+
+def contacts(points, a, b):
+    shapes = [[shape(points, simplex) for simplex in simplices] for simplices in (a, b)]
+    return [(a[i], b[j]) for i, j in shapely.STRtree(shapes[1]).query(shapes[0], predicate="intersects").T]
+
+
+def crossings(segments):
+    lines = [shapely.LineString(segment) for segment in segments]
+    along = [[] for _ in lines]
+    for i, j in shapely.STRtree(lines).query(lines, predicate="crosses").T:
+        along[i].append((shapely.line_locate_point(lines[i], shapely.intersection(lines[i], lines[j])), j))
+    return [[j for _, j in sorted(crossed)] for crossed in along]
+
+
 version = f"{shapely.__version__}, GEOS {'.'.join(map(str, shapely.geos_version))}"
 engine = predicament_engine.Engine("shapely", version)
-predicament_engine.serve(engine.task("overlay2d", overlay).task("polygon-locate", locate))
+engine.task("overlay2d", overlay).task("polygon-locate", locate)
+engine.task("contacts2d", contacts).task("crossings", crossings)
+predicament_engine.serve(engine)

@@ -267,8 +267,7 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
             timed(|| engine.cube_union(&cubes), measures)
         }
         Task::Slice => {
-            let mesh = Mesh { vertices: asked.points("points"), triangles: asked.tuples("triangles") };
-            let planes = asked.corners("planes");
+            let (mesh, planes) = (asked.mesh("triangles"), asked.corners("planes"));
             timed(|| engine.slice(&mesh, &planes), parts)
         }
         Task::Snap2d => {

@@ -74,6 +74,8 @@ fn files_of_every_other_task_are_right_and_those_of_another_scene_are_not() {
             };
             let (code, told) = judged(answer);
             assert!(code == 0 && told.contains(": right"), "{suite}: {told}");
+            // Both cubes have faces in one plane: the verdict says that the length of edges is not judged.
+            assert_eq!(told.contains("  judged: volume and area"), suite == "cubes", "{told}");
             // Less than all of it.
             let text = fs::read_to_string(&answer[0]).unwrap();
             let (code, told) = if answer.len() > 1 {

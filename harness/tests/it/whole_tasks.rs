@@ -176,7 +176,7 @@ engine.task("contacts3d", lambda points, a, b: [(a[0], b[0])])
 engine.task("crossings", lambda segments: [[1], [0]])
 engine.task("interval", lambda cells, probes: [-2 if probe in cells[0] else -1 for probe in probes])
 engine.task("cube-union", lambda cubes: {"volume": cubes[0][3] ** 3, "area": 1.5, "edge_length": 6})
-engine.task("slice", lambda vertices, triangles, planes: [(vertices, triangles)] if len(planes) == 2 else [])
+engine.task("slice", lambda vertices, triangles, planes: [(vertices, triangles)] if len(planes + vertices) == 6 else [])
 engine.task("snap2d", lambda segments, side: segments if side == 0.5 else [])
 predicament_engine.serve(engine)
 "#,
@@ -206,7 +206,7 @@ const tasks = {
     crossings: () => [[1], [0]],
     interval: ({ cells, probes }) => probes.map((probe) => (cells[0].includes(probe) ? -2 : -1)),
     "cube-union": ({ cubes }) => ({ volume: cubes[0][3] ** 3, area: 1.5, edge_length: 6 }),
-    slice: ({ vertices, triangles, planes }) => (planes.length === 2 ? [{ vertices, triangles }] : []),
+    slice: ({ vertices, triangles, planes }) => (planes.length + vertices.length === 6 ? [{ vertices, triangles }] : []),
     snap2d: ({ segments, side }) => (side === 0.5 ? segments : []),
 };
 serve({ name: "mine", version: "1.0", tasks });
@@ -248,7 +248,7 @@ struct Mine {
     }
     static Measures cube_union(const Cubes& cubes) { return {cubes[0][3] * cubes[0][3] * cubes[0][3], 1.5, 6.0}; }
     static std::vector<Mesh> slice(const Mesh& mesh, const Planes& planes) {
-        return planes.size() == 2 ? std::vector<Mesh>{mesh} : std::vector<Mesh>{};
+        return planes.size() + mesh.vertices.size() == 6 ? std::vector<Mesh>{mesh} : std::vector<Mesh>{};
     }
     static Chains snap2d(const Segments& segments, double side) {
         return side == 0.5 ? Chains{{segments[0][0], segments[0][1]}} : Chains{};
@@ -354,7 +354,7 @@ impl Engine for Mine {
     }
 
     fn slice(&self, mesh: &Mesh, planes: &[[[f64; 3]; 3]]) -> Result<Vec<Mesh>, String> {
-        Ok(if planes.len() == 2 { vec![mesh.clone()] } else { vec![] })
+        Ok(if planes.len() + mesh.vertices.len() == 6 { vec![mesh.clone()] } else { vec![] })
     }
 
     fn snap2d(&self, segments: &[Segment], side: f64) -> Result<Vec<Vec<[f64; 2]>>, String> {

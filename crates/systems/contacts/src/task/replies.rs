@@ -76,6 +76,7 @@ impl Replies<Contacts> for Judge {
     ) -> Result<(), Unjudged> {
         let (scene, content) = (case.scene(), case.content);
         let lists = reply.arrays.lists(PAIRS, scene.len())?;
+        outcome.sampled = case.truth.sampled();
         let listed: BTreeSet<Pair> = lists.iter().map(|list| pair(content, list)).collect::<Result<_, _>>()?;
         let mut note = |class: Class, check: &str, pair: Pair| {
             outcome.note(class, asked.budget.findings_per_class, || {

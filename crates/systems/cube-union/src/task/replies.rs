@@ -37,6 +37,9 @@ const MEANS: [&str; 3] = [
 /// The name of the check of each number.
 const CHECKS: [&str; 3] = ["wrong volume", "wrong area", "wrong edge length"];
 
+/// The judged measures of cubes that meet and have faces in one plane.
+const TIED: &str = "volume and area; the length of edges depends on how faces in one plane are seen";
+
 impl Replies<CubeUnion> for Judge {
     fn parts(&self) -> &'static [Part] {
         const {
@@ -79,7 +82,11 @@ impl Replies<CubeUnion> for Judge {
             high - low
         });
         for (at, name) in NAMES.into_iter().enumerate() {
-            if at == 2 && (reply.arrays.get(name).is_none() || are_tied(scene, case.content)) {
+            if at == 2 && reply.arrays.get(name).is_none() {
+                continue;
+            }
+            if at == 2 && are_tied(scene, case.content) {
+                outcome.sampled = Some(TIED.to_owned());
                 continue;
             }
             let number = reply.arrays.number(name)?;

@@ -63,7 +63,7 @@ impl Replies<MeshLocate> for Judge {
         let probes = content.vertices();
         let labels = reply.arrays.labels(LABELS, probes.len())?;
         let judge = Materials::new(case.scene(), content.mesh.triangles(), content.mesh.sides());
-        let mut later = 0;
+        let (mut later, mut left) = (0, 0);
         let word = |label: u32| match label {
             OUTSIDE => "outside".to_owned(),
             ON_SURFACE => "on the surface".to_owned(),
@@ -79,7 +79,10 @@ impl Replies<MeshLocate> for Judge {
                     located = judge.locate(probe);
                     &located
                 }
-                None => continue,
+                None => {
+                    left += 1;
+                    continue;
+                }
             };
             let is_right = match truth {
                 // The mesh contradicts itself there: every label is as good as another.
@@ -105,6 +108,7 @@ impl Replies<MeshLocate> for Judge {
                 Finding::plain(class, LABEL, vec![query], word(label), exact())
             });
         }
+        outcome.sampled = (left > 0).then(|| format!("{} of {} labels", probes.len() - left, probes.len()));
         Ok(())
     }
 

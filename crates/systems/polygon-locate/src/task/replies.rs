@@ -1,7 +1,7 @@
 //! The judge of other programs' point locators.
 //!
 //! A program gives one label a probe: the number of a region, [`OUTSIDE`] or [`ON_BORDER`]. On a border, each region
-//! there is right, and so are "outside" beside a region and "on the border".
+//! there is right, and so is "on the border". "Outside" is right on a border with the outside, not between two regions.
 
 use predicament_predicates::{Query, Scene};
 use predicament_tasks::replies::{Array, Arrays, Example, FORM, Form, Part, Replies, Reply, SpoiledReply, Unjudged};
@@ -68,7 +68,7 @@ impl Replies<PolygonLocate> for Judge {
         for (at, (&label, &probe)) in labels.iter().zip(&probes).enumerate() {
             let truth = case.truth.location(at);
             let is_right = match label {
-                OUTSIDE => truth.inside.is_empty(),
+                OUTSIDE => truth.inside.is_empty() && case.truth.is_beside_outside(at),
                 ON_BORDER => !truth.boundary.is_empty(),
                 region => truth.inside.contains(&region) || truth.boundary.contains(&region),
             };
@@ -117,6 +117,17 @@ impl Replies<PolygonLocate> for Judge {
                 spoil: |_, _, arrays| {
                     if let Some(Array::Ids(labels)) = arrays.get_mut(LABELS) {
                         labels.fill(OUTSIDE);
+                    }
+                },
+            },
+            SpoiledReply {
+                name: "polygon-locate-reply-loses-borders",
+                what: "every label of a probe on a border is “outside”",
+                backend: "exact",
+                caught_by: &[(Class::Topology, LABEL)],
+                spoil: |_, _, arrays| {
+                    if let Some(Array::Ids(labels)) = arrays.get_mut(LABELS) {
+                        labels.iter_mut().filter(|label| **label == ON_BORDER).for_each(|label| *label = OUTSIDE);
                     }
                 },
             },

@@ -72,6 +72,12 @@ impl Truth {
         judge::Location { inside, boundary: boundary.to_vec() }
     }
 
+    /// True if a sector around a probe is in no region: the probe is outside, or on a border of the outside.
+    #[must_use]
+    pub fn is_beside_outside(&self, at: usize) -> bool {
+        self.surroundings.sectors(at).any(<[u32]>::is_empty)
+    }
+
     /// The number of probes on each kind of ground.
     #[must_use]
     pub fn grounds(&self, probes: usize) -> Vec<(&'static str, usize)> {

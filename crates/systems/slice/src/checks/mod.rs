@@ -14,6 +14,7 @@ mod crossing;
 mod exact;
 mod flat;
 pub mod given;
+mod pieces;
 pub mod replies;
 mod volume;
 

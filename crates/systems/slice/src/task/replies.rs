@@ -151,6 +151,18 @@ impl Replies<Slice> for Judge {
                 spoil: |_, _, arrays| change(arrays, |parts| drop(parts.pop())),
             },
             SpoiledReply {
+                name: "slice-reply-loses-the-smallest-part",
+                what: "the part with the fewest triangles is missing",
+                backend: "exact",
+                caught_by: &[(Class::Topology, PART)],
+                spoil: |_, _, arrays| {
+                    change(arrays, |parts| {
+                        let smallest = (0..parts.len()).min_by_key(|&at| parts[at].triangles.len());
+                        smallest.into_iter().for_each(|at| drop(parts.remove(at)));
+                    });
+                },
+            },
+            SpoiledReply {
                 name: "slice-reply-is-not-cut",
                 what: "the only part is the whole mesh",
                 backend: "exact",
