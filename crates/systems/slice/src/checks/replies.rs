@@ -8,7 +8,7 @@
 //! * `part across a plane`: no part has vertices on both sides of a plane that are farther than the distance from it.
 //! * `wrong part`: a point that is farther than that from the mesh's surface and from all planes is in exactly one part
 //!   if it is inside of the mesh, and otherwise in no part. Every cell between the planes has
-//!   [points](super::pieces): they show a small part that is lost.
+//!   such points: they show a small part that is lost.
 //! * `crossing faces`: no edge of a part passes through a triangle of it by more than the distance.
 //! * `volume of parts`: the volumes of all parts add up to that of the mesh, up to the volume of their surfaces widened
 //!   by the distance.
