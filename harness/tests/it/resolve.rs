@@ -71,6 +71,47 @@ fn cubes_that_overlap_become_one_mesh() {
     assert_eq!(volume(&read(&at(&folder, "cut"), "intersection.off")), 6.0 * 13.375);
 }
 
+/// Two boxes of one mesh that touch in a part of a face, and a box across both.
+#[test]
+fn parts_that_lie_on_each_other_are_refused_with_the_cure() {
+    let folder = tempdir().unwrap();
+    let corner =
+        |low: [f64; 3], size: f64, at: usize| [0, 1, 2].map(|axis| low[axis] + f64::from(at >> axis & 1 != 0) * size);
+    let faces =
+        "3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4\n3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n";
+    let off = |boxes: &[([f64; 3], f64)]| {
+        let points = boxes.iter().flat_map(|&(low, size)| (0..8).map(move |at| corner(low, size, at)));
+        let points: String = points.map(|[x, y, z]| format!("{x} {y} {z}\n")).collect();
+        let moved = |by: usize| {
+            let line = |line: &str| {
+                let corners = line.split(' ').skip(1).map(|at| (at.parse::<usize>().unwrap() + by).to_string());
+                format!("3 {}\n", corners.collect::<Vec<_>>().join(" "))
+            };
+            faces.lines().map(line).collect::<String>()
+        };
+        let faces: String = (0..boxes.len()).map(|at| moved(8 * at)).collect();
+        format!("OFF\n{} {} 0\n{points}{faces}", 8 * boxes.len(), 12 * boxes.len())
+    };
+    let mesh = write(&folder, "two.off", &off(&[([0.0; 3], 4.0), ([3.0, 3.0, 4.0], 4.0)]));
+    let tool = write(&folder, "tool.off", &off(&[([2.0, 2.0, 3.0], 2.0)]));
+    let pair = ["solve", "mesh-intersect", "-b", "exact", &mesh, &tool, "--out"];
+    let [refused, taken] = [at(&folder, "refused"), at(&folder, "taken")];
+    let refused = expect(104, &[&pair[..], &[&refused]].concat()).stderr;
+    for word in
+        ["triangles 2 (line 21) and 13 (line 32) of the mesh lie on each other;", "unite the parts", "`corpus resolve`"]
+    {
+        assert!(refused.contains(word), "{word}: {refused}");
+    }
+    let declined = expect(2, &[&pair[..], &[&taken, "--set", "check=false"]].concat()).stderr;
+    for word in ["triangles 2 and 12 of the first mesh", "unite the parts", "`corpus resolve`", "sos:per-mesh"] {
+        assert!(declined.contains(word), "{word}: {declined}");
+    }
+    let out = at(&folder, "one.off");
+    expect(0, &["corpus", "resolve", &mesh, "--out", &out]);
+    expect(0, &["solve", "mesh-intersect", "-b", "exact", &out, &tool, "--out", &at(&folder, "cut")]);
+    assert_eq!(volume(&read(&at(&folder, "cut"), "intersection.off")), 6.0 * 5.0);
+}
+
 #[test]
 fn what_bounds_nothing_is_named() {
     let folder = tempdir().unwrap();

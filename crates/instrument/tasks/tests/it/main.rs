@@ -18,4 +18,5 @@ mod sign_scenes;
 mod sizes;
 mod spelled;
 mod tables;
+mod ties;
 mod timed;

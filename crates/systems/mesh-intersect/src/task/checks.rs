@@ -93,6 +93,11 @@ pub(super) const CHECKS: &[Check] = &[
         "touch",
         "for a backend that registers contacts, nothing smaller than an edge and a triangle is in contact",
     ),
+    Check::new(
+        Class::Declined,
+        "own parts",
+        "for a backend with exact zeros, triangles of one mesh meet in whole edges and corners only",
+    ),
     Check::new(Class::Declined, "memory", "the memory suffices for all pairs of triangles"),
     Check::invariants("cutting triangles does not contradict itself", &[RULES, TRIANGULATION, ARRANGEMENT]),
 ];

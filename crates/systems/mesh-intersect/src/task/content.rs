@@ -16,6 +16,8 @@ pub struct TwoMeshes {
     /// The first mesh and the second; the second is the scene's second mesh for perturbations that move one mesh as a
     /// whole.
     pub meshes: [Arc<MaterialMesh>; 2],
+    /// True if the meshes are taken as they are, valid or not (`check = false`).
+    pub is_as_it_is: bool,
 }
 
 impl TwoMeshes {
@@ -42,14 +44,18 @@ impl Content for TwoMeshes {
         }
     }
 
-    /// Writes `check = false` if the meshes would be refused without it.
+    /// Writes `check = false` if it was given, or if the meshes would be refused without it.
     fn spelled(&self, scene: &Scene) -> Option<Spelled> {
         let [first, second] = &self.meshes;
         let lists = vec![
             spelled_mesh(first, ["first", "first_regions"], |v| v),
             spelled_mesh(second, ["second", "second_regions"], |v| v),
         ];
-        let words = if is_refused(scene, [first, second]) { vec![("check", "false".to_owned())] } else { Vec::new() };
+        let words = if self.is_as_it_is || is_refused(scene, [first, second]) {
+            vec![("check", "false".to_owned())]
+        } else {
+            Vec::new()
+        };
         Some(Spelled { words, lists, ..spelled_points(scene) })
     }
 
@@ -65,13 +71,13 @@ pub(super) fn parts([first, second]: [Surface; 2]) -> Parts {
     let count = first.points.len();
     let coordinates = [first.points, second.points].concat();
     let scene = Scene::new(Dimension::Three, coordinates.into_flattened()).expect("finite points");
-    with_meshes(scene, [first.mesh, second.mesh.shifted(count)])
+    with_meshes(scene, [first.mesh, second.mesh.shifted(count)], false)
 }
 
 /// A scene with these meshes over its points.
-pub(super) fn with_meshes(scene: Scene, meshes: [MaterialMesh; 2]) -> Parts {
+pub(super) fn with_meshes(scene: Scene, meshes: [MaterialMesh; 2], is_as_it_is: bool) -> Parts {
     let [first, second] = &meshes;
-    Parts::new(for_both(scene, [first, second]), TwoMeshes { meshes: meshes.map(Arc::new) })
+    Parts::new(for_both(scene, [first, second]), TwoMeshes { meshes: meshes.map(Arc::new), is_as_it_is })
 }
 
 /// A scene that stores the second mesh's vertices, for perturbations that move it, and the lengths of primitives, for
@@ -95,7 +101,7 @@ mod tests {
         let corners = [[0., 0., 0.], [4., 0., 0.], [0., 2., 0.], [0., 0., 1.]];
         let both: Vec<[f64; 3]> = corners.into_iter().chain(corners.map(|point| point.map(|x| x / 4.0))).collect();
         let Parts { scene, content, .. } =
-            with_meshes(Scene::from_points3(&both).unwrap(), [mesh.clone(), mesh.shifted(4)]);
+            with_meshes(Scene::from_points3(&both).unwrap(), [mesh.clone(), mesh.shifted(4)], false);
         assert_eq!(scene.primitive_lengths(), Some([4.0, 1.0]));
         let twice: Vec<[f64; 3]> = both.iter().map(|point| point.map(|x| 2.0 * x)).collect();
         let (moved, same) = content.moved(Scene::from_points3(&twice).unwrap());

@@ -1,16 +1,18 @@
 //! Validation that a mesh bounds its regions: it does not cross itself, and is not inside out.
 //!
 //! The first property is decided for all pairs of triangles whose boxes meet: no edge of one passes through the inside
-//! of the other. Parts may touch. If edges cross edges or planes are shared, meshes can overlap without such a passage.
-//! The second test finds this, and meshes that are inside out. It compares the stated regions in front of a triangle's
-//! middle and behind it with the winding numbers of all other triangles. It tests a sample of triangles, one of each
-//! component before all others.
+//! of the other, and no two triangles lie on each other: a region between them would be flat. Parts may touch in points
+//! and edges. If edges cross edges, meshes can overlap without such a passage. The second test finds this, and meshes
+//! that are inside out. It compares the stated regions in front of a triangle's middle and behind it with the winding
+//! numbers of all other triangles. It tests a sample of triangles, one of each component before all others.
 
 use predicament_judge::solids::{Materials, Place};
 use predicament_judge::{rational, sign};
 use predicament_mesh::MaterialMesh;
-use predicament_predicates::{Question, Scene, Sign, Vertex};
+use predicament_predicates::{Plane, Question, Scene, Sign, Vertex};
 use rug::Rational;
+
+use super::content::TwoMeshes;
 
 /// The maximum number of triangles of both meshes that are checked by default; larger meshes are checked on request.
 pub(super) const CHECKED: usize = 2_000;
@@ -25,10 +27,34 @@ pub(super) fn is_refused(scene: &Scene, meshes: [&MaterialMesh; 2]) -> bool {
     count <= CHECKED && meshes.into_iter().any(|mesh| flaw(scene, mesh).is_some())
 }
 
+/// The reason why a scene is not one of the task, and the fix.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Invalid {
+    /// The reason, with the place.
+    pub why: String,
+    /// The fix, in one line.
+    pub cure: &'static str,
+}
+
+/// The first flaw of meshes that are small enough to be checked, unless they are taken as they are.
+pub(super) fn invalid(scene: &Scene, content: &TwoMeshes) -> Option<Invalid> {
+    if content.is_as_it_is || content.triangles() > CHECKED {
+        return None;
+    }
+    let mut both = content.meshes.iter().zip(["first", "second"]);
+    both.find_map(|(mesh, name)| {
+        let flaw = flaw(scene, mesh)?;
+        let why = flaw.told(&format!("the {name} mesh"), |triangle| triangle.to_string());
+        Some(Invalid { why, cure: flaw.cure() })
+    })
+}
+
 /// A flaw of a mesh.
 pub(super) enum Flaw {
     /// Two triangles pass through each other.
     Crossing([usize; 2]),
+    /// Two triangles of one plane have a part in common.
+    Overlap([usize; 2]),
     /// The stated region in front of this triangle, or behind it, is wrong.
     Side { triangle: usize, is_front: bool, region: u32, place: Place },
 }
@@ -37,8 +63,25 @@ impl Flaw {
     /// The first triangle of the flaw.
     pub fn triangle(&self) -> usize {
         match self {
-            Flaw::Crossing([a, b]) => *a.min(b),
+            Flaw::Crossing([a, b]) | Flaw::Overlap([a, b]) => *a.min(b),
             Flaw::Side { triangle, .. } => *triangle,
+        }
+    }
+
+    /// The fix, in one line.
+    pub fn cure(&self) -> &'static str {
+        match self {
+            Flaw::Crossing(_) => {
+                "cut them where they cross (`corpus resolve` does so), or write `check = false` to take the mesh as it is"
+            }
+            Flaw::Overlap(_) => {
+                "unite the parts of the mesh first (`corpus resolve` does so), or write `check = false` to take the mesh \
+                 as it is"
+            }
+            Flaw::Side { .. } => {
+                "turn over the parts that are inside out, and join the parts that overlap (`corpus resolve` joins \
+                 them); or write `check = false` to take the mesh as it is"
+            }
         }
     }
 
@@ -47,6 +90,9 @@ impl Flaw {
         match self {
             Flaw::Crossing([a, b]) => {
                 format!("triangles {} and {} of {mesh} pass through each other", name(*a), name(*b))
+            }
+            Flaw::Overlap([a, b]) => {
+                format!("triangles {} and {} of {mesh} lie on each other", name(*a), name(*b))
             }
             Flaw::Side { triangle, is_front, region, place } => {
                 let side = if *is_front { "in front of" } else { "behind" };
@@ -66,11 +112,13 @@ impl Flaw {
 
 /// The first flaw of a mesh.
 pub(super) fn flaw(scene: &Scene, mesh: &MaterialMesh) -> Option<Flaw> {
-    crossing(scene, mesh).map(Flaw::Crossing).or_else(|| side(scene, mesh))
+    let crossing = pair(scene, mesh, &|a, b| passes(scene, a, b) || passes(scene, b, a)).map(Flaw::Crossing);
+    let overlap = || pair(scene, mesh, &|a, b| overlap(scene, a, b)).map(Flaw::Overlap);
+    crossing.or_else(overlap).or_else(|| side(scene, mesh))
 }
 
-/// The first triangle that another one of a higher index passes through, with that triangle.
-fn crossing(scene: &Scene, mesh: &MaterialMesh) -> Option<[usize; 2]> {
+/// The first pair of triangles whose boxes meet that has a property; the first index is the lower one.
+fn pair(scene: &Scene, mesh: &MaterialMesh, has: &dyn Fn([Vertex; 3], [Vertex; 3]) -> bool) -> Option<[usize; 2]> {
     let boxes: Vec<[[f64; 2]; 3]> = mesh.triangles().iter().map(|triangle| bounds(scene, *triangle)).collect();
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|&a, &b| boxes[a][0][0].total_cmp(&boxes[b][0][0]));
@@ -85,7 +133,7 @@ fn crossing(scene: &Scene, mesh: &MaterialMesh) -> Option<[usize; 2]> {
             let pair = [first.min(second), first.max(second)];
             if is_near && found.is_none_or(|found| pair < found) {
                 let [a, b] = pair.map(|at| mesh.triangles()[at]);
-                if passes(scene, a, b) || passes(scene, b, a) {
+                if has(a, b) {
                     found = Some(pair);
                 }
             }
@@ -100,6 +148,25 @@ fn bounds(scene: &Scene, triangle: [Vertex; 3]) -> [[f64; 2]; 3] {
         let [a, b, c] = corners.map(|corner| corner[axis]);
         [a.min(b).min(c), a.max(b).max(c)]
     })
+}
+
+/// True if two triangles of one plane have more in common than their borders: no edge of either has the other beyond
+/// it.
+fn overlap(scene: &Scene, first: [Vertex; 3], second: [Vertex; 3]) -> bool {
+    let [a, b, c] = first;
+    let is_off = |v: &Vertex| sign(scene, Question::Orient3d, &[a, b, c, *v]) != Sign::Zero;
+    if second.iter().any(is_off) {
+        return false;
+    }
+    let turn = |plane: Plane, [a, b, c]: [Vertex; 3]| sign(scene, Question::Orient2d(plane), &[a, b, c]);
+    let planes = [Plane::Xy, Plane::Yz, Plane::Zx];
+    let Some(plane) = planes.into_iter().find(|plane| !turn(*plane, first).is_zero()) else { return false };
+    let has_beyond = |corners: [Vertex; 3], other: [Vertex; 3]| {
+        let inside = turn(plane, corners);
+        let [a, b, c] = corners;
+        [[a, b], [b, c], [c, a]].into_iter().any(|[u, v]| other.iter().all(|w| turn(plane, [u, v, *w]) != inside))
+    };
+    !has_beyond(first, second) && !has_beyond(second, first)
 }
 
 /// True if an edge of one triangle passes through the inside of another.
@@ -181,4 +248,31 @@ fn sample(mesh: &MaterialMesh) -> Vec<usize> {
     chosen.sort_unstable();
     chosen.dedup();
     chosen
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn triangles_of_one_plane_lie_on_each_other_or_touch() {
+        let points =
+            [[0, 0, 0], [4, 0, 0], [0, 4, 0], [4, 4, 0], [1, 1, 0], [2, 1, 0], [1, 2, 0], [8, 0, 0], [0, 0, 4]];
+        let scene = Scene::from_points3(&points.map(|point| point.map(f64::from))).unwrap();
+        let lie = |second: [usize; 3]| overlap(&scene, [0, 1, 2].map(Vertex::input), second.map(Vertex::input));
+        for (other, is_on) in [
+            ([0, 1, 2], true),
+            ([2, 1, 0], true),
+            ([4, 5, 6], true),
+            ([0, 1, 3], true),
+            ([4, 7, 3], true),
+            ([1, 2, 3], false),
+            ([1, 7, 3], false),
+            ([0, 1, 8], false),
+        ] {
+            assert_eq!(lie(other), is_on, "{other:?}");
+            let [a, b, c] = other;
+            assert_eq!(lie([b, a, c]), is_on, "{other:?} turned");
+        }
+    }
 }

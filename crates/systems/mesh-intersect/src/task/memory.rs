@@ -115,7 +115,7 @@ mod tests {
     fn pair(count: usize) -> (Scene, TwoMeshes) {
         let mut points = Vec::new();
         let meshes = [0, 1].map(|along| Arc::new(needles(count, along, &mut points)));
-        (Scene::from_points3(&points).unwrap(), TwoMeshes { meshes })
+        (Scene::from_points3(&points).unwrap(), TwoMeshes { meshes, is_as_it_is: true })
     }
 
     #[test]

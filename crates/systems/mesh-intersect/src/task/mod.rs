@@ -29,6 +29,8 @@ use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::{Role, Shape};
 
+use flaw::Invalid;
+
 pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
 pub use settled::{Settled, Unsettled};
@@ -36,8 +38,8 @@ pub use settled::{Settled, Unsettled};
 use predicament_tasks::output::{Canvas, Files, Placed};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
-    Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Phase, Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `mesh-intersect`.
@@ -87,6 +89,13 @@ impl Overlaid {
             Err(touch @ Undone::Contact(_)) => {
                 let why = format!("{touch}; use a backend that breaks ties, such as sos:per-mesh");
                 return Err(Halt::Refused(Refusal { check: "touch", why: Declined::scene(why) }));
+            }
+            Err(own @ Undone::Own { .. }) => {
+                let why = format!(
+                    "{own}; unite the parts of that mesh first (`corpus resolve` does so), or use a backend that breaks \
+                     ties, such as sos:per-mesh"
+                );
+                return Err(Halt::Refused(Refusal { check: "own parts", why: Declined::scene(why) }));
             }
             Err(Undone::Broken(rule)) => return Ok(Overlaid { before, broken: Some(rule), ..Overlaid::default() }),
         };
@@ -156,7 +165,7 @@ impl SceneFormat for MeshIntersect {
 
 impl Task for MeshIntersect {
     type Content = TwoMeshes;
-    type Truth = ();
+    type Truth = Option<Invalid>;
     type Answer = Overlaid;
 
     fn compared(&self) -> &'static [Compared] {
@@ -201,13 +210,21 @@ impl Task for MeshIntersect {
         true
     }
 
-    /// The task has no separate truth: the laws and the meshes suffice.
-    fn truth(&self, _: &Scene, _: &TwoMeshes, watch: &Watch) -> Result<(), Stop> {
-        watch.done(0)
+    /// The reason why the meshes are not valid, if they are small enough to be checked. The task has no other truth:
+    /// the laws and the meshes suffice.
+    fn truth(&self, scene: &Scene, content: &TwoMeshes, watch: &Watch) -> Result<Option<Invalid>, Stop> {
+        watch.done(0)?;
+        Ok(flaw::invalid(scene, content))
     }
 
-    fn sampled(&self, (): &()) -> Option<String> {
+    fn sampled(&self, _: &Option<Invalid>) -> Option<String> {
         None
+    }
+
+    /// Meshes that do not bound their regions, as after random moves of points. `check = false` takes them as they are.
+    fn dispute(&self, case: &Case<'_, MeshIntersect>) -> Option<Dispute> {
+        let Invalid { why, cure } = case.truth.as_ref()?.clone();
+        Some(Dispute::Invalid { why, cure: cure.to_owned() })
     }
 
     fn solve<P: Predicates>(

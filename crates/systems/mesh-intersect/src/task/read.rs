@@ -106,7 +106,8 @@ impl Elsewhere for Written {
             Scene::from_points3(&coordinates).map_err(|why| self.error(why.to_string(), "correct the points"))?;
         let [first, second] = <[MaterialMesh; 2]>::try_from(meshes).expect("two operands");
         self.check(&scene, [&first, &second], cache)?;
-        Ok(Parts { notes, ..with_meshes(scene, [first, second]) })
+        let is_as_it_is = self.check == Some(false);
+        Ok(Parts { notes, ..with_meshes(scene, [first, second], is_as_it_is) })
     }
 
     fn fetch_entry(&self) -> Option<&Entry> {
@@ -150,15 +151,7 @@ impl Written {
 
     /// The error about a flaw: of a mesh in a file, in that file.
     fn flawed(&self, flaw: &Flaw, name: &str, operand: &Operand, cache: &Cache) -> Result<CorpusError, CorpusError> {
-        let cure = match flaw {
-            Flaw::Crossing(_) => {
-                "cut them where they cross (`corpus resolve` does so), or write `check = false` to take the mesh as it is"
-            }
-            Flaw::Side { .. } => {
-                "turn over the parts that are inside out, and join the parts that overlap (`corpus resolve` joins \
-                 them); or write `check = false` to take the mesh as it is"
-            }
-        };
+        let cure = flaw.cure();
         let Operand::File(of) = operand else {
             return Ok(self.error(flaw.told(&format!("the {name} mesh"), |triangle| triangle.to_string()), cure));
         };

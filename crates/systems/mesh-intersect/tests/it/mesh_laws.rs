@@ -3,6 +3,8 @@
 //! Results are compared as sums of oriented triangles in rationals (`checks::chains`), so equal results may be divided
 //! into other triangles.
 
+use std::collections::BTreeSet;
+
 use predicament_corpus::{Level, Library, Vocabulary};
 use predicament_formats::Cache;
 use predicament_mesh_intersect::checks::chains::{Chain, Segments};
@@ -167,6 +169,58 @@ fn the_laws_of_sets_hold_where_meshes_touch() {
     }
     println!("{} times results were operands, {} times they were not doubles", counts[0], counts[1]);
     assert!(counts[0] > 3, "{counts:?}");
+}
+
+/// The unit cells of cubes of a size, and the shape of the cubes.
+fn blocks(random: &mut Random, size: i32, by: [i32; 3]) -> (BTreeSet<[i32; 3]>, Shape) {
+    let all = (0..8).filter(|_| random.below(2) == 0).map(|at: i32| [at / 4, at / 2 % 2, at % 2]);
+    let cells: Vec<[i32; 3]> = all.collect();
+    let place = |i: usize, x: i32| size * x + by[i];
+    let units = cells.iter().flat_map(|cell| {
+        (0..size.pow(3)).map(move |at| {
+            let within = [at / size / size, at / size % size, at % size];
+            [0, 1, 2].map(|i: usize| place(i, cell[i]) + within[i])
+        })
+    });
+    let size = f64::from(size);
+    let shape = Shape::cubes(&cells).mapped(|p| [0, 1, 2].map(|i: usize| size * p[i] + f64::from(by[i])));
+    (units.collect(), shape)
+}
+
+/// Tests parts of one mesh that touch in parts of edges and in corners, but not in faces: `exact` declines and names
+/// two triangles, or has the limit of a perturbed result.
+#[test]
+fn a_mesh_whose_parts_touch_is_declined_by_name_or_right() {
+    let (mut random, mut seen) = (Random(1), [0, 0]);
+    while seen[0] + seen[1] < predicament_effort::some_or_all(24, 4_000) {
+        let by = [(); 3].map(|()| i32::try_from(random.below(5)).unwrap() - 2);
+        let (first, small) = blocks(&mut random, 1, [0; 3]);
+        let (second, large) = blocks(&mut random, 2, by);
+        let around = |[x, y, z]: [i32; 3]| {
+            [[x, y, z], [x + 1, y, z], [x - 1, y, z], [x, y + 1, z], [x, y - 1, z], [x, y, z + 1], [x, y, z - 1]]
+        };
+        let is_apart = !first.iter().flat_map(|&cell| around(cell)).any(|cell| second.contains(&cell));
+        if first.is_empty() || second.is_empty() || !is_apart {
+            continue;
+        }
+        let both = small.and(&large);
+        let other = polycube(&mut random).moved(random.point(2));
+        let (scene, meshes) = pair(&both, &other);
+        match exactly(&scene, &meshes) {
+            Err(why) => {
+                let is_named = why.contains("triangles ") && why.contains(" of the first mesh meet otherwise");
+                assert!(is_named, "{why}: {both:?} and {other:?}");
+                seen[0] += 1;
+            }
+            Ok(exact) => {
+                let limit = in_the_limit(&scene, &meshes).unwrap();
+                assert_eq!(difference(&exact, &limit), None, "{both:?} and {other:?}");
+                seen[1] += 1;
+            }
+        }
+    }
+    println!("{} declined, {} right", seen[0], seen[1]);
+    assert!(seen[0] > 0 && seen[1] > 0, "{seen:?}");
 }
 
 #[test]

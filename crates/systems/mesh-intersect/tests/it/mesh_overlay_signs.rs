@@ -134,6 +134,7 @@ fn outcome(result: Result<MeshOverlay, Undone>) -> &'static str {
         }
         Err(Undone::Contact(_)) => "contact",
         Err(Undone::Refused(_)) => "refused",
+        Err(Undone::Own { .. }) => "own parts",
         Err(Undone::Broken(broken)) => broken.rule(),
     }
 }

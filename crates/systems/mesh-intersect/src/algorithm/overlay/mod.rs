@@ -108,6 +108,13 @@ pub enum Undone {
     Contact([Vec<Vertex>; 2]),
     /// The session does not construct a point.
     Refused(Refused),
+    /// Two triangles of one mesh have more in common than whole edges and corners, and zeros mean zero.
+    Own {
+        /// The index of the mesh.
+        mesh: usize,
+        /// The indices of the triangles.
+        triangles: [u32; 2],
+    },
     /// Signs contradict each other: the first rule that fails.
     Broken(Contradiction),
 }
@@ -136,6 +143,10 @@ impl std::fmt::Display for Undone {
                 write!(f, "{first} of the first mesh is within the tolerance of {second} of the second")
             }
             Undone::Refused(why) => why.fmt(f),
+            Undone::Own { mesh, triangles: [a, b] } => {
+                let mesh = ["first", "second"].get(*mesh).unwrap_or(&"third");
+                write!(f, "triangles {a} and {b} of the {mesh} mesh meet otherwise than in whole edges and corners")
+            }
             Undone::Broken(broken) => broken.fmt(f),
         }
     }

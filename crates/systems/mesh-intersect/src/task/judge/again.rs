@@ -51,7 +51,7 @@ impl Other {
     fn new(points: &[[f64; 3]], meshes: [MaterialMesh; 2]) -> Option<Other> {
         let [first, second] = &meshes;
         let scene = for_both(Scene::from_points3(points).ok()?, [first, second]);
-        Some(Other { scene, content: TwoMeshes { meshes: meshes.map(Arc::new) } })
+        Some(Other { scene, content: TwoMeshes { meshes: meshes.map(Arc::new), is_as_it_is: true } })
     }
 }
 

@@ -90,6 +90,7 @@ impl Pair {
             Ok(overlay) => self.laws(session.scene(), &overlay),
             Err(Undone::Contact(simplices)) => panic!("{simplices:?}: signs register nothing"),
             Err(Undone::Refused(_)) => Seen { refused: 1, ..Seen::default() },
+            Err(own @ Undone::Own { .. }) => panic!("{own}: {:?}", self.shapes),
             Err(Undone::Broken(rule)) => panic!("{rule}: {:?}", self.shapes),
         }
     }

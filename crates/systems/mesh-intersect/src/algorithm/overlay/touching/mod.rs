@@ -42,13 +42,15 @@
 //!
 //! # What is taken
 //! Meshes whose triangles meet in common vertices and edges only, after vertices at one position have become one:
-//! two boxes of one mesh may share an edge. If triangles of one mesh meet otherwise, an invariant breaks.
+//! two boxes of one mesh may share an edge. If triangles of one mesh meet otherwise, and an invariant breaks, they are
+//! named (`own.rs`).
 
 mod contacts;
 mod coplanar;
 mod face;
 mod found;
 mod marks;
+mod own;
 mod regions;
 mod skew;
 mod stands;
@@ -84,7 +86,23 @@ pub struct Shared {
 }
 
 /// Overlays two meshes in a session with exact zeros.
+///
+/// # Errors
+/// [`Undone::Own`] if triangles of one mesh meet otherwise than in whole edges and corners, and break an invariant.
 pub(super) fn overlay(
+    session: &mut dyn Predicates,
+    meshes: &[Arc<MaterialMesh>; 2],
+    extent: Extent,
+    done: &mut dyn FnMut(Step),
+) -> Result<MeshOverlay, Undone> {
+    let overlaid = by_cases(session, meshes, extent, done);
+    let Err(broken @ Undone::Broken(_)) = overlaid else { return overlaid };
+    let stands = Stands::new(session.scene(), [&meshes[0], &meshes[1]]);
+    let own = |mesh: usize| Some(Undone::Own { mesh, triangles: own::pair(session, &meshes[mesh], &stands)? });
+    Err((0..2).find_map(own).unwrap_or(broken))
+}
+
+fn by_cases(
     session: &mut dyn Predicates,
     meshes: &[Arc<MaterialMesh>; 2],
     extent: Extent,
