@@ -49,8 +49,9 @@ fn events(words: &[String], out: &Path) -> Vec<Event> {
     let mut command = Command::new("strace");
     command.args(["-f", "-q", "-xx", "-s", "100000000", "-e", &format!("trace={CALLS}"), "-o"]).arg(log.path());
     command.arg(tool.get_program()).args(tool.get_args()).env_remove("PREDICAMENT_CACHE").stdin(Stdio::null());
-    let code = command.output().unwrap().status.code();
-    assert!(code == Some(0) || code == Some(100), "{code:?}");
+    let ended = command.output().unwrap();
+    let code = ended.status.code();
+    assert!(code == Some(0) || code == Some(100), "{words:?}: {code:?}: {}", String::from_utf8_lossy(&ended.stderr));
     let text = std::fs::read_to_string(log.path()).unwrap();
     // Open files and folders, by descriptor.
     let (mut open, mut folders) = (BTreeMap::new(), BTreeMap::new());
