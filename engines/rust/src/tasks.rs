@@ -274,10 +274,13 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
             let segments = asked.corners("segments");
             let pixel = message.bytes("word:pixel").and_then(|word| std::str::from_utf8(word).ok()?.parse().ok());
             let side = 2.0_f64.powi(-pixel.unwrap_or(0));
-            timed(|| engine.snap2d(&segments, side), |to, found| {
-                let to = numbers(to, "chains", found.concat().as_flattened());
-                starts(to, "chains", found.iter().map(Vec::len))
-            })
+            timed(
+                || engine.snap2d(&segments, side),
+                |to, found| {
+                    let to = numbers(to, "chains", found.concat().as_flattened());
+                    starts(to, "chains", found.iter().map(Vec::len))
+                },
+            )
         }
     }
 }
