@@ -199,12 +199,13 @@ impl Tree {
         match seen {
             Seen::Test { package, name } => {
                 let package = format!("predicament-{package}");
-                let build = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--no-run"];
-                if self.cargo(&build)? != 0 {
+                // Unit tests are in the library.
+                let place: &[&str] = if name.contains("tests::") { &["--lib"] } else { &["--test", "it"] };
+                let test = [&["test", "--quiet", "--profile", "mutants", "-p", &package], place].concat();
+                if self.cargo(&[&test[..], &["--no-run"]].concat())? != 0 {
                     return Ok(Sight::Unbuilt);
                 }
-                let run = ["test", "--quiet", "--profile", "mutants", "-p", &package, "--test", "it", "--", name];
-                Ok(if self.cargo(&run)? == 0 { Sight::Nothing } else { Sight::Fault })
+                Ok(if self.cargo(&[&test[..], &["--", name]].concat())? == 0 { Sight::Nothing } else { Sight::Fault })
             }
             Seen::Run { suite, backend, finds } => {
                 if self.cargo(&["build", "--quiet", "--profile", "mutants", "--bin", "predicament"])? != 0 {
