@@ -25,7 +25,6 @@ the answer is right, and 100 otherwise.
 
 Examples:
   predicament judge delaunay2d survey.csv --answer triangles.json
-  predicament judge mesh-intersect part.stl tool.stl --answer union=result.off
   predicament judge delaunay2d survey.csv --answer triangles.json --format json
   predicament judge overlays -f stars --answer union=out/union.geojson";
 

@@ -22,7 +22,7 @@
 //! that is constant along an axis is outside, inside, a face, an edge, a reflex edge or two edges that cross: six
 //! cases that are not vertices. The other 16 are the vertices. In general position there are three of them: a corner,
 //! an edge and a face, three faces. The other 13 need faces in one plane. The table does not compile if a pattern has
-//! two cases or is without a case. So it is complete: it does not depend on how many cubes meet, or how.
+//! two cases or is without a case. The table is therefore complete, however many cubes meet, and in whatever way.
 //!
 //! # The terms
 //! Let f be 1 in U and 0 elsewhere. The sums over vertices are those of the [parent module](super#the-formulas),
