@@ -9,7 +9,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{IntoPyArray, PyArray1, PyArrayMethods};
 use predicament_predicates::{
     Axis, Backend, Broken, Class, Contract, Declined, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally,
-    Vertex, ZeroMeaning,
+    Vertex, ZeroMeaning, answer_by,
 };
 use pyo3::exceptions::{PyException, PyValueError};
 use pyo3::prelude::*;
@@ -117,8 +117,8 @@ impl Session<'_> {
         Broken { class: Class::Panic, check, message }.throw()
     }
 
-    fn sign(&self, question: Question, vertices: &[Vertex]) -> Sign {
-        self.values(question, vertices).first().map_or(Sign::Zero, |&value| Sign::of(value))
+    fn ask<const N: usize>(&self, question: Question, vertices: [Vertex; N]) -> Sign {
+        self.values(question, &vertices).first().map_or(Sign::Zero, |&value| Sign::of(value))
     }
 
     fn signs<const N: usize>(&self, question: Question, queries: &[[Vertex; N]], out: &mut [Sign]) {
@@ -140,25 +140,7 @@ impl Predicates for Session<'_> {
         }
     }
 
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.sign(Question::Compare(axis), &[a, b])
-    }
-
-    fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.sign(Question::Orient2d(plane), &[a, b, c])
-    }
-
-    fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.sign(Question::Orient3d, &[a, b, c, d])
-    }
-
-    fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.sign(Question::Incircle, &[a, b, c, d])
-    }
-
-    fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.sign(Question::Insphere, &[a, b, c, d, e])
-    }
+    answer_by!(ask);
 
     /// A NaN if the function returns one: its sign would pass as zero. Other numbers may be signs alone.
     fn estimate(&self, question: Question, args: &[Vertex]) -> Option<f64> {

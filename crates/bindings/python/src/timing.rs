@@ -4,7 +4,7 @@ use std::hint::black_box;
 use std::time::Instant;
 
 use numpy::PyReadonlyArray2;
-use predicament_exact::{Exact, raw};
+use predicament_exact::{Exact, NotFinite, raw};
 use predicament_predicates::{Backend, Dimension, Off, Predicates, QuerySet, Scene, Sign, Vertex};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -21,18 +21,22 @@ fn slices<'a>(arrays: &'a [PyReadonlyArray2<'_, f64>]) -> PyResult<Vec<&'a [f64]
 pub fn seconds_of_loop(py: Python<'_>, name: &str, arrays: Vec<PyReadonlyArray2<'_, f64>>) -> PyResult<f64> {
     let (name, arrays) = (kinds::kind(name)?.name(), slices(&arrays)?);
     py.detach(|| match (name, arrays.as_slice()) {
-        ("orient2d", [a, b, c]) => Ok(timed([a, b, c], raw::orient2d)),
-        ("orient3d", [a, b, c, d]) => Ok(timed([a, b, c, d], raw::orient3d)),
-        ("incircle", [a, b, c, d]) => Ok(timed([a, b, c, d], raw::incircle)),
-        ("insphere", [a, b, c, d, e]) => Ok(timed([a, b, c, d, e], raw::insphere)),
+        ("orient2d", [a, b, c]) => Ok(timed([a, b, c], raw::try_orient2d)),
+        ("orient3d", [a, b, c, d]) => Ok(timed([a, b, c, d], raw::try_orient3d)),
+        ("incircle", [a, b, c, d]) => Ok(timed([a, b, c, d], raw::try_incircle)),
+        ("insphere", [a, b, c, d, e]) => Ok(timed([a, b, c, d, e], raw::try_insphere)),
         _ => Err(PyValueError::new_err("one array for each point of the predicate")),
     })
 }
 
-fn timed<const D: usize, const N: usize>(arrays: [&[f64]; N], sign: impl Fn([[f64; D]; N]) -> Sign) -> f64 {
+/// The seconds of the loop, with the function that Python's arrays call.
+fn timed<const D: usize, const N: usize>(
+    arrays: [&[f64]; N],
+    sign: impl Fn([[f64; D]; N]) -> Result<Sign, NotFinite>,
+) -> f64 {
     let rows = arrays.map(|array| array.as_chunks::<D>().0);
     let start = Instant::now();
-    let signs: Vec<Sign> = (0..rows[0].len()).map(|at| sign(rows.map(|rows| rows[at]))).collect();
+    let signs: Result<Vec<Sign>, _> = (0..rows[0].len()).map(|at| sign(rows.map(|rows| rows[at]))).collect();
     black_box(&signs);
     start.elapsed().as_secs_f64()
 }

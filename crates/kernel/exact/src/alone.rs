@@ -9,10 +9,10 @@ use crate::predicate::Predicate;
 /// exponent.
 ///
 /// A determinant of degree k is a multiple of 2^(k·l). With differences below 2^(l + b), b ≤ 126, the slack is less
-/// than 2^-960 · (4·2^(l + b) + 1) for orient3d, 2^-960 · (6·4^(l + b) + 1) for incircle, 2^-960 · (12·4^(l +
-/// b)·(4·2^(l + b) + 1) + 1) for insphere. Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows, k·(l + b) ≤
-/// 1023: the largest is insphere's, at 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 + 360 + 378),
-/// less than 1.
+/// than 2^-960 · (4·2^(l + b) + 1) for degree 3, 2^-960 · (6·4^(l + b) + 1) for degree 4, and for degree 5 less than
+/// 2^-960 · (12·4^(l + b)·(4·2^(l + b) + 1) + 1). Over 2^(k·l), with l ≥ -900/k ≥ -450 and, as nothing overflows,
+/// k·(l + b) ≤ 1023: the largest is at degree 5, 2^(-960 + 6 + 3·(l + b) - 5·l) = 2^(-954 - 2·l + 3·b) ≤ 2^(-954 +
+/// 360 + 378), less than 1.
 pub(crate) const SLACK_IS_LESS: i32 = -900;
 
 /// The sign of a query without a scene that its own filter has left open; `None` if a coordinate is not finite.

@@ -1,8 +1,8 @@
 //! The filter for any finite doubles: no scene, no plan, one comparison.
 //!
-//! [`filter`](crate::filter) answers if |d| ≥ B·p, provided that nothing underflows or overflows. Here a slack that
-//! covers underflow is added to B·p. The comparison is strict, so that an infinity on both sides is not certain: **d
-//! has the sign of D if |d| > fl(fl(B·p) + s)**, with
+//! [`Estimate::certain`] answers if |d| ≥ B·p, provided that nothing underflows or overflows. Here a slack that covers
+//! underflow is added to B·p. The comparison is strict, so that an infinity on both sides is not certain: **d has the
+//! sign of D if |d| > fl(fl(B·p) + s)**, with
 //!
 //! | | s |
 //! |---|---|

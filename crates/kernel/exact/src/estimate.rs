@@ -2,6 +2,11 @@
 //!
 //! The permanent is the same sum with the magnitude of every term. It measures how much a determinant can cancel, and
 //! how far rounding can move it.
+//!
+//! [`Estimate::certain`] is the semi-static filter. With the constant of [`bound`](predicament_arithmetic::bound) it is
+//! a proof, *provided that nothing underflows or overflows*: callers hold a
+//! [`Plan`](predicament_arithmetic::Plan). With a bound of zero the sign of the determinant is the answer, which is
+//! right if all intermediates are exact. The bound is an argument so that a test can run a filter with a wrong one.
 
 use predicament_arithmetic::Sign;
 

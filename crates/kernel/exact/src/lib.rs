@@ -44,8 +44,6 @@ mod differences;
 pub mod dyadic;
 pub mod estimate;
 #[cfg(feature = "scenes")]
-pub mod filter;
-#[cfg(feature = "scenes")]
 mod first;
 #[cfg(feature = "scenes")]
 mod ladder;
@@ -56,8 +54,7 @@ mod partial;
 mod points;
 #[cfg(feature = "scenes")]
 mod precision;
-#[cfg_attr(not(feature = "scenes"), allow(dead_code))] // sessions use the rest
-mod predicate;
+pub mod predicate;
 mod products;
 #[cfg(test)]
 #[path = "../tests/rational/mod.rs"]

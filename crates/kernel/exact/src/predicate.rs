@@ -14,7 +14,7 @@ use crate::estimate::{self, Estimate};
 use crate::{dyadic, products};
 
 /// A predicate on `N` points of `D` coordinates.
-pub(crate) trait Predicate<const D: usize, const N: usize> {
+pub trait Predicate<const D: usize, const N: usize> {
     /// The kind of the predicate.
     #[cfg(feature = "scenes")]
     const KIND: PredicateKind;
@@ -58,7 +58,7 @@ pub(crate) trait Predicate<const D: usize, const N: usize> {
 }
 
 /// The turn of three points.
-pub(crate) struct Orient2d;
+pub struct Orient2d;
 
 impl Predicate<2, 3> for Orient2d {
     #[cfg(feature = "scenes")]
@@ -102,7 +102,7 @@ impl Predicate<2, 3> for Orient2d {
 }
 
 /// The side of a point on a plane.
-pub(crate) struct Orient3d;
+pub struct Orient3d;
 
 impl Predicate<3, 4> for Orient3d {
     #[cfg(feature = "scenes")]
@@ -137,7 +137,7 @@ impl Predicate<3, 4> for Orient3d {
 }
 
 /// The position of a point relative to a circle.
-pub(crate) struct Incircle;
+pub struct Incircle;
 
 impl Predicate<2, 4> for Incircle {
     #[cfg(feature = "scenes")]
@@ -173,7 +173,7 @@ impl Predicate<2, 4> for Incircle {
 }
 
 /// The position of a point relative to a sphere.
-pub(crate) struct Insphere;
+pub struct Insphere;
 
 impl Predicate<3, 5> for Insphere {
     #[cfg(feature = "scenes")]

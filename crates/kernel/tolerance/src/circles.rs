@@ -29,6 +29,26 @@ pub const INCIRCLE: [f64; 3] = [130.0, 260.0, 390.0];
 /// The values T₋, T and T₊ of `insphere` over ε L⁵.
 pub const INSPHERE: [f64; 3] = [1130.0, 2260.0, 3390.0];
 
+/// A band of ours, with the figures that it is derived from.
+pub(crate) struct Lifted {
+    /// The predicate's name.
+    pub name: &'static str,
+    /// The values T₋, T and T₊ over ε L^`degree`.
+    pub band: [f64; 3],
+    /// The degree of the determinant.
+    pub degree: u32,
+    /// The bound of the error E over ε L^`degree`.
+    pub error: u32,
+    /// The bound of the relative rounding error R\[T\] of T, over ε.
+    pub rounding: u32,
+}
+
+/// The bands of ours, in the plane and in space.
+pub(crate) const LIFTED: [Lifted; 2] = [
+    Lifted { name: "incircle", band: INCIRCLE, degree: 4, error: 129, rounding: 5 },
+    Lifted { name: "insphere", band: INSPHERE, degree: 5, error: 1129, rounding: 6 },
+];
+
 /// The band of `incircle`, for points at most L apart along each axis.
 #[must_use]
 pub fn incircle_band<F: Float>(length: F) -> Band {
@@ -67,6 +87,16 @@ pub fn insphere<N: Ring>([a, b, c, d, e]: &[[N; 3]; 5]) -> N {
     let [a, b, c, d] = [minus(a, e), minus(b, e), minus(c, e), minus(d, e)];
     let term = |p, [q, r, s]: [&[N; 3]; 3]| norm_squared(p) * lifted_volume(q, r, s);
     (term(&d, [&a, &b, &c]) - term(&c, [&d, &a, &b])) + (term(&b, [&c, &d, &a]) - term(&a, [&b, &c, &d]))
+}
+
+/// The determinants of circles as named quantities, for the table of bounds.
+pub(crate) fn in_plane<N: Ring>(four: &[[N; 2]; 4]) -> [(&'static str, N); 1] {
+    [(LIFTED[0].name, incircle(four))]
+}
+
+/// The determinants of spheres as named quantities, for the table of bounds.
+pub(crate) fn in_space<N: Ring>(five: &[[N; 3]; 5]) -> [(&'static str, N); 1] {
+    [(LIFTED[1].name, insphere(five))]
 }
 
 /// The determinant of rows p, q and r, by their last column.

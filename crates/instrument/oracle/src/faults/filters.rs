@@ -2,8 +2,8 @@
 
 use predicament_arithmetic::bound::{static_incircle, static_insphere, static_orient2d, static_orient3d};
 use predicament_arithmetic::{Fixed, Plan, units};
-use predicament_exact::determinant::{self, Determinant};
-use predicament_exact::filter;
+use predicament_exact::determinant;
+use predicament_exact::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use predicament_predicates::{Plane, Predicates, Question, Sign, Vertex};
 
 use super::Session;
@@ -11,31 +11,19 @@ use super::Session;
 impl Session<'_> {
     /// The sign by the filter with this share of its bound; `None` if the filter cannot decide.
     pub(super) fn filtered(&self, question: Question, args: &[Vertex], share: f64) -> Option<Sign> {
-        fn bound<const D: usize>(determinant: Determinant, points: &[[f64; D]]) -> f64 {
-            let allowed = Plan::of(points).allows_filters(determinant.form);
-            if allowed { determinant.bound } else { f64::NAN }
+        fn certain<P: Predicate<D, N>, const D: usize, const N: usize>(
+            points: [[f64; D]; N],
+            share: f64,
+        ) -> Option<Sign> {
+            let is_allowed = Plan::of(&points).allows_filters(P::DETERMINANT.form);
+            if is_allowed { P::estimate(points).certain(share * P::DETERMINANT.bound) } else { None }
         }
-        let scene = self.exact.scene();
-        let flat = |plane, v: &[Vertex]| v.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
-        let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
             Question::Compare(_) | Question::Derived(_) => None,
-            Question::Orient2d(plane) => {
-                let p = flat(plane, args);
-                filter::orient2d(p[0], p[1], p[2], share * bound(determinant::ORIENT2D, &p))
-            }
-            Question::Orient3d => {
-                let p = solid();
-                filter::orient3d(p[0], p[1], p[2], p[3], share * bound(determinant::ORIENT3D, &p))
-            }
-            Question::Incircle => {
-                let p = flat(Plane::Xy, args);
-                filter::incircle(p[0], p[1], p[2], p[3], share * bound(determinant::INCIRCLE, &p))
-            }
-            Question::Insphere => {
-                let p = solid();
-                filter::insphere(p[0], p[1], p[2], p[3], p[4], share * bound(determinant::INSPHERE, &p))
-            }
+            Question::Orient2d(plane) => certain::<Orient2d, 2, 3>(self.flat(plane, args), share),
+            Question::Orient3d => certain::<Orient3d, 3, 4>(self.solid(args), share),
+            Question::Incircle => certain::<Incircle, 2, 4>(self.flat(Plane::Xy, args), share),
+            Question::Insphere => certain::<Insphere, 3, 5>(self.solid(args), share),
         }
     }
 
@@ -68,9 +56,9 @@ impl Session<'_> {
 
     /// The sign by integers of one limb; `None` if two limbs would not suffice.
     pub(super) fn one_limb(&self, question: Question, args: &[Vertex]) -> Option<Sign> {
-        fn rows<const D: usize, const N: usize>(points: &[[f64; D]]) -> Option<[[Fixed<1>; D]; N]> {
-            let plan = Plan::of(points);
-            let last = points.last()?;
+        fn sign<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Option<Sign> {
+            let plan = Plan::of(&points);
+            let last = points[N - 1];
             // The lower half of the difference, even if the upper half is significant.
             #[allow(clippy::cast_possible_truncation)]
             let entry = |row: usize, axis: usize| {
@@ -79,17 +67,25 @@ impl Session<'_> {
                 )
             };
             let fits = plan.bits() <= 126 && plan.has_finite_differences();
-            fits.then(|| std::array::from_fn(|row| std::array::from_fn(|axis| entry(row, axis))))
+            let rows = || std::array::from_fn(|row| std::array::from_fn(|axis| entry(row, axis)));
+            fits.then(|| P::integer(rows(), P::DETERMINANT.limbs(determinant::BITS[0])))
         }
-        let scene = self.exact.scene();
-        let flat = |plane| args.iter().map(|&v| scene.point2(plane, v)).collect::<Vec<_>>();
-        let solid = || args.iter().map(|&v| scene.point3(v)).collect::<Vec<_>>();
         match question {
             Question::Compare(_) | Question::Derived(_) => None,
-            Question::Orient2d(plane) => rows(&flat(plane)).map(determinant::orient2d::<1, 2>),
-            Question::Orient3d => rows(&solid()).map(determinant::orient3d::<1, 2, 3>),
-            Question::Incircle => rows(&flat(Plane::Xy)).map(determinant::incircle::<1, 2, 4>),
-            Question::Insphere => rows(&solid()).map(determinant::insphere::<1, 2, 3, 5>),
+            Question::Orient2d(plane) => sign::<Orient2d, 2, 3>(self.flat(plane, args)),
+            Question::Orient3d => sign::<Orient3d, 3, 4>(self.solid(args)),
+            Question::Incircle => sign::<Incircle, 2, 4>(self.flat(Plane::Xy, args)),
+            Question::Insphere => sign::<Insphere, 3, 5>(self.solid(args)),
         }
+    }
+
+    /// The points of a query in a plane.
+    fn flat<const N: usize>(&self, plane: Plane, args: &[Vertex]) -> [[f64; 2]; N] {
+        std::array::from_fn(|at| self.exact.scene().point2(plane, args[at]))
+    }
+
+    /// The points of a query in space.
+    fn solid<const N: usize>(&self, args: &[Vertex]) -> [[f64; 3]; N] {
+        std::array::from_fn(|at| self.exact.scene().point3(args[at]))
     }
 }

@@ -132,11 +132,10 @@ fn at_an_end_both_cells_are_right_and_outside_only_at_the_ends_of_the_row() {
 fn right_answers_pass_however_they_are_rounded() {
     let library = Library::embedded(predicament_bundle::vocabulary()).unwrap();
     let cache = Cache::new("/nonexistent/predicament-cache");
-    let backends = ["exact", "sos:per-mesh"].map(|name| predicament_bundle::backend(name).unwrap());
-    let [exact, per_mesh] = &backends;
+    let exact = predicament_bundle::backend("exact").unwrap();
     let mut counts: BTreeMap<&str, usize> = BTreeMap::new();
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
-    let step = predicament_effort::some_or_all(6, 1);
+    let step = predicament_effort::some_or_all(24, 1);
     for suite in library.suites().unwrap() {
         for scene in suite.scenes.iter().filter(|scene| !scene.needs_fetch()) {
             let task = predicament_bundle::task(scene.task).unwrap();
@@ -150,13 +149,8 @@ fn right_answers_pass_however_they_are_rounded() {
                 continue;
             }
             let loaded = scene.load(Level::Quick, &cache).unwrap();
-            let backend = match scene.task {
-                // `exact` declines meshes that touch.
-                "mesh-intersect" => per_mesh,
-                _ => exact,
-            };
             for (name, round) in roundings() {
-                let Some(outcome) = judged(&loaded, backend.as_ref(), round) else { continue };
+                let Some(outcome) = judged(&loaded, exact.as_ref(), round) else { continue };
                 let [suite, scene] = [&loaded.suite, &loaded.name];
                 let findings: Vec<String> =
                     outcome.findings.iter().map(|finding| format!("{}: {}", finding.check, finding.got)).collect();

@@ -17,7 +17,7 @@ pub struct Requirement {
     degree: u32,
 }
 
-/// The requirements of orient2d, orient3d, incircle and insphere.
+/// The requirements of the determinants, in the order of `PredicateKind::DETERMINANTS`.
 pub const REQUIREMENTS: [Requirement; 4] = [
     Requirement { wrong: || errors(3), permanent: 4, degree: 2 },
     Requirement { wrong: || half_a_sum(6), permanent: 8, degree: 3 },

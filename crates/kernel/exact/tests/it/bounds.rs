@@ -11,10 +11,7 @@ use predicament_arithmetic::{
     ExponentRange,
     bound::{INCIRCLE, INSPHERE, ORIENT2D, ORIENT3D, static_orient2d},
 };
-use predicament_exact::{
-    estimate::{self, Estimate},
-    filter,
-};
+use predicament_exact::estimate::{self, Estimate};
 use predicament_predicates::Sign;
 
 /// The least exponent of a determinant's lowest bit for which filters may run: u times it is normal.
@@ -80,7 +77,7 @@ fn a_millionth_of_orient2d_is_caught() {
         ORIENT2D_WITNESS,
         2,
         common::orient2d,
-        |[a, b, c], bound| filter::orient2d(a, b, c, bound),
+        |[a, b, c], bound| estimate::orient2d(a, b, c).certain(bound),
         [ORIENT2D, 0.999_999],
     );
 }
@@ -91,7 +88,7 @@ fn eight_percent_of_orient3d_are_caught() {
         ORIENT3D_WITNESS,
         3,
         common::orient3d,
-        |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound),
+        |[a, b, c, d], bound| estimate::orient3d(a, b, c, d).certain(bound),
         [ORIENT3D, 0.92],
     );
 }
@@ -102,7 +99,7 @@ fn an_eighth_of_incircle_is_caught() {
         INCIRCLE_WITNESS,
         4,
         common::incircle,
-        |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound),
+        |[a, b, c, d], bound| estimate::incircle(a, b, c, d).certain(bound),
         [INCIRCLE, 0.87],
     );
 }
@@ -113,7 +110,7 @@ fn a_sixth_of_insphere_is_caught() {
         INSPHERE_WITNESS,
         5,
         common::insphere,
-        |[a, b, c, d, e], bound| filter::insphere(a, b, c, d, e, bound),
+        |[a, b, c, d, e], bound| estimate::insphere(a, b, c, d, e).certain(bound),
         [INSPHERE, 0.845],
     );
 }
@@ -164,8 +161,11 @@ fn equality_is_certain() {
     }
     let [p, q] = [[0.1, 0.2], [0.3, 0.7]];
     assert_eq!(estimate::orient2d(p, p, q), Estimate { determinant: 0.0, permanent: 2.0 * (0.1 - 0.3) * (0.2 - 0.7) });
-    assert_eq!(filter::orient2d(p, q, q, ORIENT2D), Some(Sign::Zero));
-    assert_eq!(filter::insphere([0.1; 3], [0.3; 3], [0.1; 3], [0.1; 3], [0.1; 3], INSPHERE), Some(Sign::Zero));
+    assert_eq!(estimate::orient2d(p, q, q).certain(ORIENT2D), Some(Sign::Zero));
+    assert_eq!(
+        estimate::insphere([0.1; 3], [0.3; 3], [0.1; 3], [0.1; 3], [0.1; 3]).certain(INSPHERE),
+        Some(Sign::Zero)
+    );
 }
 
 /// Nearly collinear points whose pivot rounds every difference.
@@ -184,8 +184,8 @@ fn random_points_find_half_of_orient2d() {
         let points = [[ax, ay], [bx, by], [tail(&mut random), tail(&mut random)]];
         let [a, b, c] = points;
         let truth = common::orient2d(&points);
-        assert!(filter::orient2d(a, b, c, ORIENT2D).is_none_or(|sign| sign == truth), "{points:?}");
-        lies += usize::from(filter::orient2d(a, b, c, ORIENT2D / 2.0).is_some_and(|sign| sign != truth));
+        assert!(estimate::orient2d(a, b, c).certain(ORIENT2D).is_none_or(|sign| sign == truth), "{points:?}");
+        lies += usize::from(estimate::orient2d(a, b, c).certain(ORIENT2D / 2.0).is_some_and(|sign| sign != truth));
     }
     assert!(lies > 0);
 }

@@ -7,6 +7,7 @@ use super::coefficient::{Defined, FIGURE_1, FIGURE_5, Tolerance, defined, named}
 pub use super::constraint::{At, Constraint, Decision, Origin, Sides};
 use super::decimal::Decimal;
 use super::height;
+use crate::circles::{LIFTED, Lifted};
 
 /// All constraints of sections 4 and 5 in the paper's form, and ours.
 #[must_use]
@@ -111,9 +112,10 @@ fn space() -> Vec<Constraint> {
     all
 }
 
-/// The constraints on the bands of `incircle` and `insphere`, over ε L^p.
+/// The constraints on the bands of circles and spheres, over ε L^p.
 fn circles() -> Vec<Constraint> {
-    let of = |name: &str, band: [f64; 3], power: &str, error: u32, rounding: u32| {
+    let of = |&Lifted { name, band, degree, error, rounding }: &Lifted| {
+        let power = if degree == 4 { "⁴" } else { "⁵" };
         let [lower, width, upper] = band.map(|c| Rational::from_f64(c).expect("finite"));
         let room = Rational::from(&upper - &width).min(Rational::from(&width - &lower));
         let text = format!("{name}: min(T₊ − T, T − T₋) > {error}εL{power} + {rounding}εT");
@@ -126,9 +128,7 @@ fn circles() -> Vec<Constraint> {
             }),
         ]
     };
-    let mut all: Vec<_> = of("incircle", crate::circles::INCIRCLE, "⁴", 129, 5).into();
-    all.extend(of("insphere", crate::circles::INSPHERE, "⁵", 1129, 6));
-    all
+    LIFTED.iter().flat_map(of).collect()
 }
 
 /// The values of ε at which the paper's claims are decided.

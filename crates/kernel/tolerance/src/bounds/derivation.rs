@@ -8,6 +8,7 @@ use super::algorithms;
 use super::coefficient::Tolerance;
 use super::published::{Kind, M_SQUARED, Published, QUANTITIES, TOLERANCES};
 use super::quantities::{Named, Normalization, Points, plane, space};
+use crate::circles::{LIFTED, Lifted};
 
 /// A stated bound and the result of the calculus.
 #[derive(Clone, Debug)]
@@ -118,11 +119,12 @@ pub fn derivations() -> Vec<Derivation> {
     derived.push(magnitude(find(&computed, "5.4", "m²")));
     derived.extend(TOLERANCES.into_iter().map(of_tolerances));
     derived.extend(tables());
-    for symbol in ["incircle", "insphere"] {
+    for symbol in LIFTED.map(|lifted| lifted.name) {
         derived.push(Derivation::new("ours", symbol, Kind::Absolute, None, find(&computed, "ours", symbol)));
     }
-    for (symbol, relative) in with_rounded_sides().into_iter().chain(band_widths()) {
-        derived.push(Derivation::new("ours", symbol, Kind::Relative, None, relative));
+    let rounded = with_rounded_sides().map(|(symbol, relative)| (symbol.to_owned(), relative));
+    for (symbol, relative) in rounded.into_iter().chain(band_widths()) {
+        derived.push(Derivation::new("ours", &symbol, Kind::Relative, None, relative));
     }
     derived
 }
@@ -163,18 +165,16 @@ fn tables() -> Vec<Derivation> {
     .collect()
 }
 
-/// The middle value T of `incircle` and `insphere`, in the order of their bands.
-fn band_widths() -> [(&'static str, Quantity); 2] {
+/// The middle value T of each band of circles and spheres, with its symbol.
+fn band_widths() -> [(String, Quantity); 2] {
     let (epsilon, length) = (Quantity::epsilon(), Quantity::length());
     let square = length.clone() * length.clone();
     let fourth = square.clone() * square.clone();
-    let width = |[_, width, _]: [f64; 3], unit: Quantity| {
-        Quantity::constant(Rational::from_f64(width).expect("finite")) * (epsilon.clone() * unit)
-    };
-    [
-        ("T incircle", width(crate::circles::INCIRCLE, fourth.clone())),
-        ("T insphere", width(crate::circles::INSPHERE, fourth * length)),
-    ]
+    LIFTED.map(|Lifted { name, band: [_, width, _], degree, .. }| {
+        let unit = if degree == 4 { fourth.clone() } else { fourth.clone() * length.clone() };
+        let width = Quantity::constant(Rational::from_f64(width).expect("finite"));
+        (format!("T {name}"), width * (epsilon.clone() * unit))
+    })
 }
 
 fn of_tolerances(stated: Published) -> Derivation {

@@ -54,13 +54,13 @@ pub const PLANE: [&str; 5] = ["4.2", "4.3", "4.4", "4.5", "ours"];
 /// The sections of [`space`].
 pub const SPACE: [&str; 7] = ["5.2", "5.3", "5.4", "5.5", "5.6", "5.7", "ours"];
 
-/// The quantities of section 4, and `incircle`.
+/// The quantities of section 4, and the determinants of circles.
 #[must_use]
 pub fn plane<N: Root>(points: &Points<N, 2>, normalization: Normalization) -> Vec<Named<N>> {
     PLANE.into_iter().flat_map(|section| plane_section(section, points, normalization)).collect()
 }
 
-/// The quantities of section 5, and `insphere`.
+/// The quantities of section 5, and the determinants of spheres.
 #[must_use]
 pub fn space<N: Root>(points: &Points<N, 3>, normalization: Normalization) -> Vec<Named<N>> {
     SPACE.into_iter().flat_map(|section| space_section(section, points, normalization)).collect()
@@ -91,7 +91,7 @@ pub fn plane_section<N: Root>(
         "4.5" => section(&mut all, "4.5", [("a_A", area(p, b, c)), ("a_B", area(a, p, c)), ("a_C", area(a, b, p))]),
         "ours" => {
             let four = [a, b, c, d].map(Clone::clone);
-            section(&mut all, "ours", [("incircle", circles::incircle(&four))]);
+            section(&mut all, "ours", circles::in_plane(&four));
         }
         _ => {}
     }
@@ -142,7 +142,7 @@ pub fn space_section<N: Root>(
         }
         "ours" => {
             let five = [a, b, c, d, p].map(Clone::clone);
-            section(&mut all, "ours", [("insphere", circles::insphere(&five))]);
+            section(&mut all, "ours", circles::in_space(&five));
         }
         _ => {}
     }

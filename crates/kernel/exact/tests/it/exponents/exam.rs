@@ -4,7 +4,7 @@ use predicament_arithmetic::{Arithmetic, Fixed, Plan, short_rows, units};
 use predicament_exact::{
     Exact,
     determinant::{self, Determinant},
-    dyadic, filter, raw,
+    dyadic, estimate, raw,
 };
 use predicament_predicates::{Backend, Dimension, Off, Plane, QuerySet, Question, Scene, Sign, Vertex};
 
@@ -40,7 +40,7 @@ pub const ORIENT2D: Predicate<2, 3> = Predicate {
     truth: |[a, b, c]| rational::orient2d(a, b, c),
     judge: common::orient2d,
     raw: raw::orient2d,
-    filter: |[a, b, c], bound| filter::orient2d(a, b, c, bound),
+    filter: |[a, b, c], bound| estimate::orient2d(a, b, c).certain(bound),
     integer: |[a, b, _]| determinant::orient2d::<1, 2>([a, b]),
     wide_integer: |[a, b, _]| determinant::orient2d::<2, 4>([a, b]),
     dyadic: |[a, b, c]| dyadic::orient2d(a, b, c),
@@ -52,7 +52,7 @@ pub const ORIENT3D: Predicate<3, 4> = Predicate {
     truth: |[a, b, c, d]| rational::orient3d(a, b, c, d),
     judge: common::orient3d,
     raw: raw::orient3d,
-    filter: |[a, b, c, d], bound| filter::orient3d(a, b, c, d, bound),
+    filter: |[a, b, c, d], bound| estimate::orient3d(a, b, c, d).certain(bound),
     integer: |[a, b, c, _]| determinant::orient3d::<1, 2, 3>([a, b, c]),
     wide_integer: |[a, b, c, _]| determinant::orient3d::<2, 4, 6>([a, b, c]),
     dyadic: |[a, b, c, d]| dyadic::orient3d(a, b, c, d),
@@ -64,7 +64,7 @@ pub const INCIRCLE: Predicate<2, 4> = Predicate {
     truth: |[a, b, c, d]| rational::incircle(a, b, c, d),
     judge: common::incircle,
     raw: raw::incircle,
-    filter: |[a, b, c, d], bound| filter::incircle(a, b, c, d, bound),
+    filter: |[a, b, c, d], bound| estimate::incircle(a, b, c, d).certain(bound),
     integer: |[a, b, c, _]| determinant::incircle::<1, 2, 4>([a, b, c]),
     wide_integer: |[a, b, c, _]| determinant::incircle::<2, 4, 8>([a, b, c]),
     dyadic: |[a, b, c, d]| dyadic::incircle(a, b, c, d),
@@ -76,7 +76,7 @@ pub const INSPHERE: Predicate<3, 5> = Predicate {
     truth: |[a, b, c, d, e]| rational::insphere(a, b, c, d, e),
     judge: common::insphere,
     raw: raw::insphere,
-    filter: |[a, b, c, d, e], bound| filter::insphere(a, b, c, d, e, bound),
+    filter: |[a, b, c, d, e], bound| estimate::insphere(a, b, c, d, e).certain(bound),
     integer: |[a, b, c, d, _]| determinant::insphere::<1, 2, 3, 5>([a, b, c, d]),
     wide_integer: |[a, b, c, d, _]| determinant::insphere::<2, 4, 6, 10>([a, b, c, d]),
     dyadic: |[a, b, c, d, e]| dyadic::insphere(a, b, c, d, e),
