@@ -17,6 +17,7 @@ pub mod snippets;
 
 mod edit;
 mod error;
+mod rows;
 mod witness;
 
 pub use edit::{drop_constructions, drop_points, drop_unnamed, merge};

@@ -6,6 +6,7 @@ use predicament_corpus::Spelled;
 
 use super::size::{cost, exponent};
 use super::{End, Search};
+use crate::rows::width;
 
 /// The maximum number of rows whose coordinates are simplified together; beyond it, they are simplified one at a time.
 const MOST_ROWS: usize = 50;
@@ -37,8 +38,9 @@ fn mapped(spelled: &Spelled, mut with: impl FnMut(usize, f64) -> f64) -> Option<
     let mut changed = spelled.clone();
     let mut finite = true;
     for row in changed.rows_mut() {
-        for (axis, x) in row.iter_mut().enumerate() {
-            *x = with(axis, *x);
+        let width = width(spelled, row.len());
+        for (at, x) in row.iter_mut().enumerate() {
+            *x = with(at % width, *x);
             finite &= x.is_finite();
         }
     }
@@ -46,7 +48,7 @@ fn mapped(spelled: &Spelled, mut with: impl FnMut(usize, f64) -> f64) -> Option<
 }
 
 fn axes(spelled: &Spelled) -> usize {
-    spelled.rows().iter().map(|row| row.len()).max().unwrap_or(0)
+    spelled.rows().iter().map(|row| width(spelled, row.len())).max().unwrap_or(0)
 }
 
 /// Removes one coordinate axis, or makes it constant.

@@ -14,6 +14,8 @@ pub(super) use structure::MOST_ROWS;
 
 use predicament_corpus::{Random, Spelled};
 
+use crate::rows::width;
+
 /// A scene during a change.
 pub(super) struct Draft<'a> {
     pub spelled: Spelled,
@@ -156,9 +158,10 @@ impl Draft<'_> {
     /// Changes every coordinate; returns true if any coordinate is different.
     fn each(&mut self, change: impl Fn(usize, f64) -> f64) -> bool {
         let mut changed = false;
-        for row in self.spelled.rows_mut() {
-            for (axis, x) in row.iter_mut().enumerate() {
-                let new = change(axis, *x);
+        let widths: Vec<usize> = self.spelled.rows().iter().map(|row| width(&self.spelled, row.len())).collect();
+        for (row, width) in self.spelled.rows_mut().zip(widths) {
+            for (at, x) in row.iter_mut().enumerate() {
+                let new = change(at % width, *x);
                 changed |= new.to_bits() != x.to_bits();
                 *x = new;
             }

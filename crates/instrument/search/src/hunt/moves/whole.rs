@@ -6,6 +6,7 @@
 use predicament_formats::bits::{power_of_two, scale, top_exponent};
 
 use super::Draft;
+use crate::rows::width;
 
 /// The value floor(log2) of the largest coordinate; `None` if all are zero.
 fn top(draft: &Draft<'_>) -> Option<i64> {
@@ -125,13 +126,16 @@ pub(super) fn axes_exchanged(draft: &mut Draft<'_>) -> bool {
 
 fn mapped(draft: &mut Draft<'_>, matrix: &[[f64; 3]; 3]) -> bool {
     let mut changed = false;
-    for row in draft.spelled.rows_mut() {
-        let old = row.clone();
-        for (new, entries) in row.iter_mut().zip(matrix) {
-            let terms = entries.iter().zip(&old).filter(|(entry, _)| **entry != 0.0);
-            *new = terms.map(|(entry, x)| entry * x).sum();
+    let widths: Vec<usize> = draft.spelled.rows().iter().map(|row| width(&draft.spelled, row.len())).collect();
+    for (row, width) in draft.spelled.rows_mut().zip(widths) {
+        for point in row.chunks_mut(width.max(1)) {
+            let old = point.to_vec();
+            for (new, entries) in point.iter_mut().zip(matrix) {
+                let terms = entries.iter().zip(&old).filter(|(entry, _)| **entry != 0.0);
+                *new = terms.map(|(entry, x)| entry * x).sum();
+            }
+            changed |= *point != old;
         }
-        changed |= *row != old;
     }
     changed
 }
