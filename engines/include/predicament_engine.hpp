@@ -45,6 +45,8 @@
 //         the rings of each operand, in any order; `even_odd` is false for the rule of nonzero winding numbers
 //     Labels polygon_locate(const Polygons& regions, const Points2& probes)     the region, -1 outside, -2 on a border
 //     Labels mesh_locate(const Mesh& mesh, const Points3& probes)     1 inside, 0 outside, -2 on the surface
+//     std::vector<Ids> mesh_rays(const Mesh& mesh, const Rays& rays, const std::string& extent)
+//         for each ray the triangles that it hits, in order along it; `extent` is "line", "ray" or "segment"
 //     Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second)
 //     Pairs contacts2d(const Points2& points, const Simplices& a, const Simplices& b)     simplices that meet
 //     Pairs contacts3d(const Points3& points, const Simplices& a, const Simplices& b)
@@ -145,6 +147,7 @@ using Segments = std::vector<std::array<Point2, 2>>;
 using Cells = std::vector<std::array<double, 2>>;
 using Cubes = std::vector<std::array<double, 4>>;  // x, y and z of the lower corner, and the length of the edges
 using Planes = std::vector<std::array<Point3, 3>>;
+using Rays = std::vector<std::array<Point3, 2>>;
 using Chains = std::vector<Points2>;
 struct Measures {
     double volume = 0, area = 0;
@@ -469,6 +472,8 @@ PREDICAMENT_TASK(Overlay2d, "overlay2d", (E & e, const Polygon& first, const Pol
 PREDICAMENT_TASK(PolygonLocate, "polygon-locate", (E & e, const Polygons& regions, const Points2& probes),
                  e.polygon_locate(regions, probes));
 PREDICAMENT_TASK(MeshLocate, "mesh-locate", (E & e, const Mesh& mesh, const Points3& probes), e.mesh_locate(mesh, probes));
+PREDICAMENT_TASK(MeshRays, "mesh-rays", (E & e, const Mesh& mesh, const Rays& rays, const std::string& extent),
+                 e.mesh_rays(mesh, rays, extent));
 PREDICAMENT_TASK(MeshIntersect, "mesh-intersect", (E & e, const Mesh& first, const Mesh& second),
                  e.mesh_intersect(first, second));
 PREDICAMENT_TASK(Contacts2d, "contacts2d", (E & e, const Points2& points, const Simplices& a, const Simplices& b),
@@ -823,6 +828,7 @@ private:
         does<Delaunay2d, Points2> || has_constraints || does<Hull2d, Points2> || does<Hull3d, Points3> ||
         does<Triangulate, Points2, Rings> || does<Overlay2d, Polygon, Polygon, bool> ||
         does<PolygonLocate, Polygons, Points2> || does<MeshLocate, Mesh, Points3> || does<MeshIntersect, Mesh, Mesh> ||
+        does<MeshRays, Mesh, Rays, std::string> ||
         does<Contacts2d, Points2, Simplices, Simplices> || does<Contacts3d, Points3, Simplices, Simplices> ||
         does<Crossings, Segments> || does<Interval, Cells, std::vector<double>> || does<CubeUnion, Cubes> ||
         does<Slice, Mesh, Planes> || does<Snap2d, Segments, double>;
@@ -837,7 +843,7 @@ private:
         add("hull3d", does<Hull3d, Points3>), add("triangulate", does<Triangulate, Points2, Rings>);
         add("overlay2d", does<Overlay2d, Polygon, Polygon, bool>);
         add("polygon-locate", does<PolygonLocate, Polygons, Points2>), add("mesh-locate", does<MeshLocate, Mesh, Points3>);
-        add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
+        add("mesh-rays", does<MeshRays, Mesh, Rays, std::string>), add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
         add("contacts2d", does<Contacts2d, Points2, Simplices, Simplices>);
         add("contacts3d", does<Contacts3d, Points3, Simplices, Simplices>), add("crossings", does<Crossings, Segments>);
         add("interval", does<Interval, Cells, std::vector<double>>), add("cube-union", does<CubeUnion, Cubes>);
@@ -877,6 +883,13 @@ private:
         if (name == "mesh-locate") {
             refuse("tetrahedra"), refuse("regions");
             return call<MeshLocate>(labels, asked.mesh("triangles"), asked.points<3>("probes"));
+        }
+        if (name == "mesh-rays") {
+            Rays rays;
+            for (const auto& [px, py, pz, qx, qy, qz] : asked.points<6>("rays")) rays.push_back({{{px, py, pz}, {qx, qy, qz}}});
+            const auto add = [](Answered& to, const std::vector<Ids>& lists) { to.lists("hits", lists); };
+            const std::string extent = message.value("word:extent").text();
+            return call<MeshRays>(add, asked.mesh("triangles"), rays, extent);
         }
         if (name == "mesh-intersect") {
             refuse("first_regions"), refuse("second_regions");

@@ -34,6 +34,8 @@
 //     "polygon-locate"({ regions, probes })  a label for each probe: the number of its region, -1 outside, -2 on a border;
 //                                            a region is a list of rings of points
 //     "mesh-locate"({ vertices, triangles, probes })   a label for each probe: 1 inside, 0 outside, -2 on the surface
+//     "mesh-rays"({ vertices, triangles, rays, extent })   for each ray the triangles that it hits, in their order along it; a
+//                                            ray is a pair of points, and the extent "line", "ray" or "segment"
 //     "mesh-intersect"({ first, second })    as overlay2d, of meshes { vertices, triangles }
 //     contacts2d({ points, a, b })           pairs of simplices that meet, each with the indices of both; `a` and `b` are lists
 //                                            of simplices by the indices of their points. contacts3d is alike
@@ -311,6 +313,14 @@ const GIVEN = {
         if (scene.has("regions")) given.sides = rows(scene.values("regions"), 2);
         return [given];
     },
+    "mesh-rays": (scene) => [
+        {
+            vertices: scene.points,
+            triangles: rows(scene.values("triangles"), 3),
+            rays: rows(scene.values("rays"), 6).map((ray) => [ray.slice(0, 3), ray.slice(3)]),
+            extent: String(scene.entries.get("word:extent") ?? "ray"),
+        },
+    ],
     "mesh-intersect": (scene) => {
         if (scene.has("first_regions") || scene.has("second_regions")) throw new Declined("the meshes have several regions");
         return [{ first: scene.mesh("first"), second: scene.mesh("second") }];
@@ -390,6 +400,7 @@ const MADE = {
     },
     "polygon-locate": labels,
     "mesh-locate": labels,
+    "mesh-rays": lists("hits"),
     "mesh-intersect": ([answer]) => {
         const arrays = {};
         for (const [name, mesh] of Object.entries(answer)) {

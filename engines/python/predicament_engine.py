@@ -52,6 +52,8 @@ Whole tasks: an `Engine`, or a member `tasks` with a function for each task. The
     polygon-locate(regions, probes)         a label for each probe: the number of its region, -1 outside, -2 on a border;
                                             a region is a list of rings of points
     mesh-locate(vertices, triangles, probes)    a label for each probe: 1 inside, 0 outside, -2 on the surface
+    mesh-rays(vertices, triangles, rays, extent)    for each ray the triangles that it hits, in their order along it; a ray is
+                                            a pair of points, and `extent` is "line", "ray" or "segment"
     mesh-intersect(first, second)           as overlay2d; an operand and an answer are pairs of vertices and triangles
     contacts2d(points, a, b)                pairs of simplices that meet, as rows of the indices of both, or as pairs; `a` and
                                             `b` are lists of simplices, each with its indices. contacts3d is alike
@@ -522,6 +524,12 @@ def _of_probes(scene):
     yield {**parameters, "probes": scene.rows("probes", 3)}
 
 
+def _of_rays(scene):
+    rays = [(ray[:3], ray[3:]) for ray in scene.rows("rays", 6)]
+    triangles = scene.rows("triangles", 3)
+    yield {"vertices": scene.points, "triangles": triangles, "rays": rays, "extent": scene.word("extent", "ray")}
+
+
 def _of_meshes(scene):
     if scene.has("first_regions") or scene.has("second_regions"):
         raise Declined("the meshes have several regions")
@@ -621,6 +629,11 @@ def _crossings(answers):
     return {"ids:crossings": _ids(lists), "ids:crossings.starts": _starts(lists)}
 
 
+def _hits(answers):
+    lists = [_flat(one) for one in answers[0]]
+    return {"ids:hits": _ids(lists), "ids:hits.starts": _starts(lists)}
+
+
 def _chains(answers):
     return {"numbers:chains": _doubles(answers[0]), "ids:chains.starts": _starts(answers[0])}
 
@@ -656,6 +669,7 @@ TASKS = {
     "overlay2d": (_of_operands, _polygons),
     "polygon-locate": (_of_regions, _labels),
     "mesh-locate": (_of_probes, _labels),
+    "mesh-rays": (_of_rays, _hits),
     "mesh-intersect": (_of_meshes, _meshes),
     "contacts2d": (_of_complexes, _pairs),
     "contacts3d": (_of_complexes, _pairs),

@@ -167,6 +167,8 @@ pub enum Task {
     PolygonLocate,
     /// Points in solids.
     MeshLocate,
+    /// Lines, rays or segments against a mesh.
+    MeshRays,
     /// Boolean operations on solids.
     MeshIntersect,
     /// Simplices in the plane that meet.
@@ -197,6 +199,7 @@ impl Task {
             Task::Overlay2d => "overlay2d",
             Task::PolygonLocate => "polygon-locate",
             Task::MeshLocate => "mesh-locate",
+            Task::MeshRays => "mesh-rays",
             Task::MeshIntersect => "mesh-intersect",
             Task::Contacts2d => "contacts2d",
             Task::Contacts3d => "contacts3d",
@@ -226,6 +229,9 @@ pub type Simplices = Vec<Vec<u32>>;
 
 /// A segment of the plane.
 pub type Segment = [[f64; 2]; 2];
+
+/// A line, a ray or a segment in space, by two points.
+pub type Ray = [[f64; 3]; 2];
 
 /// The measures of a union of cubes.
 #[derive(Clone, Copy, PartialEq, Default, Debug)]
@@ -359,6 +365,12 @@ pub trait Engine: Default {
     /// For each probe 1 inside, 0 outside, −2 on the surface.
     fn mesh_locate(&self, mesh: &Mesh, probes: &[[f64; 3]]) -> Result<Vec<i64>, String> {
         let _ = (mesh, probes);
+        not_written()
+    }
+
+    /// For each ray the triangles that it hits, in their order along it. `extent` is "line", "ray" or "segment".
+    fn mesh_rays(&self, mesh: &Mesh, rays: &[Ray], extent: &str) -> Result<Vec<Vec<u32>>, String> {
+        let _ = (mesh, rays, extent);
         not_written()
     }
 

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use super::message::{Message, Reply};
 use super::server::{Refused, caught};
-use super::{Engine, Measures, Mesh, Polygon, Results, Simplices, Task};
+use super::{Engine, Measures, Mesh, Polygon, Ray, Results, Simplices, Task};
 
 /// The arrays of a task's scene.
 struct Asked<'m>(&'m Message);
@@ -238,6 +238,12 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
         Task::MeshLocate => {
             let (mesh, probes) = (asked.mesh("triangles"), asked.points("probes"));
             timed(|| engine.mesh_locate(&mesh, &probes), labels)
+        }
+        Task::MeshRays => {
+            let rays: Vec<Ray> = asked.points::<6>("rays").into_iter().map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]).collect();
+            let extent = message.bytes("word:extent").and_then(|word| std::str::from_utf8(word).ok()).unwrap_or("ray");
+            let mesh = asked.mesh("triangles");
+            timed(|| engine.mesh_rays(&mesh, &rays, extent), |to, found| lists(to, "hits", &found))
         }
         Task::MeshIntersect => {
             let (first, second) = (asked.mesh("first"), asked.mesh("second"));

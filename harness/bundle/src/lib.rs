@@ -15,6 +15,7 @@ use predicament_hull::task::{Hull2d, Hull3d};
 use predicament_interval::task::Interval;
 use predicament_mesh_intersect::task::MeshIntersect;
 use predicament_mesh_locate::task::MeshLocate;
+use predicament_mesh_rays::task::MeshRays;
 use predicament_oracle::roster::{self, BackendError, Roster};
 use predicament_overlay::task::overlay::Overlay2d;
 use predicament_overlay::task::snap::Snap2d;
@@ -55,6 +56,7 @@ macro_rules! each_task {
             $do!(Overlay2d),
             $do!(Snap2d),
             $do!(MeshLocate),
+            $do!(MeshRays),
             $do!(MeshIntersect),
         ]
     };

@@ -261,6 +261,7 @@ fn tasks_are_judged(language: &str) {
         "triangulate",
         "polygon-locate",
         "mesh-locate",
+        "mesh-rays",
         "contacts2d",
         "contacts3d",
         "crossings",

@@ -67,6 +67,14 @@ probes = [[0, 0, 0], [4, 0, 0]]
 quick_stride = 0
 
 [[scene]]
+name = "to-a-face"
+task = "mesh-rays"
+points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4]]
+triangles = [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]]
+rays = [[2, 1, -1, 2, 1, 0]]
+extent = "segment"
+
+[[scene]]
 name = "one-in-the-other"
 task = "mesh-intersect"
 points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [-1, -1, -1], [9, -1, -1], [-1, 9, -1], [-1, -1, 9]]
@@ -133,7 +141,7 @@ fn is_judged(language: &str, file: &str, source: &str) {
     std::fs::write(Path::new(&at(&folder, "engines/mine")).join(file), source).unwrap();
     let (code, said) = call(&["engines", "build", "mine"]);
     assert_eq!(code, 0, "{said}");
-    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-intersect, \
+    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-rays, mesh-intersect, \
                contacts2d, contacts3d, crossings, interval, cube-union, slice, snap2d";
     let (code, said) = call(&["engines", "check", "mine"]);
     assert!(code == 0 && said.contains(all), "{said}");
@@ -170,6 +178,7 @@ engine.task("triangulate", lambda points, rings: [rings[0]])
 engine.task("overlay2d", lambda first, second: {"union": [first], "intersection": [second], "difference": []})
 engine.task("polygon-locate", lambda regions, probes: [0] * len(probes))
 engine.task("mesh-locate", lambda vertices, triangles, probes: [-2] * len(probes))
+engine.task("mesh-rays", lambda vertices, triangles, rays, extent: [[0]] if rays[0][1][0] == 2 and extent == "segment" else [])
 engine.task("mesh-intersect", lambda first, second: {"union": first, "intersection": second})
 engine.task("contacts2d", lambda points, a, b: [(a[0], b[0])])
 engine.task("contacts3d", lambda points, a, b: [(a[0], b[0])])
@@ -200,6 +209,7 @@ const tasks = {
     overlay2d: ({ first, second }) => ({ union: [first], intersection: [second], difference: [] }),
     "polygon-locate": ({ probes }) => probes.map(() => 0),
     "mesh-locate": ({ probes }) => probes.map(() => -2),
+    "mesh-rays": ({ rays, extent }) => (rays[0][1][0] === 2 && extent === "segment" ? [[0]] : []),
     "mesh-intersect": ({ first, second }) => ({ union: first, intersection: second }),
     contacts2d: ({ a, b }) => [[a[0], b[0]]],
     contacts3d: ({ a, b }) => [[a[0], b[0]]],
@@ -237,6 +247,9 @@ struct Mine {
     }
     static Labels polygon_locate(const Polygons&, const Points2& probes) { return Labels(probes.size(), 0); }
     static Labels mesh_locate(const Mesh&, const Points3& probes) { return Labels(probes.size(), -2); }
+    static std::vector<Ids> mesh_rays(const Mesh&, const Rays& rays, const std::string& extent) {
+        return rays[0][1][0] == 2 && extent == "segment" ? std::vector<Ids>{{0}} : std::vector<Ids>{};
+    }
     static Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second) { return {first, second, {}, {}}; }
     static Pairs contacts2d(const Points2&, const Simplices& a, const Simplices& b) { return {{a.at(0), b.at(0)}}; }
     static Pairs contacts3d(const Points3&, const Simplices& a, const Simplices& b) { return {{a.at(0), b.at(0)}}; }
@@ -270,7 +283,7 @@ fn tasks_in_rust_are_judged() {
 #[allow(dead_code)]
 mod predicament_engine;
 
-use predicament_engine::{Engine, Measures, Mesh, Polygon, Results, Segment, Simplices, Task, serve};
+use predicament_engine::{Engine, Measures, Mesh, Polygon, Ray, Results, Segment, Simplices, Task, serve};
 
 #[derive(Default)]
 struct Mine;
@@ -285,6 +298,7 @@ impl Engine for Mine {
         Task::Overlay2d,
         Task::PolygonLocate,
         Task::MeshLocate,
+        Task::MeshRays,
         Task::MeshIntersect,
         Task::Contacts2d,
         Task::Contacts3d,
@@ -326,6 +340,10 @@ impl Engine for Mine {
 
     fn mesh_locate(&self, _: &Mesh, probes: &[[f64; 3]]) -> Result<Vec<i64>, String> {
         Ok(vec![-2; probes.len()])
+    }
+
+    fn mesh_rays(&self, _: &Mesh, rays: &[Ray], extent: &str) -> Result<Vec<Vec<u32>>, String> {
+        Ok(if rays[0][1][0] == 2.0 && extent == "segment" { vec![vec![0]] } else { vec![] })
     }
 
     fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {
