@@ -30,6 +30,7 @@
 
 mod auxiliary;
 mod build;
+mod collapse;
 mod conversion_error;
 mod cut;
 mod flip;
@@ -44,6 +45,7 @@ mod validate;
 
 use predicament_predicates::Vertex;
 
+pub use collapse::{Collapsed, Side};
 pub use conversion_error::ConversionError;
 pub use handles::{Face, HalfEdge, MeshVertex};
 pub use indexed::IndexedFaces;

@@ -39,6 +39,16 @@ pub enum OperationError {
     NotAuxiliary(HalfEdge),
     /// The vertex would have no edges left.
     LastEdge(MeshVertex),
+    /// The vertex would have one edge left.
+    OneEdge(MeshVertex),
+    /// The edge of this half-edge would have no face, or has none.
+    NoFace(HalfEdge),
+    /// Boundaries would meet in this vertex that did not meet before, or would part there.
+    Pinched(MeshVertex),
+    /// Two triangles would have, or have, the same vertices.
+    SameVertices(Face, Face),
+    /// The two half-edges end at different vertices; they must end at one vertex.
+    TwoVertices(HalfEdge, HalfEdge),
     /// The face is listed twice.
     ListedTwice(Face),
     /// The edge of this half-edge is listed twice.
@@ -70,6 +80,11 @@ impl std::fmt::Display for OperationError {
             E::OneFace(h) => write!(f, "both sides of half-edge {h} are in one face"),
             E::NotAuxiliary(h) => write!(f, "the two sides of half-edge {h} are in different loops"),
             E::LastEdge(v) => write!(f, "vertex {v} would be left without edges"),
+            E::OneEdge(v) => write!(f, "vertex {v} would be left with one edge"),
+            E::NoFace(h) => write!(f, "the edge of half-edge {h} has no face, or would have none"),
+            E::Pinched(v) => write!(f, "boundaries would meet or part in vertex {v}"),
+            E::SameVertices(a, b) => write!(f, "faces {a} and {b} have the same vertices, or would have them"),
+            E::TwoVertices(a, b) => write!(f, "half-edges {a} and {b} end at two vertices"),
             E::ListedTwice(face) => write!(f, "face {face} is listed twice"),
             E::EdgeListedTwice(h) => write!(f, "the edge of half-edge {h} is listed twice"),
             E::Full => f.write_str("a mesh has at most 2^32 - 2 elements of a kind"),

@@ -1,5 +1,6 @@
 //! Tests of half-edge meshes through the public interface: conversions, operations, long random sequences.
 
+mod collapse;
 mod conversion;
 mod cut;
 mod loops;

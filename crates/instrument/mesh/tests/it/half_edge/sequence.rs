@@ -1,7 +1,7 @@
 //! Sequences of operations encoded as numbers. The fuzz target for meshes uses this file too.
 
 use predicament_mesh::HalfEdgeMesh;
-use predicament_mesh::half_edge::{Face, HalfEdge, MeshVertex, OperationError};
+use predicament_mesh::half_edge::{Collapsed, Face, HalfEdge, MeshVertex, OperationError, Side};
 use predicament_predicates::Vertex;
 
 /// A completed operation, with the data for its inverse.
@@ -21,10 +21,12 @@ pub enum Done {
     RemoveFaces,
     Unhook(usize),
     DivideAtEdge,
+    Collapse(Collapsed, Vertex, i64),
+    SplitVertex(HalfEdge, i64),
 }
 
 /// The number of kinds of operations.
-pub const KINDS: u32 = 14;
+pub const KINDS: u32 = 16;
 
 impl Done {
     /// The change of the numbers of vertices, edges, faces and boundary loops.
@@ -41,6 +43,8 @@ impl Done {
             Done::Cover(_) => Some([0, 0, 1, -1]),
             Done::Open(_) => Some([0, 0, -1, 1]),
             Done::Flip(_) => Some([0; 4]),
+            Done::Collapse(.., triangles) => Some([-1, -1 - triangles, -triangles, 0]),
+            Done::SplitVertex(_, triangles) => Some([1, 1 + triangles, *triangles, 0]),
             Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) | Done::DivideAtEdge => None,
         }
     }
@@ -57,10 +61,17 @@ impl Done {
             Done::Cover(f) => drop(mesh.open_face(f)?),
             Done::Open(h) => drop(mesh.cover_boundary_loop(h)?),
             Done::Flip(h) => mesh.flip_edge(h)?,
+            Done::Collapse(collapsed, scene_vertex, _) => drop(mesh.split_vertex(collapsed.sides, scene_vertex)?),
+            Done::SplitVertex(h, _) => drop(mesh.collapse_edge(h)?),
             Done::CutAlong(_) | Done::RemoveFaces | Done::Unhook(_) | Done::DivideAtEdge => return Ok(false),
         }
         Ok(true)
     }
+}
+
+/// The number of triangles that a collapse closes or a split opens.
+fn triangles(sides: [Side; 2]) -> i64 {
+    sides.iter().map(|side| i64::from(matches!(side, Side::Edge(_)))).sum()
 }
 
 /// A mesh, the faces moved out of it, and the number of vertices ever made.
@@ -144,6 +155,22 @@ impl Sequence {
                 mesh.divide_at_edge(first, second, edge)?;
                 self.renew(before).ok_or(no_half_edge(edge))?;
                 Done::DivideAtEdge
+            }
+            14 => {
+                let scene_vertex = mesh.scene_vertex(mesh.start(a));
+                let collapsed = mesh.collapse_edge(a)?;
+                Done::Collapse(collapsed, scene_vertex, triangles(collapsed.sides))
+            }
+            15 => {
+                let ring: Vec<HalfEdge> = mesh.ring(mesh.end(a)).collect();
+                let side = |number: u32| {
+                    let h = ring[(number / 2) as usize % ring.len()];
+                    if number.is_multiple_of(2) { Side::Corner(h) } else { Side::Edge(h) }
+                };
+                let sides = [side(numbers[1]), side((numbers[1] / 16).wrapping_add(numbers[0]))];
+                let done = Done::SplitVertex(mesh.split_vertex(sides, Vertex::input(self.made))?, triangles(sides));
+                self.made += 1;
+                done
             }
             kind => {
                 let chosen: Vec<Face> = numbers
