@@ -62,8 +62,9 @@ Commands:
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, docs/COMMANDS.md, the schema in docs/DATA.md
-  sample the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
-         table of README (20 minutes)
+  sample [--resume]
+         the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
+         table of README (40 minutes). --resume keeps the steps that an earlier, stopped sample has done
   mutants [--every N] [--from K] [--all-tests] [PACKAGE...]
          the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, laws and judge, from
          the K-th on (0), by cargo-mutants and the tests of the package; with --all-tests what these miss is tried again
@@ -92,6 +93,7 @@ fn main() -> ExitCode {
     let is_known = |argument: &str| {
         ["advisories", "c-library", "engines", "mutants", "test"].contains(&command.as_str())
             || command == "browser" && argument == "--accept"
+            || command == "sample" && argument == "--resume"
     };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
@@ -113,7 +115,7 @@ fn main() -> ExitCode {
         "spread" => m4::ensure().and_then(|()| spread::check()),
         "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "pages" => m4::ensure().and_then(|()| pages::write()),
-        "sample" => m4::ensure().and_then(|()| sample::make()),
+        "sample" => m4::ensure().and_then(|()| sample::make(!rest.is_empty())),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {
             print!("{HELP}");

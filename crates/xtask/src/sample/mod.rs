@@ -4,7 +4,7 @@
 #[cfg(test)]
 mod agrees;
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::{cargo, fresh, root, step, target_directory};
@@ -49,16 +49,17 @@ const UNUSED: [&str; 10] = [
 
 /// Runs, times and compares everything, and writes the report.
 ///
-/// It puts a selection into the sample, README and `docs/WHICH.md`.
-pub fn make() -> Result<(), String> {
-    let work = fresh(WORK)?;
+/// It puts a selection into the sample, README and `docs/WHICH.md`. With `resume` it keeps the steps that an earlier
+/// call has done.
+pub fn make(resume: bool) -> Result<(), String> {
+    let work = if resume { PathBuf::from(WORK) } else { fresh(WORK)? };
     let path = |name: &str| work.join(name).display().to_string();
     let (run, fetched, bench, report) = (path("run"), path("fetched"), path("bench"), path("report"));
     cargo("build the tool", &["build", "--release"])?;
     let program = target_directory()?.join("release").join("predicament").display().to_string();
     let words =
         |args: &[&str]| -> Vec<String> { [program.as_str()].iter().chain(args).map(|&word| word.to_owned()).collect() };
-    let tool = |what: &str, args: &[&str]| step(what, &words(args), &[]);
+    let tool = |what: &str, args: &[&str]| once(&work, what, &words(args));
     tool("fetch real data", &["corpus", "fetch", "--quiet"])?;
     tool("run the embedded suites", &["run", "--out", &run])?;
     let suites = fetched_suites(&program)?;
@@ -89,6 +90,22 @@ pub fn make() -> Result<(), String> {
     keep_studied(Path::new(&run))?;
     println!("\n{SAMPLE}, the table of README and docs/WHICH.md are new; commit them together");
     Ok(())
+}
+
+/// Runs a step that leaves a mark in this folder, or only says that the mark is there.
+fn once(work: &Path, what: &str, words: &[String]) -> Result<(), String> {
+    let mark = root().join(work).join(format!("{}.done", what.replace(' ', "-")));
+    if mark.is_file() {
+        println!("\n== {what}: done before");
+        return Ok(());
+    }
+    // A step that was stopped has left a part of its folder.
+    let out = words.iter().skip_while(|word| *word != "--out").nth(1).map(|out| root().join(out));
+    if let Some(out) = out.filter(|out| out.is_dir()) {
+        std::fs::remove_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
+    }
+    step(what, words, &[])?;
+    std::fs::write(&mark, "").map_err(|error| format!("{}: {error}", mark.display()))
 }
 
 /// The suites whose data must be fetched.
