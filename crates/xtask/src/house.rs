@@ -1,5 +1,6 @@
 //! Project rules that the compiler does not check, as tests.
 
+mod coverage;
 mod kernel;
 mod links;
 mod packages;
