@@ -1,8 +1,11 @@
 // CGAL's whole algorithms. Delaunay triangulations, hulls and points in meshes on Epick: exact predicates on doubles. Boolean
-// operations on exact numbers: polygons on Epeck, an operand as the symmetric difference of its rings, which is the even-odd
+// operations and rays on exact numbers: polygons on Epeck, an operand as the symmetric difference of its rings, which is the even-odd
 // rule; solids by corefinement with exact points. Corefinement excludes operands that intersect themselves or do not bound a
 // volume: such scenes are declined.
 
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
 #include <CGAL/Boolean_set_operations_2.h>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -137,6 +140,46 @@ struct Cgal {
             labels.push_back(of == CGAL::ON_BOUNDARY ? -2 : of == CGAL::ON_BOUNDED_SIDE ? 1 : 0);
         }
         return labels;
+    }
+
+    static std::vector<Ids> mesh_rays(const Mesh& mesh, const Rays& rays, const std::string& extent) {
+        using Triangle = Exact::Triangle_3;
+        using Primitive = CGAL::AABB_triangle_primitive<Exact, std::vector<Triangle>::const_iterator>;
+        const auto at = [](const Point3& p) { return Exact::Point_3(p[0], p[1], p[2]); };
+        std::vector<Triangle> triangles;
+        for (const auto& [a, b, c] : mesh.triangles) {
+            triangles.emplace_back(at(mesh.vertices.at(a)), at(mesh.vertices.at(b)), at(mesh.vertices.at(c)));
+            if (triangles.back().is_degenerate()) throw Declined("CGAL's trees take only triangles with an area");
+        }
+        const CGAL::AABB_tree<CGAL::AABB_traits<Exact, Primitive>> tree(triangles.begin(), triangles.end());
+        std::vector<Ids> lists;
+        for (const auto& [from, to] : rays) {
+            const Exact::Point_3 p = at(from), q = at(to);
+            if (extent == "line") lists.push_back(hits(tree, triangles, Exact::Line_3(p, q), p, q));
+            else if (extent == "ray") lists.push_back(hits(tree, triangles, Exact::Ray_3(p, q), p, q));
+            else lists.push_back(hits(tree, triangles, Exact::Segment_3(p, q), p, q));
+        }
+        return lists;
+    }
+
+    // The triangles that a query meets, by the first common points along it.
+    template <class Tree, class Query>
+    static Ids hits(const Tree& tree, const std::vector<Exact::Triangle_3>& triangles, const Query& query, const Exact::Point_3& p,
+                    const Exact::Point_3& q) {
+        std::vector<typename Tree::template Intersection_and_primitive_id<Query>::Type> found;
+        tree.all_intersections(query, std::back_inserter(found));
+        const auto along = [&](const Exact::Point_3& point) { return (point - p) * (q - p); };
+        std::vector<std::pair<Exact::FT, std::uint32_t>> sorted;
+        for (const auto& [what, which] : found) {
+            const auto face = static_cast<std::uint32_t>(which - triangles.begin());
+            if (const auto* const point = boost::get<Exact::Point_3>(&what)) sorted.emplace_back(along(*point), face);
+            else if (const auto* const part = boost::get<Exact::Segment_3>(&what))
+                sorted.emplace_back(std::min(along(part->source()), along(part->target())), face);
+        }
+        std::sort(sorted.begin(), sorted.end());
+        Ids faces;
+        for (const auto& hit : sorted) faces.push_back(hit.second);
+        return faces;
     }
 
     static Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second) {
