@@ -6,6 +6,7 @@
 mod distance;
 mod pierced;
 mod points;
+pub mod shells;
 
 use std::collections::BTreeMap;
 

@@ -12,16 +12,11 @@
 //! either, because these are at a vertex or on two edges. Otherwise, and if an operand has a cavity, the
 //! laws say nothing ([`Wanted::of`] is `None`).
 //!
-//! # Closing
-//! A program's mesh may have vertices that are one in truth, and sheets without a volume between them. Vertices of a
-//! result that are within twice its distance δ of each other are one vertex here; triangles with a vertex twice, and
-//! pairs of opposite triangles, are left out; and a shell whose volume is at most that of a layer of thickness 2δ on
-//! its surface does not count.
-
-use std::collections::BTreeMap;
+//! Results are compared [after closing](predicament_judge::skin::shells) what is thinner than twice their distance δ.
 
 use predicament_judge::boxes::{Boxes, extent};
-use predicament_judge::skin::{Corners, Skin, area};
+use predicament_judge::skin::shells::{Groups, Shell, Shells};
+use predicament_judge::skin::{Corners, Skin};
 
 /// The check of components.
 pub const COMPONENTS: &str = "components of the union";
@@ -30,66 +25,6 @@ pub const EULER: &str = "Euler characteristics";
 
 /// A margin is this many times the distance of a result.
 const MARGIN: f64 = 64.0;
-
-/// A connected part of a surface.
-struct Shell {
-    corners: Vec<Corners>,
-    /// The vertices less the edges, plus the triangles.
-    euler: i64,
-    volume: f64,
-}
-
-/// The parts of a surface.
-pub struct Shells(Vec<Shell>);
-
-impl Shells {
-    /// The parts of a surface that are not thin, with vertices within a distance of each other as one.
-    #[must_use]
-    pub fn of(triangles: &[Corners], near: f64) -> Shells {
-        let (vertices, mut triangles) = joined(triangles, near);
-        cancel(&mut triangles);
-        let mut group = Groups::new(vertices.len());
-        triangles.iter().for_each(|&[a, b, c]| {
-            group.join(a, b);
-            group.join(b, c);
-        });
-        let mut all: BTreeMap<usize, Vec<[usize; 3]>> = BTreeMap::new();
-        for triangle in triangles {
-            all.entry(group.of(triangle[0])).or_default().push(triangle);
-        }
-        let shells = all.into_values().map(|triangles| {
-            let mut edges: Vec<[usize; 2]> = triangles
-                .iter()
-                .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
-                .map(|[p, q]| [p.min(q), p.max(q)])
-                .collect();
-            edges.sort_unstable();
-            edges.dedup();
-            let mut used: Vec<usize> = triangles.as_flattened().to_vec();
-            used.sort_unstable();
-            used.dedup();
-            let count = |length: usize| i64::try_from(length).unwrap_or(i64::MAX);
-            let euler = count(used.len()) - count(edges.len()) + count(triangles.len());
-            let corners: Vec<Corners> = triangles.iter().map(|triangle| triangle.map(|v| vertices[v])).collect();
-            let volume = Skin::new(corners.clone()).six().to_f64() / 6.0;
-            Shell { corners, euler, volume }
-        });
-        let is_thick = |shell: &Shell| shell.volume.abs() > near * shell.corners.iter().map(area).sum::<f64>();
-        Shells(shells.filter(is_thick).collect())
-    }
-
-    /// The sum of the Euler characteristics of all parts.
-    #[must_use]
-    pub fn euler(&self) -> i64 {
-        self.0.iter().map(|shell| shell.euler).sum()
-    }
-
-    /// The number of parts of the solid: those of the surface that are not around a cavity.
-    #[must_use]
-    pub fn solids(&self) -> usize {
-        self.0.iter().filter(|shell| shell.volume > 0.0).count()
-    }
-}
 
 /// The numbers that a union and an intersection must have.
 pub struct Wanted {
@@ -110,13 +45,13 @@ impl Wanted {
             return None;
         }
         let shells = operands.map(|skin| Shells::of(skin.triangles(), 0.0));
-        if shells.iter().flat_map(|shells| &shells.0).any(|shell| shell.volume < 0.0) {
+        if shells.iter().flat_map(Shells::thick).any(|shell| shell.volume < 0.0) {
             return None;
         }
-        let counts = shells.each_ref().map(|shells| shells.0.len());
+        let counts = shells.each_ref().map(|shells| shells.thick().count());
         let mut group = Groups::new(counts[0] + counts[1]);
         let skin = |shell: &Shell| Skin::new(shell.corners.clone());
-        let skins = shells.each_ref().map(|shells| shells.0.iter().map(skin).collect::<Vec<Skin>>());
+        let skins = shells.each_ref().map(|shells| shells.thick().map(skin).collect::<Vec<Skin>>());
         for (i, one) in skins[0].iter().enumerate() {
             for (j, other) in skins[1].iter().enumerate() {
                 if meet(one, other) || is_in(one, other)? || is_in(other, one)? {
@@ -203,72 +138,6 @@ fn gap([a, b]: [[f64; 3]; 2], [c, d]: [[f64; 3]; 2]) -> f64 {
     dot(off, off).sqrt()
 }
 
-/// Vertices that are not near each other, and the triangles by these.
-fn joined(triangles: &[Corners], near: f64) -> (Vec<[f64; 3]>, Vec<[usize; 3]>) {
-    let mut places: Vec<[f64; 3]> = triangles.as_flattened().iter().map(|p| p.map(|x| x + 0.0)).collect();
-    places.sort_by(|p, q| p.partial_cmp(q).unwrap_or(std::cmp::Ordering::Equal));
-    places.dedup();
-    let mut group = Groups::new(places.len());
-    if near > 0.0 {
-        let index = Boxes::new(places.iter().map(|&p| [p, p]).collect());
-        let mut found = Vec::new();
-        for (at, p) in places.iter().enumerate() {
-            index.near(&[*p, *p], near, &mut found);
-            found.iter().for_each(|&other| group.join(at, other as usize));
-        }
-    }
-    let place = |p: &[f64; 3]| {
-        let p = p.map(|x| x + 0.0);
-        places.binary_search_by(|q| q.partial_cmp(&p).unwrap_or(std::cmp::Ordering::Equal)).unwrap_or(0)
-    };
-    let all: Vec<[usize; 3]> =
-        triangles.iter().map(|corners| [0, 1, 2].map(|at: usize| group.of(place(&corners[at])))).collect();
-    (places, all)
-}
-
-/// Removes triangles with a vertex twice, and pairs of opposite triangles.
-fn cancel(triangles: &mut Vec<[usize; 3]>) {
-    triangles.retain(|[a, b, c]| a != b && b != c && c != a);
-    let mut uses: BTreeMap<[usize; 3], i64> = BTreeMap::new();
-    for &[a, b, c] in triangles.iter() {
-        let mut sorted = [a, b, c];
-        sorted.sort_unstable();
-        let is_even =
-            [sorted, [sorted[1], sorted[2], sorted[0]], [sorted[2], sorted[0], sorted[1]]].contains(&[a, b, c]);
-        *uses.entry(sorted).or_default() += if is_even { 1 } else { -1 };
-    }
-    *triangles = uses
-        .into_iter()
-        .flat_map(|([a, b, c], uses)| {
-            let triangle = if uses > 0 { [a, b, c] } else { [a, c, b] };
-            std::iter::repeat_n(triangle, usize::try_from(uses.unsigned_abs()).unwrap_or(0))
-        })
-        .collect();
-}
-
-/// Classes of items.
-struct Groups(Vec<usize>);
-
-impl Groups {
-    fn new(count: usize) -> Groups {
-        Groups((0..count).collect())
-    }
-
-    fn of(&mut self, mut at: usize) -> usize {
-        while self.0[at] != at {
-            self.0[at] = self.0[self.0[at]];
-            at = self.0[at];
-        }
-        at
-    }
-
-    fn join(&mut self, one: usize, other: usize) {
-        let [one, other] = [self.of(one), self.of(other)];
-        let (least, most) = (one.min(other), one.max(other));
-        self.0[most] = least;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -300,24 +169,5 @@ mod tests {
         assert_eq!(wanted(cube(), two), Some((2, 6)), "one of two parts");
         assert_eq!(wanted(cube(), solid([4.0, 1.0, 1.0], [6.0, 3.0, 2.0])), None, "they touch");
         assert_eq!(wanted(cube(), solid([1.0, 1.0, 1.0], [6.0, 3.0, 4.0 + 1e-13])), None, "nearly");
-    }
-
-    #[test]
-    fn closing_joins_places_and_forgets_what_is_thin() {
-        let of = |triangles: &[Corners]| {
-            let shells = Shells::of(triangles, 1e-9);
-            (shells.solids(), shells.euler())
-        };
-        let cube = solid([0.0; 3], [4.0; 3]);
-        assert_eq!(of(&cube), (1, 2));
-        let mut torn = cube.clone();
-        torn[0][0][0] += 1e-12;
-        assert_eq!(of(&torn), (1, 2), "a vertex in two places");
-        let thin = solid([5.0, 0.0, 0.0], [5.0 + 1e-11, 4.0, 4.0]);
-        assert_eq!(of(&[cube.clone(), thin].concat()), (1, 2), "a sheet beside it");
-        let thick = solid([5.0, 0.0, 0.0], [5.0 + 1e-6, 4.0, 4.0]);
-        assert_eq!(of(&[cube.clone(), thick].concat()), (2, 4), "a part beside it");
-        let cavity: Vec<Corners> = solid([1.0; 3], [2.0; 3]).into_iter().map(|[a, b, c]| [a, c, b]).collect();
-        assert_eq!(of(&[cube, cavity].concat()), (1, 4), "a cavity is not a part");
     }
 }

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use predicament_judge::skin::Skin;
+use predicament_judge::skin::shells::Shells;
 use predicament_judge::{nearest, sign};
 use predicament_mesh::OUTSIDE;
 use predicament_overlay::answer::Operation;
@@ -15,7 +16,7 @@ use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
 use super::{MeshIntersect, Overlaid, TwoMeshes};
 use crate::checks::replies::{CROSSING, OFF, OPEN, SOLID, Solids, VOLUME};
-use crate::checks::shells::{COMPONENTS, EULER, Shells, Wanted};
+use crate::checks::shells::{COMPONENTS, EULER, Wanted};
 
 /// The judge.
 pub(super) struct Judge;
@@ -71,7 +72,8 @@ impl Replies<MeshIntersect> for Judge {
             return Err(Declined::scene("a mesh has several regions, and programs get the surfaces of solids"));
         }
         let [first, second] = &content.meshes;
-        if super::flaw::is_refused(scene, [first, second]) {
+        // Without `check = false`, a scene of invalid meshes is marked as invalid input, and programs should refuse it.
+        if content.is_as_it_is && super::flaw::is_refused(scene, [first, second]) {
             return Err(Declined::scene("an operand is not the surface of a solid"));
         }
         let flaw = content.meshes.iter().find_map(|mesh| not_manifold(scene, mesh.triangles()));

@@ -53,8 +53,18 @@ impl Plane {
         Plane { normal: normal(points), at: points[0].clone() }
     }
 
+    /// A point of the plane.
+    pub(super) fn point(&self) -> &Point {
+        &self.at
+    }
+
+    /// The product of the normal and the vector from the plane to p.
+    pub(super) fn height(&self, p: &Point) -> Rational {
+        dot(&self.normal, &minus(p, &self.at))
+    }
+
     pub(super) fn side(&self, p: &Point) -> Ordering {
-        dot(&self.normal, &minus(p, &self.at)).cmp0()
+        self.height(p).cmp0()
     }
 
     /// The distance of p from the plane, rounded only at the end; zero if the normal is zero.
@@ -62,7 +72,7 @@ impl Plane {
         let lengths = self.normal.iter().map(|x| x.clone().abs());
         let Some(longest) = lengths.max().filter(|longest| !longest.is_zero()) else { return 0.0 };
         let square: Rational = self.normal.iter().map(|x| Rational::from(x / &longest).square()).sum();
-        (dot(&self.normal, &minus(p, &self.at)).abs() / longest).to_f64() / square.to_f64().sqrt()
+        (self.height(p).abs() / longest).to_f64() / square.to_f64().sqrt()
     }
 
     /// An axis along which the normal is not zero.

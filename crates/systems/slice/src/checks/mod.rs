@@ -11,6 +11,7 @@
 
 mod closed;
 mod crossing;
+mod euler;
 mod exact;
 mod flat;
 pub mod given;

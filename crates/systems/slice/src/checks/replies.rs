@@ -12,6 +12,7 @@
 //! * `crossing faces`: no edge of a part passes through a triangle of it by more than the distance.
 //! * `volume of parts`: the volumes of all parts add up to that of the mesh, up to the volume of their surfaces widened
 //!   by the distance.
+//! * `Euler characteristic of parts`: the [sum](super::euler) over all parts is that of the cut solid.
 //!
 //! The boundary of a true part consists of pieces of faces and of planes. A surface whose vertices are within δ of
 //! where they belong is within δ of the true one, because the distance of two triangles is largest at their corners. So
@@ -23,7 +24,7 @@ use predicament_judge::skin::{Corners, Skin, area, candidates, length};
 use rug::Rational;
 
 use super::exact::Plane;
-use super::pieces;
+use super::{euler, pieces};
 
 /// The check of vertices.
 pub const OFF: &str = "vertex off the cuts";
@@ -37,6 +38,8 @@ pub const PART: &str = "wrong part";
 pub const CROSSING: &str = "crossing faces";
 /// The check of volumes.
 pub const VOLUME: &str = "volume of parts";
+/// The check of components, cavities and handles.
+pub const EULER: &str = "Euler characteristic of parts";
 
 /// A violation of a law.
 #[derive(Clone, PartialEq, Debug)]
@@ -100,9 +103,28 @@ impl Cuts {
                 found.push(Violation { check: CROSSING, what: format!("part {at}: {what}"), distance: None });
             }
         }
+        // A part on both sides of a plane is in two cells.
+        let has_cells = found.iter().all(|flaw| flaw.check == CROSSING);
         found.extend(self.points(parts, [within, coarsest], most));
         found.extend(self.volume(parts, within));
+        if has_cells {
+            found.extend(self.euler(parts, within));
+        }
         found
+    }
+
+    /// The sum that the parts of a right answer have.
+    #[cfg(test)]
+    fn wanted(&self) -> Option<i64> {
+        euler::wanted(&self.mesh, &self.planes, 1e-15)
+    }
+
+    /// The sum of the Euler characteristics, where rounding cannot change it.
+    fn euler(&self, parts: &[Skin], within: f64) -> Option<Violation> {
+        let wanted = euler::wanted(&self.mesh, &self.planes, within)?;
+        let sum = euler::found(parts, &self.planes, within, wanted).filter(|sum| *sum != wanted)?;
+        let what = format!("the surfaces of all parts add up to {sum}, expected {wanted}");
+        Some(Violation { check: EULER, what, distance: None })
     }
 
     /// The plane that a part is farthest across.
@@ -194,8 +216,9 @@ mod tests {
         let [left, right] = [solid([[0.0; 3], [1.0; 3]]), solid([[1.0, 0.0, 0.0], [2.0, 1.0, 1.0]])];
         assert!(laws(&[left.clone(), right.clone()]).is_empty());
         assert_eq!(laws(&[solid([[0.0; 3], [2.0, 1.0, 1.0]])]), [(SIDE, false)], "not cut");
-        assert_eq!(laws(std::slice::from_ref(&left)), [(PART, false), (VOLUME, false)], "a part lost");
-        assert_eq!(laws(&[left.clone(), right.clone(), right.clone()]), [(PART, false), (VOLUME, false)], "one twice");
+        let all = [(PART, false), (VOLUME, false), (EULER, false)];
+        assert_eq!(laws(std::slice::from_ref(&left)), all, "a part lost");
+        assert_eq!(laws(&[left.clone(), right.clone(), right.clone()]), all, "one twice");
         // Not cut in the plane, but by the millionth part of a millionth beside it.
         let x = 1.0 + 1e-12;
         let beside = [solid([[0.0; 3], [x, 1.0, 1.0]]), solid([[x, 0.0, 0.0], [2.0, 1.0, 1.0]])];
@@ -221,6 +244,73 @@ mod tests {
             found.into_iter().map(|found| (found.check, found.distance.is_some_and(|off| off < 1e-6))).collect()
         };
         assert!(laws(&[rest.clone(), tip]).is_empty());
-        assert_eq!(laws(&[rest]), [(PART, false), (VOLUME, true)]);
+        assert_eq!(laws(&[rest]), [(PART, false), (VOLUME, true), (EULER, false)]);
+    }
+
+    /// A bar with many triangles, cut once. A needle of air in a part begins on its surface and ends at the other side:
+    /// its volume is below all bounds, and few points beside triangles miss it. The sum does not.
+    #[test]
+    fn a_cavity_that_no_point_sees_changes_the_sum() {
+        let part = |from: f64, steps: u32| -> Vec<Corners> {
+            let ring = |at: u32| {
+                let x = from + f64::from(at) / f64::from(steps);
+                [[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 1.0, 1.0], [x, 0.0, 1.0]]
+            };
+            let ends = |[a, b, c, d]: [[f64; 3]; 4]| [[a, b, c], [a, c, d]];
+            let band = |at: u32| {
+                let (low, high) = (ring(at), ring(at + 1));
+                (0..4_usize).flat_map(move |i| {
+                    let j = (i + 1) % 4;
+                    [[low[i], low[j], high[j]], [low[i], high[j], high[i]]]
+                })
+            };
+            let [first, last] = [ends(ring(0)).map(|[a, b, c]| [a, c, b]), ends(ring(steps))];
+            first.into_iter().chain((0..steps).flat_map(band)).chain(last).collect()
+        };
+        let plane = [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [1.0, 0.0, 1.0]];
+        let cuts = Cuts::new(solid([[0.0; 3], [2.0, 1.0, 1.0]]), &[plane]);
+        let laws = |parts: &[Vec<Corners>]| -> Vec<&str> {
+            let parts: Vec<Skin> = parts.iter().map(|part| Skin::new(part.clone())).collect();
+            cuts.violations(&parts, [1e-15, 1e-6], 240).into_iter().map(|found| found.check).collect()
+        };
+        let (left, right) = (part(0.0, 64), part(1.0, 64));
+        assert!(laws(&[left.clone(), right.clone()]).is_empty());
+        let (x, e) = (0.40625, 2.0_f64.powi(-24));
+        let [a, b, c, d] = [[x, 0.5, 0.0], [x + e, 0.5, 0.0], [x, 0.5 + e, 0.0], [x, 0.5, 1.0]];
+        let needle = [[a, b, c], [a, d, b], [b, d, c], [c, d, a]];
+        assert!(Skin::new(needle.to_vec()).six() < 0, "turned inwards");
+        assert_eq!(laws(&[[left, needle.to_vec()].concat(), right]), [EULER]);
+    }
+
+    /// A square frame, cut by up to three planes.
+    #[test]
+    fn the_sum_knows_holes_lines_and_points() {
+        let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+        let (outer, inner) = (square(-2.0, 2.0), square(-1.0, 1.0));
+        let at = |[x, y]: [f64; 2], z: f64| [x, y, z];
+        let mut frame: Vec<Corners> = Vec::new();
+        let mut quad = |a, b, c, d| frame.extend([[a, b, c], [a, c, d]]);
+        for i in 0..4 {
+            let j = (i + 1) % 4;
+            quad(at(outer[i], 0.0), at(outer[j], 0.0), at(outer[j], 1.0), at(outer[i], 1.0));
+            quad(at(inner[j], 0.0), at(inner[i], 0.0), at(inner[i], 1.0), at(inner[j], 1.0));
+            quad(at(outer[i], 1.0), at(outer[j], 1.0), at(inner[j], 1.0), at(inner[i], 1.0));
+            quad(at(outer[j], 0.0), at(outer[i], 0.0), at(inner[i], 0.0), at(inner[j], 0.0));
+        }
+        let mesh = Skin::new(frame);
+        assert!(mesh.open().is_none());
+        let wanted = |planes: &[Corners]| Cuts::new(mesh.triangles().to_vec(), planes).wanted();
+        let x = |x: f64| [[x, 0.0, 0.0], [x, 1.0, 0.0], [x, 0.0, 1.0]];
+        let y = |y: f64| [[0.0, y, 0.0], [0.0, y, 1.0], [1.0, y, 0.0]];
+        let z = |z: f64| [[0.0, 0.0, z], [1.0, 0.0, z], [0.0, 1.0, z]];
+        assert_eq!(wanted(&[]), Some(0), "a torus");
+        assert_eq!(wanted(&[x(0.25)]), Some(4), "two arcs");
+        assert_eq!(wanted(&[z(0.5)]), Some(0), "two tori");
+        assert_eq!(wanted(&[x(1.5)]), Some(2), "a bar and a narrower frame");
+        assert_eq!(wanted(&[x(0.25), y(0.125)]), Some(8), "four corners");
+        assert_eq!(wanted(&[x(1.5), y(1.25)]), Some(6), "a corner, two bars and a frame");
+        assert_eq!(wanted(&[x(1.5), y(1.25), z(0.5)]), Some(12), "each of the four twice");
+        assert_eq!(wanted(&[x(1.0)]), None, "through corners");
+        assert_eq!(wanted(&[x(0.25), x(0.25 + 1e-14)]), None, "nearly one plane");
     }
 }

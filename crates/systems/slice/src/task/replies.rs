@@ -14,7 +14,7 @@ use predicament_tasks::replies::{
 use predicament_tasks::{Asked, Case, Check, Class, Outcome};
 
 use super::{Cut, Slice, Solid};
-use crate::checks::replies::{CROSSING, Cuts, OFF, OPEN, PART, SIDE, VOLUME};
+use crate::checks::replies::{CROSSING, Cuts, EULER, OFF, OPEN, PART, SIDE, VOLUME};
 use crate::truth;
 
 /// The judge.
@@ -30,6 +30,7 @@ const OPEN_MEANS: &str = "a program's parts: at each edge, as many triangles com
 const SIDE_MEANS: &str = "a program's parts: each is on one side of each plane, up to rounding";
 const PART_MEANS: &str = "a program's parts: a point of the solid is in one of them, and other points are in none";
 const CROSSING_MEANS: &str = "a program's parts: no edge passes through a triangle by more than rounding";
+const EULER_MEANS: &str = "a program's parts: their Euler characteristics add up to that of the cut solid";
 const VOLUME_MEANS: &str = "a program's parts: their volumes add up to that of the mesh, up to rounding";
 
 impl Replies<Slice> for Judge {
@@ -137,6 +138,7 @@ impl Replies<Slice> for Judge {
                 Check::topology(CROSSING, CROSSING_MEANS),
                 Check::topology(VOLUME, VOLUME_MEANS),
                 Check::rounded(VOLUME, VOLUME_MEANS),
+                Check::topology(EULER, EULER_MEANS),
             ]
         }
     }
@@ -237,6 +239,13 @@ impl Replies<Slice> for Judge {
                 },
             },
             SpoiledReply {
+                name: "slice-reply-has-a-cavity",
+                what: "the first part has a needle of air, from one of its triangles to another",
+                backend: "exact",
+                caught_by: &[(Class::Topology, EULER)],
+                spoil: |_, _, arrays| change(arrays, |parts| parts.first_mut().into_iter().for_each(pierce)),
+            },
+            SpoiledReply {
                 name: "slice-reply-exchanges-vertices",
                 what: "in each part, two vertices have exchanged their places",
                 backend: "exact",
@@ -291,6 +300,26 @@ fn triangles(scene: &Scene, content: &Solid) -> Option<Vec<[Vertex; 3]>> {
         all.push(<[Vertex; 3]>::try_from(ring).ok()?);
     }
     Some(all)
+}
+
+/// Adds a thin tetrahedron that is turned inwards, with three corners in the first triangle and one in the last one.
+fn pierce(part: &mut Mesh) {
+    let [Some(&foot), Some(&head)] = [part.triangles.first(), part.triangles.last()] else { return };
+    let place = |corners: [u32; 3], weights: [f64; 3]| {
+        let [p, q, r] = corners.map(|v| part.points[v as usize]);
+        [0, 1, 2].map(|i: usize| p[i] * weights[0] + q[i] * weights[1] + r[i] * weights[2])
+    };
+    let thin = 2.0_f64.powi(-16);
+    let feet = [[0.25, 0.25, 0.5], [0.25 + thin, 0.25 - thin, 0.5], [0.25 + thin, 0.25, 0.5 - thin]];
+    let corners: Vec<[f64; 3]> =
+        feet.into_iter().map(|weights| place(foot, weights)).chain([place(head, [0.25, 0.5, 0.25])]).collect();
+    let number = |at: usize| u32::try_from(part.points.len() + at).unwrap_or(u32::MAX);
+    let [a, b, c, d] = [0, 1, 2, 3].map(number);
+    let faces = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]].map(|face| face.map(|at: usize| corners[at]));
+    let is_inwards = Skin::new(faces.to_vec()).six().cmp0().is_lt();
+    let turned = |[a, b, c]: [u32; 3]| if is_inwards { [a, b, c] } else { [a, c, b] };
+    part.triangles.extend([[a, b, c], [a, d, b], [b, d, c], [c, d, a]].map(turned));
+    part.points.extend(corners);
 }
 
 /// Changes the list of parts.
