@@ -1,21 +1,22 @@
-"""GEOS through shapely. A polygon of GEOS has one outer ring and holes in it, so the rings of an operand go in one by one:
-their symmetric difference is the even-odd rule. A ring that crosses itself is first made valid, which keeps that rule.
-"""
+"""GEOS through shapely. The rings of an operand go in one by one: their symmetric difference is the even-odd rule. A ring
+that crosses itself is first made valid, which keeps that rule."""
 
 import functools
 import sys
 
 sys.path.insert(0, "../python")
-
 import predicament_engine
 import shapely
+
+OPERATIONS = "union", "intersection", "difference", "symmetric-difference"
+SIMPLICES = {1: shapely.Point, 2: shapely.LineString, 3: shapely.Polygon}
 
 
 def region(rings):
     if any(len(ring) < 3 for ring in rings):
         raise predicament_engine.Declined("a ring has fewer than three points")
-    polygons = [shapely.make_valid(shapely.Polygon(ring)) for ring in rings]
-    return functools.reduce(shapely.symmetric_difference, polygons, shapely.Polygon())
+    valid = (shapely.make_valid(shapely.Polygon(ring)) for ring in rings)
+    return functools.reduce(shapely.symmetric_difference, valid, shapely.Polygon())
 
 
 def polygons(geometry):
@@ -29,37 +30,20 @@ def polygons(geometry):
 def overlay(first, second, rule):
     if rule != "even-odd":
         raise predicament_engine.Declined("GEOS has no rule of nonzero winding numbers")
-    a, b = region(first), region(second)
-    return {
-        "union": polygons(shapely.union(a, b)),
-        "intersection": polygons(shapely.intersection(a, b)),
-        "difference": polygons(shapely.difference(a, b)),
-        "symmetric-difference": polygons(shapely.symmetric_difference(a, b)),
-    }
+    operands = region(first), region(second)
+    return {name: polygons(getattr(shapely, name.replace("-", "_"))(*operands)) for name in OPERATIONS}
 
 
 def locate(regions, probes):
-    xs, ys = [x for x, _ in probes], [y for _, y in probes]
     labels = [-1] * len(probes)
-    for number, rings in enumerate(regions):
-        polygon = region(rings)
-        inside, touched = shapely.contains_xy(polygon, xs, ys), shapely.intersects_xy(polygon, xs, ys)
-        for at in range(len(probes)):
-            if inside[at]:
-                labels[at] = number
-            elif touched[at] and labels[at] == -1:
-                labels[at] = -2
+    for number, polygon in enumerate(map(region, regions)):
+        tests = (test(polygon, *zip(*probes)) for test in (shapely.contains_xy, shapely.intersects_xy))
+        labels = [number if a else -2 if b and label == -1 else label for a, b, label in zip(*tests, labels)]
     return labels
 
 
-def shape(points, simplex):
-    """A point, a segment or a triangle."""
-    kinds = {1: shapely.Point, 2: shapely.LineString, 3: shapely.Polygon}
-    return kinds[len(simplex)]([points[v] for v in simplex])
-
-
 def contacts(points, a, b):
-    shapes = [[shape(points, simplex) for simplex in simplices] for simplices in (a, b)]
+    shapes = [[SIMPLICES[len(simplex)]([points[v] for v in simplex]) for simplex in simplices] for simplices in (a, b)]
     return [(a[i], b[j]) for i, j in shapely.STRtree(shapes[1]).query(shapes[0], predicate="intersects").T]
 
 
@@ -71,8 +55,6 @@ def crossings(segments):
     return [[j for _, j in sorted(crossed)] for crossed in along]
 
 
-version = f"{shapely.__version__}, GEOS {'.'.join(map(str, shapely.geos_version))}"
-engine = predicament_engine.Engine("shapely", version)
-engine.task("overlay2d", overlay).task("polygon-locate", locate)
-engine.task("contacts2d", contacts).task("crossings", crossings)
-predicament_engine.serve(engine)
+engine = predicament_engine.Engine("shapely", f"{shapely.__version__}, GEOS {shapely.geos_version_string}")
+engine.task("overlay2d", overlay).task("polygon-locate", locate).task("contacts2d", contacts)
+predicament_engine.serve(engine.task("crossings", crossings))
