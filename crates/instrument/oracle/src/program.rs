@@ -5,10 +5,7 @@
 use std::sync::Arc;
 
 use predicament_engines::{Engine, Message, ProtocolError};
-use predicament_judge::TieJudge;
-use predicament_predicates::{
-    Batches, Broken, Class, Contract, Counts, Declined, Dimension, PredicateKind, Predicates, Scene,
-};
+use predicament_predicates::{Broken, Class, Declined, Dimension};
 use predicament_tasks::replies::{Array, Arrays, ByProgram, Program, Reply};
 use predicament_tasks::{AnyTask, Contestant, Entry, Solver, TaskList, with_signs};
 
@@ -31,7 +28,7 @@ pub(crate) fn contestant<L: TaskList>(engine: Engine, tasks: &L) -> Box<dyn Cont
     let program = Arc::new(Whole(engine.clone()));
     let solver = |task| Box::new(ByProgram::new(Arc::clone(&program) as Arc<dyn Program>, task)) as Box<dyn Solver>;
     let solvers = whole.into_iter().map(solver).collect();
-    Box::new(WithTasks { by_predicates: Entry::shared(Arc::new(Boxed::new(engine)), None, tasks.clone()), solvers })
+    Box::new(Entry::shared(Arc::new(Boxed::new(engine)), None, tasks.clone()).with_solvers(solvers))
 }
 
 /// An engine, asked for whole answers.
@@ -84,58 +81,4 @@ fn read(answer: &Message) -> Result<Arrays, ProtocolError> {
         }
     }
     Ok(arrays)
-}
-
-/// A backend with solvers of its own for some tasks.
-struct WithTasks<L> {
-    by_predicates: Entry<Boxed, L>,
-    solvers: Vec<Box<dyn Solver>>,
-}
-
-impl<L: TaskList> Contestant for WithTasks<L> {
-    fn name(&self) -> String {
-        self.by_predicates.name()
-    }
-
-    fn contract(&self, kind: PredicateKind) -> Contract {
-        self.by_predicates.contract(kind)
-    }
-
-    fn stages(&self) -> &'static [&'static str] {
-        self.by_predicates.stages()
-    }
-
-    fn batches(&self, kind: PredicateKind) -> Batches {
-        self.by_predicates.batches(kind)
-    }
-
-    fn version(&self) -> Option<String> {
-        self.by_predicates.version()
-    }
-
-    fn binding(&self) -> Option<Box<dyn Contestant>> {
-        self.by_predicates.binding()
-    }
-
-    fn with_session(&self, scene: &Scene, ask: &mut dyn FnMut(&mut dyn Predicates)) -> Result<(), Declined> {
-        self.by_predicates.with_session(scene, ask)
-    }
-
-    fn with_counted_session(
-        &self,
-        scene: &Scene,
-        counts: &Counts,
-        ask: &mut dyn FnMut(&mut dyn Predicates),
-    ) -> Result<(), Declined> {
-        self.by_predicates.with_counted_session(scene, counts, ask)
-    }
-
-    fn tie_judge(&self) -> Option<&TieJudge> {
-        None
-    }
-
-    fn solver(&self, task: &str) -> Option<&dyn Solver> {
-        let own = self.solvers.iter().map(AsRef::as_ref).find(|solver| solver.task().name() == task);
-        own.or_else(|| self.by_predicates.solver(task))
-    }
 }

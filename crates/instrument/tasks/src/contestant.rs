@@ -147,6 +147,15 @@ impl<B: Backend + 'static, L: TaskList> Entry<B, L> {
     pub fn shared(backend: Arc<B>, tie_judge: Option<Box<TieJudge>>, tasks: L) -> Entry<B, L> {
         Entry { solvers: solvers(&backend, &tasks), backend, tie_judge, tasks }
     }
+
+    /// The backend with solvers of its own for some tasks, in place of algorithms that query its predicates.
+    #[must_use]
+    pub fn with_solvers(mut self, mut own: Vec<Box<dyn Solver>>) -> Entry<B, L> {
+        // The first solver of a task counts.
+        own.append(&mut self.solvers);
+        self.solvers = own;
+        self
+    }
 }
 
 impl<B: Backend + 'static, L: TaskList> Contestant for Entry<B, L> {
