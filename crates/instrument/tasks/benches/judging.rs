@@ -1,0 +1,107 @@
+//! Times the judge of other programs' answers beside the solver of `exact`, for each task that is open to programs.
+//!
+//! ```sh
+//! cargo bench -p predicament-benches --bench judging -- 1000 10000 100000
+//! ```
+//!
+//! The scenes are those of each task's first family in general position, with about so many parts. The answer is that
+//! of `exact`, with constructed vertices at their nearest doubles: a right answer, on which every law is tested. The
+//! time of the judge includes the truth about the scene. After a scene that took longer than a limit (30 seconds, or
+//! `--limit SECONDS`), the larger scenes of its task are left out, and the table says so. Each time is that of one run.
+
+use std::sync::atomic::AtomicBool;
+use std::time::{Duration, Instant};
+
+use predicament_bundle::{backend, tasks};
+use predicament_corpus::{Level, LoadedScene, Suite};
+use predicament_formats::{Cache, Manifest};
+use predicament_predicates::Counts;
+use predicament_tasks::replies::Reply;
+use predicament_tasks::{AnyTask, Asked, Budget, How, Kind, Outcome, Purpose, Watch, vocabulary};
+
+/// The scene of a task's first family in general position with about this number of parts.
+fn scene(task: &'static dyn AnyTask, size: usize) -> Option<LoadedScene> {
+    let of = task.compared_on().iter().find(|of| of.kind == Kind::General)?;
+    let of_size = |n: usize| -> Option<LoadedScene> {
+        let table =
+            format!("[[generate]]\nfamily = \"{}\"\ntask = \"{}\"\nn = {n}\nseed = 1\n", of.family, task.name());
+        let text = format!("title = \"judging\"\n{table}{}\n", of.keys);
+        let suite = Suite::parse(&vocabulary(&[task]), "judging", &text, None, &Manifest::default());
+        let suite = suite.map_err(|why| eprintln!("{}: {why}", task.name())).ok()?;
+        suite.scenes[0].load(Level::Quick, &Cache::new("judging")).map_err(|why| eprintln!("{why}")).ok()
+    };
+    let first = of_size(size)?;
+    let parts = task.size_of(&first).max(1);
+    // The family's unit is not a part.
+    if parts.abs_diff(size) * 4 < size { Some(first) } else { of_size((size * size / parts).max(4)) }
+}
+
+/// The seconds of solving and of judging, and the verdict.
+fn timed(task: &'static dyn AnyTask, loaded: &LoadedScene) -> Result<(Duration, Duration, String), String> {
+    let exact = backend("exact").map_err(|why| why.to_string())?;
+    task.question(&loaded.scene, loaded.content.as_ref()).map_err(|why| why.to_string())?;
+    let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
+    let watch = Watch::new(&never, None, &quiet);
+    let start = Instant::now();
+    let case = task.case(loaded, &watch).map_err(|_| "stopped".to_owned())?;
+    let mut judging = start.elapsed();
+    let (mut solving, mut outcome) = (Duration::ZERO, Outcome::default());
+    let how = How { purpose: Purpose::Use, watch: &watch };
+    let solver = exact.solver(task.name()).ok_or("not solved by exact")?;
+    let start = Instant::now();
+    let solved = solver.solve(&loaded.scene, loaded.content.as_ref(), &Counts::new(), &how, &mut |session, answer| {
+        solving = start.elapsed();
+        let arrays = task.as_reply(&loaded.scene, loaded.content.as_ref(), answer).unwrap_or_default();
+        let asked = Asked { backend: exact.as_ref(), session, budget: Budget::QUICK, watch: &watch };
+        let start = Instant::now();
+        let judged = case.judge(&asked, &Reply { arrays, ..Reply::default() }, &mut outcome);
+        judging += start.elapsed();
+        judged
+    });
+    solved.map_err(|_| "declined".to_owned())?;
+    let verdict = outcome.findings.first().map_or_else(|| "right".to_owned(), |one| one.check.clone());
+    Ok((solving, judging, verdict))
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).filter(|argument| argument != "--bench").collect();
+    let mut sizes = Vec::new();
+    let mut limit = 30;
+    let mut rest = arguments.iter();
+    while let Some(argument) = rest.next() {
+        match argument.as_str() {
+            "--limit" => limit = rest.next().and_then(|seconds| seconds.parse().ok()).unwrap_or(limit),
+            number => sizes.extend(number.parse::<usize>().ok()),
+        }
+    }
+    if sizes.is_empty() {
+        sizes = vec![1_000];
+    }
+    println!("| task | parts | solve, s | judge, s | verdict |\n|---|---:|---:|---:|---|");
+    for &task in tasks().iter().filter(|task| task.parts_of_replies().is_some()) {
+        let mut is_slow = false;
+        for &size in &sizes {
+            let name = task.name();
+            if is_slow {
+                println!("| {name} | {size} | | | left out: the scene before took over {limit} s |");
+                continue;
+            }
+            let Some(loaded) = scene(task, size) else {
+                println!("| {name} | {size} | | | there is not a scene of this size |");
+                continue;
+            };
+            let parts = task.size_of(&loaded);
+            match timed(task, &loaded) {
+                Ok((solving, judging, verdict)) => {
+                    is_slow = solving + judging > Duration::from_secs(limit);
+                    println!(
+                        "| {name} | {parts} | {:.3} | {:.3} | {verdict} |",
+                        solving.as_secs_f64(),
+                        judging.as_secs_f64()
+                    );
+                }
+                Err(why) => println!("| {name} | {parts} | | | {why} |"),
+            }
+        }
+    }
+}
