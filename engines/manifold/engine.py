@@ -1,4 +1,4 @@
-"""Manifold, with coordinates in doubles. It refuses meshes that are not closed, oriented surfaces: the scene is declined."""
+"""Manifold, with coordinates in doubles. It refuses meshes that are not closed, oriented surfaces by a status."""
 
 import importlib.metadata
 import sys
@@ -14,7 +14,7 @@ def solid(mesh):
     vertices, triangles = mesh
     made = manifold3d.Manifold(manifold3d.Mesh64(vertices, triangles.astype("u8")))
     if made.status() != manifold3d.Error.NoError:
-        raise predicament_engine.Declined(f"Manifold refuses an operand: {made.status().name}")
+        raise ValueError(f"Manifold's status for an operand is {made.status().name}")
     return made
 
 

@@ -1,6 +1,5 @@
-// The npm package poly2tri. Its page excludes points that coincide: scenes with these are declined. So are scenes for
-// which it throws its `PointError`, the exception for input that it does not support, and nests of rings that are not an
-// outer ring with holes.
+// The npm package poly2tri. Its page excludes points that coincide: scenes with these are declined, and so are nests of
+// rings that are not an outer ring with holes. The package throws `PointError` for input that it does not support.
 
 import fs from "node:fs";
 import poly2tri from "poly2tri";
@@ -12,13 +11,8 @@ function triangulate({ points, rings }) {
     const loops = outerFirst(rings, points).map((ring) => ring.map((id) => ({ x: points[id][0], y: points[id][1], id })));
     if (new Set(loops.flat().map(({ x, y }) => `${x + 0} ${y + 0}`)).size < loops.flat().length)
         throw new Declined("points coincide");
-    try {
-        const context = new poly2tri.SweepContext(loops[0]).addHoles(loops.slice(1));
-        return context.triangulate().getTriangles().map((triangle) => triangle.getPoints().map(({ id }) => id));
-    } catch (problem) {
-        if (problem instanceof poly2tri.PointError) throw new Declined(`poly2tri: ${problem.message.split("\n")[0]}`);
-        throw problem;
-    }
+    const context = new poly2tri.SweepContext(loops[0]).addHoles(loops.slice(1));
+    return context.triangulate().getTriangles().map((triangle) => triangle.getPoints().map(({ id }) => id));
 }
 
 serve({

@@ -42,10 +42,11 @@ pub struct Args {
     pub baseline: Option<PathBuf>,
 
     /// The severities that fail the gate, of `broken` (a wrong sign or topology), `not_done` (declined, out of time,
-    /// crashed) and `rounded` (off by the rounding of output coordinates, within a stated bound); findings of the other
+    /// crashed), `accepted` (a library answered invalid input), `refused` (a library reported an error for valid input)
+    /// and `rounded` (off by the rounding of output coordinates, within a stated bound); findings of the other
     /// severities are listed but pass, expected or not
     #[arg(long, value_name = "SEVERITIES", value_delimiter = ',', value_parser = severity,
-          default_value = "broken,not_done,rounded")]
+          default_value = "broken,not_done,accepted,refused,rounded")]
     pub fail_on: Vec<Severity>,
 
     /// Also compare times on the same machine: a scene fails if all its samples are slower than those of the baseline

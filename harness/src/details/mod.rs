@@ -122,8 +122,8 @@ fn chosen(run: &RunDir) -> BTreeMap<(&str, &str), Vec<&FindingRow>> {
     let mut chosen: BTreeMap<(&str, &str), Vec<&FindingRow>> = BTreeMap::new();
     for row in findings {
         let is_chosen = if row.query.is_empty() {
-            // A scene that timed out or panicked has no answer to draw.
-            let is_answered = !matches!(row.class, Class::Timeout | Class::Panic);
+            // A scene that timed out, panicked or was refused has no answer to draw.
+            let is_answered = !matches!(row.class, Class::Timeout | Class::Panic | Class::Refused);
             is_answered && is_small(&row, MOST_DRAWN) && whole.insert((row.class.name(), &row.task))
         } else {
             let seen = suites.entry((row.class.name(), &row.backend, &row.task)).or_default();

@@ -15,19 +15,29 @@ pub enum Grade {
     Rounded,
     /// The library, or its engine, declined the scene.
     Declined,
-    /// A crash, an exception or a timeout.
+    /// The library reported an error for valid input.
+    Refused,
+    /// The library gave an answer for invalid input.
+    Accepted,
+    /// A crash or a timeout.
     Failed,
     /// The answer is wrong.
     Broken,
 }
 
 impl Grade {
+    /// All grades, in the order of columns.
+    pub const ALL: [Grade; 7] =
+        [Grade::Right, Grade::Rounded, Grade::Broken, Grade::Failed, Grade::Refused, Grade::Accepted, Grade::Declined];
+
     /// The name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Grade::Right => "right",
             Grade::Rounded => "rounded",
             Grade::Declined => "declined",
+            Grade::Refused => "refused",
+            Grade::Accepted => "accepted",
             Grade::Failed => "failed",
             Grade::Broken => "broken",
         }
@@ -39,8 +49,10 @@ impl Grade {
         if count(&[Class::Panic, Class::Timeout]) > 0 {
             return Grade::Failed;
         }
-        if count(&[Class::Declined]) > 0 {
-            return Grade::Declined;
+        let refusals =
+            [(Class::Declined, Grade::Declined), (Class::Refused, Grade::Refused), (Class::Accepted, Grade::Accepted)];
+        if let Some((_, grade)) = refusals.into_iter().find(|&(class, _)| count(&[class]) > 0) {
+            return grade;
         }
         let wrong = Class::ALL.into_iter().filter(|&class| !class.is_legal() && class != Class::Rounded);
         match (count(&wrong.collect::<Vec<_>>()), count(&[Class::Rounded])) {

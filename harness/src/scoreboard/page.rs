@@ -11,8 +11,8 @@ pub(super) const LEAD: &str = "Each cell has the scenes that a library got right
                                scenes are not among them. A page for each task has the rest.";
 /// The text above the figures of a task.
 pub(super) const KEY: &str = "Scenes by their worst finding. Broken is a wrong answer, rounded one that is off by its \
-                              rounding, failed an exception, a crash or a timeout. Distances are those of the farthest \
-                              vertex of each result.";
+                              rounding, failed a crash or a timeout, refused an error for valid input, accepted an \
+                              answer to invalid input. Distances are those of the farthest vertex of each result.";
 
 /// The index: a table of all libraries and tasks.
 pub fn index(board: &Board) -> String {
@@ -42,12 +42,11 @@ pub(super) fn figures<'r>(
     of: Option<&Row>,
 ) -> (Vec<String>, Vec<(&'r str, Vec<String>)>) {
     let unit = reference.map_or_else(|| "time".to_owned(), |name| format!("time / `{name}` (families)"));
-    let heads = ["scenes", "right", "rounded", "broken", "failed", "declined", "median", "worst", "worst / L"];
-    let heads = heads.into_iter().map(str::to_owned).chain([unit, "memory".to_owned()]).collect();
+    let heads = ["scenes"].into_iter().chain(Grade::ALL.map(Grade::name)).chain(["median", "worst", "worst / L"]);
+    let heads = heads.map(str::to_owned).chain([unit, "memory".to_owned()]).collect();
     let line = |(name, row): (&'r String, &Row)| {
         let all = row.all();
-        let grades = [Grade::Right, Grade::Rounded, Grade::Broken, Grade::Failed, Grade::Declined];
-        let counts = [all.total()].into_iter().chain(grades.map(|grade| all.count(grade))).map(|n| n.to_string());
+        let counts = [all.total()].into_iter().chain(Grade::ALL.map(|grade| all.count(grade))).map(|n| n.to_string());
         let ulps = |ulps: Option<f64>| ulps.map_or_else(String::new, |ulps| format!("{} ulp", short(ulps)));
         let rest = [
             ulps(row.median_ulps()),
@@ -80,7 +79,11 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
     let _ = writeln!(
         text,
         "{}\n",
-        KEY.replace("Broken", "*Broken*").replace(" rounded", " *rounded*").replace(" failed", " *failed*")
+        KEY.replace("Broken", "*Broken*")
+            .replace(" rounded", " *rounded*")
+            .replace(" failed", " *failed*")
+            .replace(" refused", " *refused*")
+            .replace(" accepted", " *accepted*")
     );
     let (heads, lines) = figures(rows, reference.as_deref(), of);
     let _ = writeln!(text, "| library | {} |\n|---|{}", heads.join(" | "), "---:|".repeat(heads.len()));
@@ -114,7 +117,7 @@ pub fn page(board: &Board, task: &str, shown: &[Shown]) -> String {
 /// A cell in a few words.
 pub(super) fn brief(cell: &Cell) -> String {
     let mut text = format!("{} of {}", cell.count(Grade::Right), cell.total());
-    for grade in [Grade::Broken, Grade::Failed, Grade::Rounded, Grade::Declined] {
+    for grade in Grade::ALL.into_iter().filter(|grade| *grade != Grade::Right) {
         if cell.count(grade) > 0 {
             let _ = write!(text, ", {} {}", cell.count(grade), grade.name());
         }
@@ -129,21 +132,12 @@ fn short(x: f64) -> String {
 
 /// All figures as CSV: a row for each task, library and suite.
 pub fn csv(board: &Board) -> String {
-    let mut text = "task,library,suite,scenes,right,rounded,broken,failed,declined\n".to_owned();
+    let mut text = format!("task,library,suite,scenes,{}\n", Grade::ALL.map(Grade::name).join(","));
     for (task, rows) in &board.tasks {
         for (library, Row { suites, .. }) in rows {
             for (suite, cell) in suites {
-                let of = |grade| cell.count(grade);
-                let _ = writeln!(
-                    text,
-                    "{task},{library},{suite},{},{},{},{},{},{}",
-                    cell.total(),
-                    of(Grade::Right),
-                    of(Grade::Rounded),
-                    of(Grade::Broken),
-                    of(Grade::Failed),
-                    of(Grade::Declined)
-                );
+                let counts = Grade::ALL.map(|grade| cell.count(grade).to_string()).join(",");
+                let _ = writeln!(text, "{task},{library},{suite},{},{counts}", cell.total());
             }
         }
     }

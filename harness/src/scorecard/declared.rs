@@ -181,6 +181,8 @@ const NOT_NEEDED: &[(Class, &str, &str, &str)] = &[
         "",
         "a fault would end this process; tests of `run --isolate` and of engines plant it in separate processes",
     ),
+    (Class::Refused, "", "", "an error is not a wrong answer; tests of engines plant one in a program"),
+    (Class::Accepted, "", "", "programs alone get invalid input; a test of engines plants the answer in a program"),
     (
         Class::Timeout,
         "",

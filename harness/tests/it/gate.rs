@@ -151,7 +151,8 @@ fn a_baseline_catches_what_expectations_forgive() {
     expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &bad]);
     expect(0, &["run", &suite, "--expected", &forgiving, "-b", "naive", "--out", &good]);
     // Change the baseline so that its one overreach agrees.
-    let summary = read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    let summary =
+        read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,");
     assert_ne!(summary, read(&good, "summary.csv"), "the row was found");
     rewrite(&at(&folder, "good"), "summary.csv", &summary);
     expect(0, &["gate", &bad, "--expected", &forgiving, "--baseline", &bad]);

@@ -59,7 +59,8 @@ fn what_is_mended_is_better_and_no_failure() {
     for out in [&bad, &good] {
         expect(100, &["run", &suite, "-b", "naive", "-q", "--expected", &none, "--out", out]);
     }
-    let summary = read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    let summary =
+        read(&good, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,");
     let summary = summary.replace(",unexpected\n", ",ok\n");
     assert_ne!(summary, read(&good, "summary.csv"), "the row was found");
     rewrite(&good, "summary.csv", &summary);
@@ -75,7 +76,8 @@ fn what_is_mended_is_better_and_no_failure() {
     // A broken scene that is now only rounded is better, even if the rounding is unexpected and fails the gate.
     let milder = at(&folder, "milder");
     expect(100, &["run", &suite, "-b", "naive", "-q", "--expected", &none, "--out", &milder]);
-    let summary = read(&milder, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,0,0,0,0,0,0,0,0,0,1,0,0,");
+    let summary =
+        read(&milder, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,", ",1,0,0,0,0,0,0,0,0,0,1,0,0,0,0,");
     rewrite(&milder, "summary.csv", &summary);
     let told = expect(100, &["gate", &milder, "--expected", &none, "--baseline", &bad]).stdout;
     assert!(told.contains("0 worse than the baseline, 2 better"), "{told}");

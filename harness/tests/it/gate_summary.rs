@@ -33,7 +33,8 @@ fn the_verdict_comes_first_and_says_what_to_type() {
     assert!(code == 0 && text.starts_with("## Gate: passed\n") && !text.contains("###"), "{text}");
     let before = at(&folder, "before");
     run(&["run", &suite, "-b", "exact,naive", "-q", "--expected", &none, "--out", &before]);
-    let summary = read(&before, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    let summary =
+        read(&before, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,");
     rewrite(&before, "summary.csv", &summary);
     let (code, text) = gate(&out, &forgiving, &["--baseline", &before]);
     assert!(code == 100 && text.starts_with("## Gate: failed, more findings than in the baseline"), "{text}");

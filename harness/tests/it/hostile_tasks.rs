@@ -129,3 +129,72 @@ fn each_fault_has_its_row_and_the_scenes_after_it_are_answered() {
     let ok = column(&summary, "status").into_iter().zip(&scenes).filter(|(status, _)| status == "ok");
     assert_eq!(ok.map(|(_, scene)| scene.as_str()).collect::<Vec<_>>(), ["right", "right-at-the-end"], "{summary}");
 }
+
+/// Reports an error for quadrangles whose third corner has a certain x, and answers all others.
+const RIGHT_AND_WRONG: &str = r#"
+import sys
+import predicament_engine
+
+def triangulate(points, rings):
+    refuses = any(len(points) == 4 and [points[v] for v in ring][2][0] == REFUSED for ring in rings)
+    if refuses:
+        raise ValueError("not a polygon")
+    ring = rings[0]
+    return [[ring[0], ring[at], ring[at + 1]] for at in range(1, len(ring) - 1)]
+
+engine = predicament_engine.Engine("mine", "1.0")
+engine.task("triangulate", triangulate)
+predicament_engine.serve(engine)
+"#;
+
+/// The third corner of the bow tie has the x 4, and that of the other quadrangle 5.
+const QUADRANGLES: &str = r#"title = "Quadrangles"
+[[scene]]
+name = "bow-tie"
+task = "triangulate"
+invalid = true
+points = [[0, 0], [3, 3], [4, 0], [0, 4]]
+[[scene]]
+name = "square"
+task = "triangulate"
+points = [[0, 0], [4, 0], [5, 4], [0, 4]]
+"#;
+
+#[test]
+#[ignore = "needs Python"]
+fn an_error_is_right_for_invalid_input_alone() {
+    let folder = tempdir().unwrap();
+    let suite = write(&folder, "suite.toml", QUADRANGLES);
+    let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python/predicament_engine.py");
+    std::fs::copy(helper, at(&folder, "predicament_engine.py")).unwrap();
+    let engine = write(&folder, "engine.toml", "name = \"mine\"\nrun = [\"python3\", \"engine.py\"]\n");
+    // The corner whose quadrangle the engine refuses, and the findings.
+    for (refused, code, findings) in [
+        ("4", 0, vec![]),
+        ("5", 100, vec![("bow-tie", "accepted,accepted invalid input"), ("square", "refused,refused valid input")]),
+        ("9", 100, vec![("bow-tie", "accepted,accepted invalid input")]),
+    ] {
+        write(&folder, "engine.py", &RIGHT_AND_WRONG.replace("REFUSED", refused));
+        let out = at(&folder, &format!("run-{refused}"));
+        let ran = run(&["run", &suite, "-b", &format!("engine:{engine}"), "--out", &out]);
+        assert_eq!(ran.code, code, "{refused}: {}{}", ran.stdout, ran.stderr);
+        let told = read(&out, "findings.csv");
+        assert_eq!(told.lines().count(), findings.len() + 1, "{refused}: {told}");
+        for (scene, finding) in &findings {
+            assert!(told.lines().any(|row| row.contains(scene) && row.contains(finding)), "{refused}: {told}");
+        }
+        let summary = read(&out, "summary.csv");
+        let of = |class: &str| column(&summary, class).iter().filter(|count| *count != "0").count();
+        let accepted = findings.iter().filter(|(scene, _)| *scene == "bow-tie").count();
+        assert_eq!((of("accepted"), of("refused")), (accepted, findings.len() - accepted), "{refused}: {summary}");
+    }
+    // The gate tells both from wrong answers, and the scoreboard counts them.
+    let out = at(&folder, "run-5");
+    for (fail_on, code) in [("broken,not_done,rounded", 0), ("accepted", 100), ("refused", 100)] {
+        assert_eq!(run(&["gate", &out, "--fail-on", fail_on]).code, code, "{fail_on}");
+    }
+    let board = at(&folder, "board");
+    assert_eq!(run(&["scoreboard", &out, "--out", &board]).code, 0);
+    let csv = read(&board, "scoreboard.csv");
+    assert!(csv.contains("triangulate,engine:mine,suite,2,0,0,0,0,1,1,0\n"), "{csv}");
+}

@@ -244,7 +244,8 @@ fn a_report_of_folders_that_disagree_is_an_error_that_names_both() {
     for out in [&one, &two] {
         run(&["run", &suite, "-b", "naive", "--out", out]);
     }
-    let summary = read(&two, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,");
+    let summary =
+        read(&two, "summary.csv").replace(",1,0,0,0,1,0,0,0,0,0,0,0,0,0,0,", ",1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,");
     assert_ne!(summary, read(&two, "summary.csv"), "the row was found");
     rewrite(&two, "summary.csv", &summary);
     let told = expect(2, &["report", &one, &two, "--out", &report]);

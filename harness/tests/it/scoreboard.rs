@@ -21,11 +21,11 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     let page = fs::read_to_string(format!("{out}/delaunay2d.md")).unwrap();
     let row = |name: &str| {
         let line = page.lines().find(|line| line.starts_with(&format!("| `{name}` |"))).unwrap();
-        line.split('|').skip(2).take(6).map(|cell| cell.trim().parse::<usize>().unwrap()).collect::<Vec<_>>()
+        line.split('|').skip(2).take(8).map(|cell| cell.trim().parse::<usize>().unwrap()).collect::<Vec<_>>()
     };
     let ([exact, naive], scenes) = (["exact", "naive"].map(row), 33);
-    assert_eq!(exact, [scenes, scenes, 0, 0, 0, 0]);
-    // Scenes, and then right, rounded, broken, failed and declined ones.
+    assert_eq!(exact, [scenes, scenes, 0, 0, 0, 0, 0, 0]);
+    // Scenes, and then right, rounded, broken, failed, refused, accepted and declined ones.
     assert_eq!((naive[0], naive[1..].iter().sum::<usize>()), (scenes, scenes));
     assert!(naive[3] > 0, "{page}");
     // The unit of times is `exact`, on the one family that was timed.
@@ -49,7 +49,7 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
     }
     // The counts are those of the run.
     let csv = fs::read_to_string(format!("{out}/scoreboard.csv")).unwrap();
-    assert!(csv.contains(&format!("delaunay2d,exact,delaunay,{scenes},{scenes},0,0,0,0\n")), "{csv}");
+    assert!(csv.contains(&format!("delaunay2d,exact,delaunay,{scenes},{scenes},0,0,0,0,0,0\n")), "{csv}");
 
     let signs = at(&folder, "signs");
     run(&["run", "classics", "-b", "exact", "--out", &signs]);

@@ -161,7 +161,7 @@ impl std::fmt::Debug for Vocabulary {
 }
 
 /// The keys of every `[[scene]]` table.
-const SCENE: [&str; 6] = ["name", "task", "round", "tags", "source", "analysis"];
+const SCENE: [&str; 7] = ["name", "task", "round", "invalid", "tags", "source", "analysis"];
 /// The keys of every `[[generate]]` table besides those of scenes.
 const GENERATOR: [&str; 5] = ["family", "n", "n_full", "seed", "coordinates"];
 

@@ -27,6 +27,8 @@ pub struct LoadedScene {
     pub source: String,
     /// One sentence for the report.
     pub analysis: String,
+    /// True if the scene is marked as invalid input of its task: programs should refuse it.
+    pub is_invalid: bool,
     /// The points.
     pub scene: Scene,
     /// The questions about the points.

@@ -278,7 +278,11 @@ impl LoadedScene {
     /// The scene in written form; `None` if its task does not support it.
     #[must_use]
     pub fn spelled(&self) -> Option<Spelled> {
-        Some(Spelled { task: self.task, ..self.content.spelled(&self.scene)? })
+        let mut spelled = Spelled { task: self.task, ..self.content.spelled(&self.scene)? };
+        if self.is_invalid {
+            spelled.words.push(("invalid", "true".to_owned()));
+        }
+        Some(spelled)
     }
 }
 

@@ -77,7 +77,9 @@ impl Engine {
         shared.processes.works();
         match answered {
             Ok(Ok(answered)) => Ok(answered),
-            Ok(Err(error)) => Err(Broken { class: Class::Panic, check: "engine error", message: printable(&error) }),
+            Ok(Err(error)) => {
+                Err(Broken { class: Class::Refused, check: "refused valid input", message: printable(&error) })
+            }
             Err(declined) => Ok(Err(declined)),
         }
     }

@@ -86,6 +86,10 @@ crate::table! {
         pub timeout: u64,
         /// Scenes that the backend declined: class `declined`.
         pub declined: u64,
+        /// Errors that a library reported for valid input: class `refused`.
+        pub refused: u64,
+        /// Answers to invalid input: class `accepted`.
+        pub accepted: u64,
         /// The verdict of the gate: `ok`, `expected`, `unexpected`, `unexpected_pass`.
         pub status: Status,
     }
@@ -121,6 +125,8 @@ impl SummaryRow {
             panic: 0,
             timeout: 0,
             declined: 0,
+            refused: 0,
+            accepted: 0,
             status,
         }
     }
@@ -142,6 +148,8 @@ impl SummaryRow {
             Class::Panic => self.panic,
             Class::Timeout => self.timeout,
             Class::Declined => self.declined,
+            Class::Refused => self.refused,
+            Class::Accepted => self.accepted,
         }
     }
 
@@ -161,6 +169,8 @@ impl SummaryRow {
             Class::Panic => &mut self.panic,
             Class::Timeout => &mut self.timeout,
             Class::Declined => &mut self.declined,
+            Class::Refused => &mut self.refused,
+            Class::Accepted => &mut self.accepted,
         }
     }
 

@@ -72,8 +72,8 @@ impl Standing {
     /// Adds the result of one scene; `is_whole` is true if its answer is judged as a whole.
     pub fn add(&mut self, row: &SummaryRow, is_whole: bool) {
         self.unexpected += u64::from(row.status == crate::Status::Unexpected);
-        let is_undone =
-            !row.has_answers() && [Class::Declined, Class::Timeout, Class::Panic].iter().any(|&of| row.count(of) > 0);
+        let undone = [Class::Declined, Class::Timeout, Class::Panic, Class::Refused];
+        let is_undone = !row.has_answers() && undone.iter().any(|&of| row.count(of) > 0);
         if !is_whole {
             let answers = &mut self.answers;
             let right = row.agree + row.tie_broken;
@@ -98,8 +98,9 @@ impl Standing {
             let scenes = &mut self.scenes;
             *match row {
                 _ if is_undone => &mut scenes.not_done,
-                row if row.topology > 0 => &mut scenes.broken,
-                row if row.panic + row.timeout + row.declined > 0 => &mut scenes.not_done,
+                // An answer to invalid input has no meaning.
+                row if row.topology + row.accepted > 0 => &mut scenes.broken,
+                row if undone.iter().any(|&of| row.count(of) > 0) => &mut scenes.not_done,
                 row if row.rounded > 0 => &mut scenes.rounded,
                 _ => &mut scenes.held,
             } += 1;

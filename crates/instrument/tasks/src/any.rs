@@ -160,8 +160,13 @@ pub trait AnyCase: Send + Sync {
     /// Calls [`Task::sampled`].
     fn sampled(&self) -> Option<String>;
 
-    /// Calls [`Task::dispute`].
+    /// The result of [`Task::dispute`], or [`Dispute::Valid`] if the scene is marked as invalid input and is not. A
+    /// mark that the judge confirms is no dispute: see [`AnyCase::invalid`].
     fn dispute(&self) -> Option<Dispute>;
+
+    /// The reason why the scene is invalid input of its task, if it is marked as such and the judge confirms it.
+    /// Only programs get such a scene: they should refuse it.
+    fn invalid(&self) -> Option<String>;
 
     /// Calls [`Task::judge`], with an answer of the task's type.
     ///
@@ -357,7 +362,18 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
     }
 
     fn dispute(&self) -> Option<Dispute> {
-        self.task.dispute(&self.case)
+        match (self.case.loaded.is_invalid, self.task.dispute(&self.case)) {
+            (true, Some(Dispute::Invalid { .. })) => None,
+            (true, None) => Some(Dispute::Valid),
+            (_, dispute) => dispute,
+        }
+    }
+
+    fn invalid(&self) -> Option<String> {
+        match self.task.dispute(&self.case) {
+            Some(Dispute::Invalid { why, .. }) if self.case.loaded.is_invalid => Some(why),
+            _ => None,
+        }
     }
 
     fn judge(&self, asked: &Asked<'_>, answer: &dyn Any, outcome: &mut Outcome) -> Result<(), Stop> {

@@ -54,13 +54,15 @@ pub enum Dispute {
         /// The first of them, in words.
         first: String,
     },
-    /// The scene is not one of its task.
+    /// The scene is not one of its task, and is not marked as invalid input.
     Invalid {
         /// The reason, with the place.
         why: String,
         /// The fix, in one line.
         cure: String,
     },
+    /// The scene is marked as invalid input, and the judge finds no flaw.
+    Valid,
 }
 
 impl std::fmt::Display for Dispute {
@@ -71,6 +73,9 @@ impl std::fmt::Display for Dispute {
                 "{count} of the data's own signs differ from the exact ones, first {first}; correct the data first"
             ),
             Dispute::Invalid { why, cure } => write!(f, "{why}; {cure}"),
+            Dispute::Valid => {
+                f.write_str("the scene is marked `invalid`, and the judge finds no flaw; remove the mark")
+            }
         }
     }
 }

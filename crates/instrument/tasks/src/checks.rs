@@ -4,6 +4,7 @@
 //! for any scene on any backend. A finding that no list declares is a mistake in the judge: `selftest` and `gate` fail
 //! then. Conversely, a planted fault must need each check; otherwise nobody knows if the check works.
 
+use crate::replies::{ACCEPTED, ANSWER, REFUSED};
 use crate::{AnyTask, Class};
 
 /// A check; equal checks of different tasks are one check.
@@ -76,7 +77,7 @@ pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Panic, "out of memory", "its process has enough memory"),
     Check::new(Class::Panic, "start", "an engine can be started"),
     Check::new(Class::Panic, "protocol", "an engine follows the protocol"),
-    Check::new(Class::Panic, "engine error", "an engine reports no error"),
+    Check::new(Class::Panic, "engine error", "an engine reports no error for a batch of queries"),
     Check::new(Class::Timeout, "time limit", "it answers within the time limit"),
     Check::new(Class::Timeout, "silence", "an engine answers within its silence limit"),
     Check::new(Class::Declined, "prepare", "it accepts the scene"),
@@ -86,6 +87,9 @@ pub const ON_EVERY_TASK: &[Check] = &[
     Check::new(Class::Declined, "query", "an engine answers each query"),
     Check::new(Class::Declined, "certificate", "a library is certain of its answer"),
     Check::new(Class::Declined, "coordinates", "a library accepts the coordinates"),
+    Check::new(Class::Declined, ANSWER, "a program answers each scene"),
+    Check::new(Class::Refused, REFUSED, "a program reports no error for valid input"),
+    Check::new(Class::Accepted, ACCEPTED, "a program reports an error for invalid input, or declines it"),
 ];
 
 /// True if the task, or the list for every task, declares a finding of this class and name. A task without a list

@@ -5,6 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use predicament_predicates::{Broken, Counts, PredicateKind};
 
+use crate::replies::{self, Reply};
 use crate::{AnyCase, AnySpoiled, Asked, Budget, Class, Contestant, Halt, How, Outcome, Purpose, Stop, Watch};
 
 /// Runs one backend on one scene and judges its answers. A panic becomes a finding about the backend, as do refusals
@@ -14,7 +15,33 @@ use crate::{AnyCase, AnySpoiled, Asked, Budget, Class, Contestant, Halt, How, Ou
 /// [`Stop::Interrupted`]; a timeout is an outcome.
 pub fn run(case: &dyn AnyCase, contestant: &dyn Contestant, budget: Budget, watch: &Watch) -> Result<Outcome, Stop> {
     let queries = case.loaded().count() as u64;
-    guarded(queries, || judged(case, contestant, budget, watch, queries))
+    let Some(why) = case.invalid() else {
+        return guarded(queries, || judged(case, contestant, budget, watch, queries));
+    };
+    if !solver(contestant, case).is_program() {
+        return Ok(replies::not_asked(queries, &why));
+    }
+    guarded(queries, || unwanted(case, contestant, watch, queries, &why)).map(replies::refused)
+}
+
+/// Puts invalid input to a program.
+fn unwanted(
+    case: &dyn AnyCase,
+    contestant: &dyn Contestant,
+    watch: &Watch,
+    queries: u64,
+    why: &str,
+) -> Result<Outcome, Halt> {
+    let loaded = case.loaded();
+    let mut outcome = Outcome { queries, ..Outcome::default() };
+    let how = How { purpose: Purpose::Judge, watch };
+    let solver = solver(contestant, case);
+    solver.solve(&loaded.scene, loaded.content.as_ref(), &Counts::new(), &how, &mut |_, answer| {
+        let reply = answer.downcast_ref::<Reply>().expect("programs answer by replies");
+        replies::accepted(reply, why, &mut outcome);
+        Ok(())
+    })?;
+    Ok(outcome)
 }
 
 /// Judges the right answer of a backend after spoiling it.

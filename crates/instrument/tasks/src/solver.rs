@@ -102,6 +102,11 @@ pub trait Solver: Send + Sync {
         then: &mut Then<'_>,
     ) -> Result<(), Halt>;
 
+    /// True if another program answers: then it gets scenes that are marked as invalid input, too.
+    fn is_program(&self) -> bool {
+        false
+    }
+
     /// The interfaces by which the content of a scene is timed: single queries and batches if the scene asks one
     /// predicate, otherwise the answer to the whole scene.
     fn interfaces(&self, content: &dyn Content) -> Vec<Interface>;

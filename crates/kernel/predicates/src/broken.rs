@@ -10,7 +10,7 @@ use alloc::string::String;
 /// outcome.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct Broken {
-    /// The class of the scene: [`Class::Panic`], [`Class::Timeout`] or [`Class::Declined`].
+    /// The class of the scene: [`Class::Panic`], [`Class::Timeout`], [`Class::Declined`] or [`Class::Refused`].
     pub class: Class,
     /// The name of the check that failed: `crashed`, `silence`, `protocol`, …
     pub check: &'static str,

@@ -1,4 +1,4 @@
-//! The thirteen classes of answers, their severities, and the gate's status of a scene.
+//! The fifteen classes of answers, their severities, and the gate's status of a scene.
 //!
 //! They live in the lowest crate because the oracle assigns them and the report prints them, and neither depends on the
 //! other.
@@ -35,11 +35,15 @@ pub enum Class {
     Timeout,
     /// The backend declined the scene or the predicate.
     Declined,
+    /// A library reported an error for valid input.
+    Refused,
+    /// A library gave an answer for invalid input.
+    Accepted,
 }
 
 impl Class {
-    /// All thirteen classes, in the order of the columns of `summary.csv`.
-    pub const ALL: [Class; 13] = [
+    /// All fifteen classes, in the order of the columns of `summary.csv`.
+    pub const ALL: [Class; 15] = [
         Class::Agree,
         Class::TieBroken,
         Class::InBand,
@@ -53,6 +57,8 @@ impl Class {
         Class::Panic,
         Class::Timeout,
         Class::Declined,
+        Class::Refused,
+        Class::Accepted,
     ];
 
     /// The class's name in every file.
@@ -72,6 +78,8 @@ impl Class {
             Class::Panic => "panic",
             Class::Timeout => "timeout",
             Class::Declined => "declined",
+            Class::Refused => "refused",
+            Class::Accepted => "accepted",
         }
     }
 
@@ -95,7 +103,16 @@ impl Class {
     /// Returns true if the class describes single answers, not a whole scene.
     #[must_use]
     pub const fn is_answer(self) -> bool {
-        !matches!(self, Class::Topology | Class::Rounded | Class::Panic | Class::Timeout | Class::Declined)
+        !matches!(
+            self,
+            Class::Topology
+                | Class::Rounded
+                | Class::Panic
+                | Class::Timeout
+                | Class::Declined
+                | Class::Refused
+                | Class::Accepted
+        )
     }
 
     /// The severity of the class.
@@ -105,6 +122,8 @@ impl Class {
             Class::Agree | Class::TieBroken => Severity::Right,
             Class::InBand => Severity::Undecided,
             Class::Rounded => Severity::Rounded,
+            Class::Refused => Severity::Refused,
+            Class::Accepted => Severity::Accepted,
             Class::Panic | Class::Timeout | Class::Declined => Severity::NotDone,
             Class::Overreach
             | Class::MissedZero
@@ -145,6 +164,10 @@ pub enum Severity {
     Undecided,
     /// An output is off by the rounding of its coordinates, within a stated bound.
     Rounded,
+    /// Valid input was refused with an error.
+    Refused,
+    /// Invalid input was accepted.
+    Accepted,
     /// No answer: declined, out of time, or crashed.
     NotDone,
     /// A sign or a topology is wrong.
@@ -152,9 +175,16 @@ pub enum Severity {
 }
 
 impl Severity {
-    /// All five severities, from good to bad.
-    pub const ALL: [Severity; 5] =
-        [Severity::Right, Severity::Undecided, Severity::Rounded, Severity::NotDone, Severity::Broken];
+    /// All seven severities, from good to bad.
+    pub const ALL: [Severity; 7] = [
+        Severity::Right,
+        Severity::Undecided,
+        Severity::Rounded,
+        Severity::Refused,
+        Severity::Accepted,
+        Severity::NotDone,
+        Severity::Broken,
+    ];
 
     /// The severity's name in every file.
     #[must_use]
@@ -163,6 +193,8 @@ impl Severity {
             Severity::Right => "right",
             Severity::Undecided => "undecided",
             Severity::Rounded => "rounded",
+            Severity::Refused => "refused",
+            Severity::Accepted => "accepted",
             Severity::NotDone => "not_done",
             Severity::Broken => "broken",
         }

@@ -68,6 +68,7 @@ impl Suite {
             manifest,
             vocabulary,
             round,
+            is_invalid: false,
             data: RefCell::default(),
         };
         let mut scenes = Vec::new();
@@ -78,6 +79,7 @@ impl Suite {
             for table in array(&fields, tables)? {
                 let table = table.fields(kind)?;
                 context.round = table.bool_or("round", round)?;
+                context.is_invalid = tables == "scene" && table.bool_or("invalid", false)?;
                 let decimals = Decimals::new(context.round);
                 scenes.push(read(&context, table.reading(&decimals))?);
             }
@@ -143,6 +145,7 @@ pub struct Context<'m> {
     manifest: &'m Manifest,
     vocabulary: &'m Vocabulary,
     round: bool,
+    is_invalid: bool,
     /// The data files that the scene has referred to so far.
     data: RefCell<Vec<DataName>>,
 }
@@ -172,6 +175,12 @@ impl Context<'_> {
     #[must_use]
     pub fn round(&self) -> bool {
         self.round
+    }
+
+    /// True if the scene is marked as invalid input: its reader leaves out the checks that the judge repeats.
+    #[must_use]
+    pub fn is_invalid(&self) -> bool {
+        self.is_invalid
     }
 
     /// The path of a data file beside the suite.

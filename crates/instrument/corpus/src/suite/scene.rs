@@ -25,6 +25,8 @@ pub struct SceneDef {
     pub source: String,
     /// One sentence for the report.
     pub analysis: String,
+    /// True if the scene is marked as invalid input of its task.
+    pub is_invalid: bool,
     /// The file that defines the scene, as error messages name it.
     pub file: String,
     /// The line where the scene's table starts.
@@ -95,6 +97,7 @@ impl SceneDef {
             tags: self.tags.clone(),
             source: self.source.clone(),
             analysis: self.analysis.clone(),
+            is_invalid: self.is_invalid,
             scene,
             content,
             notes,
@@ -139,6 +142,7 @@ pub(super) fn define(
         tags: fields.get("tags").map_or(Ok(Vec::new()), |field| field.strings())?,
         source: fields.string_or_empty("source")?,
         analysis: fields.string_or_empty("analysis")?,
+        is_invalid: context.is_invalid,
         file: fields.file().to_owned(),
         line: fields.line(),
         content: match source {

@@ -200,7 +200,7 @@ fn an_engine_that_goes_wrong_on_a_task_breaks_this_answer_and_is_started_again()
         ("silent on task", Class::Timeout, "silence", "no answer to `task` within 1s"),
         ("half an answer", Class::Panic, "protocol", "a message that ends after 48 of its 100 bytes"),
         ("garbage on task", Class::Panic, "protocol", "no message: it begins with the bytes `orie`"),
-        ("error on task", Class::Panic, "engine error", "out of triangles"),
+        ("error on task", Class::Refused, "refused valid input", "out of triangles"),
         #[cfg(target_os = "linux")]
         ("ends and leaves its pipe", Class::Panic, "crashed", "the process ended with code 0"),
     ] {

@@ -68,6 +68,7 @@ fn judged(backend: impl Backend + 'static, probes: usize) -> Outcome {
         tags: Vec::new(),
         source: String::new(),
         analysis: String::new(),
+        is_invalid: false,
         scene: Scene::from_points2(&POINTS).unwrap(),
         content: Arc::new(MapWithProbes::new(map, (0..probes).map(probe).collect())),
         notes: ImportNotes::default(),

@@ -163,7 +163,8 @@ fn stages_that_are_partly_repeated_are_left_out_with_a_warning() {
     let another = r#"{ "suite": "near", "scene": "near-8", "scene_id": "a1b2c3d5", "task": "orient2d", "family": "near", "queries": 100000 },
     "#;
     let row = "near,near-7,a1b2c3d4,orient2d,exact,100000,";
-    let rows_of_both = format!("near,near-8,a1b2c3d5,orient2d,exact,100000,100000,0,0,0,0,0,0,0,0,0,0,0,0,ok\n{row}");
+    let rows_of_both =
+        format!("near,near-8,a1b2c3d5,orient2d,exact,100000,100000,0,0,0,0,0,0,0,0,0,0,0,0,0,0,ok\n{row}");
     let more = [("plan.json", scene, &*format!("{another}{scene}")), ("summary.csv", row, &*rows_of_both)];
     let two = copy(&folder, "two", &more);
     let runs = open(&[&one, &two]).unwrap();

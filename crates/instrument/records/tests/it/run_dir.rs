@@ -428,7 +428,7 @@ fn errors_name_file_and_line() {
         ("throughput.csv", "t,f,b,single,v,1,0,NaN\n", "throughput.csv:2: ns_per_query is NaN, which is not a time"),
         ("throughput.csv", "t,f,b,single,v,1,0,0\n", "which is not a time"),
         ("precision.csv", "s,n,i,0,-1,double,,,\n", "precision.csv:2: bits is -1, which is not a number of bits"),
-        ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
+        ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
     ];
     for (file, lines, message) in bad {
         let folder = tempfile::tempdir().unwrap();

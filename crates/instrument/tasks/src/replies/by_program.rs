@@ -8,7 +8,7 @@ use predicament_predicates::{Broken, Class, Counts, Declined, Dimension, Scene};
 use predicament_records::Interface;
 
 use super::unasked::Unasked;
-use super::{Arrays, Reply};
+use super::{ANSWER, Arrays, Reply};
 use crate::solver::{Halt, How, Refusal, Solver, Stopwatch, Then};
 use crate::{AnswerError, AnyTask, Phase};
 
@@ -42,7 +42,7 @@ impl ByProgram {
 
     fn answer(&self, scene: &Scene, question: &Arrays) -> Result<Reply, Refusal> {
         match self.program.answer(self.task.name(), scene.dimension(), question) {
-            Ok(answer) => answer.map_err(|why| Refusal { check: "answer", why }),
+            Ok(answer) => answer.map_err(|why| Refusal { check: ANSWER, why }),
             Err(broken) => broken.throw(),
         }
     }
@@ -66,6 +66,10 @@ impl Solver for ByProgram {
         let reply = self.answer(scene, &question).map_err(Halt::Refused)?;
         how.watch.done(self.task.size_of_content(content) as u64)?;
         then(&Unasked(scene), &reply).map_err(Halt::Stopped)
+    }
+
+    fn is_program(&self) -> bool {
+        true
     }
 
     fn interfaces(&self, _: &dyn Content) -> Vec<Interface> {

@@ -9,11 +9,13 @@
 //! * [`Reply`]: an answer, with its time; [`Part`]: one array of it, or several that belong together.
 //! * [`Replies`]: the judge of a task's answers; [`SpoiledReply`]: a right answer with a planted fault.
 //! * [`Bound`]: the distances by which rounding can move a vertex.
+//! * `invalid`: scenes that a program should refuse.
 //! * [`Program`]: something that answers; [`ByProgram`]: its solver for a task.
 
 mod arrays;
 mod bound;
 mod by_program;
+mod invalid;
 mod question;
 mod row;
 mod shape;
@@ -27,6 +29,8 @@ use predicament_predicates::{Declined, Scene};
 pub use arrays::{Array, Arrays, Malformed};
 pub use bound::{Bound, COARSEST, Far, NEAREST};
 pub use by_program::{ByProgram, Program};
+pub use invalid::{ACCEPTED, ANSWER, REFUSED};
+pub(crate) use invalid::{accepted, not_asked, refused};
 pub use question::question;
 pub use row::{ReplyRow, add_row};
 pub use shape::{Mesh, Rings};

@@ -5,8 +5,8 @@ use predicament_predicates::Declined;
 
 use super::{Array, Arrays};
 
-/// The keys that select a method or a sample of this project: other programs do not get them.
-const OUR_OWN: &[&str] = &["method", "quick_stride"];
+/// The keys that select a method, a sample or the checks of this project: other programs do not get them.
+const OUR_OWN: &[&str] = &["method", "quick_stride", "check"];
 
 /// The scene in written form as arrays.
 ///

@@ -10,7 +10,7 @@ use predicament_corpus::{Level, Library, LoadedScene, Suite};
 use predicament_formats::{Cache, Manifest};
 use predicament_predicates::{Counts, Scene};
 use predicament_tasks::replies::{Array, Arrays, Reply};
-use predicament_tasks::{Asked, Budget, Class, Contestant, How, Outcome, Purpose, Watch};
+use predicament_tasks::{AnyCase, Asked, Budget, Class, Contestant, Dispute, How, Outcome, Purpose, Watch};
 
 /// The coordinates of an answer that are not coordinates of the scene: its rounded vertices.
 fn rounded(scene: &Scene, arrays: &Arrays, change: impl Fn(usize, f64) -> f64) -> Arrays {
@@ -165,4 +165,54 @@ fn right_answers_pass_however_they_are_rounded() {
         let count = counts.get(task.name()).copied().unwrap_or(0);
         assert!(count >= 4, "{}: {count} answers were judged", task.name());
     }
+}
+
+/// The scenes of a text, or of the suite of invalid input.
+fn invalid_input(text: Option<&str>) -> Vec<LoadedScene> {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../engines/invalid.toml");
+    let own = std::fs::read_to_string(file).unwrap();
+    let (vocabulary, text) = (predicament_bundle::vocabulary(), text.unwrap_or(&own));
+    let suite = Suite::parse(vocabulary, "invalid.toml", text, None, &Manifest::default()).unwrap();
+    let load = |scene: &predicament_corpus::SceneDef| scene.load(Level::Quick, &Cache::new("/nonexistent")).unwrap();
+    suite.scenes.iter().map(load).collect()
+}
+
+/// Calls a function with the case of a scene.
+fn with_case<R>(loaded: &LoadedScene, then: impl FnOnce(&dyn AnyCase, &Watch<'_>) -> R) -> R {
+    let (never, quiet) = (AtomicBool::new(false), |_: u64| {});
+    let watch = Watch::new(&never, None, &quiet);
+    let case = predicament_bundle::task(loaded.task).unwrap().case(loaded, &watch).unwrap();
+    then(case.as_ref(), &watch)
+}
+
+#[test]
+fn the_judge_confirms_each_mark_of_invalid_input_and_programs_get_it() {
+    let scenes = invalid_input(None);
+    assert!(scenes.iter().any(|loaded| !loaded.is_invalid), "valid neighbours");
+    for loaded in &scenes {
+        let task = predicament_bundle::task(loaded.task).unwrap();
+        let name = &loaded.name;
+        assert!(task.question(&loaded.scene, loaded.content.as_ref()).is_ok(), "{name} is put to programs");
+        with_case(loaded, |case, watch| {
+            assert_eq!((case.invalid().is_some(), case.dispute()), (loaded.is_invalid, None), "{name}");
+            // A backend of this project is not asked.
+            let exact = predicament_bundle::backend("exact").unwrap();
+            let outcome = predicament_tasks::run(case, exact.as_ref(), Budget::QUICK, watch).unwrap();
+            let declined = outcome.findings.iter().map(|finding| (finding.class, finding.check.as_str()));
+            let expected = if loaded.is_invalid { vec![(Class::Declined, "prepare")] } else { vec![] };
+            assert_eq!(declined.collect::<Vec<_>>(), expected, "{name}");
+        });
+        // The mark is in the written form, so that a smaller scene keeps it.
+        let text = loaded.spelled().unwrap().suite("again", predicament_corpus::Heading::default());
+        let again = invalid_input(Some(&text.replace("name = \"\"", "name = \"again\"")));
+        assert_eq!((again[0].is_invalid, &again[0].id), (loaded.is_invalid, &loaded.id), "{name}: {text}");
+    }
+}
+
+#[test]
+fn a_mark_on_valid_input_is_refused() {
+    let square = "title = \"Mine\"\n[[scene]]\nname = \"square\"\ntask = \"triangulate\"\ninvalid = true\n\
+                  points = [[0, 0], [4, 0], [4, 4], [0, 4]]\n";
+    let scenes = invalid_input(Some(square));
+    with_case(&scenes[0], |case, _| assert_eq!(case.dispute(), Some(Dispute::Valid)));
 }

@@ -40,7 +40,7 @@ impl Seen {
         self.scenes += 1;
         let worst = worst(outcome);
         self.worst[worst as usize] += 1;
-        if worst == Severity::NotDone {
+        if matches!(worst, Severity::NotDone | Severity::Refused) {
             self.declined += u64::from(outcome.counts.get(Class::Declined) > 0);
             return;
         }
@@ -175,21 +175,23 @@ pub(crate) fn measures_of(
 /// First the scenes asked by their worst class, then the scenes and answers of the answered ones.
 fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
     let of_worst = |severity: Severity| seen.worst[severity as usize];
-    let not_done = of_worst(Severity::NotDone);
+    // An error for valid input is not an answer.
+    let not_done = of_worst(Severity::NotDone) + of_worst(Severity::Refused);
     let mut all = vec![about.share("declined", "share of scenes", 1.0, seen.declined, seen.scenes)];
-    for (measure, severity) in [
-        ("not done", Severity::NotDone),
-        ("right", Severity::Right),
-        ("undecided", Severity::Undecided),
-        ("rounded", Severity::Rounded),
+    for (measure, count) in [
+        ("not done", not_done),
+        ("right", of_worst(Severity::Right)),
+        ("undecided", of_worst(Severity::Undecided)),
+        ("rounded", of_worst(Severity::Rounded)),
     ] {
-        all.push(about.share(measure, "share of scenes", 1.0, of_worst(severity), seen.scenes));
+        all.push(about.share(measure, "share of scenes", 1.0, count, seen.scenes));
     }
     let answered = seen.scenes - not_done;
     if answered == 0 {
         return all;
     }
-    all.push(about.share("wrong scenes", "per 1000 scenes", 1000.0, of_worst(Severity::Broken), answered));
+    let wrong = of_worst(Severity::Broken) + of_worst(Severity::Accepted);
+    all.push(about.share("wrong scenes", "per 1000 scenes", 1000.0, wrong, answered));
     if has_laws {
         all.push(about.share("topology", "per 1000 scenes", 1000.0, seen.broken, answered));
     }

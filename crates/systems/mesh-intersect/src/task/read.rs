@@ -29,6 +29,8 @@ struct Written {
     moved: Option<[f64; 3]>,
     /// True if meshes are checked; by default only small ones are.
     check: Option<bool>,
+    /// True if the scene is marked as invalid input.
+    is_invalid: bool,
 }
 
 /// Reads a scene.
@@ -51,7 +53,8 @@ pub(super) fn read(context: &Context<'_>, fields: &Fields<'_, '_>) -> Result<Sou
     let moved = fields.get("moved").map(|field| moved(&field, &operands[1])).transpose()?;
     let check = fields.get("check").map(|field| field.bool()).transpose()?;
     let (file, line) = (fields.file().to_owned(), fields.line());
-    Ok(Source::elsewhere(Written { file, line, points, operands, moved, check }))
+    let is_invalid = context.is_invalid();
+    Ok(Source::elsewhere(Written { file, line, points, operands, moved, check, is_invalid }))
 }
 
 /// The vector by which the second mesh is moved.
@@ -106,7 +109,7 @@ impl Elsewhere for Written {
             Scene::from_points3(&coordinates).map_err(|why| self.error(why.to_string(), "correct the points"))?;
         let [first, second] = <[MaterialMesh; 2]>::try_from(meshes).expect("two operands");
         self.check(&scene, [&first, &second], cache)?;
-        let is_as_it_is = self.check == Some(false);
+        let is_as_it_is = self.check == Some(false) && !self.is_invalid;
         Ok(Parts { notes, ..with_meshes(scene, [first, second], is_as_it_is) })
     }
 
@@ -141,7 +144,7 @@ impl Written {
             }
         }
         let count: usize = meshes.iter().map(|mesh| mesh.triangles().len()).sum();
-        if self.check.unwrap_or(count <= CHECKED) {
+        if !self.is_invalid && self.check.unwrap_or(count <= CHECKED) {
             for ((mesh, name), operand) in meshes.into_iter().zip(["first", "second"]).zip(&self.operands) {
                 flaw(scene, mesh).map_or(Ok(()), |flaw| Err(self.flawed(&flaw, name, operand, cache)?))?;
             }
