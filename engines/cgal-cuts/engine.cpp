@@ -5,8 +5,6 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/clip.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Snap_rounding_2.h>
 #include <CGAL/Snap_rounding_traits_2.h>
@@ -14,7 +12,7 @@
 #include <CGAL/box_intersection_d.h>
 #include <CGAL/version.h>
 
-#include <predicament_engine.hpp>
+#include <predicament_cgal.hpp>
 #include <variant>
 
 using namespace predicament;
@@ -101,9 +99,7 @@ struct Cgal {
     static bool is_end(const Exact::Segment_2& of, const Exact::Point_2& p) { return p == of.source() || p == of.target(); }
 
     static std::vector<Mesh> slice(const Mesh& mesh, const Planes& planes) {
-        std::vector<Faces> parts{surface(mesh)};
-        if (!PMP::does_bound_a_volume(parts[0])) throw Declined("for CGAL the mesh does not bound a volume");
-        if (PMP::does_self_intersect(parts[0])) throw Declined("for CGAL the mesh intersects itself");
+        std::vector<Faces> parts{cgal_solid<Faces>(mesh)};
         for (const auto& [a, b, c] : planes) {
             const Exact::Plane_3 plane({a[0], a[1], a[2]}, {b[0], b[1], b[2]}, {c[0], c[1], c[2]});
             std::vector<Faces> sides;
@@ -117,33 +113,8 @@ struct Cgal {
             parts = sides;
         }
         std::vector<Mesh> found;
-        for (const Faces& part : parts) found.push_back(rounded(part));
+        for (const Faces& part : parts) found.push_back(cgal_rounded(part));
         return found;
-    }
-
-    static Faces surface(const Mesh& mesh) {
-        Faces made;
-        std::vector<Faces::Vertex_index> at;
-        for (const Point3& p : mesh.vertices) at.push_back(made.add_vertex({p[0], p[1], p[2]}));
-        for (const auto& [a, b, c] : mesh.triangles)
-            if (made.add_face(at[a], at[b], at[c]) == Faces::null_face()) throw Declined("for CGAL the mesh is not a manifold");
-        if (!CGAL::is_closed(made)) throw Declined("for CGAL the mesh is not closed");
-        return made;
-    }
-
-    static Mesh rounded(const Faces& faces) {
-        Mesh mesh;
-        for (const auto v : faces.vertices()) {
-            const auto& p = faces.point(v);
-            mesh.vertices.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-        }
-        for (const auto face : faces.faces()) {
-            std::array<std::uint32_t, 3> triangle{};
-            std::size_t i = 0;
-            for (const auto v : faces.vertices_around_face(faces.halfedge(face))) triangle.at(i++) = static_cast<std::uint32_t>(v);
-            mesh.triangles.push_back(triangle);
-        }
-        return mesh;
     }
 
     static Chains snap2d(const Segments& segments, double side) {

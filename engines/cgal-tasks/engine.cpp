@@ -11,19 +11,16 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <CGAL/boost/graph/helpers.h>
 #include <CGAL/Convex_hull_traits_adapter_2.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/convex_hull_3.h>
 #include <CGAL/property_map.h>
 #include <CGAL/version.h>
 
-#include <predicament_engine.hpp>
+#include <predicament_cgal.hpp>
 
 using namespace predicament;
 using K = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -74,13 +71,9 @@ struct Cgal {
         CGAL::convex_hull_3(all.begin(), all.end(), hull);
         std::map<K::Point_3, std::uint32_t> ids;
         for (std::uint32_t i = 0; i < all.size(); ++i) ids.emplace(all[i], i);
-        Triangles found;
-        for (const auto face : hull.faces()) {
-            Triangles::value_type triangle{};
-            std::size_t i = 0;
-            for (const auto v : hull.vertices_around_face(hull.halfedge(face))) triangle.at(i++) = ids.at(hull.point(v));
-            found.push_back(triangle);
-        }
+        Triangles found = cgal_triangles(hull);
+        for (auto& triangle : found)
+            for (std::uint32_t& v : triangle) v = ids.at(hull.point(decltype(hull)::Vertex_index(v)));
         return found;
     }
 
@@ -120,19 +113,8 @@ struct Cgal {
         return {polygons(join), polygons(intersection), polygons(difference), polygons(symmetric)};
     }
 
-    template <class M>
-    static M surface(const Mesh& mesh) {
-        M made;
-        std::vector<typename M::Vertex_index> at;
-        for (const Point3& p : mesh.vertices) at.push_back(made.add_vertex({p[0], p[1], p[2]}));
-        for (const auto& [a, b, c] : mesh.triangles)
-            if (made.add_face(at[a], at[b], at[c]) == M::null_face()) throw Declined("for CGAL the mesh is not a manifold");
-        if (!CGAL::is_closed(made)) throw Declined("for CGAL the mesh is not closed");
-        return made;
-    }
-
     static Labels mesh_locate(const Mesh& mesh, const Points3& probes) {
-        const auto made = surface<CGAL::Surface_mesh<K::Point_3>>(mesh);
+        const auto made = cgal_surface<CGAL::Surface_mesh<K::Point_3>>(mesh);
         const CGAL::Side_of_triangle_mesh<CGAL::Surface_mesh<K::Point_3>, K> side(made);
         Labels labels;
         for (const Point3& p : probes) {
@@ -184,26 +166,10 @@ struct Cgal {
 
     static Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second) {
         namespace PMP = CGAL::Polygon_mesh_processing;
-        const Faces a = surface<Faces>(first), b = surface<Faces>(second);
-        if (!PMP::does_bound_a_volume(a) || !PMP::does_bound_a_volume(b))
-            throw Declined("for CGAL an operand does not bound a volume");
-        if (PMP::does_self_intersect(a) || PMP::does_self_intersect(b)) throw Declined("for CGAL an operand intersects itself");
+        const Faces a = cgal_solid<Faces>(first), b = cgal_solid<Faces>(second);
         const auto result = [&](auto operation) -> std::optional<Mesh> {
             Faces one = a, other = b, made;
-            if (!operation(one, other, made)) return {};
-            Mesh mesh;
-            made.collect_garbage();
-            for (const auto v : made.vertices()) {
-                const auto& p = made.point(v);
-                mesh.vertices.push_back({CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z())});
-            }
-            for (const auto face : made.faces()) {
-                std::array<std::uint32_t, 3> triangle{};
-                std::size_t i = 0;
-                for (const auto v : made.vertices_around_face(made.halfedge(face))) triangle.at(i++) = static_cast<std::uint32_t>(v);
-                mesh.triangles.push_back(triangle);
-            }
-            return mesh;
+            return operation(one, other, made) ? std::optional(cgal_rounded(made)) : std::nullopt;
         };
         Results<Mesh> all;
         all.union_ = result([](auto& x, auto& y, auto& out) { return PMP::corefine_and_compute_union(x, y, out); });
