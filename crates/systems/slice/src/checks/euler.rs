@@ -230,7 +230,7 @@ impl Surface {
                     // A piece goes from the edge on which the triangle goes down to the one on which it goes up.
                     ends[usize::from(heights[q].is_positive())] = Some([low, high]);
                     section.points.entry([low, high]).or_insert_with(|| {
-                        let part = Rational::from(&heights[low] / Rational::from(&heights[low] - &heights[high]));
+                        let part = &heights[low] / Rational::from(&heights[low] - &heights[high]);
                         between(&self.places[low], &self.places[high], &part)
                     });
                 }
@@ -273,7 +273,7 @@ impl Section {
         let crossing = |[from, to]: &[[usize; 2]; 2]| {
             let [low, high] = [&heights[from], &heights[to]];
             (low.is_positive() != high.is_positive()).then(|| {
-                let part = Rational::from(low / Rational::from(low - high));
+                let part = low / Rational::from(low - high);
                 between(&self.points[from], &self.points[to], &part)
             })
         };
@@ -283,5 +283,5 @@ impl Section {
 
 /// The point at a part of the way from p to q.
 fn between(p: &Point, q: &Point, part: &Rational) -> Point {
-    [0, 1, 2].map(|axis: usize| Rational::from(&p[axis] + part * Rational::from(&q[axis] - &p[axis])))
+    [0, 1, 2].map(|axis: usize| &p[axis] + part * Rational::from(&q[axis] - &p[axis]))
 }
