@@ -12,7 +12,7 @@
 //! * `crossing faces`: no edge of a part passes through a triangle of it by more than the distance.
 //! * `volume of parts`: the volumes of all parts add up to that of the mesh, up to the volume of their surfaces widened
 //!   by the distance.
-//! * `Euler characteristic of parts`: the [sum](super::euler) over all parts is that of the cut solid.
+//! * `Euler characteristic of parts`: the sum over all parts is that of the cut solid (module `euler`).
 //!
 //! The boundary of a true part consists of pieces of faces and of planes. A surface whose vertices are within δ of
 //! where they belong is within δ of the true one, because the distance of two triangles is largest at their corners. So
