@@ -384,7 +384,8 @@ fn contacts_are_judged_replayed_timed_and_reported() {
 fn a_run_of_default_backends_says_which_others_there_are() {
     let folder = tempdir().unwrap();
     let (all, one, pages) = (at(&folder, "all"), at(&folder, "one"), at(&folder, "pages"));
-    let line = "not run: sos:per-mesh, tolerance:f32, naive:nalgebra; `-b sos:per-mesh,tolerance:f32,naive:nalgebra` runs them\n";
+    let line = "not run: sos:per-mesh, exact:rational, tolerance:f32, naive:nalgebra; \
+                `-b sos:per-mesh,exact:rational,tolerance:f32,naive:nalgebra` runs them\n";
     let scenes = ["run", "classics", "-f", "kettner-a1$"];
     let told = run(&[&scenes[..], &["--out", &all]].concat());
     assert!(told.stdout.ends_with(line), "{}", told.stdout);
@@ -394,7 +395,10 @@ fn a_run_of_default_backends_says_which_others_there_are() {
     let two = at(&folder, "two");
     let told = run(&["run", "classics", "touching", "-f", "kettner-a1$|vertex-on-vertex$", "--out", &two]);
     assert!(
-        told.stdout.ends_with("not run: tolerance:f32, naive:nalgebra; `-b tolerance:f32,naive:nalgebra` runs them\n"),
+        told.stdout.ends_with(
+            "not run: exact:rational, tolerance:f32, naive:nalgebra; \
+             `-b exact:rational,tolerance:f32,naive:nalgebra` runs them\n"
+        ),
         "{}",
         told.stdout
     );

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use predicament_controls::{BadEpsilon, Epsilon, Naive, Pivot, Shewchuk};
+use predicament_controls::{BadEpsilon, Epsilon, ExactRational, Naive, Pivot, Shewchuk};
 use predicament_engines::{Engine, EngineError};
 use predicament_exact::{Exact, Partial};
 use predicament_formats::{nearest, use_one_of};
@@ -30,13 +30,14 @@ pub const DEFAULT: &[&str] =
 pub const ON_TWO_MESHES: &[&str] = &["sos:per-mesh"];
 
 /// The parameterless backends of this workspace that do not run by default, in the order of the help.
-pub const MORE: &[&str] = &["sos:per-mesh", "tolerance:f32", "naive:nalgebra"];
+pub const MORE: &[&str] = &["sos:per-mesh", "exact:rational", "tolerance:f32", "naive:nalgebra"];
 
 /// The values for `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
 exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
                         (and exact:twice computes each sign twice: a yardstick of times)
+exact:rational          every predicate in rationals alone: what exactness costs without a ladder
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
 sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3)
@@ -125,6 +126,8 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
     Ok(match name {
         "exact" => hand(visitor, Exact, None),
         "exact:twice" => hand(visitor, Twice, None),
+        // A dynamic call is a small part of a rational operation.
+        "exact:rational" => visitor.visit(Boxed::new(ExactRational), None),
         "sos" | "sos:per-coordinate" => sos(visitor, Scheme::PerCoordinate),
         "sos:edelsbrunner-mucke" => sos(visitor, Scheme::EdelsbrunnerMucke),
         "sos:per-mesh" => visitor.visit(Boxed::new(PerMesh), Some(Box::new(infinitesimal::judge_per_mesh))),

@@ -30,6 +30,20 @@ fn no_path_leads_from_the_judge_to_what_it_judges() {
     for other in [".program()", ".estimate(", ".sign(", ".certain(", ".polynomial()", ".terms("] {
         assert!(!formula.contains(other), "the judge of formulas calls {other}");
     }
+    // The rational backend computes in rationals as well: in code of its own, from the programs of formulas.
+    let controls = dependencies(include_str!("../../../controls/Cargo.toml"));
+    assert!(controls.contains(&"rug") && !controls.contains(&"predicament-judge"), "{controls:?}");
+    for file in [
+        include_str!("../../../controls/src/rational.rs"),
+        include_str!("../../../controls/src/rational/determinant.rs"),
+        include_str!("../../../controls/src/rational/meet.rs"),
+        include_str!("../../../controls/src/rational/session.rs"),
+    ] {
+        let code: String = file.lines().filter(|line| !line.trim_start().starts_with("//")).collect();
+        for shared in ["predicament_judge", "interpret", "Ring", "#[path"] {
+            assert!(!code.contains(shared), "the rational backend and the judge share {shared}");
+        }
+    }
     // The manifest reader finds a dependency that exists.
     assert!(dependencies(include_str!("../../../../systems/contacts/Cargo.toml")).contains(&"predicament-mesh"));
 }

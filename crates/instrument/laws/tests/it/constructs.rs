@@ -8,7 +8,7 @@ mod threads;
 
 use complaints::complaints;
 use faults::{Fault, Faulty};
-use predicament_controls::{Epsilon, Naive, Pivot, Shewchuk};
+use predicament_controls::{Epsilon, ExactRational, Naive, Pivot, Shewchuk};
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Constructs};
 use predicament_sos::{PerMesh, Scheme, Sos};
@@ -24,6 +24,7 @@ fn holds<B: Backend>(backend: &B, declared: Constructs) {
 #[test]
 fn every_backend_does_what_it_declares() {
     holds(&Exact, Constructs::Keeps);
+    holds(&ExactRational, Constructs::Keeps);
     holds(&Sos::default(), Constructs::KeepsFirst);
     holds(&Sos { scheme: Scheme::EdelsbrunnerMucke }, Constructs::Declines);
     holds(&PerMesh, Constructs::KeepsFirst);

@@ -12,5 +12,6 @@ mod lines_and_cubes;
 mod locate;
 mod locate_special;
 mod pattern;
+mod rational;
 mod roster;
 mod run;

@@ -4,8 +4,9 @@ use plotters::prelude::RGBColor;
 
 /// The colours of the tool's own backends. The hues are those of Okabe and Ito, which every kind of colour vision
 /// distinguishes. Variants of a backend have its hue with another lightness.
-const OWN: [(&str, RGBColor); 11] = [
+const OWN: [(&str, RGBColor); 12] = [
     ("exact", RGBColor(46, 134, 204)),
+    ("exact:rational", RGBColor(20, 70, 130)),
     ("sos", RGBColor(0, 158, 115)),
     ("sos:edelsbrunner-mucke", RGBColor(112, 196, 160)),
     ("sos:per-mesh", RGBColor(0, 116, 84)),

@@ -21,7 +21,7 @@ pub struct Compare {
         short = 'b',
         long = "backend",
         value_name = "BACKEND",
-        default_value = "tolerance,tolerance:f32,sos,sos:per-mesh,exact,naive,naive:nalgebra,epsilon:1e-10,shewchuk"
+        default_value = "tolerance,tolerance:f32,sos,sos:per-mesh,exact,exact:rational,naive,naive:nalgebra,epsilon:1e-10,shewchuk"
     )]
     pub backends: Vec<String>,
 
