@@ -2,7 +2,7 @@
 
 use predicament_exact::{Exact, constructed::Constructed};
 use predicament_predicates::{
-    Axis, Backend, Construction, Dimension, Off, Plane, Predicates, QuerySet, Question, Scene, Sign, Vertex,
+    Axis, Backend, Construction, Dimension, Off, Plane, Predicates, QuerySet, Question, Scene, Share, Sign, Vertex,
 };
 
 use crate::judge_of_constructed::{Judge, PLANES};
@@ -97,7 +97,12 @@ fn construct(scene: &mut Scene, bytes: &[u8; BYTES]) {
     let mut bytes = bytes.iter();
     for _ in 0..CONSTRUCTIONS {
         let mut id = || Vertex::input(usize::from(*bytes.next().unwrap_or(&0)) % n);
-        let construction = match (scene.dimension(), id().index() % 2) {
+        let construction = match (scene.dimension(), id().index() % 3) {
+            (_, 2) => {
+                // A share of a byte over another one; q − p and q are small enough.
+                let [p, q] = [id(), id()].map(|v| i64::try_from(v.index()).expect("a byte"));
+                Construction::Ratio { ends: [id(), id()], share: Share::new(p - 1, q + 1).expect("q is positive") }
+            }
             (Dimension::Two, _) => Construction::Ssi([[id(), id()], [id(), id()]]),
             (Dimension::Three, 0) => Construction::Lpi { line: [id(), id()], plane: [id(), id(), id()] },
             (Dimension::Three, _) => Construction::Tpi([[id(), id(), id()], [id(), id(), id()], [id(), id(), id()]]),
@@ -137,7 +142,7 @@ mod tests {
     /// Rounded coordinates are detected, so the bytes do not give easy scenes only.
     #[test]
     fn all_kinds_and_signs_come_up_and_rounding_is_caught() {
-        let (mut signs, mut kinds, mut rounded) = ([0; 3], [0; 3], 0);
+        let (mut signs, mut kinds, mut rounded) = ([0; 3], [0; 4], 0);
         for run in 0..RUNS {
             let (scene, answered) = answered(&bytes(run));
             for construction in scene.constructions() {
@@ -145,6 +150,7 @@ mod tests {
                     Construction::Ssi(_) => 0,
                     Construction::Lpi { .. } => 1,
                     Construction::Tpi(_) => 2,
+                    Construction::Ratio { .. } => 3,
                 }] += 1;
             }
             let session = Exact.prepare(&scene, Off).expect("as before");

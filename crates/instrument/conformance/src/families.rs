@@ -76,6 +76,7 @@ fn query_of(cloud: &Cloud, dimension: usize, way: usize, vertices: &[Vertex]) ->
         Some(Construction::Ssi(_)) => Shape::Ssi,
         Some(Construction::Lpi { .. }) => Shape::Lpi,
         Some(Construction::Tpi(_)) => Shape::Tpi,
+        Some(Construction::Ratio { .. }) => unreachable!("families construct where lines and planes meet"),
     };
     query.shapes = vertices.iter().map(shape).collect();
     query

@@ -4,7 +4,7 @@
 //! planes define. If they are parallel in floating point, the vertex is infinite or NaN. Lines and planes through
 //! constructed vertices use the rounded vertices.
 
-use predicament_predicates::{Construction, Scene, Vertex};
+use predicament_predicates::{Construction, Dimension, Scene, Share, Vertex};
 
 /// The coordinates of the scene's constructed vertices, one after the other.
 #[must_use]
@@ -17,12 +17,13 @@ pub(crate) fn all(scene: &Scene) -> Vec<f64> {
     let constructed = scene.constructions().len() * scene.dimension().count();
     let mut all = Vec::with_capacity(scene.coordinates().len() + constructed);
     all.extend_from_slice(scene.coordinates());
-    scene.constructions().iter().for_each(|construction| push(&mut all, scene.len(), construction));
+    scene.constructions().iter().for_each(|construction| push(&mut all, scene, construction));
     all
 }
 
-/// Computes the next vertex from the `inputs` input vertices and from the vertices constructed before, and appends it.
-pub(crate) fn push(all: &mut Vec<f64>, inputs: usize, construction: &Construction) {
+/// Computes the next vertex from the input vertices and from the vertices constructed before, and appends it.
+pub(crate) fn push(all: &mut Vec<f64>, scene: &Scene, construction: &Construction) {
+    let (inputs, dimension) = (scene.len(), scene.dimension());
     match *construction {
         Construction::Ssi(lines) => {
             let point = segments(lines.map(|line| line.map(|v| point(all, inputs, v))));
@@ -36,6 +37,16 @@ pub(crate) fn push(all: &mut Vec<f64>, inputs: usize, construction: &Constructio
             let point = three_planes(planes.map(|plane| plane.map(|v| point(all, inputs, v))));
             all.extend(point);
         }
+        Construction::Ratio { ends, share } => match dimension {
+            Dimension::Two => {
+                let point: [f64; 2] = shared(ends.map(|v| point(all, inputs, v)), share);
+                all.extend(point);
+            }
+            Dimension::Three => {
+                let point: [f64; 3] = shared(ends.map(|v| point(all, inputs, v)), share);
+                all.extend(point);
+            }
+        },
     }
 }
 
@@ -65,6 +76,12 @@ fn three_planes(planes: [[[f64; 3]; 3]; 3]) -> [f64; 3] {
     let [on_l, on_m, on_n] = [dot(l, planes[0][0]), dot(m, planes[1][0]), dot(n, planes[2][0])];
     let weight = dot(l, mn);
     [0, 1, 2].map(|i| (on_l * mn[i] + on_m * nl[i] + on_n * lm[i]) / weight)
+}
+
+/// The point c + α(a − c).
+fn shared<const D: usize>([a, c]: [[f64; D]; 2], share: Share) -> [f64; D] {
+    let (u, t) = (minus(a, c), share.nearest());
+    std::array::from_fn(|i| c[i] + t * u[i])
 }
 
 fn normal([r, s, t]: [[f64; 3]; 3]) -> [f64; 3] {

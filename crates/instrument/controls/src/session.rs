@@ -265,10 +265,10 @@ impl<F: Float, T: Tally> Predicates for Session<'_, F, T> {
         if self.all.is_empty() {
             self.all.extend_from_slice(self.scene.coordinates());
         }
-        let (all, inputs) = (&mut self.all, self.scene.len());
+        let all = &mut self.all;
         let before = all.len();
         let vertices = self.scene.construct_all(definitions, |scene, vertex| {
-            rounded::push(all, inputs, scene.construction(vertex).expect("just constructed"));
+            rounded::push(all, scene, scene.construction(vertex).expect("just constructed"));
             Ok(())
         });
         if vertices.is_err() {

@@ -47,6 +47,14 @@ pub fn meet(scene: &Scene, construction: &Construction) -> Result<Vec<Integer>, 
         Construction::Tpi([first, second, third]) => {
             (cross(&[plane(first)?, plane(second)?, plane(third)?]), NoPoint::Planes)
         }
+        Construction::Ratio { ends, share } => {
+            // The weights of both ends count, and so does that of the share.
+            let (ends, [of_a, of_c]) = (span(ends), [share.fraction()[0], share.rest().fraction()[0]]);
+            let last = ends[0].len() - 1;
+            let [v, w] = [Integer::from(&ends[0][last] * of_c), Integer::from(&ends[1][last] * of_a)];
+            let part = |(a, c): (&Integer, &Integer)| Integer::from(a * &w) + Integer::from(c * &v);
+            (ends[0].iter().zip(&ends[1]).map(part).collect(), NoPoint::Unspecified)
+        }
     };
     positive(point).ok_or(parallel)
 }

@@ -75,9 +75,13 @@ impl Canon {
             Construction::Ssi(_) => "ssi",
             Construction::Lpi { .. } => "lpi",
             Construction::Tpi(_) => "tpi",
+            Construction::Ratio { .. } => "ratio",
         });
         for flat in construction.flats() {
             self.vertices(flat);
+        }
+        if let Construction::Ratio { share, .. } = construction {
+            self.text(&share.to_string());
         }
     }
 }

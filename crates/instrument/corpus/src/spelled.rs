@@ -352,6 +352,7 @@ fn constructed(construction: &Construction) -> String {
         Construction::Ssi(_) => "ssi",
         Construction::Lpi { .. } => "lpi",
         Construction::Tpi(_) => "tpi",
+        Construction::Ratio { ends, share } => return format!("{{ ratio = {}, share = \"{share}\" }}", ids(ends)),
     };
     let flats: Vec<String> = construction.flats().map(ids).collect();
     format!("{{ {kind} = [{}] }}", flats.join(", "))

@@ -9,7 +9,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_predicates::{Construction, Scene, Vertex};
+use predicament_predicates::{Construction, Scene, Share, Vertex};
 use rug::{Integer, Rational};
 
 use crate::integers::over_one_denominator;
@@ -70,7 +70,12 @@ impl Points<'_> {
             row.coordinates.iter().map(|x| Integer::from(x * &factor)).collect()
         };
         let points: Vec<Vec<Integer>> = rows.iter().map(over_one).collect();
-        let mut row = solve(&equations(construction, &points)?)?;
+        let mut row = match construction {
+            Construction::Ratio { share, .. } => shared(&points, *share),
+            Construction::Ssi(_) | Construction::Lpi { .. } | Construction::Tpi(_) => {
+                solve(&equations(construction, &points)?)?
+            }
+        };
         row.weight *= one;
         if construction.is_of_inputs() { Some(row) } else { Some(row.reduced()) }
     }
@@ -78,7 +83,7 @@ impl Points<'_> {
 
 /// The equations of the lines and planes of a construction, in units of one denominator.
 ///
-/// Returns `None` for a line whose ends coincide.
+/// Returns `None` for a line whose ends coincide, and for a share of a segment, which needs no equations.
 fn equations(construction: &Construction, points: &[Vec<Integer>]) -> Option<Vec<Equation>> {
     Some(match construction {
         Construction::Ssi(_) => points.chunks(2).map(line).collect(),
@@ -94,7 +99,16 @@ fn equations(construction: &Construction, points: &[Vec<Integer>]) -> Option<Vec
             sides.chain([spanned(plane)]).collect()
         }
         Construction::Tpi(_) => points.chunks(3).map(spanned).collect(),
+        Construction::Ratio { .. } => return None,
     })
+}
+
+/// The point that divides a segment: coordinate by coordinate p/q of the first end and the rest of the second.
+fn shared(ends: &[Vec<Integer>], share: Share) -> Row {
+    let [p, q] = share.fraction().map(Integer::from);
+    let of_second = Integer::from(&q - &p);
+    let part = |(a, c): (&Integer, &Integer)| Integer::from(a * &p) + Integer::from(c * &of_second);
+    Row { coordinates: ends[0].iter().zip(&ends[1]).map(part).collect(), weight: q }
 }
 
 /// The linear equation a·x = b.

@@ -5,8 +5,8 @@
 //! coordinates, and constructed points are their joins and meets. The tests compare it with [`sign`](crate::sign()).
 //!
 //! * [`Number`]: a coordinate; a double or an integer.
-//! * [`Point`]: a point in homogeneous coordinates; [`points`] reads input points, [`Point::ssi`], [`Point::lpi`] and
-//!   [`Point::tpi`] construct.
+//! * [`Point`]: a point in homogeneous coordinates; [`points`] reads input points, [`Point::ssi`], [`Point::lpi`],
+//!   [`Point::tpi`] and [`Point::ratio`] construct.
 //! * [`orientation`], [`sphere`]: the signs.
 //! * [`scene_sign`]: the sign of a query about a scene.
 
@@ -93,6 +93,16 @@ impl Point {
     pub fn tpi(planes: [[&Point; 3]; 3]) -> Option<Point> {
         let [first, second, third] = planes.map(|plane| hyperplane(&plane));
         positive(cross(&[&first, &second, &third]))
+    }
+
+    /// The point αa + (1 − α)c, for α = p/q; `None` if q is not positive.
+    #[must_use]
+    pub fn ratio([a, c]: [&Point; 2], [p, q]: [i64; 2]) -> Option<Point> {
+        let [p, q] = [p, q].map(BigInt::from);
+        let weight = |point: &Point| point.0.last().cloned().unwrap_or_default();
+        let [of_a, of_c] = [weight(c) * &p, weight(a) * (&q - &p)];
+        let row = a.0.iter().zip(&c.0).map(|(a, c)| a * &of_a + c * &of_c).collect();
+        if q.sign() == Side::Plus { positive(row) } else { None }
     }
 
     /// The point with only these of its coordinates.
@@ -196,6 +206,7 @@ fn solve(scene: &Scene, v: Vertex, inputs: &[Vertex], known: &[Point]) -> Option
             let plane = |first: usize| [&points[first], &points[first + 1], &points[first + 2]];
             Point::tpi([plane(0), plane(3), plane(6)])
         }
+        Construction::Ratio { ends: [a, c], share } => Point::ratio([&of(a)?, &of(c)?], share.fraction()),
     }
 }
 

@@ -130,5 +130,6 @@ fn renamed(construction: &Construction, name: &dyn Fn(Vertex) -> Vertex) -> Cons
         Construction::Ssi(lines) => Construction::Ssi(lines.map(|line| line.map(name))),
         Construction::Lpi { line, plane } => Construction::Lpi { line: line.map(name), plane: plane.map(name) },
         Construction::Tpi(planes) => Construction::Tpi(planes.map(|plane| plane.map(name))),
+        Construction::Ratio { ends, share } => Construction::Ratio { ends: ends.map(name), share: *share },
     }
 }

@@ -5,9 +5,13 @@
 //! Attene 2020). Two vertices are equal if their definitions are equal: two constructions of one point are two
 //! vertices, and only a predicate can tell that they coincide.
 //!
+//! A point that is required to lie on a line is a vertex of this kind as well: αa + (1 − α)c, with an exact [`Share`] α
+//! (Franklin and Magalhães, section 3). As an input point with rounded coordinates it would lie beside the line, and a
+//! perturbation would move it off.
+//!
 //! A definition names vertices that exist already, input or constructed, so definitions are never circular.
 
-use crate::{Dimension, Vertex};
+use crate::{Dimension, Share, Vertex};
 use alloc::{
     string::{String, ToString},
     vec::Vec,
@@ -16,8 +20,8 @@ use alloc::{
 /// The definition of a constructed vertex: the identities of other vertices.
 ///
 /// [`Construction::canonical`] sorts by id the vertices of a line or a plane, and the lines or planes of one kind; the
-/// point does not depend on their order. Only arithmetic can tell whether the point exists and is unique. A backend
-/// that computes the point refuses the definition otherwise.
+/// point does not depend on their order. Only arithmetic can tell whether lines and planes meet in a unique point. A
+/// backend that computes the point refuses the definition otherwise.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
 pub enum Construction {
     /// The 2D point where two lines meet, each given by a segment on it.
@@ -33,6 +37,15 @@ pub enum Construction {
     },
     /// The 3D point where three planes meet, each given by three of its points.
     Tpi([[Vertex; 3]; 3]),
+    /// The point αa + (1 − α)c of the line through a and c, in 2D and 3D.
+    ///
+    /// It exists for all a and c, and it is between them if α is between 0 and 1.
+    Ratio {
+        /// The points a and c.
+        ends: [Vertex; 2],
+        /// The share α of a.
+        share: Share,
+    },
 }
 
 impl Construction {
@@ -44,15 +57,20 @@ impl Construction {
             Construction::Ssi(lines) => Construction::Ssi(two(lines.map(two))),
             Construction::Lpi { line, plane } => Construction::Lpi { line: two(line), plane: three(plane) },
             Construction::Tpi(planes) => Construction::Tpi(three(planes.map(three))),
+            Construction::Ratio { ends: [a, c], share } if c.index() < a.index() => {
+                Construction::Ratio { ends: [c, a], share: share.rest() }
+            }
+            Construction::Ratio { .. } => self,
         }
     }
 
-    /// The dimension of the scenes that can hold this construction.
+    /// The dimension of the scenes that can hold this construction; `None` if all can.
     #[must_use]
-    pub const fn dimension(&self) -> Dimension {
+    pub const fn dimension(&self) -> Option<Dimension> {
         match self {
-            Construction::Ssi(_) => Dimension::Two,
-            Construction::Lpi { .. } | Construction::Tpi(_) => Dimension::Three,
+            Construction::Ssi(_) => Some(Dimension::Two),
+            Construction::Lpi { .. } | Construction::Tpi(_) => Some(Dimension::Three),
+            Construction::Ratio { .. } => None,
         }
     }
 
@@ -65,6 +83,7 @@ impl Construction {
             Construction::Ssi(lines) => none(lines.as_flattened()),
             Construction::Lpi { line, plane } => none(line) && none(plane),
             Construction::Tpi(planes) => none(planes.as_flattened()),
+            Construction::Ratio { ends, .. } => none(ends),
         }
     }
 
@@ -75,7 +94,8 @@ impl Construction {
     #[inline]
     pub(crate) fn hash(&self) -> u64 {
         /// The start value of the hash for each kind.
-        const KINDS: [u64; 3] = [0x1319_8a2e_0370_7344, 0xa409_3822_299f_31d0, 0x082e_fa98_ec4e_6c89];
+        const KINDS: [u64; 4] =
+            [0x1319_8a2e_0370_7344, 0xa409_3822_299f_31d0, 0x082e_fa98_ec4e_6c89, 0x4528_21e6_38d0_1377];
         match *self {
             Construction::Ssi([[a, b], [c, d]]) => mixed(mixed(KINDS[0], pair(a, b)), pair(c, d)),
             Construction::Lpi { line: [p, q], plane: [r, s, t] } => {
@@ -85,30 +105,39 @@ impl Construction {
                 let first = mixed(mixed(KINDS[2], pair(a, b)), pair(c, d));
                 mixed(mixed(mixed(first, pair(e, f)), pair(g, h)), i.index() as u64)
             }
+            Construction::Ratio { ends: [a, c], share } => {
+                let [numerator, denominator] = share.fraction().map(i64::cast_unsigned);
+                mixed(mixed(mixed(KINDS[3], pair(a, c)), numerator), denominator)
+            }
         }
     }
 
-    /// The lines and planes, each as the vertices that span it.
+    /// The lines and planes that the point is on, each as the vertices that span it.
     pub fn flats(&self) -> impl Iterator<Item = &[Vertex]> {
-        let (line, plane, rest): (&[Vertex], &[Vertex], &[[Vertex; 3]]) = match self {
-            Construction::Ssi([first, second]) => (first, second, &[]),
-            Construction::Lpi { line, plane } => (line, plane, &[]),
-            Construction::Tpi([first, second, third]) => (first, second, core::slice::from_ref(third)),
+        let (first, second, rest): (&[Vertex], Option<&[Vertex]>, &[[Vertex; 3]]) = match self {
+            Construction::Ssi([first, second]) => (first, Some(second), &[]),
+            Construction::Lpi { line, plane } => (line, Some(plane), &[]),
+            Construction::Tpi([first, second, third]) => (first, Some(second), core::slice::from_ref(third)),
+            Construction::Ratio { ends, .. } => (ends, None, &[]),
         };
-        [line, plane].into_iter().chain(rest.iter().map(<[Vertex; 3]>::as_slice))
+        core::iter::once(first).chain(second).chain(rest.iter().map(<[Vertex; 3]>::as_slice))
     }
 }
 
-/// Writes the kind, then each line or plane, as in `SSI(0 1, 2 3)`.
+/// Writes the kind, then each line or plane, as in `SSI(0 1, 2 3)`, and the share of a ratio, as in `RATIO(0 1, 1/3)`.
 impl core::fmt::Display for Construction {
     fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
         let kind = match self {
             Construction::Ssi(_) => "SSI",
             Construction::Lpi { .. } => "LPI",
             Construction::Tpi(_) => "TPI",
+            Construction::Ratio { .. } => "RATIO",
         };
-        let flats: Vec<String> =
+        let mut flats: Vec<String> =
             self.flats().map(|flat| flat.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ")).collect();
+        if let Construction::Ratio { share, .. } = self {
+            flats.push(share.to_string());
+        }
         write!(f, "{kind}({})", flats.join(", "))
     }
 }
@@ -225,5 +254,12 @@ mod tests {
         assert_eq!(tpi([8, 7, 6], [5, 4, 3], [2, 1, 0]), tpi([0, 1, 2], [3, 4, 5], [6, 7, 8]));
         assert_eq!(tpi([8, 7, 6], [5, 4, 3], [2, 1, 0]).to_string(), "TPI(0 1 2, 3 4 5, 6 7 8)");
         assert_eq!(lpi([9, 1], [8, 2, 5]).to_string(), "LPI(1 9, 2 5 8)");
+        let ratio =
+            |ends, share: &str| Construction::Ratio { ends: ids(ends), share: share.parse().unwrap() }.canonical();
+        assert_eq!(ratio([4, 2], "1/3"), ratio([2, 4], "2/3"));
+        assert_eq!(ratio([2, 4], "-4/6"), ratio([4, 2], "5/3"));
+        assert_ne!(ratio([2, 4], "1/3"), ratio([4, 2], "1/3"));
+        assert_eq!(ratio([4, 2], "1/3").to_string(), "RATIO(2 4, 2/3)");
+        assert_eq!(ratio([4, 2], "1/3").flats().collect::<Vec<_>>(), [&ids([2, 4])[..]]);
     }
 }

@@ -4,8 +4,9 @@
 //! first: all others use its terms.
 //!
 //! * [`Scene`]: finite points by index; [`Vertex`]: one point, by identity.
-//! * [`Construction`]: the definition of a constructed vertex; [`Constructs`]: a backend's treatment of constructed
-//!   vertices; [`Refused`]: why a session did not construct one; [`NoPoint`]: why a definition has no point.
+//! * [`Construction`]: the definition of a constructed vertex; [`Share`]: the exact number in it; [`Constructs`]: a
+//!   backend's treatment of constructed vertices; [`Refused`]: why a session did not construct one; [`NoPoint`]: why a
+//!   definition has no point.
 //! * [`Backend`]: prepares a scene; [`Predicates`]: the session that answers.
 //! * [`Sessions`]: prepares sessions for scenes that an algorithm makes.
 //! * [`Contract`]: the meaning of zero; [`Band`]: its width; [`Declined`]: the reason of a refusal.
@@ -38,6 +39,7 @@ mod query;
 mod question;
 mod scene;
 mod sessions;
+mod share;
 mod tally;
 #[cfg(not(feature = "formulas"))]
 mod underived;
@@ -66,6 +68,7 @@ pub use query::{ParseQueryError, Query};
 pub use question::{PredicateKind, QuerySet, Question};
 pub use scene::{Dimension, Scene, SceneError};
 pub use sessions::Sessions;
+pub use share::{Share, ShareError};
 pub use tally::{Counts, MAX_STAGES, Off, Tally};
 #[cfg(not(feature = "formulas"))]
 pub use underived::Derived;

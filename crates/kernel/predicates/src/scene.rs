@@ -292,9 +292,10 @@ impl Scene {
     /// The canonical form of a construction, if the scene can take it.
     #[inline]
     fn checked(&self, construction: Construction) -> Result<Construction, ConstructionError> {
-        if construction.dimension() != self.dimension {
-            let (scene, construction) = (self.dimension, construction.dimension());
-            return Err(ConstructionError::Dimension { scene, construction });
+        if let Some(of) = construction.dimension()
+            && of != self.dimension
+        {
+            return Err(ConstructionError::Dimension { scene: self.dimension, construction: of });
         }
         let construction = construction.canonical();
         let counts = [self.len(), self.constructions.list().len()];
@@ -302,6 +303,7 @@ impl Scene {
             Construction::Ssi([first, second]) => spans(first, counts) & spans(second, counts),
             Construction::Lpi { line, plane } => spans(line, counts) & spans(plane, counts),
             Construction::Tpi([p, q, r]) => spans(p, counts) & spans(q, counts) & spans(r, counts),
+            Construction::Ratio { ends, .. } => spans(ends, counts),
         };
         if spanned { Ok(construction) } else { Err(self.why_not(&construction)) }
     }

@@ -43,7 +43,7 @@ fn measured() {
                     let at = arrangement.segments.binary_search(&ends).expect("one of the segments");
                     u32::try_from(at).expect("few segments")
                 })),
-                Construction::Lpi { .. } | Construction::Tpi(_) => None,
+                Construction::Lpi { .. } | Construction::Tpi(_) | Construction::Ratio { .. } => None,
             })
             .collect();
         for pixel in PIXELS {

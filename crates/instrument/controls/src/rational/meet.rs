@@ -1,6 +1,6 @@
 //! Constructed vertices as rational points, by the parametric form of lines and the normals of planes.
 
-use predicament_predicates::{Construction, NoPoint, Vertex};
+use predicament_predicates::{Construction, NoPoint, Share, Vertex};
 use rug::Rational;
 
 use super::determinant::{Point, minus, three, two};
@@ -17,6 +17,7 @@ pub(super) fn point<'p>(
         Construction::Ssi(lines) => segments(lines.map(|line| line.map(&of))),
         Construction::Lpi { line, plane } => line_plane(line.map(&of), plane.map(&of)),
         Construction::Tpi(planes) => three_planes(planes.map(|plane| plane.map(&of))),
+        Construction::Ratio { ends, share } => Ok(shared(ends.map(&of), share)),
     }
 }
 
@@ -64,6 +65,13 @@ fn three_planes(planes: [[Point; 3]; 3]) -> Result<Vec<Rational>, NoPoint> {
         parts.iter().map(|(height, direction)| Rational::from(height * &direction[axis])).sum()
     };
     Ok((0..3).map(|axis| coordinate(axis) / &weight).collect())
+}
+
+/// The point αa + (1 − α)c.
+fn shared([a, c]: [Point; 2], share: Share) -> Vec<Rational> {
+    let of_a = Rational::from(<(i64, i64)>::from(share.fraction()));
+    let of_c = Rational::from(1 - &of_a);
+    a.iter().zip(c).map(|(a, c)| Rational::from(a * &of_a) + Rational::from(c * &of_c)).collect()
 }
 
 /// The point p + t u.

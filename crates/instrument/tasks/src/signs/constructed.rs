@@ -1,10 +1,10 @@
-//! The key `constructed`: vertices where lines and planes through the points of a scene meet.
+//! The key `constructed`: vertices where lines and planes through the points of a scene meet, and shares of segments.
 
 use predicament_corpus::meet;
 use predicament_formats::{CorpusError, Field, Fields, TableKind};
-use predicament_predicates::{Construction, ConstructionError, PredicateKind, Scene, Vertex};
+use predicament_predicates::{Construction, ConstructionError, PredicateKind, Scene, ShareError, Vertex};
 
-static CONSTRUCTION: TableKind = TableKind::new("construction", &["ssi", "lpi", "tpi"]);
+static CONSTRUCTION: TableKind = TableKind::new("construction", &["ssi", "lpi", "tpi", "ratio", "share"]);
 
 /// The `constructed` of a scene, before its points are known: each with its line in the file.
 #[derive(Clone, Debug, Default)]
@@ -54,24 +54,37 @@ fn cure(why: ConstructionError) -> &'static str {
 
 fn construction(item: &Field<'_, '_>) -> Result<Construction, CorpusError> {
     let table = item.fields(&CONSTRUCTION)?;
-    let construction = match (table.get("ssi"), table.get("lpi"), table.get("tpi")) {
-        (Some(ssi), None, None) => {
+    let ratio = table.get("ratio");
+    if let (None, Some(share)) = (&ratio, table.get("share")) {
+        return Err(share.error("a `share` without a `ratio`", "write the two points of a segment as `ratio`"));
+    }
+    let construction = match (table.get("ssi"), table.get("lpi"), table.get("tpi"), ratio) {
+        (Some(ssi), None, None, None) => {
             let [first, second] = parts(&ssi, "two segments")?;
             Construction::Ssi([flat(&first)?, flat(&second)?])
         }
-        (None, Some(lpi), None) => {
+        (None, Some(lpi), None, None) => {
             let [line, plane] = parts(&lpi, "a line and a plane")?;
             Construction::Lpi { line: flat(&line)?, plane: flat(&plane)? }
         }
-        (None, None, Some(tpi)) => {
+        (None, None, Some(tpi), None) => {
             let [first, second, third] = parts(&tpi, "three planes")?;
             Construction::Tpi([flat(&first)?, flat(&second)?, flat(&third)?])
         }
-        (None, None, None) => {
-            let what = "one of `ssi`, `lpi` and `tpi`";
+        (None, None, None, Some(ends)) => {
+            let share = table.required("share")?;
+            let cure = "write a fraction in quotes, such as \"1/3\"";
+            let of_first = share.str()?.parse().map_err(|why: ShareError| share.error(why.to_string(), cure))?;
+            Construction::Ratio { ends: flat(&ends)?, share: of_first }
+        }
+        (None, None, None, None) => {
+            let what = "one of `ssi`, `lpi`, `tpi` and `ratio`";
             return Err(table.lacking(what, table.error("a construction without a kind", format!("write {what}"))));
         }
-        _ => return Err(table.error("a construction with more than one kind", "keep one of `ssi`, `lpi` and `tpi`")),
+        _ => {
+            let cure = "keep one of `ssi`, `lpi`, `tpi` and `ratio`";
+            return Err(table.error("a construction with more than one kind", cure));
+        }
     };
     table.finish()?;
     Ok(construction)

@@ -70,6 +70,41 @@ fn constructions_are_read_as_they_are_written() {
 }
 
 #[test]
+fn shares_are_fractions_and_mistakes_are_named() {
+    let ratio = |table: &str| SUITE.replace("{ ssi = [[0, 1], [2, 3]] }", table);
+    let thirds = parse(&ratio("{ ratio = [0, 3], share = \"1/3\" }"));
+    let share = "1/3".parse().unwrap();
+    let v = Vertex::input;
+    assert_eq!(thirds.scene.constructions()[0], Construction::Ratio { ends: [v(0), v(3)], share });
+    assert_eq!(point(&thirds, Vertex::constructed(0)), [Rational::from((4, 3)), Rational::new()]);
+    // The same point, written otherwise; and another one.
+    assert_eq!(parse(&ratio("{ ratio = [3, 0], share = \"4/6\" }")).id, thirds.id);
+    assert_ne!(parse(&ratio("{ ratio = [3, 0], share = \"1/3\" }")).id, thirds.id);
+    let error = |table: &str| {
+        Suite::parse(predicament_bundle::vocabulary(), "s.toml", &ratio(table), None, &Manifest::default())
+            .and_then(|suite| suite.scenes[0].load(Level::Quick, &Cache::new("nowhere")))
+            .unwrap_err()
+            .to_string()
+    };
+    for (table, needle) in [
+        ("{ ratio = [0, 3] }", "share"),
+        ("{ share = \"1/3\" }", "a `share` without a `ratio`"),
+        ("{ ssi = [[0, 1], [2, 3]], share = \"1/3\" }", "a `share` without a `ratio`"),
+        ("{ ssi = [[0, 1], [2, 3]], ratio = [0, 3], share = \"1/3\" }", "more than one kind"),
+        ("{ ratio = [0, 3], share = \"0.5\" }", "`0.5` is not a fraction such as 1/3"),
+        ("{ ratio = [0, 3], share = \"1/0\" }", "a denominator other than zero"),
+        ("{ ratio = [0, 3], share = \"1/9007199254740993\" }", "at most 2^53"),
+        ("{ ratio = [0, 3], share = 0.5 }", "share"),
+        ("{ ratio = [0, 3, 1], share = \"1/3\" }", "a line of 3 points"),
+        ("{ ratio = [3, 3], share = \"1/3\" }", "vertex 3 stands twice"),
+        ("{ ratio = [0, 9], share = \"1/3\" }", "9"),
+    ] {
+        let error = error(table);
+        assert!(error.starts_with("s.toml:7: ") && error.contains(needle), "{table}: {error}");
+    }
+}
+
+#[test]
 fn ids_are_about_the_constructions_that_there_are() {
     let id = |from: &str, to: &str| {
         assert!(SUITE.contains(from), "{from}");

@@ -37,6 +37,9 @@
 //! [`ROOM`] multiplies this: it covers 1/(1 − 2^-10), terms of second order in u, and the roundings of norms, E and s
 //! itself, fewer than a hundred. One slack is kept for all axes.
 //!
+//! A point αa + (1 − α)c, `Ratio`, is c + α(a − c) for all a and c: there is no w, and E and E_n are zero. The quotient
+//! of α is rounded once, like g.
+//!
 //! **Overflow and underflow.** The code requires every m to be at most 2^60, and the product of Cs and ms in the
 //! permanent of w at least 2^-350; otherwise exact numbers decide. So no overflow goes unnoticed: the largest
 //! intermediate of w and n is below 2^430. A division by w may overflow, and then s is not finite, which is checked. A
@@ -49,6 +52,7 @@
 use core::ops::{Add, Mul, Sub};
 
 use predicament_arithmetic::{bound::UNIT_ROUNDOFF, power_of_two};
+use predicament_predicates::Share;
 
 use super::filter::FLOOR;
 
@@ -202,6 +206,16 @@ pub(super) fn planes(planes: &[[Near<3>; 3]; 3]) -> Option<Near<3>> {
     let (g, ways) = (largest(way), to_second.norm + to_third.norm);
     let quotient = g + (g * errors + PLANES_POINT * all * ways) / w.abs();
     near(point, p.slack + quotient)
+}
+
+/// The point αa + (1 − α)c; `None` if it is out of range.
+#[inline(always)]
+pub(super) fn shared<const D: usize>([a, c]: &[Near<D>; 2], share: Share) -> Option<Near<D>> {
+    let u = Way::new(c, a);
+    if !u.is_short() {
+        return None;
+    }
+    moved(c, share.nearest(), &u, |_| 0.0)
 }
 
 /// The point p + g·u, where g is off by u·g and u times `quotient` of its magnitude.

@@ -6,7 +6,8 @@
 //!
 //! Joins and meets of homogeneous rows need no special case for weights: the line through two points and the plane
 //! through three are the cross products of their rows, and so is the point of two lines or three planes; the line p, q
-//! meets the plane f at f(q)·p − f(p)·q.
+//! meets the plane f at f(q)·p − f(p)·q. A share p/q of the row (a, v) and the rest of (c, w) make the row
+//! (p·w·a + (q − p)·v·c, q·v·w).
 
 use alloc::vec::Vec;
 use predicament_arithmetic::{
@@ -15,7 +16,7 @@ use predicament_arithmetic::{
 };
 use predicament_predicates::{
     Axis::{X, Y, Z},
-    Construction, NoPoint, Vertex,
+    Construction, Dimension, NoPoint, Share, Vertex,
 };
 
 use super::{
@@ -48,7 +49,21 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Stored, NoP
             }
             store(rows, point)
         }
+        Construction::Ratio { ends, share } => match rows.scene.dimension() {
+            Dimension::Two => store(rows, shared(&ends.map(|v| flat(rows, v)), share)),
+            Dimension::Three => store(rows, shared(&ends.map(|v| solid(rows, v)), share)),
+        },
     })
+}
+
+/// The point with this share of the first point, and the rest of the second.
+fn shared<const N: usize>([a, c]: &[Row<N>; 2], share: Share) -> Row<N> {
+    let ([p, q], [rest, _]) = (share.fraction().map(BigInt::from), share.rest().fraction().map(BigInt::from));
+    let [v, w] = [&a[N - 1], &c[N - 1]];
+    let (of_a, of_c) = (&p * w, &rest * v);
+    let mut point: Row<N> = core::array::from_fn(|i| &(&of_a * &a[i]) + &(&of_c * &c[i]));
+    point[N - 1] = &(&q * v) * w;
+    point
 }
 
 fn flat(rows: View, v: Vertex) -> Row<3> {

@@ -1,8 +1,8 @@
 //! Predicates on constructed vertices, answered without rounding the vertices.
 //!
-//! A vertex that lines and planes define has rational coordinates in general. [`Constructed`] stores, for each of a
-//! scene's [`Construction`]s, the data to answer about the exact point (*indirect predicates*: Attene, "Indirect
-//! predicates for geometric constructions", 2020):
+//! A vertex that lines and planes define, or an exact share of a segment, has rational coordinates in general.
+//! [`Constructed`] stores, for each of a scene's [`Construction`]s, the data to answer about the exact point (*indirect
+//! predicates*: Attene, "Indirect predicates for geometric constructions", 2020):
 //!
 //! * coordinates in doubles with an error bound, for a [`filter`] that uses it, at about the price of a query about
 //!   input vertices. They are computed at construction, in floating point (`approximate`), which also proves that there
@@ -413,6 +413,7 @@ fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Constr
             let at = |v| table.flat(points, v);
             let near = match *construction {
                 Construction::Ssi([[a, b], [c, d]]) => approximate::segments(&[[at(a), at(b)], [at(c), at(d)]]),
+                Construction::Ratio { ends: [a, c], share } => approximate::shared(&[at(a), at(c)], share),
                 _ => unreachable!("the scene has taken it"),
             };
             let entry = match near {
@@ -431,6 +432,7 @@ fn push(scene: &Scene, table: &mut Table, rows: &mut Rows, construction: &Constr
                 Construction::Tpi([[a, b, c], [d, e, f], [g, h, i]]) => {
                     approximate::planes(&[[at(a), at(b), at(c)], [at(d), at(e), at(f)], [at(g), at(h), at(i)]])
                 }
+                Construction::Ratio { ends: [a, c], share } => approximate::shared(&[at(a), at(c)], share),
                 Construction::Ssi(_) => unreachable!("the scene has taken it"),
             };
             let entry = match near {

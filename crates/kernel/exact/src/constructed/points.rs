@@ -10,6 +10,7 @@
 //! | lines ab, cd | (b − a) × (d − c), degree 2 | w·a + ((c − a) × (d − c))(b − a), degree 3 |
 //! | line pq, plane rst with normal N | N·(q − p), degree 3 | w·p + (N·(r − p))(q − p), degree 4 |
 //! | planes with normals L, M, N through p, q, r | L·(M × N), degree 6 | w·p + (M·(q − p))(N × L) + (N·(r − p))(L × M), degree 7 |
+//! | the share p/q of a, the rest of c | q | p·a + (q − p)·c, degree 1 |
 //!
 //! # Capacity
 //! If coordinates are below 2^58, differences are below 2^59, normals below 2^119, w of degree 3 below 2^180
@@ -17,7 +18,8 @@
 //! coordinates are multiples of 2^(64·l), l ≤ 0, degree k is a multiple of 2^(64·k·l). [`Number::sum`] takes a sign and
 //! up to two bits for three terms; four are granted. So degree k takes as many limbs as its share of degree 7 has, and
 //! less than 17/16 beside. The 48 sums for three planes have degrees that add up to 111: less than 16 capacities and 51
-//! limbs. The other kinds, whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside.
+//! limbs. The other kinds, whose capacities are for degree 3 and 4, take 6 and 9 capacities and less beside. A share's
+//! whole numbers are at most 2^53, so its row is below 2^112 and takes the capacity of degree 2, three times at most.
 
 use predicament_arithmetic::dyadic::{
     Number, Space,
@@ -25,7 +27,7 @@ use predicament_arithmetic::dyadic::{
 };
 use predicament_predicates::{
     Axis::{X, Y, Z},
-    Construction, NoPoint,
+    Construction, Dimension, NoPoint, Share,
 };
 
 use super::{
@@ -66,7 +68,33 @@ pub(super) fn row(rows: View, construction: &Construction) -> Result<Row, NoPoin
             let limbs = limbs(planes.as_flattened().as_flattened(), 7);
             with_capacity!(limbs, CAP => planes_point::<CAP>(rows, planes))
         }
+        Construction::Ratio { ends, share } => Ok(match rows.scene.dimension() {
+            Dimension::Two => {
+                let ends = ends.map(|v| rows.input(space, v, [X, Y]));
+                let limbs = limbs(ends.as_flattened(), 2);
+                with_capacity!(limbs, CAP => shared::<2, CAP>(rows, ends, share))
+            }
+            Dimension::Three => {
+                let ends = ends.map(|v| rows.input(space, v, [X, Y, Z]));
+                let limbs = limbs(ends.as_flattened(), 2);
+                with_capacity!(limbs, CAP => shared::<3, CAP>(rows, ends, share))
+            }
+        }),
     }
+}
+
+#[inline(never)]
+fn shared<const D: usize, const CAP: usize>(rows: View, [a, c]: [Point<D>; 2], share: Share) -> Row {
+    let mut limbs = [[0; CAP]; D];
+    let space = &mut Space::new(limbs.as_flattened_mut());
+    let ([p, q], [rest, _]) = (share.fraction(), share.rest().fraction());
+    let held = [p, rest, q].map(|x| [x.unsigned_abs()]);
+    let [p, rest, q] = [(p, &held[0]), (rest, &held[1]), (q, &held[2])].map(|(x, held)| match x {
+        0 => Number::ZERO,
+        _ => Number { limbs: held, low: 0, negative: x < 0 },
+    });
+    let point: Point<D> = core::array::from_fn(|i| Number::sum(space, [(a[i], p, Plus), (c[i], rest, Plus)]));
+    rows.store(&point, q)
 }
 
 #[inline(never)] // so that the stack frame has the size of this capacity

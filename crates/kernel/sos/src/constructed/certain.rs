@@ -12,11 +12,13 @@
 //! moving independently, it is zero. If not, the vertex takes as many positions as such a polynomial needs to be zero
 //! everywhere. This loops over all such vertices, and takes long if many occur often, but it ends, and then it has
 //! proved the answer. If all vertices are free, some of them are fixed: omitted columns are equivalent to rows of unit
-//! vectors, and with these the determinant is zero or nonzero in all projective frames alike.
+//! vectors, and with these the determinant is zero or nonzero in all projective frames alike. (Not with a share of a
+//! segment: its row, p·w·a + (q − p)·v·c of rows (a, v) and (c, w), is bilinear like the others, but a projection
+//! changes ratios of lengths.)
 //!
 //! Coefficients of powers of infinitesimals are [`Series`]; spaces are modules over them.
 
-use predicament_predicates::{Construction, Vertex};
+use predicament_predicates::{Construction, Share, Vertex};
 use smallvec::SmallVec;
 
 use super::place::Place;
@@ -63,7 +65,8 @@ impl Free<'_> {
         let mut often: Vec<usize> =
             (0..self.inputs.len()).filter(|&at| occurring[at] > 1 && self.free_axes(at) > 0).collect();
         often.sort_by_key(|&at| std::cmp::Reverse(occurring[at]));
-        if self.active == self.coordinates.len() && self.cut.is_constant() {
+        let is_projective = !self.matrix.places.iter().any(Place::is_affine);
+        if is_projective && self.active == self.coordinates.len() && self.cut.is_constant() {
             let mut all: Vec<usize> = (0..self.inputs.len()).collect();
             all.sort_by_key(|&at| std::cmp::Reverse(occurring[at]));
             for (&at, point) in all.iter().zip(self.frame()) {
@@ -168,6 +171,11 @@ impl Free<'_> {
                 let pairs = line.iter().flat_map(|line| plane.iter().map(move |plane| (line, plane)));
                 self.span(pairs.map(|(line, plane)| self.cross(line, plane)))
             }
+            Place::Meet(Construction::Ratio { ends: [a, c], share }) => {
+                let (a, c) = (self.vertex(*a, fixed), self.vertex(*c, fixed));
+                let pairs = a.iter().flat_map(|a| c.iter().map(move |c| [a, c]));
+                self.span(pairs.map(|ends| self.shared(ends, *share)))
+            }
         }
     }
 
@@ -198,6 +206,17 @@ impl Free<'_> {
             entry
         };
         sets(all, size + 1).map(entry).collect()
+    }
+
+    /// The point that divides the segment of two homogeneous rows, bilinear in these.
+    ///
+    /// For rows (a, v) and (c, w), and a share p/q, it is (p·w·a + (q − p)·v·c, q·v·w).
+    fn shared(&self, [a, c]: [&Blade; 2], share: Share) -> Blade {
+        let ([p, _], [rest, _]) = (share.fraction(), share.rest().fraction());
+        let [p, rest] = [p, rest].map(|x| self.cut.constant(Integer::from(x)));
+        let [v, w] = [&a[self.dimension], &c[self.dimension]];
+        let [of_a, of_c] = [self.cut.times(&p, w), self.cut.times(&rest, v)];
+        a.iter().zip(c).map(|(a, c)| sum(self.cut.times(a, &of_a), &self.cut.times(c, &of_c))).collect()
     }
 
     /// The point of a line, given as a product of two vectors, on a plane.

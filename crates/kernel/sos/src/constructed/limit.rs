@@ -53,7 +53,7 @@ pub struct Limit {
     ///
     /// For two segments, the fraction of the way from the first point to the second, of each. For a line and a plane,
     /// that fraction along the line, and the barycentric coordinates in the triangle that spans the plane. For three
-    /// planes nothing.
+    /// planes nothing, and nothing for a share of a segment, which is given.
     pub weights: Vec<Option<Ratio>>,
 }
 
@@ -83,7 +83,7 @@ pub fn limit(scene: &Scene, v: Vertex) -> Option<Limit> {
     let fractions = match construction {
         Construction::Ssi(_) => 2,
         Construction::Lpi { .. } => 4,
-        Construction::Tpi(_) => 0,
+        Construction::Tpi(_) | Construction::Ratio { .. } => 0,
     };
     let weights = (0..fractions).map(|at| {
         let whole = leading(Part::Whole(at)).expect("the lines and planes meet");

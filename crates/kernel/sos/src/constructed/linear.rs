@@ -6,7 +6,7 @@
 //! cancel. With δ = (ε, ε², ε³) a coordinate is four integers, and a determinant has degree 9 at most, whereas that of
 //! general constructions has up to 84.
 
-use predicament_predicates::{Axis, Construction, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Question, Scene, Share, Sign, Vertex};
 
 use super::moved::inputs;
 use super::place::Place;
@@ -136,7 +136,18 @@ impl Points<'_> {
                 };
                 Some(Row::new([along(0), along(1), along(2)], [0, 1, 2].map(derivative), weight))
             }
+            Place::Meet(Construction::Ratio { ends, share }) => Some(self.shared(ends, share)),
         }
+    }
+
+    /// The row of a share of a segment, whose ends may be of two meshes: each moves its share.
+    fn shared(&self, ends: [Vertex; 2], share: Share) -> Row {
+        let ([p, q], [rest, _]) = (share.fraction().map(Integer::from), share.rest().fraction().map(Integer::from));
+        let (parts, points) = ([p, rest], ends.map(|v| self.point(v)));
+        let at = [0, 1, 2].map(|axis: usize| total((0..2).map(|end| [&parts[end], &points[end][axis]])));
+        let moving = (0..2).filter(|&end| self.second[ends[end].index()]);
+        let moves = total(moving.map(|end| [&parts[end], &Integer::ONE]));
+        Row::new(at, [0, 1, 2].map(|axis| unit(axis, &moves)), q)
     }
 
     /// A normal of a plane, and a point on it.

@@ -98,6 +98,12 @@ impl<C: Coefficient> Moved<'_, C> {
                 };
                 smallvec![along(0), along(1), along(2), self.dot(&n, &op)]
             }
+            Construction::Ratio { ends: [a, c], share } => {
+                let ([p, q], [rest, _]) = (share.fraction(), share.rest().fraction());
+                let [p, q, rest] = [p, q, rest].map(|x| self.cut.constant(C::whole(x)));
+                let along = self.point(a).iter().zip(self.point(c));
+                along.map(|(a, c)| sum(self.times(a, &p), &self.times(c, &rest))).chain([q]).collect()
+            }
         }
     }
 

@@ -1,9 +1,9 @@
 //! The simplest definition of a point of a question.
 //!
-//! Two lines through one vertex meet in that vertex, and two planes through two vertices meet in their line. If the
-//! point exists at all, its row is that of the simpler definition times a factor, which the weight has as well; so the
-//! simpler definition gives the signs. Then the definitions alone prove many determinants to be zero wherever the
-//! vertices are.
+//! Two lines through one vertex meet in that vertex, and two planes through two vertices meet in their line. A share of
+//! one or zero is an end of its segment. If the point exists at all, its row is that of the simpler definition times a
+//! factor, which the weight has as well; so the simpler definition gives the signs. Then the definitions alone prove
+//! many determinants to be zero wherever the vertices are.
 
 use predicament_predicates::{Construction, Question, Scene, Vertex};
 use smallvec::SmallVec;
@@ -42,6 +42,7 @@ impl Place {
         match self {
             Place::Input(v) => on.contains(v),
             Place::Meet(Construction::Lpi { line, plane }) => plane == on || common(line, on).len() == 2,
+            Place::Meet(Construction::Ratio { ends, .. }) => common(ends, on).len() == 2,
             Place::Meet(Construction::Tpi(planes)) => planes.contains(on),
             Place::Meet(Construction::Ssi(_)) => false,
         }
@@ -53,8 +54,17 @@ impl Place {
             Place::Input(v) => on.contains(v),
             Place::Meet(Construction::Ssi(lines)) => lines.contains(on),
             Place::Meet(Construction::Lpi { line, .. }) => line == on,
+            Place::Meet(Construction::Ratio { ends, .. }) => ends == on,
             Place::Meet(Construction::Tpi(_)) => false,
         }
+    }
+
+    /// Returns true if a projection of the scene may move the point relative to the others.
+    ///
+    /// Lines and planes meet where their images meet. A share of a segment is a ratio of lengths, which a projection
+    /// changes.
+    pub(super) fn is_affine(&self) -> bool {
+        matches!(self, Place::Meet(Construction::Ratio { .. }))
     }
 }
 
@@ -89,6 +99,11 @@ fn simplified(construction: Construction) -> Place {
                 }
             }
         }
+        Construction::Ratio { ends: [a, c], share } => match share.fraction() {
+            [1, 1] => return Place::Input(a),
+            [0, _] => return Place::Input(c),
+            _ => {}
+        },
     }
     Place::Meet(construction)
 }
@@ -121,6 +136,7 @@ fn collinear(places: &[Place]) -> bool {
     let on_one = places.iter().any(|place| match place {
         Place::Meet(Construction::Ssi(lines)) => lines.iter().any(on_all),
         Place::Meet(Construction::Lpi { line, .. }) => on_all(line),
+        Place::Meet(Construction::Ratio { ends, .. }) => on_all(ends),
         Place::Meet(Construction::Tpi(_)) | Place::Input(_) => false,
     });
     on_one || planes_of_all(places).len() > 1
@@ -143,6 +159,7 @@ fn planes_of_all(places: &[Place]) -> SmallVec<[[Vertex; 3]; 4]> {
                 planes.push(*plane);
             }
             Place::Meet(Construction::Tpi(of)) => planes.extend_from_slice(of),
+            Place::Meet(Construction::Ratio { ends, .. }) => spanning.extend_from_slice(ends),
             Place::Meet(Construction::Ssi(_)) => {}
         }
     }
@@ -185,6 +202,10 @@ mod tests {
         simplified(Construction::Lpi { line: line.map(v), plane: plane.map(v) }.canonical())
     }
 
+    fn ratio(ends: [usize; 2], share: &str) -> Place {
+        simplified(Construction::Ratio { ends: ends.map(v), share: share.parse().unwrap() }.canonical())
+    }
+
     fn tpi(first: [usize; 3], second: [usize; 3], third: [usize; 3]) -> Place {
         simplified(Construction::Tpi([first.map(v), second.map(v), third.map(v)]).canonical())
     }
@@ -205,6 +226,8 @@ mod tests {
         for place in [ssi([0, 1], [2, 3]), lpi([0, 1], [2, 3, 4]), tpi([0, 1, 2], [3, 4, 5], [0, 3, 6])] {
             assert!(matches!(place, Place::Meet(_)), "{place:?}");
         }
+        assert_eq!([ratio([3, 1], "1"), ratio([3, 1], "0"), ratio([1, 3], "4/4")], [3, 1, 1].map(input));
+        assert!(matches!(ratio([1, 3], "-1"), Place::Meet(_)));
         // No points: a line twice, a line in a plane, and planes with a common line.
         assert!(matches!(ssi([0, 1], [1, 0]), Place::Meet(_)));
         assert!(matches!(lpi([0, 1], [1, 2, 0]), Place::Meet(_)));
@@ -226,6 +249,16 @@ mod tests {
             (turn, &[input(0), input(2), ssi([0, 1], [2, 3])], false),
             (turn, &[ssi([2, 3], [0, 1]), input(1), ssi([0, 2], [4, 5])], false),
             (turn, &[input(0), input(1), input(2)], false),
+            // Shares of segments: on the line of their ends.
+            (turn, &[ratio([0, 1], "1/3"), input(1), input(0)], true),
+            (turn, &[ratio([0, 1], "1/3"), ratio([1, 0], "1/3"), ratio([0, 1], "5/2")], true),
+            (turn, &[ratio([0, 1], "1/3"), ssi([0, 1], [2, 3]), input(1)], true),
+            (turn, &[ratio([0, 1], "1/2"), ratio([1, 2], "1/2"), ratio([0, 2], "1/2")], false),
+            (Question::Compare(Axis::X), &[ratio([0, 1], "1/3"), ratio([1, 0], "2/3")], true),
+            (Question::Compare(Axis::X), &[ratio([0, 1], "1/3"), ratio([1, 0], "1/3")], false),
+            (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), input(0), input(2)], true),
+            (Question::Orient3d, &[ratio([0, 1], "1/3"), lpi([1, 2], [4, 5, 6]), input(0), input(2)], true),
+            (Question::Orient3d, &[ratio([0, 1], "1/3"), ratio([1, 2], "1/3"), input(0), input(3)], false),
             // In space: a named line, or the line of two planes.
             (turn, &[input(0), lpi([0, 1], [2, 3, 4]), input(1)], true),
             (turn, &[lpi([0, 1], [5, 6, 7]), lpi([0, 1], [2, 3, 4]), input(1)], true),

@@ -12,6 +12,7 @@
 //! |---|---|---|
 //! | the line p, q; F(x) = n·(x − b) for the other line or the plane | (p·F(q) − q·F(p), F(q) − F(p)) | (e·F(q) − q·n·e, −n·e) |
 //! | the plane a, b, c of a line p, q; G(x) = (x − b) × (c − b) | the same | (p·G(q)·e − q·G(p)·e, G(q)·e − G(p)·e) |
+//! | the ends a, c; a has the share p/q, and c the rest | (p·a + (q − p)·c, q) | (p·e, 0) |
 //! | the plane a, b, c of three; its n and d = n·b, those of the next two m, n', M = m × n', K = d'·m − d_m·n' | (d·M + n × K, n·M) | the same with n = (c − b) × e |
 //!
 //! The normal of a plane a, b, c is (c − b) × (a − b), so that F(x) = det(c − b, a − b, x − b). If two of three planes
@@ -27,6 +28,7 @@
 //!
 //! | | degree | sums |
 //! |---|---|---|
+//! | a share of a segment | 2: one, and whole numbers up to 2^53 | one for each axis |
 //! | two lines | 3 | 2 + 4 + 2 + 3 differences, distances and the row, 2 · 2 for derivatives (a weight takes none) |
 //! | a line and a plane | 4 | 6 + 3 + 6 + 2 + 4 for the plane and the row, 6 + 3 · 4 for derivatives at most |
 //! | three planes | 7 | 30 for the planes, 4 for the row; for each plane with the first vertex 6 + 3 · 5; 12 to add two of them up |
@@ -40,7 +42,7 @@ use predicament_arithmetic::{
         Take::{Minus, Plus},
     },
 };
-use predicament_predicates::{Construction, Scene, Vertex};
+use predicament_predicates::{Construction, Dimension, Scene, Share, Vertex};
 use smallvec::{SmallVec, smallvec};
 
 use super::place::Place;
@@ -48,6 +50,7 @@ use super::place::Place;
 /// The bit length of the scene's largest coordinate after scaling.
 const TOP: i32 = 58;
 /// The degree, and the maximum number of sums for a row and its derivatives: those of the table, added up.
+const SHARE: (i32, usize) = (2, 3);
 const TWO_LINES: (i32, usize) = (3, 15);
 const LINE_AND_PLANE: (i32, usize) = (4, 39);
 const THREE_PLANES: (i32, usize) = (7, 88);
@@ -74,6 +77,8 @@ pub(super) struct Row {
     pub(super) inputs: SmallVec<[Vertex; 9]>,
     /// True if the row is linear in the first of these vertices.
     pub(super) is_linear: bool,
+    /// The number of coordinates.
+    dimension: usize,
     /// The row and its derivatives: coordinates and weight of each; empty if the place is an input vertex.
     entries: Vec<Entry>,
     limbs: Vec<u64>,
@@ -120,7 +125,8 @@ impl Row {
         inputs.sort_unstable();
         let is_linear = inputs.get(1).is_none_or(|second| *second != inputs[0]);
         inputs.dedup();
-        let mut row = Row { place, inputs, is_linear, entries: Vec::new(), limbs: Vec::new(), span: [0, 0] };
+        let dimension = scene.dimension().count();
+        let mut row = Row { place, inputs, is_linear, dimension, entries: Vec::new(), limbs: Vec::new(), span: [0, 0] };
         let Place::Meet(construction) = place else { return row };
         let mut held = [0; 2 * 9 * 3];
         let held = &mut Space::new(&mut held);
@@ -152,6 +158,18 @@ impl Row {
                 let space = &mut Space::new(&mut limbs);
                 row.hold(three_planes(space, points, planes.map(|plane| plane[0] == first)));
             }
+            Construction::Ratio { ends, share } => match scene.dimension() {
+                Dimension::Two => {
+                    let ends = ends.map(|v| point::<2>(held, scene, v, shift));
+                    let mut limbs: Limbs = smallvec![0; capacity(&ends, SHARE)];
+                    row.hold(shared::<2, 3>(&mut Space::new(&mut limbs), ends, Parts::of(share).numbers()));
+                }
+                Dimension::Three => {
+                    let ends = ends.map(|v| point::<3>(held, scene, v, shift));
+                    let mut limbs: Limbs = smallvec![0; capacity(&ends, SHARE)];
+                    row.hold(shared::<3, 4>(&mut Space::new(&mut limbs), ends, Parts::of(share).numbers()));
+                }
+            },
         }
         row
     }
@@ -183,11 +201,7 @@ impl Row {
     ///
     /// The derivatives are by coordinates 0, 1… of its first vertex.
     pub(super) fn vector<const N: usize>(&self, which: usize, columns: [usize; N]) -> [Number<'_>; N] {
-        let dimension = match self.place {
-            Place::Meet(Construction::Ssi(_)) => 2,
-            _ => 3,
-        };
-        let entries = &self.entries[which * (dimension + 1)..][..=dimension];
+        let entries = &self.entries[which * (self.dimension + 1)..][..=self.dimension];
         columns.map(|column| {
             let Entry { start, length, low, negative } = entries[column];
             Number { limbs: &self.limbs[start..start + length], low, negative }
@@ -306,6 +320,39 @@ fn three_planes<'a>(
             }
         }
         is_first = false;
+    }
+    (vectors, weights)
+}
+
+/// The whole numbers p, q − p and q of a share p/q: magnitudes, and true for a negative number.
+struct Parts([([u64; 1], bool); 3]);
+
+impl Parts {
+    fn of(share: Share) -> Parts {
+        let ([p, q], [rest, _]) = (share.fraction(), share.rest().fraction());
+        Parts([p, rest, q].map(|x| ([x.unsigned_abs()], x < 0)))
+    }
+
+    fn numbers(&self) -> [Number<'_>; 3] {
+        self.0.each_ref().map(|(limbs, negative)| match limbs {
+            [0] => Number::ZERO,
+            limbs => Number { limbs, low: 0, negative: *negative },
+        })
+    }
+}
+
+/// The point p·a + (q − p)·c with weight q, with derivatives by a, which is the first vertex in canonical form.
+fn shared<'a, const D: usize, const V: usize>(
+    space: &mut Space<'a>,
+    [a, c]: [Vector<'a, D>; 2],
+    [p, rest, q]: [Number<'a>; 3],
+) -> ([Vector<'a, D>; V], [Number<'a>; V]) {
+    const { assert!(V == D + 1, "a row, and a derivative for each axis") };
+    let (mut vectors, mut weights) = ([[Number::ZERO; D]; V], [Number::ZERO; V]);
+    vectors[0] = std::array::from_fn(|i| Number::sum(space, [(a[i], p, Plus), (c[i], rest, Plus)]));
+    weights[0] = q;
+    for axis in 0..D {
+        vectors[axis + 1][axis] = p;
     }
     (vectors, weights)
 }

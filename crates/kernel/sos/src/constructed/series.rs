@@ -12,6 +12,8 @@ use crate::integer::Integer;
 pub(super) trait Coefficient: Clone {
     fn one() -> Self;
     fn zero() -> Self;
+    /// A whole number.
+    fn whole(n: i64) -> Self;
     fn is_zero(&self) -> bool;
     fn add(&mut self, other: &Self);
     fn subtract(&mut self, other: &Self);
@@ -28,6 +30,10 @@ impl Coefficient for super::residue::Residue {
     #[inline]
     fn zero() -> Self {
         Self::ZERO
+    }
+
+    fn whole(n: i64) -> Self {
+        Self::scaled(n, 0)
     }
 
     #[inline]
@@ -58,6 +64,10 @@ impl Coefficient for Integer {
 
     fn zero() -> Self {
         Integer::ZERO
+    }
+
+    fn whole(n: i64) -> Self {
+        Integer::from(n)
     }
 
     fn is_zero(&self) -> bool {

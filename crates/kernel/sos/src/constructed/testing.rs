@@ -1,7 +1,7 @@
 //! Scenes for tests: random constructions. Polynomials for tests: coefficients that are integers of GMP.
 
 use predicament_exact::Exact;
-use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Construction, Dimension, Off, Predicates, Scene, Share, Vertex};
 use rug::Integer;
 
 use super::series::Coefficient;
@@ -14,6 +14,10 @@ impl Coefficient for Integer {
 
     fn zero() -> Self {
         Integer::new()
+    }
+
+    fn whole(n: i64) -> Self {
+        Integer::from(n)
     }
 
     fn is_zero(&self) -> bool {
@@ -59,6 +63,14 @@ pub(super) fn constructions(random: &mut Random, scene: &mut Scene, tries: usize
         for at in 0..tries {
             // (A definition without a point is refused.)
             let _ = session.construct(&[match (scene.dimension(), at % 3) {
+                // A seventh is long in every base of doubles; shares may be outside of the segment.
+                _ if random.below(4) == 0 => {
+                    let numerator = i64::try_from(random.below(12)).unwrap() - 2;
+                    Construction::Ratio {
+                        ends: random.different(points),
+                        share: Share::new(numerator, [1, 2, 3, 7][random.below(4)]).unwrap(),
+                    }
+                }
                 (Dimension::Two, _) => Construction::Ssi([random.different(points), random.different(points)]),
                 (_, 0) => Construction::Lpi { line: random.different(points), plane: random.different(points) },
                 _ => Construction::Tpi([random.different(points), random.different(points), random.different(points)]),

@@ -150,6 +150,18 @@ impl<'q> Asked<'q> {
                 };
                 p.iter().zip(q).map(coordinate).collect()
             }
+            Construction::Ratio { ends: [a, c], share } => {
+                // Weights are one, and so p + (q − p) is that of the row.
+                let [p, q] = share.fraction().map(Integer::from);
+                let [of_a, of_c] = [N::constant(p.clone()), N::constant(q - p)];
+                let coordinate = |(a, c): (&N, &N)| {
+                    let mut x = N::default();
+                    x.add_product(a, &of_a, false);
+                    x.add_product(c, &of_c, false);
+                    x
+                };
+                point(*a).iter().zip(point(*c)).map(coordinate).collect()
+            }
         }
     }
 

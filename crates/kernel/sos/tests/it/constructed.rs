@@ -4,7 +4,7 @@ use crate::common::substitution::{between, moved, side, turn};
 use crate::common::{Random, ask_antisymmetric, grid_scene, questions};
 use predicament_exact::Exact;
 use predicament_predicates::{
-    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Vertex,
+    Axis, Backend, Construction, Off, Plane, PredicateKind, Predicates, Question, Scene, Share, Sign, Vertex,
 };
 use predicament_sos::{Scheme, Sos, infinitesimal::judge};
 use rug::Rational;
@@ -24,6 +24,12 @@ fn constructed(random: &mut Random, dimension: usize, side: usize, points: usize
     let mut added = 0;
     for _ in 0..20 * constructions {
         let construction = match (dimension, random.below(3)) {
+            _ if random.below(4) == 0 => {
+                // A seventh has all bits in every double; shares may be outside of the segment.
+                let numerator = i64::try_from(random.below(12)).unwrap() - 2;
+                let share = Share::new(numerator, [1, 2, 3, 7][random.below(4)]).unwrap();
+                Construction::Ratio { ends: different(random, points), share }
+            }
             (2, _) => Construction::Ssi([different(random, points), different(random, points)]),
             (_, 0) => {
                 Construction::Tpi([different(random, points), different(random, points), different(random, points)])

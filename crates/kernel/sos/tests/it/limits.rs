@@ -70,7 +70,7 @@ fn fractions(points: &[Vec<Rational>], construction: Construction) -> Vec<Option
             let share = |part| (whole != 0).then(|| Rational::from(part / &whole));
             [way(from(p), &from(q))].into_iter().chain(parts.iter().map(share)).collect()
         }
-        Construction::Tpi(_) => Vec::new(),
+        Construction::Tpi(_) | Construction::Ratio { .. } => Vec::new(),
     }
 }
 
@@ -95,7 +95,7 @@ fn check(mut scene: Scene, construction: Construction) -> bool {
     // The position is that fraction of the way, whether or not it is finite.
     let (p, q, t) = match construction {
         Construction::Ssi([[p, q], _]) | Construction::Lpi { line: [p, q], .. } => (p, q, near[0].clone().unwrap()),
-        Construction::Tpi(_) => return was_there,
+        Construction::Tpi(_) | Construction::Ratio { .. } => return was_there,
     };
     let ends = [t.clone(), Rational::from(&t - 1)];
     let place = between(&points[p.index()], &points[q.index()], ends);

@@ -4,7 +4,7 @@
 use std::sync::LazyLock;
 
 use predicament_judge::{determinant, point};
-use predicament_predicates::{Axis, Construction, Dimension, Plane, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, Plane, Predicates, Question, Scene, Share, Sign, Vertex};
 use rug::Rational;
 
 /// The random number generator xorshift64 (Marsaglia 2003).
@@ -26,6 +26,10 @@ impl Random {
     /// Three planes of input vertices only: deeper constructions have long rows, too slow for a judge in rationals.
     fn definition(&mut self, dimension: Dimension, from: &[Vertex]) -> Construction {
         match dimension {
+            _ if self.below(4) == 0 => {
+                let numerator = i64::try_from(self.below(9)).unwrap() - 2;
+                Construction::Ratio { ends: self.distinct(from), share: Share::new(numerator, 7).unwrap() }
+            }
             Dimension::Two => Construction::Ssi([self.distinct(from), self.distinct(from)]),
             Dimension::Three if !from[0].is_constructed() && self.below(3) == 0 => {
                 Construction::Tpi([self.distinct(from), self.distinct(from), self.distinct(from)])

@@ -89,6 +89,7 @@ fn refused_together(case: &Case, declared: Constructs, session: &mut dyn Predica
         Construction::Lpi { plane, .. } | Construction::Tpi([plane, ..]) => {
             Construction::Lpi { line: [plane[0], missing], plane }
         }
+        Construction::Ratio { ends: [a, _], share } => Construction::Ratio { ends: [a, missing], share },
     };
     let mut together = |check: &str, refused: Construction, session: &mut dyn Predicates| {
         match session.construct(&[case.first[2], refused, case.first[3]]) {
@@ -111,6 +112,7 @@ fn interned(case: &Case, session: &mut dyn Predicates, complaints: &mut Vec<Stri
         Construction::Ssi([[a, b], line]) => Construction::Ssi([line, [b, a]]),
         Construction::Lpi { line: [p, q], plane: [r, s, t] } => Construction::Lpi { line: [q, p], plane: [t, r, s] },
         Construction::Tpi([l, [p, q, r], n]) => Construction::Tpi([n, [r, p, q], l]),
+        Construction::Ratio { ends: [a, c], share } => Construction::Ratio { ends: [c, a], share: share.rest() },
     };
     let before = session.scene().clone();
     let turned: Vec<Construction> = case.first.iter().rev().map(turn).collect();

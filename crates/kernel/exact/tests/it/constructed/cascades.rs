@@ -8,7 +8,7 @@ use predicament_predicates::{
 use super::{
     WILD,
     judge::{Judge, PLANES},
-    scenes::{Seen, check_approximations, check_one, distinct, scene},
+    scenes::{Seen, check_approximations, check_one, distinct, scene, share},
 };
 use crate::common::Random;
 
@@ -36,6 +36,7 @@ fn pick<const N: usize>(random: &mut Random, [last, all]: [&[Vertex]; 2]) -> [Ve
 
 fn definition(random: &mut Random, dimension: Dimension, planes: bool, from: [&[Vertex]; 2]) -> Construction {
     match dimension {
+        _ if random.below(5) == 0 => Construction::Ratio { ends: pick(random, from), share: share(random) },
         Dimension::Two => Construction::Ssi([pick(random, from), pick(random, from)]),
         Dimension::Three if planes && random.below(2) == 0 => {
             Construction::Tpi([pick(random, from), pick(random, from), pick(random, from)])
@@ -113,6 +114,7 @@ fn turned(definition: Construction) -> Construction {
         Construction::Ssi([[a, b], line]) => Construction::Ssi([line, [b, a]]),
         Construction::Lpi { line: [p, q], plane: [r, s, t] } => Construction::Lpi { line: [q, p], plane: [s, t, r] },
         Construction::Tpi([l, [p, q, r], n]) => Construction::Tpi([n, l, [r, q, p]]),
+        Construction::Ratio { ends: [a, c], share } => Construction::Ratio { ends: [c, a], share: share.rest() },
     }
 }
 

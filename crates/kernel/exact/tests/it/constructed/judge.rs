@@ -50,6 +50,12 @@ impl Judge {
     /// The point that the construction defines, without the proof.
     pub fn solve(&self, construction: &Construction) -> Option<Point> {
         let equations = match *construction {
+            Construction::Ratio { ends, share } => {
+                let ([a, c], part) =
+                    (ends.map(|v| self.point(v)), Rational::from(<(i64, i64)>::from(share.fraction())));
+                let way = |(a, c): (&Rational, &Rational)| difference(a, c) * &part + c;
+                return Some(a.iter().zip(c).map(way).collect());
+            }
             Construction::Ssi(lines) => lines.iter().map(|line| self.line2(*line)).collect(),
             Construction::Lpi { line, plane } => {
                 let [p, q] = line.map(|v| self.point(v));

@@ -1,7 +1,7 @@
 //! Scenes with constructed vertices, and judged queries about them.
 
 use predicament_exact::constructed::{Constructed, FILTER};
-use predicament_predicates::{Axis, Construction, Dimension, Plane, Scene, Sign, Vertex};
+use predicament_predicates::{Axis, Construction, Dimension, Plane, Scene, Share, Sign, Vertex};
 
 use rug::Rational;
 
@@ -43,11 +43,24 @@ pub fn distinct<const N: usize>(random: &mut Random, n: usize) -> [Vertex; N] {
 /// A random construction for scenes of this dimension.
 pub fn any(random: &mut Random, dimension: Dimension, n: usize) -> Construction {
     match dimension {
+        _ if random.below(4) == 0 => Construction::Ratio { ends: distinct(random, n), share: share(random) },
         Dimension::Two => Construction::Ssi([distinct(random, n), distinct(random, n)]),
         Dimension::Three if random.below(2) == 0 => {
             Construction::Lpi { line: distinct(random, n), plane: distinct(random, n) }
         }
         Dimension::Three => Construction::Tpi([distinct(random, n), distinct(random, n), distinct(random, n)]),
+    }
+}
+
+/// A share of few digits or of many, within the segment or outside of it.
+pub fn share(random: &mut Random) -> Share {
+    let most = [7, 1000, Share::MOST][random.below(3)];
+    let whole = |random: &mut Random| i64::try_from(random.below(usize::try_from(most).unwrap())).unwrap();
+    loop {
+        let (numerator, denominator) = (whole(random) * [1, -1][random.below(2)], whole(random) + 1);
+        if let Ok(share) = Share::new(numerator, denominator) {
+            return share;
+        }
     }
 }
 

@@ -26,6 +26,7 @@ fn check(scene: &Scene, rows: &Rows, index: usize) -> bool {
         Construction::Ssi(_) => 3,
         Construction::Lpi { .. } => 4,
         Construction::Tpi(_) => 7,
+        Construction::Ratio { .. } => 1,
     };
     let columns: Vec<usize> = (0..=dimension).collect();
     let mut sign = Rational::new();

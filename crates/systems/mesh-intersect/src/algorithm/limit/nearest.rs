@@ -51,7 +51,7 @@ pub(super) fn nearest(scene: &Scene, definition: &Construction) -> Option<Neares
             let at = |axis: usize| -> Integer { (0..3).map(|i| Integer::from(&offsets[i] * &crossed[i][axis])).sum() };
             point([0, 1, 2].map(at), &weight, exponent)
         }
-        Construction::Ssi(_) => None,
+        Construction::Ssi(_) | Construction::Ratio { .. } => None,
     }
 }
 
