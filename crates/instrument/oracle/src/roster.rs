@@ -42,7 +42,7 @@ sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
 sos:per-mesh            the second of two meshes moved by (eps, eps^2, eps^3)
 tolerance               the hierarchical tolerances of Wang et al.
-tolerance:f32           the same in single precision, for scenes whose coordinates it holds exactly
+tolerance:f32           the same in single precision, for scenes that it holds exactly, if need be after a shift
 naive, naive:first      plain floating point, pivot at the last or the first argument
 naive:nalgebra          the determinant of the homogeneous matrix, by the crate nalgebra
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)

@@ -11,10 +11,12 @@ use crate::contacts::EdgeVertex;
 use crate::extent::largest_extent;
 use crate::float::check_precision;
 use crate::session::{INPUT_ONLY, Session, Tolerances};
+use crate::shift::shifted;
 use crate::{ContactTolerances, Float, Misscaled, Tolerances2d, Tolerances3d, circles};
 
 const PLANES: [Plane; 3] = [Plane::Xy, Plane::Yz, Plane::Zx];
-const STAGES: [&str; 1] = ["float"];
+/// The stages: with the coordinates as they are, and with shifted ones.
+const STAGES: [&str; 2] = ["float", "shifted float"];
 
 /// The tolerance backend: `orient2d` is zero within κ, `orient3d` within ξ.
 ///
@@ -29,8 +31,9 @@ const STAGES: [&str; 1] = ["float"];
 /// [primitive lengths](Scene::primitive_lengths). Without such lengths the backend declines contacts. They have a
 /// separate L, [`Session::contact_tolerances`].
 ///
-/// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates are numbers of `f32`; the backend
-/// declines other scenes. It also declines scenes with constructed vertices, and sessions construct none: κ and ξ bound
+/// Everything is computed in `F`: `f64`, or `f32` for scenes whose coordinates are numbers of `f32`. If they are not,
+/// but an exact shift makes them such numbers, `prepare` shifts the scene. The backend declines other scenes. It also
+/// declines scenes with constructed vertices, and sessions construct none: κ and ξ bound
 /// the rounding of determinants of input vertices, not that of a computed vertex as well.
 ///
 /// The backend declines a scene if L, a product of coordinate differences or a tolerance leaves the range of normal
@@ -96,8 +99,9 @@ impl<F: Float> Backend for Tolerance<F> {
         }
     }
 
+    /// The stage `float`; in single precision also `shifted float`, which settles all queries of a shifted scene.
     fn stages(&self) -> &'static [&'static str] {
-        &STAGES
+        if F::IS_NARROW { &STAGES } else { &STAGES[..1] }
     }
 
     /// Batches run in vector registers, in both formats.
@@ -110,7 +114,7 @@ impl<F: Float> Backend for Tolerance<F> {
         if !scene.constructions().is_empty() {
             return Err(Declined::scene(INPUT_ONLY));
         }
-        check_coordinates::<F>(scene)?;
+        let shifted = check_coordinates::<F>(scene)?;
         let planes = match scene.dimension() {
             Dimension::Two => &PLANES[..1],
             Dimension::Three => &PLANES,
@@ -133,18 +137,22 @@ impl<F: Float> Backend for Tolerance<F> {
                 contacts.map(|contacts| by.contacts(contacts)),
             ),
         };
-        Ok(Session::new(scene, tally, Tolerances { planar, spatial, circular, contacts }, self.form))
+        Ok(Session::new((scene, shifted), tally, Tolerances { planar, spatial, circular, contacts }, self.form))
     }
 }
 
-/// Checks that all coordinates are numbers of `F`.
-fn check_coordinates<F: Float>(scene: &Scene) -> Result<(), Declined> {
+/// Checks that all coordinates are numbers of `F`, and returns the shifted scene if only its coordinates are.
+fn check_coordinates<F: Float>(scene: &Scene) -> Result<Option<Scene>, Declined> {
     let is_exact = |x: &f64| F::nearest(*x).wide() == *x;
-    let Some(at) = scene.coordinates().iter().position(|x| !is_exact(x)) else { return Ok(()) };
+    let Some(at) = scene.coordinates().iter().position(|x| !is_exact(x)) else { return Ok(None) };
+    if let Some(shifted) = shifted::<F>(scene) {
+        return Ok(Some(shifted));
+    }
     let (dimension, x, name) = (scene.dimension().count(), scene.coordinates()[at], F::NAME);
     let (point, axis) = (at / dimension, at % dimension);
     Err(Declined::scene(format!(
-        "point {point}: coordinate {axis} is {x}, which {name} does not hold exactly; round the scene to {name} first"
+        "point {point}: coordinate {axis} is {x}, which {name} does not hold exactly, not even after a shift; \
+         round the scene to {name} first"
     )))
 }
 

@@ -63,8 +63,9 @@ fn is_about_differences(program: &Program) -> bool {
 ///
 /// # Errors
 /// [`Declined`] if the scene has another dimension, no weights or weights that the format rounds, or if the band leaves
-/// the range of normal numbers.
-pub(crate) fn prepared<F: Float>(scene: &Scene, derived: Derived) -> Result<Band, Declined> {
+/// the range of normal numbers. Also if the scene is shifted and the calculus has no rule: such a formula may depend on
+/// the place.
+pub(crate) fn prepared<F: Float>(scene: &Scene, derived: Derived, is_shifted: bool) -> Result<Band, Declined> {
     let kind = PredicateKind::Derived(derived);
     scene.has_dimension_for(kind)?;
     // A rounded weight would err by its own magnitude, and the band is about differences of weights.
@@ -75,6 +76,10 @@ pub(crate) fn prepared<F: Float>(scene: &Scene, derived: Derived) -> Result<Band
     let length = largest_extent(scene, axes);
     let (band, largest) = match error_bound(derived) {
         Some((factor, power)) => by_calculus::<F>(F::above(length), factor.to_f64() + 1.0, power),
+        None if is_shifted => {
+            let reason = "the scene is shifted, and the formula is not about differences of coordinates";
+            return Err(Declined::predicate(kind, reason));
+        }
         None => by_filter::<F>(scene, derived, axes),
     };
     let is_point = length == 0.0 && scene.weights().iter().all(|weight| *weight == scene.weights()[0]);

@@ -22,6 +22,9 @@ pub trait Float: Root + Copy + PartialOrd + Debug + Send + Sync + 'static {
     /// The number zero.
     const ZERO: Self;
 
+    /// True if some doubles are not numbers of this format, so that a shift of a scene can help.
+    const IS_NARROW: bool = true;
+
     /// The same value as a double, which holds it exactly.
     fn wide(self) -> f64;
 
@@ -37,6 +40,7 @@ impl Float for f64 {
     const EPSILON: f64 = f64::EPSILON;
     const MIN_POSITIVE: f64 = f64::MIN_POSITIVE;
     const ZERO: f64 = 0.0;
+    const IS_NARROW: bool = false;
 
     #[inline]
     fn wide(self) -> f64 {

@@ -28,6 +28,7 @@ mod float;
 mod planted;
 pub mod quantities;
 mod session;
+mod shift;
 mod tolerances2d;
 mod tolerances3d;
 

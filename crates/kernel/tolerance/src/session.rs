@@ -24,6 +24,8 @@ pub struct Session<'s, T, F = f64> {
     /// The scene's points, in the view of its dimension; the other view is empty.
     points2: &'s [[f64; 2]],
     points3: &'s [[f64; 3]],
+    /// The scene in the coordinates to compute with, if these are not its own; always `None` in double precision.
+    shifted: Option<Scene>,
     widths: Widths,
     tally: T,
     tolerances: Tolerances<F>,
@@ -125,13 +127,18 @@ fn solid<F: Float>([x, y, z]: [f64; 3]) -> [F; 3] {
 }
 
 impl<'s, T, F: Float> Session<'s, T, F> {
-    pub(crate) fn new(scene: &'s Scene, tally: T, tolerances: Tolerances<F>, form: EdgeVertex) -> Session<'s, T, F> {
+    pub(crate) fn new(
+        (scene, shifted): (&'s Scene, Option<Scene>),
+        tally: T,
+        tolerances: Tolerances<F>,
+        form: EdgeVertex,
+    ) -> Session<'s, T, F> {
         let (points2, points3): (&[_], &[_]) = match scene.dimension() {
             Dimension::Two => (scene.coordinates().as_chunks().0, &[]),
             Dimension::Three => (&[], scene.coordinates().as_chunks().0),
         };
         let widths = Widths::new(&tolerances, scene.dimension());
-        Session { scene, points2, points3, widths, tally, tolerances, form, known: OnceLock::new() }
+        Session { scene, points2, points3, shifted, widths, tally, tolerances, form, known: OnceLock::new() }
     }
 }
 
@@ -162,9 +169,44 @@ impl<T, F: Float> Session<'_, T, F> {
         self.tolerances.contacts.as_ref().map_err(Clone::clone)
     }
 
+    /// The scene in shifted coordinates; known to be `None` when double precision is compiled.
+    #[inline(always)]
+    fn shifted(&self) -> Option<&Scene> {
+        if F::IS_NARROW { self.shifted.as_ref() } else { None }
+    }
+
+    /// The scene in the coordinates to compute with.
+    #[inline(always)]
+    fn computed(&self) -> &Scene {
+        self.shifted().unwrap_or(self.scene)
+    }
+
+    /// The stage that settles all queries of the session.
+    #[inline(always)]
+    fn stage(&self) -> usize {
+        usize::from(self.shifted().is_some())
+    }
+
+    #[inline(always)]
+    fn points2(&self) -> &[[f64; 2]] {
+        self.shifted().map_or(self.points2, |shifted| match shifted.dimension() {
+            Dimension::Two => shifted.coordinates().as_chunks().0,
+            Dimension::Three => &[],
+        })
+    }
+
+    #[inline(always)]
+    fn points3(&self) -> &[[f64; 3]] {
+        self.shifted().map_or(self.points3, |shifted| match shifted.dimension() {
+            Dimension::Two => &[],
+            Dimension::Three => shifted.coordinates().as_chunks().0,
+        })
+    }
+
+    #[inline]
     fn pairs(&self) -> Pairs<'_, F> {
         match &self.tolerances.contacts {
-            Ok(tolerances) => Pairs { scene: self.scene, tolerances, form: self.form },
+            Ok(tolerances) => Pairs { scene: self.computed(), tolerances, form: self.form },
             Err(declined) => panic!("{declined}"),
         }
     }
@@ -175,12 +217,12 @@ impl<T, F: Float> Session<'_, T, F> {
         let mut points = [[0.0; 2]; N];
         if let (Dimension::Two, Plane::Xy) = (self.scene.dimension(), plane) {
             for (point, v) in points.iter_mut().zip(vertices) {
-                *point = self.points2[v.index()];
+                *point = self.points2()[v.index()];
             }
         } else {
             let [x, y] = plane.axes().map(Axis::index);
             for (point, v) in points.iter_mut().zip(vertices) {
-                let solid = self.points3[v.index()];
+                let solid = self.points3()[v.index()];
                 *point = [solid[x], solid[y]];
             }
         }
@@ -191,7 +233,7 @@ impl<T, F: Float> Session<'_, T, F> {
     fn solid<const N: usize>(&self, vertices: [Vertex; N]) -> [[f64; 3]; N] {
         let mut points = [[0.0; 3]; N];
         for (point, v) in points.iter_mut().zip(vertices) {
-            *point = self.points3[v.index()];
+            *point = self.points3()[v.index()];
         }
         points
     }
@@ -221,10 +263,11 @@ impl<T, F: Float> Session<'_, T, F> {
 
     /// The band of a predicate from a formula, derived at its first use.
     fn derived(&self, derived: Derived) -> Result<Band, Declined> {
-        let known = self.known.get_or_init(|| (derived, derived::prepared::<F>(self.scene, derived)));
+        let known =
+            self.known.get_or_init(|| (derived, derived::prepared::<F>(self.scene, derived, self.shifted().is_some())));
         match known {
             (first, band) if *first == derived => band.clone(),
-            _ => derived::prepared::<F>(self.scene, derived),
+            _ => derived::prepared::<F>(self.scene, derived, self.shifted().is_some()),
         }
     }
 
@@ -265,46 +308,46 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
 
     #[inline]
     fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.tally.settled(PredicateKind::Compare, 0);
+        self.tally.settled(PredicateKind::Compare, self.stage());
         let [a, b] = match self.scene.dimension() {
-            Dimension::Two => [a, b].map(|v| self.points2[v.index()][axis.index()]),
-            Dimension::Three => [a, b].map(|v| self.points3[v.index()][axis.index()]),
+            Dimension::Two => [a, b].map(|v| self.points2()[v.index()][axis.index()]),
+            Dimension::Three => [a, b].map(|v| self.points3()[v.index()][axis.index()]),
         };
         Sign::of(order([[a], [b]]))
     }
 
     #[inline(always)]
     fn orient2d(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Sign {
-        self.tally.settled(PredicateKind::Orient2d, 0);
+        self.tally.settled(PredicateKind::Orient2d, self.stage());
         let width = self.width(self.widths.kappa[plane as usize], Question::Orient2d(plane));
         Sign::of(beyond(width, area::<F>(self.flat(plane, [a, b, c]))))
     }
 
     #[inline(always)]
     fn orient3d(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.tally.settled(PredicateKind::Orient3d, 0);
+        self.tally.settled(PredicateKind::Orient3d, self.stage());
         let width = self.width(self.widths.xi, Question::Orient3d);
         Sign::of(beyond(width, volume::<F>(self.solid([a, b, c, d]))))
     }
 
     #[inline]
     fn incircle(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> Sign {
-        self.tally.settled(PredicateKind::Incircle, 0);
+        self.tally.settled(PredicateKind::Incircle, self.stage());
         let width = self.width(self.widths.incircle, Question::Incircle);
         Sign::of(beyond(width, circle::<F>(self.flat(Plane::Xy, [a, b, c, d]))))
     }
 
     #[inline]
     fn insphere(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex, e: Vertex) -> Sign {
-        self.tally.settled(PredicateKind::Insphere, 0);
+        self.tally.settled(PredicateKind::Insphere, self.stage());
         let width = self.width(self.widths.insphere, Question::Insphere);
         Sign::of(beyond(width, sphere::<F>(self.solid([a, b, c, d, e]))))
     }
 
     fn sign(&self, predicate: Derived, vertices: &[Vertex]) -> Sign {
-        self.tally.settled(PredicateKind::Derived(predicate), 0);
+        self.tally.settled(PredicateKind::Derived(predicate), self.stage());
         let band = self.derived(predicate).unwrap_or_else(|declined| panic!("{declined}"));
-        let value = predicate.with_points(self.scene, vertices, |points| derived::value::<F>(predicate, points));
+        let value = predicate.with_points(self.computed(), vertices, |points| derived::value::<F>(predicate, points));
         Sign::of(beyond(band.width, value))
     }
 
@@ -315,7 +358,10 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
             (Question::Incircle, &[a, b, c, d]) => Some(circle::<F>(self.flat(Plane::Xy, [a, b, c, d]))),
             (Question::Insphere, &[a, b, c, d, e]) => Some(sphere::<F>(self.solid([a, b, c, d, e]))),
             (Question::Derived(derived), args) if args.len() == derived.formula().arity() => {
-                Some(derived.with_points(self.scene, args, |points| derived::value::<F>(derived, points)))
+                // A formula that does not follow a shift has no value here.
+                let is_here = self.shifted().is_none() || self.derived(derived).is_ok();
+                is_here
+                    .then(|| derived.with_points(self.computed(), args, |points| derived::value::<F>(derived, points)))
             }
             _ => None,
         }
@@ -387,12 +433,12 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
 
     fn compare_batch(&self, axis: Axis, queries: &[[Vertex; 2]], out: &mut [Sign]) {
         match (self.scene.dimension(), axis) {
-            (Dimension::Two, Axis::X) => self.compare_many::<Along<0>, 2>(self.points2, axis, queries, out),
-            (Dimension::Two, Axis::Y) => self.compare_many::<Along<1>, 2>(self.points2, axis, queries, out),
+            (Dimension::Two, Axis::X) => self.compare_many::<Along<0>, 2>(self.points2(), axis, queries, out),
+            (Dimension::Two, Axis::Y) => self.compare_many::<Along<1>, 2>(self.points2(), axis, queries, out),
             (Dimension::Two, Axis::Z) => assert!(queries.is_empty(), "a 2D scene has no axis z"),
-            (Dimension::Three, Axis::X) => self.compare_many::<Along<0>, 3>(self.points3, axis, queries, out),
-            (Dimension::Three, Axis::Y) => self.compare_many::<Along<1>, 3>(self.points3, axis, queries, out),
-            (Dimension::Three, Axis::Z) => self.compare_many::<Along<2>, 3>(self.points3, axis, queries, out),
+            (Dimension::Three, Axis::X) => self.compare_many::<Along<0>, 3>(self.points3(), axis, queries, out),
+            (Dimension::Three, Axis::Y) => self.compare_many::<Along<1>, 3>(self.points3(), axis, queries, out),
+            (Dimension::Three, Axis::Z) => self.compare_many::<Along<2>, 3>(self.points3(), axis, queries, out),
         }
     }
 
@@ -411,7 +457,7 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
     fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let band = (self.widths.xi, Question::Orient3d);
         let one = |query| volume::<F>(self.solid(query));
-        self.many::<Whole, 3, 3, 4>(band, self.points3, (queries, out), volume::<F>, one);
+        self.many::<Whole, 3, 3, 4>(band, self.points3(), (queries, out), volume::<F>, one);
     }
 
     fn orient3d_plane(&self, [a, b, c]: [Vertex; 3], points: &[Vertex], out: &mut [Sign]) {
@@ -422,19 +468,19 @@ impl<T: Tally, F: Float> Predicates for Session<'_, T, F> {
         let band = (self.widths.xi, Question::Orient3d);
         let one = |[d]: [Vertex; 1]| volume::<F>(self.solid([a, b, c, d]));
         let evaluate = move |[s]: [[f64; 3]; 1]| volume::<F>([p, q, r, s]);
-        self.many::<Whole, 3, 3, 1>(band, self.points3, (points.as_chunks::<1>().0, out), evaluate, one);
+        self.many::<Whole, 3, 3, 1>(band, self.points3(), (points.as_chunks::<1>().0, out), evaluate, one);
     }
 
     fn incircle_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) {
         let band = (self.widths.incircle, Question::Incircle);
         let one = |query| circle::<F>(self.flat(Plane::Xy, query));
-        self.many::<Whole, 2, 2, 4>(band, self.points2, (queries, out), circle::<F>, one);
+        self.many::<Whole, 2, 2, 4>(band, self.points2(), (queries, out), circle::<F>, one);
     }
 
     fn insphere_batch(&self, queries: &[[Vertex; 5]], out: &mut [Sign]) {
         let band = (self.widths.insphere, Question::Insphere);
         let one = |query| sphere::<F>(self.solid(query));
-        self.many::<Whole, 3, 3, 5>(band, self.points3, (queries, out), sphere::<F>, one);
+        self.many::<Whole, 3, 3, 5>(band, self.points3(), (queries, out), sphere::<F>, one);
     }
 }
 
@@ -464,10 +510,10 @@ impl<T: Tally, F: Float> Session<'_, T, F> {
         let band = (self.widths.kappa[plane as usize], Question::Orient2d(plane));
         let (both, one) = ((queries, out), |query| area::<F>(self.flat(plane, all(query))));
         match (self.scene.dimension(), plane) {
-            (Dimension::Two, _) => self.many::<Whole, 2, 2, N>(band, self.points2, both, evaluate, one),
-            (Dimension::Three, Plane::Xy) => self.many::<Xy, 3, 2, N>(band, self.points3, both, evaluate, one),
-            (Dimension::Three, Plane::Yz) => self.many::<Yz, 3, 2, N>(band, self.points3, both, evaluate, one),
-            (Dimension::Three, Plane::Zx) => self.many::<Zx, 3, 2, N>(band, self.points3, both, evaluate, one),
+            (Dimension::Two, _) => self.many::<Whole, 2, 2, N>(band, self.points2(), both, evaluate, one),
+            (Dimension::Three, Plane::Xy) => self.many::<Xy, 3, 2, N>(band, self.points3(), both, evaluate, one),
+            (Dimension::Three, Plane::Yz) => self.many::<Yz, 3, 2, N>(band, self.points3(), both, evaluate, one),
+            (Dimension::Three, Plane::Zx) => self.many::<Zx, 3, 2, N>(band, self.points3(), both, evaluate, one),
         }
     }
 
@@ -488,6 +534,6 @@ impl<T: Tally, F: Float> Session<'_, T, F> {
         let width = self.width(width, question);
         let (evaluate, one) = (|points| beyond(width, evaluate(points)), |query| Sign::of(beyond(width, one(query))));
         lanes::answer::<V, E, D, N>(points, queries, out, evaluate, one);
-        self.tally.settled_many(question.kind(), 0, queries.len().min(out.len()) as u64);
+        self.tally.settled_many(question.kind(), self.stage(), queries.len().min(out.len()) as u64);
     }
 }

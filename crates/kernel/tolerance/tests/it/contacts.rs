@@ -79,7 +79,8 @@ fn all_bands_are_those_of_the_figure() {
 fn coordinates_that_are_not_of_the_format_are_named() {
     let scene = Scene::from_points3(&[[0.5, 1.0, 2.0], [3.0, 4.0, 5.0], [6.0, 0.1, 7.0]]).unwrap();
     let declined = SINGLE.prepare(&scene, Off).map(|_| ()).unwrap_err();
-    let said = "point 2: coordinate 1 is 0.1, which f32 does not hold exactly; round the scene to f32 first";
+    let said = "point 2: coordinate 1 is 0.1, which f32 does not hold exactly, not even after a shift; \
+                round the scene to f32 first";
     assert_eq!(declined.reason, said);
 }
 
@@ -241,8 +242,8 @@ fn single_precision_takes_only_what_it_holds() {
     let scene = plane(&[[0.0, 0.0], [1.0, 0.1]], [1.0, 1.0]);
     let reason = declined::<f32>(&scene).unwrap().reason;
     assert!(reason.contains("point 1: coordinate 1 is 0.1") && reason.contains("round the scene"), "{reason}");
-    assert!(declined::<f32>(&plane(&[[1e60, 0.0]], [1.0, 1.0])).is_some());
-    assert!(declined::<f32>(&plane(&[[1e-60, 0.0]], [1.0, 1.0])).is_some());
+    assert!(declined::<f32>(&plane(&[[1e60, 0.0], [-1e60, 0.0]], [1.0, 1.0])).is_some());
+    assert!(declined::<f32>(&plane(&[[1e-60, 0.0], [1.0, 0.0]], [1.0, 1.0])).is_some());
     let rounded = plane(&[[0.0, 0.0], [1.0, f64::from(0.1_f32)]], [1.0, 1.0]);
     assert_eq!(declined::<f32>(&rounded), None);
     // Its bands are wide: 4.5 √ε L with ε = 2⁻²³.

@@ -7,4 +7,5 @@ mod batches;
 mod bounds;
 mod constraints;
 mod contacts;
+mod shift;
 mod steps;

@@ -13,7 +13,8 @@ const DOUBLE: i32 = 53;
 const SINGLE: i32 = 24;
 
 /// The names of stages that compute in floating point alone.
-const FLOAT: [&str; 6] = ["compare", "double", "static filter", "semi-static filter", "float", "estimate"];
+const FLOAT: [&str; 7] =
+    ["compare", "double", "static filter", "semi-static filter", "float", "shifted float", "estimate"];
 
 /// The bits of the widest arithmetic that settled a query of a scene.
 ///
