@@ -240,7 +240,8 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
             timed(|| engine.mesh_locate(&mesh, &probes), labels)
         }
         Task::MeshRays => {
-            let rays: Vec<Ray> = asked.points::<6>("rays").into_iter().map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]).collect();
+            let rays: Vec<Ray> =
+                asked.points::<6>("rays").into_iter().map(|[a, b, c, d, e, f]| [[a, b, c], [d, e, f]]).collect();
             let extent = message.bytes("word:extent").and_then(|word| std::str::from_utf8(word).ok()).unwrap_or("ray");
             let mesh = asked.mesh("triangles");
             timed(|| engine.mesh_rays(&mesh, &rays, extent), |to, found| lists(to, "hits", &found))
