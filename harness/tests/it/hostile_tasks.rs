@@ -85,7 +85,7 @@ while True:
 
 #[test]
 #[ignore = "needs Python"]
-fn each_fault_has_its_row_and_the_scenes_after_it_are_answered() {
+fn each_fault_in_python_has_its_row_and_the_scenes_after_it_are_answered() {
     let folder = tempdir().unwrap();
     // Points on a parabola, in their order around the hull; the last scene is answered rightly.
     let scene = |count: i32, name: &str| {
@@ -162,7 +162,7 @@ points = [[0, 0], [4, 0], [5, 4], [0, 4]]
 
 #[test]
 #[ignore = "needs Python"]
-fn an_error_is_right_for_invalid_input_alone() {
+fn an_error_in_python_is_right_for_invalid_input_alone() {
     let folder = tempdir().unwrap();
     let suite = write(&folder, "suite.toml", QUADRANGLES);
     let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python/predicament_engine.py");

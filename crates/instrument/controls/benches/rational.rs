@@ -53,7 +53,7 @@ fn scene(dimension: Dimension, (_, coordinate): Input) -> Scene {
     Scene::new(dimension, coordinates).expect("finite")
 }
 
-/// As many vertices of one kind of construction as the scene has points.
+/// Constructed vertices of one kind, in the number of the points of the scene.
 fn constructed(scene: &Scene, kind: &str) -> Scene {
     let mut scene = scene.clone();
     let mut random = Random(0xbf58_476d_1ce4_e5b9);
