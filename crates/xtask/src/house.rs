@@ -1,6 +1,7 @@
 //! Project rules that the compiler does not check, as tests.
 
 mod coverage;
+mod engines;
 mod kernel;
 mod links;
 mod packages;

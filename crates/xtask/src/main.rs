@@ -25,6 +25,7 @@ mod python;
 #[cfg(test)]
 mod recipes;
 mod sample;
+mod scoreboard;
 mod spread;
 mod steps;
 
@@ -65,6 +66,9 @@ Commands:
   sample [--resume]
          the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (40 minutes). --resume keeps the steps that an earlier, stopped sample has done
+  scoreboard [--resume]
+         the sample scoreboard anew: the engines of whole tasks that are installed, on embedded and fetched suites, with
+         times; `reports/scoreboard`
   mutants [--every N] [--from K] [--all-tests] [PACKAGE...]
          the mutation score: every N-th (50th) small change to arithmetic, exact, sos, tolerance, laws and judge, from
          the K-th on (0), by cargo-mutants and the tests of the package; with --all-tests what these miss is tried again
@@ -93,7 +97,7 @@ fn main() -> ExitCode {
     let is_known = |argument: &str| {
         ["advisories", "c-library", "engines", "mutants", "test"].contains(&command.as_str())
             || command == "browser" && argument == "--accept"
-            || command == "sample" && argument == "--resume"
+            || ["sample", "scoreboard"].contains(&command.as_str()) && argument == "--resume"
     };
     if let Some(extra) = rest.iter().find(|argument| !is_known(argument)) {
         eprintln!("xtask: unexpected argument `{extra}`; see `cargo xtask help`");
@@ -116,6 +120,7 @@ fn main() -> ExitCode {
         "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "pages" => m4::ensure().and_then(|()| pages::write()),
         "sample" => m4::ensure().and_then(|()| sample::make(!rest.is_empty())),
+        "scoreboard" => m4::ensure().and_then(|()| scoreboard::make(!rest.is_empty())),
         "setup" => m4::ensure(),
         "help" | "-h" | "--help" => {
             print!("{HELP}");

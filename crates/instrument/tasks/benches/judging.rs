@@ -30,10 +30,18 @@ fn scene(task: &'static dyn AnyTask, size: usize) -> Option<LoadedScene> {
         let suite = suite.map_err(|why| eprintln!("{}: {why}", task.name())).ok()?;
         suite.scenes[0].load(Level::Quick, &Cache::new("judging")).map_err(|why| eprintln!("{why}")).ok()
     };
-    let first = of_size(size)?;
-    let parts = task.size_of(&first).max(1);
-    // The family's unit is not a part.
-    if parts.abs_diff(size) * 4 < size { Some(first) } else { of_size((size * size / parts).max(4)) }
+    // The family's unit is not a part in every family: its size is doubled until there are enough parts.
+    let (mut low, mut below) = (4, 0);
+    loop {
+        let high = 2 * low;
+        let loaded = of_size(high)?;
+        let parts = task.size_of(&loaded);
+        if parts >= size {
+            let n = low + (high - low) * (size - below) / (parts - below).max(1);
+            return if n == high { Some(loaded) } else { of_size(n) };
+        }
+        (low, below) = (high, parts);
+    }
 }
 
 /// The seconds of solving and of judging, and the verdict.

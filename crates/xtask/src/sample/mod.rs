@@ -7,7 +7,7 @@ mod agrees;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::command::{cargo, fresh, root, step, target_directory};
+use crate::command::{cargo, fresh, root, step_ending, target_directory};
 
 /// The folder of the runs, beside the build.
 const WORK: &str = "target/sample";
@@ -59,7 +59,7 @@ pub fn make(resume: bool) -> Result<(), String> {
     let program = target_directory()?.join("release").join("predicament").display().to_string();
     let words =
         |args: &[&str]| -> Vec<String> { [program.as_str()].iter().chain(args).map(|&word| word.to_owned()).collect() };
-    let tool = |what: &str, args: &[&str]| once(&work, what, &words(args));
+    let tool = |what: &str, args: &[&str]| once(&work, what, &words(args), &[0]);
     tool("fetch real data", &["corpus", "fetch", "--quiet"])?;
     tool("run the embedded suites", &["run", "--out", &run])?;
     let suites = fetched_suites(&program)?;
@@ -93,7 +93,9 @@ pub fn make(resume: bool) -> Result<(), String> {
 }
 
 /// Runs a step that leaves a mark in this folder, or only says that the mark is there.
-fn once(work: &Path, what: &str, words: &[String]) -> Result<(), String> {
+///
+/// The step may end with these codes.
+pub fn once(work: &Path, what: &str, words: &[String], fine: &[i32]) -> Result<(), String> {
     let mark = root().join(work).join(format!("{}.done", what.replace(' ', "-")));
     if mark.is_file() {
         println!("\n== {what}: done before");
@@ -104,12 +106,12 @@ fn once(work: &Path, what: &str, words: &[String]) -> Result<(), String> {
     if let Some(out) = out.filter(|out| out.is_dir()) {
         std::fs::remove_dir_all(&out).map_err(|error| format!("{}: {error}", out.display()))?;
     }
-    step(what, words, &[])?;
+    step_ending(what, words, &[], fine)?;
     std::fs::write(&mark, "").map_err(|error| format!("{}: {error}", mark.display()))
 }
 
 /// The suites whose data must be fetched.
-fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
+pub fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
     let output =
         Command::new(program).args(["corpus", "list"]).output().map_err(|error| format!("corpus list: {error}"))?;
     let text = String::from_utf8_lossy(&output.stdout);
