@@ -1,5 +1,6 @@
 //! Project rules that the compiler does not check, as tests.
 
+mod commands;
 mod coverage;
 mod engines;
 mod kernel;

@@ -11,7 +11,7 @@ use crate::command::root;
 const TOP: [&str; 3] = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"];
 
 /// The pages of a repository whose links are checked: those at the top, all of `docs/`, and READMEs of crates.
-fn pages(root: &Path) -> Vec<String> {
+pub fn pages(root: &Path) -> Vec<String> {
     let of = |folder: &str| files(root, folder).expect("a folder").into_iter();
     let docs = of(DOCS).filter(|path| path.ends_with(".md"));
     let crates = of("crates").filter(|path| path.ends_with("/README.md") && !path.contains("/node_modules/"));
