@@ -49,7 +49,7 @@ fn tie(session: &Session<'_, Off>, x: Vertex) {
     let sign = match *session.scene().construction(x).expect("constructed") {
         Construction::Ssi([[a, b], _]) => session.orient2d(Plane::Xy, a, b, black_box(x)),
         Construction::Lpi { plane: [a, b, c], .. } => session.orient3d(a, b, c, black_box(x)),
-        Construction::Tpi(_) => unreachable!("there are none"),
+        Construction::Tpi(_) | Construction::Ratio { .. } => unreachable!("there are none"),
     };
     assert_eq!(sign, Sign::Zero);
 }
