@@ -8,6 +8,7 @@ pub mod half_edge;
 mod length;
 mod materials;
 mod polygon;
+pub mod structures;
 mod subdivision;
 
 pub use complex::{Complex, ComplexError, Simplex, Simplices};

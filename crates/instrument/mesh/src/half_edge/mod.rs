@@ -36,6 +36,7 @@ mod cut;
 mod flip;
 mod handles;
 mod indexed;
+mod links;
 mod operation_error;
 mod remove;
 mod split;
@@ -49,6 +50,7 @@ pub use collapse::{Collapsed, Side};
 pub use conversion_error::ConversionError;
 pub use handles::{Face, HalfEdge, MeshVertex};
 pub use indexed::IndexedFaces;
+pub use links::{Link, Links};
 pub use operation_error::OperationError;
 pub use validate::{Element, Violation};
 

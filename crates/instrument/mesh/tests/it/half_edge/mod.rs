@@ -8,3 +8,4 @@ mod operations;
 mod random;
 mod sequence;
 mod shapes;
+mod structures;

@@ -8,16 +8,17 @@ use super::sequence::{Done, KINDS, Sequence};
 use super::shapes::{cube, grid, octahedron, polygon_and_fan, two_squares};
 
 /// A linear congruential generator (Knuth's MMIX constants).
-struct Random(u64);
+pub struct Random(pub u64);
 
 impl Random {
-    fn next(&mut self) -> u32 {
+    pub fn next(&mut self) -> u32 {
         self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         u32::try_from(self.0 >> 32).unwrap()
     }
 }
 
-fn start(at: u32) -> HalfEdgeMesh {
+/// The mesh that a sequence starts with.
+pub fn start(at: u32) -> HalfEdgeMesh {
     match at % 6 {
         0 => octahedron(),
         1 => cube(),
