@@ -81,6 +81,12 @@ impl<const D: usize> Boxes<D> {
     /// Writes to `found` the indices of the boxes that are near `one`, ascending.
     pub fn near(&self, one: &Extent<D>, reach: f64, found: &mut Vec<u32>) {
         found.clear();
+        self.each_near(one, reach, |place| found.push(place));
+        found.sort_unstable();
+    }
+
+    /// Calls a function with the index of each box that is near `one`, in any order.
+    pub fn each_near(&self, one: &Extent<D>, reach: f64, mut call: impl FnMut(u32)) {
         let mut next: Vec<usize> = if self.halves.is_empty() { Vec::new() } else { vec![0] };
         while let Some(at) = next.pop() {
             let half = &self.halves[at];
@@ -91,11 +97,10 @@ impl<const D: usize> Boxes<D> {
                 Some(second) => next.extend([at + 1, second]),
                 None => {
                     let places = self.order[half.places.clone()].iter().copied();
-                    found.extend(places.filter(|&place| are_near(&self.boxes[place as usize], one, reach)));
+                    places.filter(|&place| are_near(&self.boxes[place as usize], one, reach)).for_each(&mut call);
                 }
             }
         }
-        found.sort_unstable();
     }
 
     /// Adds the node with these positions in the order, and its children; returns the node's index.

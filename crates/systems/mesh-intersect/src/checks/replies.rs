@@ -57,6 +57,8 @@ struct Wrong {
 /// Two solids.
 pub struct Solids {
     skins: [Skin; 2],
+    /// The triangles of both surfaces, for distances.
+    both: Skin,
     /// The area of both surfaces, and the length of all edges.
     area: f64,
     length: f64,
@@ -69,10 +71,10 @@ impl Solids {
     /// Two operands by their surfaces.
     #[must_use]
     pub fn new(skins: [Skin; 2]) -> Solids {
-        let all = || skins.iter().flat_map(Skin::triangles);
-        let area = all().map(skin::area).sum();
-        let length = all().map(skin::length).sum();
-        Solids { skins, area, length }
+        let both = Skin::new(skins.iter().flat_map(Skin::triangles).copied().collect());
+        let area = both.triangles().iter().map(skin::area).sum();
+        let length = both.triangles().iter().map(skin::length).sum();
+        Solids { skins, both, area, length }
     }
 
     /// Both operands.
@@ -84,8 +86,7 @@ impl Solids {
     /// The largest distance of a result's vertex from the operands' surfaces; zero without vertices.
     #[must_use]
     pub fn farthest(&self, vertices: &[[f64; 3]], nearest: f64) -> f64 {
-        let of = |&p: &[f64; 3]| self.skins.iter().map(|skin| skin.distance(p, nearest)).fold(f64::INFINITY, f64::min);
-        vertices.iter().map(of).fold(0.0, f64::max)
+        vertices.iter().map(|&p| self.both.distance(p, nearest)).fold(0.0, f64::max)
     }
 
     /// At most `most` points beside these triangles, farther than `within` from both surfaces.
@@ -132,7 +133,7 @@ impl Solids {
             let wanted = i64::from(operation.holds(inside));
             if let Some(winding) = result.winding(p).filter(|winding| *winding != wanted) {
                 wrong += 1;
-                let distance = self.skins.iter().map(|skin| skin.distance(p, within)).fold(f64::INFINITY, f64::min);
+                let distance = self.both.distance(p, within);
                 if first.as_ref().is_none_or(|first| distance > first.distance) {
                     first = Some(Wrong { p, winding, wanted, distance });
                 }

@@ -37,31 +37,27 @@ impl Edges {
     /// The winding number of the loops around a point; `None` for a point on an edge.
     ///
     /// It is exact, as that of the overlay's own checks is. Those have rational points and edges with supports. Here
-    /// all are doubles, and most edges are settled by comparing these, which makes tens of thousands of points
-    /// affordable.
+    /// all are doubles. The search tree leaves the edges that meet the ray to the right, and most of them are settled
+    /// by comparing doubles, which makes tens of thousands of points affordable.
     #[must_use]
     pub fn winding(&self, p: Double) -> Option<i32> {
-        let mut winding = 0;
-        for &[a, b] in &self.edges {
+        let (mut winding, mut is_on) = (0, false);
+        self.index.each_near(&[p, [f64::INFINITY, p[1]]], 0.0, |edge| {
+            let [a, b] = self.edges[edge as usize];
             let is_below = [a[1] <= p[1], b[1] <= p[1]];
             if is_below[0] == is_below[1] {
                 let is_level = a[1] == p[1] && b[1] == p[1] || a == p || b == p;
-                if is_level && a[0].min(b[0]) <= p[0] && p[0] <= a[0].max(b[0]) {
-                    return None;
-                }
-                continue;
-            }
-            if p[0] > a[0].max(b[0]) {
-                continue;
+                is_on |= is_level && a[0].min(b[0]) <= p[0] && p[0] <= a[0].max(b[0]);
+                return;
             }
             match (side(a, b, p), is_below[0]) {
-                (Ordering::Equal, _) => return None,
+                (Ordering::Equal, _) => is_on = true,
                 (Ordering::Greater, true) => winding += 1,
                 (Ordering::Less, false) => winding -= 1,
                 _ => {}
             }
-        }
-        Some(winding)
+        });
+        (!is_on).then_some(winding)
     }
 
     /// The distance of a point from the nearest edge, computed in rationals and rounded once; infinite without edges.
@@ -77,11 +73,12 @@ impl Edges {
         loop {
             self.index.near(&[p, p], reach, &mut near);
             let is_all = near.len() == self.edges.len();
-            let of = |&edge: &u32| {
-                let [a, b] = self.edges[edge as usize].map(|end| end.map(rational));
-                distance(&a, &b, &at)
-            };
-            let least = near.iter().map(of).fold(f64::INFINITY, f64::min);
+            // Edges that are surely farther than another one are not computed exactly.
+            let rough: Vec<f64> = near.iter().map(|&edge| self.rough(edge, p)).collect();
+            let most = rough.iter().copied().fold(f64::INFINITY, f64::min) + 2.0 * self.slack(p);
+            let of = |(&edge, _): (&u32, &f64)| self.exact(edge, &at);
+            let least = near.iter().zip(&rough).filter(|(_, off)| off.is_nan() || **off <= most).map(of);
+            let least = least.fold(f64::INFINITY, f64::min);
             // Every edge within the reach is near.
             if least <= reach || is_all {
                 return least;
@@ -93,20 +90,37 @@ impl Edges {
     /// True if the point is within a distance of an edge; also true for points that are a few roundings farther.
     #[must_use]
     pub fn is_within(&self, p: Double, distance: f64) -> bool {
-        // The error of the computed distance is below 8 units of 2^-52 of the largest coordinate.
-        let slack = (self.largest + p[0].abs().max(p[1].abs())) * 2.0_f64.powi(-49);
-        let reach = distance + slack;
+        let reach = distance + self.slack(p);
         let mut near = Vec::new();
         self.index.near(&[p, p], reach, &mut near);
         near.iter().any(|&edge| {
-            let [a, b] = self.edges[edge as usize];
-            let [along, to] = [[b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]];
-            let square = along[0] * along[0] + along[1] * along[1];
-            let part = ((along[0] * to[0] + along[1] * to[1]) / square).clamp(0.0, 1.0);
-            let off = (to[0] - part * along[0]).hypot(to[1] - part * along[1]);
-            // (A NaN, from products out of range, counts as near.)
-            off.is_nan() || off <= reach
+            let off = self.rough(edge, p);
+            let off = if off.is_nan() { self.exact(edge, &p.map(rational)) } else { off };
+            off <= reach
         })
+    }
+
+    /// The distance of a point from an edge, computed in rationals and rounded once.
+    fn exact(&self, edge: u32, p: &Point) -> f64 {
+        let [a, b] = self.edges[edge as usize].map(|end| end.map(rational));
+        distance(&a, &b, p)
+    }
+
+    /// A bound of the error of [`rough`](Edges::rough): 8 units of 2^-52 of the largest coordinate.
+    fn slack(&self, p: Double) -> f64 {
+        (self.largest + p[0].abs().max(p[1].abs())) * 2.0_f64.powi(-49)
+    }
+
+    /// The distance of a point from an edge, in doubles; NaN if products may leave the range of doubles.
+    fn rough(&self, edge: u32, p: Double) -> f64 {
+        let [a, b] = self.edges[edge as usize];
+        let [along, to] = [[b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]];
+        let square = along[0] * along[0] + along[1] * along[1];
+        if !(1e-280..1e300).contains(&square) {
+            return f64::NAN;
+        }
+        let part = ((along[0] * to[0] + along[1] * to[1]) / square).clamp(0.0, 1.0);
+        (to[0] - part * along[0]).hypot(to[1] - part * along[1])
     }
 
     /// Two edges that cross with all ends farther than a distance from the other edge, in words; an even sample of

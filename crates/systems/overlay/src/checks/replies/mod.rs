@@ -57,6 +57,8 @@ const FEW: usize = 160;
 pub struct Operands {
     /// The edges of each operand.
     edges: [Edges; 2],
+    /// The edges of both, for distances.
+    both: Edges,
     /// The rule for the inside of both.
     inside: fn(i32) -> bool,
     /// The length of all edges.
@@ -81,15 +83,16 @@ impl Operands {
     /// Two operands by their loops, and the rule for winding numbers of inner points.
     #[must_use]
     pub fn new(loops: [&[Vec<[f64; 2]>]; 2], inside: fn(i32) -> bool) -> Operands {
+        let both = Edges::new(loops.into_iter().flatten());
         let edges = loops.map(|loops| Edges::new(loops.iter()));
-        let length = edges.iter().flat_map(Edges::all).map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1])).sum();
-        Operands { edges, inside, length }
+        let length = both.all().iter().map(|[a, b]| (a[0] - b[0]).hypot(a[1] - b[1])).sum();
+        Operands { edges, both, inside, length }
     }
 
     /// The number of edges.
     #[must_use]
     pub fn len(&self) -> usize {
-        self.edges.iter().map(|edges| edges.all().len()).sum()
+        self.both.all().len()
     }
 
     /// True if there are no edges.
@@ -102,12 +105,7 @@ impl Operands {
     #[must_use]
     pub fn farthest(&self, result: &Rings, nearest: f64) -> f64 {
         let vertices = result.iter().flatten().flatten();
-        vertices.map(|&p| self.distance(p, nearest)).fold(0.0, f64::max)
-    }
-
-    /// The distance of a point from the edges of the operands. The search begins at a distance.
-    fn distance(&self, p: [f64; 2], from: f64) -> f64 {
-        self.edges.iter().map(|edges| edges.distance(p, from)).fold(f64::INFINITY, f64::min)
+        vertices.map(|&p| self.both.distance(p, nearest)).fold(0.0, f64::max)
     }
 
     /// For each operand, true if a point is inside; `None` if it is on an edge.
@@ -120,14 +118,14 @@ impl Operands {
     /// its membership in both operands. Some of them are farther than `coarsest`.
     #[must_use]
     pub fn witnesses(&self, [within, coarsest]: [f64; 2], most: usize) -> Vec<Witness> {
-        let all: Vec<[[f64; 2]; 2]> = self.edges.iter().flat_map(|edges| edges.all().iter().copied()).collect();
-        self.known(points::candidates(&all, [within, coarsest], self.len() <= FEW, most), within, most)
+        let all = self.both.all();
+        self.known(points::candidates(all, [within, coarsest], self.len() <= FEW, most), within, most)
     }
 
     /// The memberships of candidates that are farther than `within` from all edges.
     fn known(&self, candidates: Vec<[f64; 2]>, within: f64, most: usize) -> Vec<Witness> {
         let step = candidates.len().div_ceil(most.max(1)).max(1);
-        let far = |p: &[f64; 2]| !self.edges.iter().any(|edges| edges.is_within(*p, within));
+        let far = |p: &[f64; 2]| !self.both.is_within(*p, within);
         let sampled = candidates.into_iter().step_by(step).filter(far);
         sampled.filter_map(|p| Some((p, self.membership(p)?))).collect()
     }
@@ -157,7 +155,7 @@ impl Operands {
             let Some(inside_of) = parities.collect::<Option<Vec<bool>>>() else { continue };
             let count = inside_of.into_iter().filter(|is| *is).count();
             if (count > 0) != operation.holds(inside) {
-                let distance = self.distance(p, within);
+                let distance = self.both.distance(p, within);
                 let is_worse = wrong.1.is_none() || distance > wrong.2;
                 let first = if is_worse { Some((p, count > 0)) } else { wrong.1 };
                 wrong = (wrong.0 + 1, first, wrong.2.max(distance));
