@@ -1,10 +1,11 @@
 //! The sample scoreboard: the engines of whole tasks on the embedded and the fetched suites, in `reports/scoreboard`.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::command::{cargo, fresh, root, target_directory};
-use crate::sample::{fetched_suites, once};
+use crate::sample::once;
 
 /// The folder of the runs, beside the build.
 const WORK: &str = "target/scoreboard";
@@ -12,10 +13,12 @@ const WORK: &str = "target/scoreboard";
 const SAMPLE: &str = "reports/scoreboard";
 /// The backend whose times are the unit of all others.
 const UNIT: &str = "exact";
+/// The seconds of a task's bench.
+const SECONDS: &str = "20";
 /// A run ends with 100 if it has findings.
 const FOUND: [i32; 2] = [0, 100];
 
-/// Runs and times all engines of whole tasks that start, and writes their scoreboard.
+/// Runs and times all engines of whole tasks that start, each on the scenes of its tasks, and writes their scoreboard.
 ///
 /// It leaves out engines that do not start, and says which engines it runs. With `resume` it keeps the steps that an
 /// earlier call has done.
@@ -23,7 +26,6 @@ pub fn make(resume: bool) -> Result<(), String> {
     let work = if resume { PathBuf::from(WORK) } else { fresh(WORK)? };
     std::fs::create_dir_all(root().join(&work)).map_err(|error| format!("{}: {error}", work.display()))?;
     let path = |name: &str| work.join(name).display().to_string();
-    let (run, bench, board) = (path("run"), path("bench"), path("scoreboard"));
     cargo("build the tool", &["build", "--release"])?;
     let program = target_directory()?.join("release").join("predicament").display().to_string();
     let tool = |what: &str, args: &[&str], fine: &[i32]| {
@@ -31,38 +33,62 @@ pub fn make(resume: bool) -> Result<(), String> {
         once(&work, what, &words, fine)
     };
     tool("fetch real data", &["corpus", "fetch", "--quiet"], &[0])?;
-    let engines = engines(&program)?;
-    println!("\n== {} engines answer whole tasks: {}", engines.len(), engines.join(", "));
-    let backends = engines.iter().map(|name| format!("engine:{name},")).collect::<String>() + UNIT;
-    let [embedded, fetched] = suites(&program)?;
-    let suites: Vec<&str> = embedded.iter().chain(&fetched).map(String::as_str).collect();
-    let all = |args: &[&'static str]| [args, &suites, &["-b", &backends, "--quiet", "--out"]].concat();
-    tool("run the suites", &[&all(&["run", "--timeout", "20"])[..], &[&run]].concat(), &FOUND)?;
-    let timed = ["bench", "--judged", &run, "--seconds", "300", "--quiet", "-b", &backends, "--out", &bench];
-    tool("time the libraries", &timed, &[0])?;
-    tool("write the scoreboard", &["scoreboard", &run, &bench, "--out", &board], &[0])?;
+    let engines = engines(&printed(&program, &["engines"])?);
+    if engines.is_empty() {
+        return Err("no engine of a whole task starts; install engines by `cargo xtask engines NAME...`".to_owned());
+    }
+    let scenes = scenes(&printed(&program, &["corpus", "list", "--format", "json"])?);
+    let mut folders = Vec::new();
+    for (task, names) in &engines {
+        let Some(of_task) = scenes.get(task) else { continue };
+        let backends = names.iter().map(|name| format!("engine:{name},")).collect::<String>() + UNIT;
+        let (run, bench) = (path(&format!("run-{task}")), path(&format!("bench-{task}")));
+        let suites: BTreeSet<&str> = of_task.iter().filter_map(|scene| Some(scene.split_once('/')?.0)).collect();
+        let only = format!("^({})$", of_task.join("|").replace('.', "\\."));
+        let mut words = vec!["run", "--quiet", "-f", &only, "-b", &backends, "--out", &run];
+        words.extend(suites);
+        tool(&format!("run {task}"), &words, &FOUND)?;
+        let timed = ["bench", "--quiet", "--judged", &run, "--seconds", SECONDS, "-b", &backends, "--out", &bench];
+        tool(&format!("time {task}"), &timed, &[0])?;
+        folders.extend([run, bench]);
+    }
+    let board = path("scoreboard");
+    let folders: Vec<&str> = folders.iter().map(String::as_str).collect();
+    tool("write the scoreboard", &[&["scoreboard", "--out", &board], &folders[..]].concat(), &[0])?;
     keep(&root().join(&board))?;
     println!("\n{SAMPLE} is new; `docs/WHICH.md` has a section that rests on it");
     Ok(())
 }
 
-/// The engines that start and answer whole tasks.
-fn engines(program: &str) -> Result<Vec<String>, String> {
-    let text = printed(program, &["engines"])?;
+/// The engines that start, by the whole tasks that they answer.
+fn engines(list: &str) -> BTreeMap<String, Vec<String>> {
+    let mut engines: BTreeMap<String, Vec<String>> = BTreeMap::new();
     // A line such as `-b engine:spade: version 2.15.1; tasks delaunay2d`.
-    let ready = text.lines().filter(|line| line.contains("tasks "));
-    let name = |line: &str| line.trim().strip_prefix("-b engine:")?.split(':').next().map(str::to_owned);
-    let engines: Vec<String> = ready.filter_map(name).collect();
-    let why = "no engine of a whole task starts; install engines by `cargo xtask engines NAME...`";
-    if engines.is_empty() { Err(why.to_owned()) } else { Ok(engines) }
+    for line in list.lines().filter_map(|line| line.trim().strip_prefix("-b engine:")) {
+        if let (Some((name, _)), Some((_, tasks))) = (line.split_once(':'), line.split_once("tasks ")) {
+            tasks.split(", ").for_each(|task| engines.entry(task.to_owned()).or_default().push(name.to_owned()));
+        }
+    }
+    engines
 }
 
-/// The suites that are embedded, and those whose data is fetched.
-fn suites(program: &str) -> Result<[Vec<String>; 2], String> {
-    let fetched = fetched_suites(program)?;
-    let text = printed(program, &["corpus", "list"])?;
-    let all = text.lines().filter_map(|line| line.split_whitespace().next().map(str::to_owned));
-    Ok([all.filter(|name| !fetched.contains(name)).collect(), fetched])
+/// The scenes of each task, as `suite/scene`, from a list with an object for each suite.
+fn scenes(list: &str) -> BTreeMap<String, Vec<String>> {
+    let mut scenes: BTreeMap<String, Vec<String>> = BTreeMap::new();
+    for line in list.lines() {
+        let Some(suite) = value(line, "suite") else { continue };
+        for scene in line.split("{\"family\"").skip(1) {
+            if let (Some(name), Some(task)) = (value(scene, "name"), value(scene, "task")) {
+                scenes.entry(task.to_owned()).or_default().push(format!("{suite}/{name}"));
+            }
+        }
+    }
+    scenes
+}
+
+/// The first value of a key in a line of JSON: a text without quotes in it.
+fn value<'l>(line: &'l str, key: &str) -> Option<&'l str> {
+    Some(line.split_once(&format!("\"{key}\":\""))?.1.split_once('"')?.0)
 }
 
 /// The standard output of the tool.
@@ -96,4 +122,16 @@ fn keep(board: &Path) -> Result<(), String> {
         }
     }
     Ok(())
+}
+
+#[test]
+fn engines_and_scenes_are_read_from_what_the_tool_prints() {
+    let list = "a   about tasks\n    -b engine:a: version 1; tasks hull2d, hull3d\n    engine:b (b.toml): start: it did not\n    \
+        -b engine:c: orient2d\n    -b engine:d: version 2; tasks hull2d\n";
+    let engines = engines(list);
+    assert_eq!(engines["hull2d"], ["a", "d"]);
+    assert_eq!([engines["hull3d"].len(), engines.len()], [1, 2]);
+    let list = r#"{"needs_fetch":false,"scenes":[{"family":"f","name":"x","tags":[],"task":"t"},{"family":"f","name":"y","tags":[],"task":"u"}],"suite":"s","title":"S"}"#;
+    let scenes = scenes(&format!("{list}\n{list}"));
+    assert_eq!((&scenes["t"], &scenes["u"]), (&vec!["s/x".to_owned(); 2], &vec!["s/y".to_owned(); 2]));
 }

@@ -111,7 +111,7 @@ pub fn once(work: &Path, what: &str, words: &[String], fine: &[i32]) -> Result<(
 }
 
 /// The suites whose data must be fetched.
-pub fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
+fn fetched_suites(program: &str) -> Result<Vec<String>, String> {
     let output =
         Command::new(program).args(["corpus", "list"]).output().map_err(|error| format!("corpus list: {error}"))?;
     let text = String::from_utf8_lossy(&output.stdout);
