@@ -19,9 +19,8 @@ probes in JSON or CSV, or as points of GeoJSON with a property `label`, pairs an
 a line), polylines as GeoJSON or WKT, numbers in JSON. An answer of several parts is written PART=FILE, or in files \
 with the names of the parts. docs/ENGINES.md lists the parts of each task.
 
-The judge decides in rationals. Triangulations, hulls, labels, crossings and contacts are right or wrong. Polygons, solids, \
-cuts, polylines on a grid and measures are right, rounded by a distance that is printed, or wrong. The exit code is 0 if \
-the answer is right, and 100 otherwise.
+The judge decides in rationals. Answers of indices and labels are right or wrong. Constructed coordinates and measures are \
+right, rounded by a distance that is printed, or wrong. The exit code is 0 if the answer is right, and 100 otherwise.
 
 Examples:
   predicament judge delaunay2d survey.csv --answer triangles.json
