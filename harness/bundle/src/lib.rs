@@ -8,6 +8,7 @@ use std::sync::{Arc, OnceLock};
 
 use predicament_contacts::task::Contacts;
 use predicament_corpus::Vocabulary;
+use predicament_cover::task::CoverTask;
 use predicament_crossings::task::Crossings;
 use predicament_cube_union::task::CubeUnion;
 use predicament_delaunay::task::Delaunay2d;
@@ -57,6 +58,7 @@ macro_rules! each_task {
             $do!(Snap2d),
             $do!(MeshLocate),
             $do!(MeshRays),
+            $do!(CoverTask),
             $do!(MeshIntersect),
         ]
     };
