@@ -47,6 +47,8 @@
 //     Labels mesh_locate(const Mesh& mesh, const Points3& probes)     1 inside, 0 outside, -2 on the surface
 //     std::vector<Ids> mesh_rays(const Mesh& mesh, const Rays& rays, const std::string& extent)
 //         for each ray the triangles that it hits, in order along it; `extent` is "line", "ray" or "segment"
+//     double distance(const Points3& points, const Simplices& a, const Simplices& b, int dimension)
+//         the distance of two objects, 0 if they have a common point: loops in the plane, where z is 0, or triangles
 //     Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second)
 //     Pairs contacts2d(const Points2& points, const Simplices& a, const Simplices& b)     simplices that meet
 //     Pairs contacts3d(const Points3& points, const Simplices& a, const Simplices& b)
@@ -474,6 +476,8 @@ PREDICAMENT_TASK(PolygonLocate, "polygon-locate", (E & e, const Polygons& region
 PREDICAMENT_TASK(MeshLocate, "mesh-locate", (E & e, const Mesh& mesh, const Points3& probes), e.mesh_locate(mesh, probes));
 PREDICAMENT_TASK(MeshRays, "mesh-rays", (E & e, const Mesh& mesh, const Rays& rays, const std::string& extent),
                  e.mesh_rays(mesh, rays, extent));
+PREDICAMENT_TASK(Distance, "distance", (E & e, const Points3& points, const Simplices& a, const Simplices& b, int dimension),
+                 e.distance(points, a, b, dimension));
 PREDICAMENT_TASK(MeshIntersect, "mesh-intersect", (E & e, const Mesh& first, const Mesh& second),
                  e.mesh_intersect(first, second));
 PREDICAMENT_TASK(Contacts2d, "contacts2d", (E & e, const Points2& points, const Simplices& a, const Simplices& b),
@@ -685,8 +689,9 @@ public:
         points("chains", all), starts("chains", chains);
     }
 
+    void number(const char* name, double x) { points(name, std::array<std::array<double, 1>, 1>{{{x}}}); }
+
     void measures(const Measures& found) {
-        const auto number = [&](const char* name, double x) { points(name, std::array<std::array<double, 1>, 1>{{{x}}}); };
         number("volume", found.volume), number("area", found.area);
         if (found.edge_length) number("edge_length", *found.edge_length);
     }
@@ -828,7 +833,7 @@ private:
         does<Delaunay2d, Points2> || has_constraints || does<Hull2d, Points2> || does<Hull3d, Points3> ||
         does<Triangulate, Points2, Rings> || does<Overlay2d, Polygon, Polygon, bool> ||
         does<PolygonLocate, Polygons, Points2> || does<MeshLocate, Mesh, Points3> || does<MeshIntersect, Mesh, Mesh> ||
-        does<MeshRays, Mesh, Rays, std::string> ||
+        does<MeshRays, Mesh, Rays, std::string> || does<Distance, Points3, Simplices, Simplices, int> ||
         does<Contacts2d, Points2, Simplices, Simplices> || does<Contacts3d, Points3, Simplices, Simplices> ||
         does<Crossings, Segments> || does<Interval, Cells, std::vector<double>> || does<CubeUnion, Cubes> ||
         does<Slice, Mesh, Planes> || does<Snap2d, Segments, double>;
@@ -843,7 +848,8 @@ private:
         add("hull3d", does<Hull3d, Points3>), add("triangulate", does<Triangulate, Points2, Rings>);
         add("overlay2d", does<Overlay2d, Polygon, Polygon, bool>);
         add("polygon-locate", does<PolygonLocate, Polygons, Points2>), add("mesh-locate", does<MeshLocate, Mesh, Points3>);
-        add("mesh-rays", does<MeshRays, Mesh, Rays, std::string>), add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
+        add("mesh-rays", does<MeshRays, Mesh, Rays, std::string>);
+        add("distance", does<Distance, Points3, Simplices, Simplices, int>), add("mesh-intersect", does<MeshIntersect, Mesh, Mesh>);
         add("contacts2d", does<Contacts2d, Points2, Simplices, Simplices>);
         add("contacts3d", does<Contacts3d, Points3, Simplices, Simplices>), add("crossings", does<Crossings, Segments>);
         add("interval", does<Interval, Cells, std::vector<double>>), add("cube-union", does<CubeUnion, Cubes>);
@@ -890,6 +896,16 @@ private:
             const auto add = [](Answered& to, const std::vector<Ids>& lists) { to.lists("hits", lists); };
             const std::string extent = message.value("word:extent").text();
             return call<MeshRays>(add, asked.mesh("triangles"), rays, extent);
+        }
+        if (name == "distance") {
+            const bool is_plane = message.need("dimension").text() == "2";
+            Points3 points;
+            if (is_plane)
+                for (const auto& [x, y] : asked.points<2>("points")) points.push_back({x, y, 0});
+            else
+                points = asked.points<3>("points");
+            const auto add = [](Answered& to, double found) { to.number("distance", found); };
+            return call<Distance>(add, points, asked.rings("from"), asked.rings("to"), is_plane ? 2 : 3);
         }
         if (name == "mesh-intersect") {
             refuse("first_regions"), refuse("second_regions");

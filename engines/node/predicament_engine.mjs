@@ -36,6 +36,8 @@
 //     "mesh-locate"({ vertices, triangles, probes })   a label for each probe: 1 inside, 0 outside, -2 on the surface
 //     "mesh-rays"({ vertices, triangles, rays, extent })   for each ray the triangles that it hits, in their order along it; a
 //                                            ray is a pair of points, and the extent "line", "ray" or "segment"
+//     distance({ points, a, b })             the distance of two objects, 0 if they have a common point: `a` and `b` are loops of
+//                                            indices in the plane, and triangles in space
 //     "mesh-intersect"({ first, second })    as overlay2d, of meshes { vertices, triangles }
 //     contacts2d({ points, a, b })           pairs of simplices that meet, each with the indices of both; `a` and `b` are lists
 //                                            of simplices by the indices of their points. contacts3d is alike
@@ -321,6 +323,7 @@ const GIVEN = {
             extent: String(scene.entries.get("word:extent") ?? "ray"),
         },
     ],
+    distance: (scene) => [{ points: scene.points, a: scene.parts("from"), b: scene.parts("to") }],
     "mesh-intersect": (scene) => {
         if (scene.has("first_regions") || scene.has("second_regions")) throw new Declined("the meshes have several regions");
         return [{ first: scene.mesh("first"), second: scene.mesh("second") }];
@@ -401,6 +404,7 @@ const MADE = {
     "polygon-locate": labels,
     "mesh-locate": labels,
     "mesh-rays": lists("hits"),
+    distance: ([answer]) => ({ "numbers:distance": numbers([answer]) }),
     "mesh-intersect": ([answer]) => {
         const arrays = {};
         for (const [name, mesh] of Object.entries(answer)) {

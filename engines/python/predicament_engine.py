@@ -54,6 +54,8 @@ Whole tasks: an `Engine`, or a member `tasks` with a function for each task. The
     mesh-locate(vertices, triangles, probes)    a label for each probe: 1 inside, 0 outside, -2 on the surface
     mesh-rays(vertices, triangles, rays, extent)    for each ray the triangles that it hits, in their order along it; a ray is
                                             a pair of points, and `extent` is "line", "ray" or "segment"
+    distance(points, a, b)                  the distance of two objects, 0 if they have a common point; `a` and `b` are loops of
+                                            indices in the plane, and triangles in space
     mesh-intersect(first, second)           as overlay2d; an operand and an answer are pairs of vertices and triangles
     contacts2d(points, a, b)                pairs of simplices that meet, as rows of the indices of both, or as pairs; `a` and
                                             `b` are lists of simplices, each with its indices. contacts3d is alike
@@ -530,6 +532,10 @@ def _of_rays(scene):
     yield {"vertices": scene.points, "triangles": triangles, "rays": rays, "extent": scene.word("extent", "ray")}
 
 
+def _of_objects(scene):
+    yield {"points": scene.points, "a": scene.parts("from"), "b": scene.parts("to")}
+
+
 def _of_meshes(scene):
     if scene.has("first_regions") or scene.has("second_regions"):
         raise Declined("the meshes have several regions")
@@ -634,6 +640,10 @@ def _hits(answers):
     return {"ids:hits": _ids(lists), "ids:hits.starts": _starts(lists)}
 
 
+def _distance(answers):
+    return {"numbers:distance": _doubles([float(answers[0])])}
+
+
 def _chains(answers):
     return {"numbers:chains": _doubles(answers[0]), "ids:chains.starts": _starts(answers[0])}
 
@@ -670,6 +680,7 @@ TASKS = {
     "polygon-locate": (_of_regions, _labels),
     "mesh-locate": (_of_probes, _labels),
     "mesh-rays": (_of_rays, _hits),
+    "distance": (_of_objects, _distance),
     "mesh-intersect": (_of_meshes, _meshes),
     "contacts2d": (_of_complexes, _pairs),
     "contacts3d": (_of_complexes, _pairs),

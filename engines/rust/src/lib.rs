@@ -169,6 +169,8 @@ pub enum Task {
     MeshLocate,
     /// Lines, rays or segments against a mesh.
     MeshRays,
+    /// The distance of two polygons or meshes.
+    Distance,
     /// Boolean operations on solids.
     MeshIntersect,
     /// Simplices in the plane that meet.
@@ -200,6 +202,7 @@ impl Task {
             Task::PolygonLocate => "polygon-locate",
             Task::MeshLocate => "mesh-locate",
             Task::MeshRays => "mesh-rays",
+            Task::Distance => "distance",
             Task::MeshIntersect => "mesh-intersect",
             Task::Contacts2d => "contacts2d",
             Task::Contacts3d => "contacts3d",
@@ -371,6 +374,13 @@ pub trait Engine: Default {
     /// For each ray the triangles that it hits, in their order along it. `extent` is "line", "ray" or "segment".
     fn mesh_rays(&self, mesh: &Mesh, rays: &[Ray], extent: &str) -> Result<Vec<Vec<u32>>, String> {
         let _ = (mesh, rays, extent);
+        not_written()
+    }
+
+    /// The distance of two objects, zero if they have a common point. Objects are solids: loops of points in the plane,
+    /// where z is 0, or triangles in space. `dimension` is 2 or 3.
+    fn distance(&self, points: &[[f64; 3]], a: &Simplices, b: &Simplices, dimension: usize) -> Result<f64, String> {
+        let _ = (points, a, b, dimension);
         not_written()
     }
 

@@ -246,6 +246,13 @@ pub(super) fn answer<E: Engine>(engine: &E, message: &Message) -> Result<Reply, 
             let mesh = asked.mesh("triangles");
             timed(|| engine.mesh_rays(&mesh, &rays, extent), |to, found| lists(to, "hits", &found))
         }
+        Task::Distance => {
+            let is_plane = message.need("dimension")? == b"2";
+            let flat = || asked.points::<2>("points").into_iter().map(|[x, y]| [x, y, 0.0]).collect();
+            let points = if is_plane { flat() } else { asked.points("points") };
+            let (a, b, dimension) = (asked.rings("from"), asked.rings("to"), if is_plane { 2 } else { 3 });
+            timed(|| engine.distance(&points, &a, &b, dimension), |to, found| numbers(to, "distance", &[found]))
+        }
         Task::MeshIntersect => {
             let (first, second) = (asked.mesh("first"), asked.mesh("second"));
             timed(|| engine.mesh_intersect(&first, &second), results)

@@ -12,6 +12,7 @@ use predicament_cover::task::CoverTask;
 use predicament_crossings::task::Crossings;
 use predicament_cube_union::task::CubeUnion;
 use predicament_delaunay::task::Delaunay2d;
+use predicament_distance::task::Distance;
 use predicament_hull::task::{Hull2d, Hull3d};
 use predicament_interval::task::Interval;
 use predicament_mesh_intersect::task::MeshIntersect;
@@ -59,6 +60,7 @@ macro_rules! each_task {
             $do!(MeshLocate),
             $do!(MeshRays),
             $do!(CoverTask),
+            $do!(Distance),
             $do!(MeshIntersect),
         ]
     };

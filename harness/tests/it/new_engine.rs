@@ -262,6 +262,7 @@ fn tasks_are_judged(language: &str) {
         "polygon-locate",
         "mesh-locate",
         "mesh-rays",
+        "distance",
         "contacts2d",
         "contacts3d",
         "crossings",

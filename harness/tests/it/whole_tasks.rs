@@ -75,6 +75,13 @@ rays = [[2, 1, -1, 2, 1, 0]]
 extent = "segment"
 
 [[scene]]
+name = "side-by-side"
+task = "distance"
+points = [[0, 0], [4, 0], [0, 4], [7, 0], [9, 0], [7, 4]]
+from = [[0, 1, 2]]
+to = [[3, 4, 5]]
+
+[[scene]]
 name = "one-in-the-other"
 task = "mesh-intersect"
 points = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [0, 0, 4], [-1, -1, -1], [9, -1, -1], [-1, 9, -1], [-1, -1, 9]]
@@ -141,7 +148,7 @@ fn is_judged(language: &str, file: &str, source: &str) {
     std::fs::write(Path::new(&at(&folder, "engines/mine")).join(file), source).unwrap();
     let (code, said) = call(&["engines", "build", "mine"]);
     assert_eq!(code, 0, "{said}");
-    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-rays, mesh-intersect, \
+    let all = "tasks delaunay2d, hull2d, hull3d, triangulate, overlay2d, polygon-locate, mesh-locate, mesh-rays, distance, mesh-intersect, \
                contacts2d, contacts3d, crossings, interval, cube-union, slice, snap2d";
     let (code, said) = call(&["engines", "check", "mine"]);
     assert!(code == 0 && said.contains(all), "{said}");
@@ -179,6 +186,7 @@ engine.task("overlay2d", lambda first, second: {"union": [first], "intersection"
 engine.task("polygon-locate", lambda regions, probes: [0] * len(probes))
 engine.task("mesh-locate", lambda vertices, triangles, probes: [-2] * len(probes))
 engine.task("mesh-rays", lambda vertices, triangles, rays, extent: [[0]] if rays[0][1][0] == 2 and extent == "segment" else [])
+engine.task("distance", lambda points, a, b: points[b[0][0]][0] - points[a[0][1]][0])
 engine.task("mesh-intersect", lambda first, second: {"union": first, "intersection": second})
 engine.task("contacts2d", lambda points, a, b: [(a[0], b[0])])
 engine.task("contacts3d", lambda points, a, b: [(a[0], b[0])])
@@ -210,6 +218,7 @@ const tasks = {
     "polygon-locate": ({ probes }) => probes.map(() => 0),
     "mesh-locate": ({ probes }) => probes.map(() => -2),
     "mesh-rays": ({ rays, extent }) => (rays[0][1][0] === 2 && extent === "segment" ? [[0]] : []),
+    distance: ({ points, a, b }) => points[b[0][0]][0] - points[a[0][1]][0],
     "mesh-intersect": ({ first, second }) => ({ union: first, intersection: second }),
     contacts2d: ({ a, b }) => [[a[0], b[0]]],
     contacts3d: ({ a, b }) => [[a[0], b[0]]],
@@ -249,6 +258,9 @@ struct Mine {
     static Labels mesh_locate(const Mesh&, const Points3& probes) { return Labels(probes.size(), -2); }
     static std::vector<Ids> mesh_rays(const Mesh&, const Rays& rays, const std::string& extent) {
         return rays[0][1][0] == 2 && extent == "segment" ? std::vector<Ids>{{0}} : std::vector<Ids>{};
+    }
+    static double distance(const Points3& points, const Simplices& a, const Simplices& b, int dimension) {
+        return dimension == 2 ? points[b[0][0]][0] - points[a[0][1]][0] : 0;
     }
     static Results<Mesh> mesh_intersect(const Mesh& first, const Mesh& second) { return {first, second, {}, {}}; }
     static Pairs contacts2d(const Points2&, const Simplices& a, const Simplices& b) { return {{a.at(0), b.at(0)}}; }
@@ -299,6 +311,7 @@ impl Engine for Mine {
         Task::PolygonLocate,
         Task::MeshLocate,
         Task::MeshRays,
+        Task::Distance,
         Task::MeshIntersect,
         Task::Contacts2d,
         Task::Contacts3d,
@@ -344,6 +357,9 @@ impl Engine for Mine {
 
     fn mesh_rays(&self, _: &Mesh, rays: &[Ray], extent: &str) -> Result<Vec<Vec<u32>>, String> {
         Ok(if rays[0][1][0] == 2.0 && extent == "segment" { vec![vec![0]] } else { vec![] })
+    }
+    fn distance(&self, points: &[[f64; 3]], a: &Simplices, b: &Simplices, _: usize) -> Result<f64, String> {
+        Ok(points[b[0][0] as usize][0] - points[a[0][1] as usize][0])
     }
 
     fn mesh_intersect(&self, first: &Mesh, second: &Mesh) -> Result<Results<Mesh>, String> {

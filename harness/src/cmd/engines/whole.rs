@@ -104,6 +104,6 @@ mod tests {
                 count += 1;
             }
         }
-        assert_eq!(count, 16 * AROUND.len());
+        assert_eq!(count, 17 * AROUND.len());
     }
 }

@@ -98,6 +98,33 @@ pub fn hits<P: Predicates + ?Sized>(
     }))
 }
 
+/// The [crossings](Hits::crossings) of each query, without the order of its hits: no point is constructed.
+///
+/// # Panics
+/// If the session's scene lacks one of the vertices.
+pub fn crossings<P: Predicates + ?Sized>(
+    session: &P,
+    mesh: &MeshTree,
+    extent: Extent,
+    queries: &[[Vertex; 2]],
+) -> Vec<Option<i64>> {
+    parallel::each(queries.len(), &|at| found(session, mesh, extent, queries[at]).1.crossings)
+}
+
+/// Finds the hits of one query.
+fn found<'s, P: Predicates + ?Sized>(
+    session: &'s P,
+    mesh: &MeshTree,
+    extent: Extent,
+    ends: [Vertex; 2],
+) -> (Asking<'s, P>, Found) {
+    let [from, to] = ends.map(|v| session.scene().point3(v));
+    let near = mesh.tree.near(&Beam { from, to, extent }, session.reach());
+    let asking = Asking::new(session, ends, extent);
+    let found = asking.find(&mesh.triangles, &near);
+    (asking, found)
+}
+
 /// Finds the hits of one query, and their order by signs of input vertices.
 fn sorted<P: Predicates + ?Sized>(
     session: &P,
@@ -105,10 +132,7 @@ fn sorted<P: Predicates + ?Sized>(
     extent: Extent,
     ends: [Vertex; 2],
 ) -> Result<Sorted, &'static str> {
-    let [from, to] = ends.map(|v| session.scene().point3(v));
-    let near = mesh.tree.near(&Beam { from, to, extent }, session.reach());
-    let asking = Asking::new(session, ends, extent);
-    let found = asking.find(&mesh.triangles, &near);
+    let (asking, found) = found(session, mesh, extent, ends);
     let count = found.points.len();
     let mut order = vec![Some(Sign::Zero); count * count];
     let mut is_open = vec![false; count];

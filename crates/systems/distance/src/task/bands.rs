@@ -1,0 +1,62 @@
+//! Differences that zeros within a band allow, decided in rationals.
+
+use std::cell::RefCell;
+use std::collections::HashMap;
+
+use predicament_judge::is_within;
+use predicament_laws::published;
+use predicament_predicates::{Predicates, Question, Vertex};
+
+use crate::algorithm::questions::{self, Asked};
+use crate::answer::{Nearest, Pair};
+use crate::truth::Truth;
+
+/// The bands of one session: the largest values for which it may answer zero.
+pub(super) struct Bands<'a> {
+    session: &'a dyn Predicates,
+    /// The bands that were derived.
+    known: RefCell<HashMap<Question, f64>>,
+}
+
+impl<'a> Bands<'a> {
+    /// The published bands of a session.
+    pub(super) fn new(session: &'a dyn Predicates) -> Bands<'a> {
+        Bands { session, known: RefCell::default() }
+    }
+
+    fn is_open(&self, question: Question, args: &[Vertex]) -> bool {
+        let derive = || published::band(self.session, question).map_or(0.0, |band| band.upper);
+        let upper = *self.known.borrow_mut().entry(question).or_insert_with(derive);
+        upper > 0.0 && is_within(self.session.scene(), question, args, upper)
+    }
+
+    fn any(&self, asked: Asked) -> bool {
+        asked.into_iter().any(|(question, args)| self.is_open(question, &args))
+    }
+
+    /// True if a sign that tells this answer from the truth is zero within the bands.
+    ///
+    /// A pair that only one of them has is allowed if a sign that says that its nearest points are inside the features
+    /// is open, or the comparison with a pair of the other one. Another kind is allowed if a sign that says that a pair
+    /// meets is open.
+    pub(super) fn allow(&self, got: &Nearest, truth: &Truth) -> bool {
+        let scene = self.session.scene();
+        let wanted: Vec<Pair> = truth.pairs.iter().copied().collect();
+        if got.kind != truth.kind {
+            return got.pairs.iter().chain(&wanted).any(|pair| self.any(questions::meeting(scene, pair)));
+        }
+        let only = |these: &[Pair], others: &[Pair]| {
+            let others = others.to_vec();
+            these.iter().filter(|pair| !others.contains(pair)).copied().collect::<Vec<_>>()
+        };
+        let is_allowed = |pair: &Pair, others: &[Pair]| {
+            self.any(questions::inside(scene, pair))
+                || others.iter().any(|other| {
+                    let asked = questions::comparing(scene, pair, other);
+                    asked.is_some_and(|(question, args, _)| self.is_open(question, &args))
+                })
+        };
+        only(&got.pairs, &wanted).iter().all(|pair| is_allowed(pair, &wanted))
+            && only(&wanted, &got.pairs).iter().all(|pair| is_allowed(pair, &got.pairs))
+    }
+}
