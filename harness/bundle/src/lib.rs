@@ -23,6 +23,7 @@ use predicament_overlay::task::overlay::Overlay2d;
 use predicament_overlay::task::snap::Snap2d;
 use predicament_polygon_locate::task::PolygonLocate;
 use predicament_predicates::Backend;
+use predicament_simplify::task::Simplify;
 use predicament_slice::task::Slice;
 use predicament_studies as studies;
 use predicament_studies::audit::Audit;
@@ -62,6 +63,7 @@ macro_rules! each_task {
             $do!(CoverTask),
             $do!(Distance),
             $do!(MeshIntersect),
+            $do!(Simplify),
         ]
     };
 }

@@ -125,6 +125,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "sampled.csv",
         "imports.csv",
         "snap.csv",
+        "simplify.csv",
         "mesh_locate.csv",
         "mesh_intersect.csv",
         "replies.csv",

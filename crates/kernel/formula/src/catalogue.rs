@@ -88,6 +88,13 @@ pub const CATALOGUE: &[Entry] = &[
         text: "sq(a - p) - sq(b - p)",
     },
     Entry {
+        name: "same_facing",
+        about: "whether two triangles b c u and b c v face the same way: positive if their normals make an acute angle",
+        points: &["u", "v", "b", "c"],
+        dimension: 3,
+        text: "q = b - c; dot(cross(u - c, q), cross(v - c, q))",
+    },
+    Entry {
         name: "side_of_power_sphere",
         about: "the power test of regular triangulations in space: positive if e conflicts with a, b, c, d",
         points: &["a", "b", "c", "d", "e"],

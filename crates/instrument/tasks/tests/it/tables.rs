@@ -7,6 +7,7 @@ use predicament_mesh_locate::task::MeshLocateRow;
 use predicament_overlay::task::snap::SnapRow;
 use predicament_polygon_locate::task::LocateRow;
 use predicament_records::{Env, Outcome, Plan, Record, Row, RunDir, RunWriter, TableSpec};
+use predicament_simplify::task::SimplifyRow;
 use predicament_tasks::replies::ReplyRow;
 
 fn locate() -> LocateRow {
@@ -92,6 +93,24 @@ fn snap() -> SnapRow {
     }
 }
 
+fn simplify() -> SimplifyRow {
+    SimplifyRow {
+        suite: "simplify".to_owned(),
+        scene: "a".to_owned(),
+        scene_id: "0123456789abcdef".to_owned(),
+        backend: "exact".to_owned(),
+        triangles: 9,
+        target: 2,
+        left: 4,
+        collapsed: 3,
+        refused: 5,
+        turned: 0,
+        undecided: 1,
+        needless: 5,
+        reach: Some(0.25),
+    }
+}
+
 fn mesh_locate() -> MeshLocateRow {
     MeshLocateRow {
         suite: "mesh-points".to_owned(),
@@ -160,6 +179,7 @@ fn columns_are_the_fields_in_their_order() {
     assert_eq!(header(&contact()), ContactRow::COLUMNS);
     assert_eq!(header(&mass()), MassRow::COLUMNS);
     assert_eq!(header(&snap()), SnapRow::COLUMNS);
+    assert_eq!(header(&simplify()), SimplifyRow::COLUMNS);
     assert_eq!(header(&mesh_locate()), MeshLocateRow::COLUMNS);
     assert_eq!(header(&mesh_intersect()), MeshIntersectRow::COLUMNS);
     assert_eq!(header(&reply()), ReplyRow::COLUMNS);
@@ -171,6 +191,7 @@ fn columns_are_the_fields_in_their_order() {
         TableSpec::of::<MeshIntersectRow>(),
         TableSpec::of::<MeshLocateRow>(),
         TableSpec::of::<ReplyRow>(),
+        TableSpec::of::<SimplifyRow>(),
         TableSpec::of::<SnapRow>(),
     ];
     assert_eq!(tables(), all);
@@ -186,6 +207,7 @@ fn every_table_survives_the_disk() {
     let records = [Record::of(&contact()).unwrap(), Record::of(&mass()).unwrap(), Record::of(&locate()).unwrap()];
     writer.append(&records).unwrap();
     writer.write(&[snap()]).unwrap();
+    writer.write(&[simplify()]).unwrap();
     writer.write(&[mesh_locate()]).unwrap();
     writer.write(&[mesh_intersect()]).unwrap();
     writer.write(&[reply()]).unwrap();
@@ -195,6 +217,7 @@ fn every_table_survives_the_disk() {
     assert_eq!(run.rows().unwrap(), vec![contact()]);
     assert_eq!(run.rows().unwrap(), vec![mass()]);
     assert_eq!(run.rows().unwrap(), vec![snap()]);
+    assert_eq!(run.rows().unwrap(), vec![simplify()]);
     assert_eq!(run.rows().unwrap(), vec![mesh_locate()]);
     assert_eq!(run.rows().unwrap(), vec![mesh_intersect()]);
     assert_eq!(run.rows().unwrap(), vec![reply()]);
@@ -214,6 +237,9 @@ fn rows_that_make_no_sense_are_not_written() {
         assert!(Record::of(&row).is_err());
     }
     for row in [MeshIntersectRow { left: 22, ..mesh_intersect() }, MeshIntersectRow { flat: 25, ..mesh_intersect() }] {
+        assert!(Record::of(&row).is_err());
+    }
+    for row in [SimplifyRow { left: 10, ..simplify() }, SimplifyRow { needless: 6, ..simplify() }] {
         assert!(Record::of(&row).is_err());
     }
     let masses = [

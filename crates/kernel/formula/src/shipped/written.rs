@@ -18,6 +18,7 @@ pub(super) fn named(name: &str) -> Option<Compiled> {
         "side_of_power_circle" => Compiled { estimate: side_of_power_circle, bounded: bounded_side_of_power_circle },
         "circumcentre_side" => Compiled { estimate: circumcentre_side, bounded: bounded_circumcentre_side },
         "compare_distance3d" => Compiled { estimate: compare_distance3d, bounded: bounded_compare_distance3d },
+        "same_facing" => Compiled { estimate: same_facing, bounded: bounded_same_facing },
         "side_of_power_sphere" => Compiled { estimate: side_of_power_sphere, bounded: bounded_side_of_power_sphere },
         "orient4d" => Compiled { estimate: orient4d, bounded: bounded_orient4d },
         _ => return None,
@@ -439,6 +440,96 @@ fn bounded_compare_distance3d(points: &[&[f64]]) -> [f64; 2] {
     let v25 = v13 - v24;
     let m25 = v13 + v24;
     [v25, 5.551115123125792e-16 * m25 + SIGMA * 2.0]
+}
+
+fn same_facing(points: &[&[f64]]) -> f64 {
+    let &[&[ux, uy, uz], &[vx, vy, vz], &[bx, by, bz], &[cx, cy, cz]] = points else {
+        return f64::NAN;
+    };
+    let v6 = bx - cx;
+    let v7 = by - cy;
+    let v8 = bz - cz;
+    let v12 = ux - cx;
+    let v13 = uy - cy;
+    let v14 = uz - cz;
+    let v15 = v8 * v13;
+    let v16 = v7 * v14;
+    let v17 = v15 - v16;
+    let v18 = v6 * v14;
+    let v19 = v8 * v12;
+    let v20 = v18 - v19;
+    let v21 = v7 * v12;
+    let v22 = v6 * v13;
+    let v23 = v21 - v22;
+    let v27 = vx - cx;
+    let v28 = vy - cy;
+    let v29 = vz - cz;
+    let v30 = v8 * v28;
+    let v31 = v7 * v29;
+    let v32 = v30 - v31;
+    let v33 = v6 * v29;
+    let v34 = v8 * v27;
+    let v35 = v33 - v34;
+    let v36 = v7 * v27;
+    let v37 = v6 * v28;
+    let v38 = v36 - v37;
+    let v39 = v17 * v32;
+    let v40 = v20 * v35;
+    let v41 = v23 * v38;
+    let v42 = v39 + v40;
+    let v43 = v41 + v42;
+    v43
+}
+
+fn bounded_same_facing(points: &[&[f64]]) -> [f64; 2] {
+    let &[&[ux, uy, uz], &[vx, vy, vz], &[bx, by, bz], &[cx, cy, cz]] = points else {
+        return [0.0, f64::NAN];
+    };
+    let v6 = bx - cx;
+    let v7 = by - cy;
+    let v8 = bz - cz;
+    let v12 = ux - cx;
+    let v13 = uy - cy;
+    let v14 = uz - cz;
+    let v15 = v8 * v13;
+    let v16 = v7 * v14;
+    let v17 = v15 - v16;
+    let v18 = v6 * v14;
+    let v19 = v8 * v12;
+    let v20 = v18 - v19;
+    let v21 = v7 * v12;
+    let v22 = v6 * v13;
+    let v23 = v21 - v22;
+    let v27 = vx - cx;
+    let v28 = vy - cy;
+    let v29 = vz - cz;
+    let v30 = v8 * v28;
+    let v31 = v7 * v29;
+    let v32 = v30 - v31;
+    let v33 = v6 * v29;
+    let v34 = v8 * v27;
+    let v35 = v33 - v34;
+    let v36 = v7 * v27;
+    let v37 = v6 * v28;
+    let v38 = v36 - v37;
+    let v39 = v17 * v32;
+    let v40 = v20 * v35;
+    let v41 = v23 * v38;
+    let v42 = v39 + v40;
+    let v43 = v41 + v42;
+    let m17 = v15.abs() + v16.abs();
+    let m20 = v18.abs() + v19.abs();
+    let m23 = v21.abs() + v22.abs();
+    let m32 = v30.abs() + v31.abs();
+    let m35 = v33.abs() + v34.abs();
+    let m38 = v36.abs() + v37.abs();
+    let m39 = m17 * m32;
+    let m40 = m20 * m35;
+    let m41 = m23 * m38;
+    let m42 = m39 + m40;
+    let m43 = m41 + m42;
+    let sum = (((v6.abs() + v7.abs()) + v8.abs()) + (v12.abs() + v13.abs())) + ((v14.abs() + v27.abs()) + (v28.abs() + v29.abs()));
+    [v43, 1.1102230246251595e-15 * m43 + SIGMA * (1.0 + sum * sum)]
 }
 
 fn side_of_power_sphere(points: &[&[f64]]) -> f64 {

@@ -1,0 +1,3 @@
+//! The integration tests, as one binary: more binaries would link the crate and compile shared code again.
+
+mod simplify;
