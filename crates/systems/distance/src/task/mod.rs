@@ -12,8 +12,8 @@ mod read;
 mod replies;
 mod spoiled;
 
-use crate::algorithm::nearest;
 use crate::algorithm::questions::asks;
+use crate::algorithm::{Indexed, nearest};
 use crate::answer::{Feature, Nearest};
 use crate::truth::{Truth, measured, root};
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
@@ -27,8 +27,8 @@ pub use content::TwoObjects;
 use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Refusal,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Phase,
+    Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `distance`.
@@ -147,6 +147,12 @@ impl Task for Distance {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    /// Times the trees, which all backends share.
+    fn building(&self, scene: &Scene, content: &TwoObjects) -> Vec<Phase> {
+        let index = || content.objects().map(|object| Indexed::new(scene, object.clone()));
+        vec![Phase::timed("trees", "part", self.size(content), index).0]
     }
 
     fn size(&self, content: &TwoObjects) -> usize {
