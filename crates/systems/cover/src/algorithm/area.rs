@@ -9,18 +9,18 @@
 //! 12uD². The n − 2 terms of a cover take part in at most 2(n − 2) additions each. So twice the area of a cover has an
 //! error of at most 2(n − 2)(n + 4)uD².
 
-use predicament_formats::bits::{scale, top_exponent};
+use predicament_formats::bits::{power_of_two, scale, top_exponent};
 use predicament_predicates::{Scene, Vertex};
 
-/// The points of a loop, and the exponent of their largest difference.
+/// The points of a loop, and the factors that scale their differences.
 pub(super) struct Areas {
     points: Vec<[f64; 3]>,
-    exponent: i64,
+    factors: [f64; 2],
 }
 
 impl Areas {
     pub(super) fn new(scene: &Scene, around: &[Vertex]) -> Areas {
-        let points: Vec<[f64; 3]> = around.iter().map(|&v| scene.point3(v)).collect();
+        let mut points: Vec<[f64; 3]> = around.iter().map(|&v| scene.point3(v)).collect();
         // Half of a difference of doubles is finite.
         let extent = |axis: usize| {
             let range = points
@@ -31,7 +31,14 @@ impl Areas {
             if (high - low).is_finite() { top_exponent(high - low) } else { top_exponent(high / 2.0 - low / 2.0) }
         };
         let exponent = (0..3).filter_map(extent).max().unwrap_or_default();
-        Areas { points, exponent }
+        if exponent > 0 {
+            // The difference of large points may overflow, so the points are scaled.
+            points.as_flattened_mut().iter_mut().for_each(|x| *x = scale(*x, -exponent));
+            return Areas { points, factors: [1.0; 2] };
+        }
+        // The inverse of the smallest double is not a double.
+        let half = -exponent / 2;
+        Areas { points, factors: [power_of_two(half), power_of_two(-exponent - half)] }
     }
 
     /// Twice the area of the triangle at these places of the loop.
@@ -42,14 +49,9 @@ impl Areas {
         (x * x + y * y + z * z).sqrt()
     }
 
-    /// The difference of two points, scaled. Large points are scaled first, since their difference may overflow.
+    /// The difference of two points, scaled.
     fn difference(&self, from: usize, to: usize) -> [f64; 3] {
-        let [p, q] = [from, to].map(|at| self.points[at]);
-        let k = -self.exponent;
-        std::array::from_fn(
-            |axis| {
-                if k < 0 { scale(q[axis], k) - scale(p[axis], k) } else { scale(q[axis] - p[axis], k) }
-            },
-        )
+        let ([p, q], [first, second]) = ([from, to].map(|at| self.points[at]), self.factors);
+        std::array::from_fn(|axis| (q[axis] - p[axis]) * first * second)
     }
 }

@@ -22,8 +22,12 @@ use predicament_predicates::{Predicates, Scene, Vertex};
 use crate::answer::{Cover, Reason, edges, undirected};
 use search::Search;
 
-/// The work limit of one loop, in steps of the dynamic programming: n³/6 for a loop of n points and each cover.
-pub const MOST_STEPS: usize = 1 << 26;
+/// The work limit of one loop of n points, in covers that are tried. Each takes n³/6 steps of the dynamic programming:
+/// 2^26 steps, but not fewer than 100 covers, and not more than 20,000.
+#[must_use]
+pub fn most_covers(n: usize) -> usize {
+    ((1 << 26) / (n * n * n / 6 + 1)).clamp(100, 20_000)
+}
 
 /// The triangles that a cover must not cross: those of the mesh, and of covers of earlier loops.
 pub struct Surface {

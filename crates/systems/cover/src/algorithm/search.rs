@@ -13,7 +13,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use predicament_predicates::{Plane, Predicates, Vertex};
 
 use super::area::Areas;
-use super::{MOST_STEPS, Surface, cross};
+use super::{Surface, cross, most_covers};
 use crate::answer::Reason;
 
 /// A triangle by the places of its corners on the loop, ascending.
@@ -45,10 +45,12 @@ pub(super) struct Search<'a> {
     age: usize,
 }
 
-/// True if both triangles may be in one triangulation: one is beyond an edge of the other, or they are equal.
-fn fit(t: Corners, [a, b, c]: Corners) -> bool {
-    let is_in = |low: usize, high: usize| t.iter().all(|at| (low..=high).contains(at));
-    t == [a, b, c] || is_in(a, b) || is_in(b, c) || t.iter().all(|&at| at <= a || at >= c)
+/// True if the edge from place i to place k crosses an edge of a triangle, as edges of a convex polygon. Triangles
+/// whose edges do not cross are equal, or one is beyond an edge of the other.
+fn cuts([i, k]: [usize; 2], [a, b, c]: Corners) -> bool {
+    let is_between = |at: usize| i < at && at < k;
+    let is_beyond = |at: usize| at < i || k < at;
+    [[a, b], [b, c], [a, c]].into_iter().any(|[u, v]| is_between(u) && is_beyond(v) || is_beyond(u) && is_between(v))
 }
 
 impl<'a> Search<'a> {
@@ -76,10 +78,8 @@ impl<'a> Search<'a> {
     /// # Errors
     /// The reason why there is none.
     pub(super) fn run(mut self) -> Result<Vec<[Vertex; 3]>, Reason> {
-        let n = self.around.len();
-        let of_one = n * n * n / 6 + 1;
         self.add(Vec::new(), Vec::new());
-        for _ in 0..MOST_STEPS / of_one {
+        for _ in 0..most_covers(self.around.len()) {
             let Some((_, node)) = self.open.pop_first() else { return Err(Reason::Crosses) };
             if self.exclude_those_that_meet(&node.least) {
                 self.add(node.with, node.without);
@@ -154,21 +154,25 @@ impl<'a> Search<'a> {
     /// the smallest apex.
     fn least(&self, with: &[Corners], without: &[Corners]) -> Option<(f64, Vec<Corners>)> {
         let n = self.around.len();
+        let without: BTreeSet<Corners> = without.iter().copied().collect();
         // For each edge from i to k, the least area beyond it and the apex of its triangle.
         let mut best = vec![(f64::INFINITY, 0); n * n];
         (1..n).for_each(|k| best[(k - 1) * n + k].0 = 0.0);
         for width in 2..n {
             for i in 0..n - width {
                 let k = i + width;
+                if with.iter().any(|&other| cuts([i, k], other)) {
+                    continue;
+                }
                 for j in i + 1..k {
                     let corners = [i, j, k];
                     let beyond = best[i * n + j].0 + best[j * n + k].0;
                     let may_be = beyond.is_finite() && !self.is_excluded[self.place(corners)];
-                    if !may_be || without.contains(&corners) || !with.iter().all(|&other| fit(corners, other)) {
+                    if !may_be {
                         continue;
                     }
                     let area = beyond + self.areas.twice(corners);
-                    if area < best[i * n + k].0 {
+                    if area < best[i * n + k].0 && !without.contains(&corners) {
                         best[i * n + k] = (area, j);
                     }
                 }

@@ -11,8 +11,10 @@ use rug::Integer;
 
 use super::{Areas, Around, Corners, Signs, is_flat, meet};
 
-/// The work limit of a search, in choices of an apex. Loops of nine points have fewer choices.
-const MOST: usize = 50_000;
+/// The work limit of a search, in choices of an apex and comparisons with triangles chosen before. A loop of n points
+/// has at most C − 1 choices, where C is Catalan's number of n − 1. For eleven points these are 16,795 choices with at
+/// most 8 comparisons each.
+const MOST: usize = 160_000;
 
 /// The result of a search.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -63,7 +65,7 @@ impl Hunt<'_> {
         }
         let without = Integer::from(least - self.areas.least([i, k]));
         for j in i + 1..k {
-            self.left = self.left.checked_sub(1)?;
+            self.left = self.left.checked_sub(1 + self.chosen.len())?;
             let corners = [i, j, k];
             let beyond = Integer::from(self.areas.least([i, j]) + self.areas.least([j, k]));
             let bound = Integer::from(&without + self.areas.twice(corners)) + beyond;

@@ -86,6 +86,13 @@ fn a_cover_that_crosses_is_not_taken() {
 fn a_trefoil_has_no_cover() {
     let (scene, content) = bare(&[[3., 1., 3.], [4., 8., 0.], [5., 1., 8.], [0., 8., 3.], [7., 6., 0.], [6., 7., 7.]]);
     assert_eq!(judged(&scene, &content), [Cover::Uncovered(Reason::Crosses)]);
+    // The judge decides every loop of eleven points.
+    let point = |at: u8| {
+        let t = f64::from(at) * std::f64::consts::TAU / 11.0;
+        [t.sin() + 2.0 * (2.0 * t).sin(), t.cos() - 2.0 * (2.0 * t).cos(), -(3.0 * t).sin()]
+    };
+    let (scene, content) = bare(&(0..11).map(point).collect::<Vec<_>>());
+    assert_eq!(judged(&scene, &content), [Cover::Uncovered(Reason::Crosses)]);
 }
 
 #[test]
