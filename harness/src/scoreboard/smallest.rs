@@ -46,6 +46,7 @@ pub fn shown(board: &Board, task: &str, runs: &[RunDir], tool: &Tool, out: &Path
             let of_scene = |row: &&FindingRow| row.scene == scene && row.backend == *library && row.task == task;
             let Some(finding) = run.findings.iter().find(of_scene) else { continue };
             let loaded = if size <= MOST { load(run, finding, None, tool).ok() } else { None };
+            let loaded = loaded.filter(|loaded| is_small(loaded, tool));
             let name = format!("{task}-{}-{}", file_name(library), grade.name());
             let [mut suite, mut picture] = [None, None];
             if let Some(loaded) = &loaded {
@@ -62,6 +63,12 @@ pub fn shown(board: &Board, task: &str, runs: &[RunDir], tool: &Tool, out: &Path
         }
     }
     Ok(all)
+}
+
+/// True for a scene that people can look at: few questions can be asked about a large mesh.
+fn is_small(loaded: &LoadedScene, tool: &Tool) -> bool {
+    let parts = tool.task(loaded.task).size_of(loaded).max(loaded.scene.vertices().count());
+    u64::try_from(parts).is_ok_and(|parts| parts <= MOST)
 }
 
 /// A name that is a file's name on every system.

@@ -61,7 +61,7 @@ fn the_backend_derives_the_same_units() {
         assert_eq!(units(derived), backend, "{}", derived.formula().text());
         by_calculus += usize::from(backend.is_some());
     }
-    assert_eq!(by_calculus, 11, "the calculus is about differences of coordinates only");
+    assert_eq!(by_calculus, 12, "the calculus is about differences of coordinates only");
 }
 
 /// A scene far from the origin, with weights.
