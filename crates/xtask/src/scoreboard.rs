@@ -118,8 +118,11 @@ fn keep(board: &Path) -> Result<(), String> {
         for name in files(&to)? {
             std::fs::remove_file(to.join(&name)).map_err(failed)?;
         }
+        // A program's stderr may name its folder.
+        let folder = format!("{}/", root().display());
         for name in files(&from)? {
-            std::fs::copy(from.join(&name), to.join(&name)).map_err(failed)?;
+            let text = std::fs::read_to_string(from.join(&name)).map_err(failed)?;
+            std::fs::write(to.join(&name), text.replace(&folder, "")).map_err(failed)?;
         }
     }
     Ok(())
