@@ -61,11 +61,14 @@ pub fn make(resume: bool) -> Result<(), String> {
     Ok(())
 }
 
-/// The engines that start, by the whole tasks that they answer.
+/// The engines that start, by the whole tasks that they answer. Engines whose licence is for noncommercial use are left
+/// out: they are run by name alone.
 fn engines(list: &str) -> BTreeMap<String, Vec<String>> {
     let mut engines: BTreeMap<String, Vec<String>> = BTreeMap::new();
-    // A line such as `-b engine:spade: version 2.15.1; tasks delaunay2d`.
-    for line in list.lines().filter_map(|line| line.trim().strip_prefix("-b engine:")) {
+    let lines: Vec<&str> = list.lines().map(str::trim).collect();
+    // The licence, then a line such as `-b engine:spade: version 2.15.1; tasks delaunay2d`.
+    for pair in lines.windows(2).filter(|pair| !pair[0].to_lowercase().contains("noncommercial")) {
+        let Some(line) = pair[1].strip_prefix("-b engine:") else { continue };
         if let (Some((name, _)), Some((_, tasks))) = (line.split_once(':'), line.split_once("tasks ")) {
             tasks.split(", ").for_each(|task| engines.entry(task.to_owned()).or_default().push(name.to_owned()));
         }
@@ -131,7 +134,7 @@ fn keep(board: &Path) -> Result<(), String> {
 #[test]
 fn engines_and_scenes_are_read_from_what_the_tool_prints() {
     let list = "a   about tasks\n    -b engine:a: version 1; tasks hull2d, hull3d\n    engine:b (b.toml): start: it did not\n    \
-        -b engine:c: orient2d\n    -b engine:d: version 2; tasks hull2d\n";
+        -b engine:c: orient2d\n    -b engine:d: version 2; tasks hull2d\n    Noncommercial 1\n    -b engine:e: tasks hull2d\n";
     let engines = engines(list);
     assert_eq!(engines["hull2d"], ["a", "d"]);
     assert_eq!([engines["hull3d"].len(), engines.len()], [1, 2]);
