@@ -67,6 +67,7 @@ fn make(folder: &PathBuf) -> Result<(), predicament_records::Error> {
         whole: Some(predicament_records::Whole::new(&scenes, vec![0, 1])),
         scenes: scenes.clone(),
         backends: vec!["exact".to_owned()],
+        only: [].into(),
         judged_whole: [].into(),
         ladder: Vec::new(),
         shard: Shard::WHOLE,
