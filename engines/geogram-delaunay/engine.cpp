@@ -1,31 +1,16 @@
 // geogram's Delaunay triangulations of the plane (BDEL2d). Its predicates break ties by Simulation of Simplicity.
 // Constraints are declined.
 
-#include <geogram/basic/command_line.h>
-#include <geogram/basic/command_line_args.h>
-#include <geogram/basic/common.h>
-#include <geogram/basic/environment.h>
-#include <geogram/basic/logger.h>
 #include <geogram/delaunay/delaunay.h>
 
-#include <exception>
-
 #include <predicament_engine.hpp>
+#include <predicament_geogram.hpp>
 
 using namespace predicament;
 
-// The wheel's library was compiled by GCC 13, whose runtime has this function; earlier runtimes lack it.
-extern "C" [[gnu::weak]] void __cxa_call_terminate(void*) noexcept { std::terminate(); }
-
 struct Geogram {
     static constexpr const char* name = "geogram-delaunay";
-    static std::string version() {
-        GEO::initialize(GEO::GEOGRAM_INSTALL_NONE);
-        GEO::Logger::instance()->set_quiet(true);
-        GEO::CmdLine::import_arg_group("standard");
-        GEO::CmdLine::import_arg_group("algo");
-        return GEO::Environment::instance()->get_value("version");
-    }
+    static std::string version() { return start_geogram(); }
 
     static Triangles delaunay2d(const Points2& points, const Edges& constraints) {
         if (!constraints.empty()) throw Declined("this engine does not ask geogram about constraints");

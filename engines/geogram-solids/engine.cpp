@@ -2,32 +2,17 @@
 // simplification of flat parts switched off.
 
 #include <geogram/basic/attributes.h>
-#include <geogram/basic/command_line.h>
-#include <geogram/basic/command_line_args.h>
-#include <geogram/basic/common.h>
-#include <geogram/basic/environment.h>
-#include <geogram/basic/logger.h>
 #include <geogram/mesh/mesh.h>
 #include <geogram/mesh/mesh_surface_intersection.h>
 
-#include <exception>
-
 #include <predicament_engine.hpp>
+#include <predicament_geogram.hpp>
 
 using namespace predicament;
 
-// The wheel's library was compiled by GCC 13, whose runtime has this function; earlier runtimes lack it.
-extern "C" [[gnu::weak]] void __cxa_call_terminate(void*) noexcept { std::terminate(); }
-
 struct Solids {
     static constexpr const char* name = "geogram-solids";
-    static std::string version() {
-        GEO::initialize(GEO::GEOGRAM_INSTALL_NONE);
-        GEO::Logger::instance()->set_quiet(true);
-        GEO::CmdLine::import_arg_group("standard");
-        GEO::CmdLine::import_arg_group("algo");
-        return GEO::Environment::instance()->get_value("version");
-    }
+    static std::string version() { return start_geogram(); }
 
     static void load(GEO::Mesh& into, const Mesh& mesh) {
         for (const Point3& p : mesh.vertices) into.vertices.create_vertex(p.data());

@@ -32,6 +32,7 @@
 //! library.
 
 mod message;
+mod rings;
 mod server;
 mod stdout;
 mod tasks;
@@ -39,6 +40,8 @@ mod tasks;
 use std::cmp::Ordering;
 use std::ops::Neg;
 use std::process::ExitCode;
+
+pub use rings::outer_first;
 
 /// The meaning of the engine's zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -16,6 +16,15 @@ pub struct Shape {
 }
 
 impl Shape {
+    /// The triangles of the faces, each face cut from its first corner; a corner is whatever `corner` makes of its index.
+    pub fn cut<T: Copy>(&self, corner: impl Fn(usize) -> T) -> Vec<[T; 3]> {
+        let fan = |face: &[u32]| {
+            let corners: Vec<T> = face.iter().map(|&at| corner(at as usize)).collect();
+            (2..corners.len()).map(|at| [corners[0], corners[at - 1], corners[at]]).collect::<Vec<_>>()
+        };
+        self.faces.iter().flat_map(fan).collect()
+    }
+
     fn point(&mut self, point: [f64; 3]) -> u32 {
         self.points.push(point);
         u32::try_from(self.points.len() - 1).expect("scenes are smaller than memory")

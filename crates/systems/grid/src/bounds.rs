@@ -46,7 +46,8 @@ impl<const D: usize> Bounds<D> {
 
     /// A box that meets all near boxes: each side moves outward by more than the rounding errors of a near gap and of
     /// the sum. Overflow gives infinity, which is also outward.
-    pub(crate) fn inflated(&self, reach: f64) -> Bounds<D> {
+    #[must_use]
+    pub fn inflated(&self, reach: f64) -> Bounds<D> {
         if reach == 0.0 {
             return *self;
         }

@@ -11,6 +11,7 @@
 //! * [`shared()`]: the boxes of each of two sets that may meet a box of the other set.
 //! * [`parallel`]: loops over pieces of work, compiled once. [`sort`]: sorting by signs that may contradict each other.
 //!   [`status`]: the sequence of items that a sweep line crosses.
+//! * [`tree`]: a tree of boxes, for rays and for nearest pairs.
 //! * [`two_level`]: the boxes in each cell of a grid in space, whose crowded cells have nested grids.
 
 mod bounds;
@@ -23,6 +24,7 @@ mod shared;
 pub mod sort;
 pub mod status;
 mod steps;
+pub mod tree;
 pub mod two_level;
 
 pub use bounds::Bounds;

@@ -147,9 +147,7 @@ fn knot(n: usize, _: &mut Random) -> Parts {
 /// A sphere without the triangles around some vertices. Holes have no common vertex.
 fn sphere(n: usize, random: &mut Random) -> Parts {
     let shape = solids::sphere(n.max(72), random);
-    let vertex = |corner: &u32| Vertex::input(*corner as usize);
-    let triangles: Vec<[Vertex; 3]> =
-        shape.faces.iter().map(|face| [vertex(&face[0]), vertex(&face[1]), vertex(&face[2])]).collect();
+    let triangles = shape.cut(Vertex::input);
     let mut stars: BTreeMap<Vertex, BTreeSet<Vertex>> = BTreeMap::new();
     for corners in &triangles {
         corners.iter().for_each(|&v| stars.entry(v).or_default().extend(corners));

@@ -8,7 +8,7 @@ use predicament_mesh_rays::answer::Extent;
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
 use super::Indexed;
-use super::tree::point;
+use super::near::point;
 use crate::answer::Object;
 
 /// One vertex of each connected part of an object, ascending.
@@ -37,7 +37,7 @@ fn root(parent: &mut BTreeMap<Vertex, Vertex>, mut v: Vertex) -> Vertex {
 /// True if one of these vertices is inside the object, and not on its boundary. An open object has no inside.
 pub(super) fn has_inside<P: Predicates + ?Sized>(session: &P, of: &Indexed, vertices: &[Vertex]) -> bool {
     let scene = session.scene();
-    let bounds = of.tree.bounds();
+    let bounds = of.parts.bounds();
     let is_near = |v: &&Vertex| bounds.is_near(&Bounds::of([point(scene, **v)]), session.reach());
     let mut near = vertices.iter().filter(is_near).copied().peekable();
     if !of.is_closed || near.peek().is_none() {

@@ -1,6 +1,6 @@
 //! The nearest features of two objects.
 //!
-//! First, two trees of boxes are searched together for the parts that may be nearest (`tree.rs`, `bounds.rs`): doubles
+//! First, two trees of boxes are searched together for the parts that may be nearest (`near.rs`, `bounds.rs`): doubles
 //! with proved bounds select them. Then predicates decide (`pairs.rs`, `formulas.rs`): signs of formulas say whether
 //! the nearest points of two features are inside the features, and compare the squared distances of pairs. Nothing is
 //! rounded unless the session rounds.
@@ -13,9 +13,9 @@
 mod bounds;
 mod formulas;
 mod inside;
+mod near;
 mod pairs;
 pub mod questions;
-mod tree;
 
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -26,16 +26,16 @@ use predicament_predicates::{Declined, Predicates, Scene, Sign, Vertex};
 
 use crate::answer::{Feature, Kind, Nearest, Object, Pair};
 use inside::{has_inside, one_of_each};
+use near::{Parts, near, point};
 use pairs::Asking;
 use questions::{asks, is_measured};
-use tree::{Tree, near, point};
 
 /// An object with a tree over its parts. It depends on raw coordinates only, not on a backend.
 #[derive(Debug)]
 pub struct Indexed {
     object: Object,
     is_closed: bool,
-    tree: Tree,
+    parts: Parts,
     /// The features of each part that no earlier part has, with their boxes.
     owned: Vec<Vec<(Feature, Bounds<3>)>>,
     /// One vertex of each connected part.
@@ -60,7 +60,7 @@ impl Indexed {
         Indexed {
             owned: owned.collect(),
             is_closed: object.is_closed(),
-            tree: Tree::new(scene, &object),
+            parts: Parts::new(scene, &object),
             one_of_each: one_of_each(&object),
             mesh: OnceLock::new(),
             object,
@@ -101,7 +101,7 @@ fn solved(session: &dyn Predicates, objects: [&Indexed; 2]) -> Result<Nearest, D
     }
     let asking = Asking { session };
     let [first, second] = objects.map(Indexed::object);
-    let (near, least) = near(scene, [first, second], objects.map(|object| &object.tree));
+    let (near, least) = near(scene, [first, second], objects.map(|object| &object.parts));
     let parts = |[i, j]: [u32; 2]| [first.part(i), second.part(j)];
     let do_cross = |[one, other]: [&[_]; 2]| asking.cross(one, other);
     if near.iter().filter(|near| near.meet).any(|near| do_cross(parts(near.parts))) {

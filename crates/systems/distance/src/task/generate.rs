@@ -109,13 +109,8 @@ fn moved((mut points, loops): Made, random: &mut Random) -> Made {
 
 /// The triangles of a shape, scaled and moved along x.
 fn solid(shape: &Shape, scale: f64, by: f64) -> Made {
-    let vertex = |corner: &u32| Vertex::input(*corner as usize);
-    let fan = |corners: &[u32]| {
-        let rest = corners[1..].windows(2);
-        rest.map(|next| [&corners[0], &next[0], &next[1]].map(vertex).to_vec()).collect::<Vec<_>>()
-    };
     let points = shape.points.iter().map(|[x, y, z]| vec![x * scale + by, y * scale, z * scale]).collect();
-    (points, shape.faces.iter().flat_map(fan).collect())
+    (points, shape.cut(Vertex::input).into_iter().map(Vec::from).collect())
 }
 
 fn spheres(n: usize, random: &mut Random) -> [Made; 2] {

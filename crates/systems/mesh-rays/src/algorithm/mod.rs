@@ -9,19 +9,20 @@
 //! Zeros of exact sessions say that the line goes through a vertex or an edge, or is in the plane of a face: the answer
 //! has these features. A perturbed session has none of these zeros, and its answer has faces only.
 
+mod beam;
 mod find;
 mod order;
-mod tree;
 
 use std::collections::BTreeMap;
 
-use predicament_grid::parallel;
 use predicament_grid::sort::sort_by_sign;
+use predicament_grid::tree::Tree;
+use predicament_grid::{Bounds, parallel};
 use predicament_predicates::{Construction, Predicates, Refused, Scene, Sign, Vertex};
 
 use crate::answer::{Extent, Feature, Groups, Hit, Hits};
+use beam::Beam;
 use find::{Asking, Found};
-use tree::{Beam, Tree};
 
 /// A mesh with a tree over its triangles. It depends on raw coordinates only, not on a backend.
 #[derive(Clone, Debug)]
@@ -42,7 +43,9 @@ impl MeshTree {
         let mut vertices = triangles.as_flattened().to_vec();
         vertices.sort_unstable();
         vertices.dedup();
-        MeshTree { triangles: triangles.to_vec(), vertices, tree: Tree::new(scene, triangles) }
+        let boxes: Vec<Bounds<3>> =
+            triangles.iter().map(|corners| Bounds::of(corners.map(|v| scene.point3(v)))).collect();
+        MeshTree { triangles: triangles.to_vec(), vertices, tree: Tree::new(&boxes) }
     }
 }
 
@@ -119,7 +122,8 @@ fn found<'s, P: Predicates + ?Sized>(
     ends: [Vertex; 2],
 ) -> (Asking<'s, P>, Found) {
     let [from, to] = ends.map(|v| session.scene().point3(v));
-    let near = mesh.tree.near(&Beam { from, to, extent }, session.reach());
+    let (beam, reach) = (Beam { from, to, extent }, session.reach());
+    let near = mesh.tree.admitted(|bounds| beam.may_meet(&bounds.inflated(reach)));
     let asking = Asking::new(session, ends, extent);
     let found = asking.find(&mesh.triangles, &near);
     (asking, found)

@@ -76,27 +76,22 @@ fn aimed(at: usize, points: &[[f64; 3]], triangles: &[[Vertex; 3]], random: &mut
     [p[0], p[1], p[2], q[0], q[1], q[2]]
 }
 
-/// The triangles of faces, each cut from its first corner.
-fn triangles(shape: Shape) -> Mesh {
-    let vertex = |corner: u32| Vertex::input(corner as usize);
-    let fan = |corners: &[u32]| {
-        let (a, rest) = corners.split_first().expect("a face has corners");
-        rest.windows(2).map(|next| [*a, next[0], next[1]].map(vertex)).collect::<Vec<_>>()
-    };
-    let triangles = shape.faces.iter().flat_map(fan).collect();
+/// The points of a shape, and its faces cut into triangles.
+fn mesh(shape: Shape) -> Mesh {
+    let triangles = shape.cut(Vertex::input);
     (shape.points, triangles)
 }
 
 fn sphere(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::sphere(n, random))
+    mesh(solids::sphere(n, random))
 }
 
 fn torus(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::torus(n, random))
+    mesh(solids::torus(n, random))
 }
 
 fn lattice(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::lattice(n / 2, random))
+    mesh(solids::lattice(n / 2, random))
 }
 
 fn sheet(n: usize, _: &mut Random) -> Mesh {

@@ -58,31 +58,26 @@ fn recipe(fields: &Fields<'_, '_>, mesh: fn(usize, &mut Random) -> Mesh) -> Resu
     Ok(Recipe::new(|n| 6 * n + 1000, make))
 }
 
-/// The triangles of faces, each cut from its first corner.
-fn triangles(shape: Shape) -> Mesh {
-    let index = |corner: u32| corner as usize;
-    let fan = |corners: &[u32]| {
-        let (a, rest) = corners.split_first().expect("a face has corners");
-        rest.windows(2).map(|next| [*a, next[0], next[1]].map(index)).collect::<Vec<_>>()
-    };
-    let triangles = shape.faces.iter().flat_map(fan).collect();
+/// The points of a shape, and its faces cut into triangles.
+fn mesh(shape: Shape) -> Mesh {
+    let triangles = shape.cut(|corner| corner);
     (shape.points, triangles)
 }
 
 fn sphere(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::sphere(n, random))
+    mesh(solids::sphere(n, random))
 }
 
 fn torus(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::torus(n, random))
+    mesh(solids::torus(n, random))
 }
 
 fn lattice(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::lattice(n / 2, random))
+    mesh(solids::lattice(n / 2, random))
 }
 
 fn terrain(n: usize, random: &mut Random) -> Mesh {
-    triangles(solids::terrain(n, random))
+    mesh(solids::terrain(n, random))
 }
 
 /// The lattice, turned by the angles of two Pythagorean triangles; its coordinates are rounded.
