@@ -16,7 +16,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// The triangles of the faces, each face cut from its first corner; a corner is whatever `corner` makes of its index.
+    /// The triangles of the faces, each face cut from its first corner. `corner` makes the corners from their indices.
     pub fn cut<T: Copy>(&self, corner: impl Fn(usize) -> T) -> Vec<[T; 3]> {
         let fan = |face: &[u32]| {
             let corners: Vec<T> = face.iter().map(|&at| corner(at as usize)).collect();
