@@ -24,6 +24,13 @@ pub struct Runner<'a> {
     pub(super) samples: Vec<f64>,
 }
 
+impl Runner<'_> {
+    /// True if another program answers.
+    pub(super) fn is_program(&self) -> bool {
+        self.name.starts_with("engine:")
+    }
+}
+
 /// Prepares a backend for each interface and each of these numbers of threads.
 pub fn start<'a>(
     loaded: &'a LoadedScene,

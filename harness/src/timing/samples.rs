@@ -22,6 +22,9 @@ pub struct Samples {
 /// The maximum ratio of the waiting time of a sample to its minimum time.
 const PATIENCE: u128 = 10;
 
+/// The remark about a backend whose answers are not always the same.
+const CHANGED: &str = "answers changed while timed";
+
 /// The number of samples before the first look at the confidence interval. The smallest and the largest of six samples
 /// enclose the median with 97 %.
 const FIRST_LOOK: usize = 6;
@@ -65,12 +68,18 @@ impl Samples {
         });
         for sample in 0..self.most {
             let mut rows = Vec::with_capacity(runners.len());
+            // Programs that crashed, or answered differently: the others are timed further.
             let mut broken = Vec::new();
             for (at, runner) in runners.iter_mut().enumerate().filter(|(_, runner)| !self.is_known(&runner.samples)) {
                 if interrupt::flag().load(std::sync::atomic::Ordering::Relaxed) {
                     return Ok(false);
                 }
                 let total = match caught(|| runner.watch.passes(runner.passes)) {
+                    Ok(_) if runner.is_program() && runner.watch.digest() != runner.judged => Err(CHANGED.to_owned()),
+                    Ok(total) => Ok(total),
+                    Err(why) => Err(why.to_string()),
+                };
+                let total = match total {
                     Ok(total) => total,
                     Err(why) => {
                         let (suite, scene, name) = (&scene.suite, &scene.scene, &runner.name);
@@ -102,7 +111,7 @@ impl Samples {
             }
         }
         if let Some(runner) = runners.iter().find(|runner| runner.watch.digest() != runner.judged) {
-            let message = format!("{}/{} on {}: answers changed while timed", scene.suite, scene.scene, runner.name);
+            let message = format!("{}/{} on {}: {CHANGED}", scene.suite, scene.scene, runner.name);
             return Err(Failure { message, code: exit::UNEXPECTED });
         }
         Ok(true)

@@ -198,3 +198,45 @@ fn an_error_in_python_is_right_for_invalid_input_alone() {
     let csv = read(&board, "scoreboard.csv");
     assert!(csv.contains("triangulate,engine:mine,suite,2,0,0,0,0,1,1,0\n"), "{csv}");
 }
+
+/// Starts its triangles with another corner from the fifth answer on.
+const MOODY: &str = r#"
+import predicament_engine
+
+answers = 0
+
+def triangulate(points, rings):
+    global answers
+    answers += 1
+    ring = rings[0][1:] + rings[0][:1] if answers > 4 else rings[0]
+    return [[ring[0], ring[at], ring[at + 1]] for at in range(1, len(ring) - 1)]
+
+engine = predicament_engine.Engine("mine", "1.0")
+engine.task("triangulate", triangulate)
+predicament_engine.serve(engine)
+"#;
+
+#[test]
+#[ignore = "needs Python"]
+fn answers_in_python_that_change_do_not_stop_a_bench() {
+    let folder = tempdir().unwrap();
+    let scene = |name: &str, x: u32| {
+        format!("[[scene]]\nname = \"{name}\"\ntask = \"triangulate\"\npoints = [[0, 0], [4, 0], [{x}, 4], [0, 4]]\n")
+    };
+    let scenes = scene("first", 4) + &scene("second", 5);
+    let suite = write(&folder, "suite.toml", &format!("title = \"Quadrangles\"\n{scenes}"));
+    let helper = concat!(env!("CARGO_MANIFEST_DIR"), "/../engines/python/predicament_engine.py");
+    std::fs::copy(helper, at(&folder, "predicament_engine.py")).unwrap();
+    write(&folder, "engine.py", MOODY);
+    let engine = write(&folder, "engine.toml", "name = \"mine\"\nrun = [\"python3\", \"engine.py\"]\n");
+    let (out, bench) = (at(&folder, "run"), at(&folder, "bench"));
+    let backends = format!("engine:{engine},exact");
+    assert_eq!(run(&["run", &suite, "-b", &backends, "--out", &out]).code, 0);
+    let rest = ["--samples", "9", "--sample-ms", "0", "-b", &backends, "--out", &bench];
+    let ran = run(&[&["bench", "--judged", &out][..], &rest].concat());
+    assert_eq!(ran.code, 0, "{}{}", ran.stdout, ran.stderr);
+    assert_eq!(ran.stdout.matches("times only: suite/").count(), 1, "{}", ran.stdout);
+    assert!(ran.stdout.contains("answers changed while timed"), "{}", ran.stdout);
+    let of_exact = column(&read(&bench, "throughput.csv"), "backend").iter().filter(|name| *name == "exact").count();
+    assert!(of_exact >= 12, "{of_exact} samples of two scenes");
+}
