@@ -1,7 +1,5 @@
 //! The vertices of one object that are inside the other.
 
-use std::collections::BTreeMap;
-
 use predicament_grid::Bounds;
 use predicament_mesh_rays::algorithm::crossings;
 use predicament_mesh_rays::answer::Extent;
@@ -13,25 +11,27 @@ use crate::answer::Object;
 
 /// One vertex of each connected part of an object, ascending.
 pub(super) fn one_of_each(object: &Object) -> Vec<Vertex> {
-    let mut parent: BTreeMap<Vertex, Vertex> = object.vertices().into_iter().map(|v| (v, v)).collect();
+    let vertices = object.vertices();
+    let place = |v: &Vertex| vertices.binary_search(v).unwrap_or(0);
+    let mut parent: Vec<usize> = (0..vertices.len()).collect();
     for part in object.parts() {
-        let roots: Vec<Vertex> = part.iter().map(|&v| root(&mut parent, v)).collect();
-        let least = roots.iter().copied().min();
-        for (root, least) in roots.into_iter().zip(least.into_iter().cycle()) {
-            parent.insert(root, least);
+        let mut first = root(&mut parent, place(&part[0]));
+        for v in &part[1..] {
+            let other = root(&mut parent, place(v));
+            parent[other.max(first)] = other.min(first);
+            first = first.min(other);
         }
     }
-    parent.into_iter().filter(|(v, up)| v == up).map(|(v, _)| v).collect()
+    vertices.iter().zip(0..).filter(|&(_, at)| parent[at] == at).map(|(&v, _)| v).collect()
 }
 
-/// The smallest vertex of a vertex' part, as far as it is known; the path to it becomes shorter.
-fn root(parent: &mut BTreeMap<Vertex, Vertex>, mut v: Vertex) -> Vertex {
-    while parent[&v] != v {
-        let up = parent[&parent[&v]];
-        parent.insert(v, up);
-        v = up;
+/// The place of the smallest vertex of a part, as far as it is known; the path to it becomes shorter.
+fn root(parent: &mut [usize], mut at: usize) -> usize {
+    while parent[at] != at {
+        parent[at] = parent[parent[at]];
+        at = parent[at];
     }
-    v
+    at
 }
 
 /// True if one of these vertices is inside the object, and not on its boundary. An open object has no inside.

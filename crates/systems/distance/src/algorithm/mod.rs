@@ -17,7 +17,6 @@ mod near;
 mod pairs;
 pub mod questions;
 
-use std::collections::BTreeSet;
 use std::sync::OnceLock;
 
 use predicament_grid::Bounds;
@@ -51,14 +50,20 @@ impl Indexed {
     /// If the object has 2^32 parts, or the scene lacks one of its vertices.
     #[must_use]
     pub fn new(scene: &Scene, object: Object) -> Indexed {
-        let mut seen: BTreeSet<Feature> = BTreeSet::new();
-        let reach = |feature: &Feature| Bounds::of(feature.corners().iter().map(|&v| point(scene, v)));
-        let owned = object.parts().map(|part| {
-            let new = Feature::closure(part).into_iter().filter(|feature| seen.insert(*feature));
-            new.map(|feature| (feature, reach(&feature))).collect()
-        });
+        let closure = |(part, corners): (usize, &[Vertex])| {
+            Feature::closure(corners).into_iter().enumerate().map(move |(at, feature)| (feature, [part, at]))
+        };
+        let mut all: Vec<(Feature, [usize; 2])> = object.parts().enumerate().flat_map(closure).collect();
+        all.sort_unstable();
+        all.dedup_by_key(|(feature, _)| *feature);
+        all.sort_unstable_by_key(|(_, place)| *place);
+        let mut owned = vec![Vec::new(); object.parts().count()];
+        for (feature, [part, _]) in all {
+            let bounds = Bounds::of(feature.corners().iter().map(|&v| point(scene, v)));
+            owned[part].push((feature, bounds));
+        }
         Indexed {
-            owned: owned.collect(),
+            owned,
             is_closed: object.is_closed(),
             parts: Parts::new(scene, &object),
             one_of_each: one_of_each(&object),

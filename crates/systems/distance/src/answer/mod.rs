@@ -62,8 +62,12 @@ impl Feature {
     #[must_use]
     pub fn closure(corners: &[Vertex]) -> Vec<Feature> {
         let subset = |mask: usize| {
-            let chosen = corners.iter().enumerate().filter(|(at, _)| mask >> at & 1 == 1);
-            Feature::new(&chosen.map(|(_, v)| *v).collect::<Vec<_>>())
+            let (mut chosen, mut count) = ([corners[0]; 3], 0);
+            for (_, &v) in corners.iter().enumerate().filter(|(at, _)| mask >> at & 1 == 1) {
+                chosen[count] = v;
+                count += 1;
+            }
+            Feature::new(&chosen[..count])
         };
         (1..1_usize << corners.len()).filter_map(subset).collect()
     }

@@ -1,7 +1,5 @@
 //! An object as a list of simplices.
 
-use std::collections::BTreeMap;
-
 use predicament_predicates::Vertex;
 
 /// The boundary of an object: directed edges in the plane, triangles in space.
@@ -76,20 +74,19 @@ impl Object {
     /// True if the object has an inside: every border of a part is used equally often in both directions.
     #[must_use]
     pub fn is_closed(&self) -> bool {
-        let mut balance: BTreeMap<[Vertex; 2], i64> = BTreeMap::new();
+        let mut borders: Vec<([Vertex; 2], i64)> = Vec::with_capacity(self.corners.len());
         for part in self.parts() {
             match *part {
-                [a, b] => {
-                    *balance.entry([a, a]).or_default() += 1;
-                    *balance.entry([b, b]).or_default() -= 1;
-                }
-                _ => {
-                    for (&u, &v) in part.iter().zip(part.iter().cycle().skip(1)) {
-                        *balance.entry([u.min(v), u.max(v)]).or_default() += if u < v { 1 } else { -1 };
-                    }
-                }
+                [a, b] => borders.extend([([a, a], 1), ([b, b], -1)]),
+                _ => borders.extend(part.iter().zip(part.iter().cycle().skip(1)).map(|(&u, &v)| {
+                    let direction = if u < v { 1 } else { -1 };
+                    ([u.min(v), u.max(v)], direction)
+                })),
             }
         }
-        balance.values().all(|&sum| sum == 0)
+        borders.sort_unstable();
+        borders
+            .chunk_by(|(one, _), (other, _)| one == other)
+            .all(|uses| uses.iter().map(|(_, sum)| sum).sum::<i64>() == 0)
     }
 }
