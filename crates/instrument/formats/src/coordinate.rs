@@ -14,6 +14,8 @@ use std::fmt::LowerExp;
 use crate::bits::lowest_bit;
 use crate::hexfloat::{self, HexError};
 
+mod short;
+
 /// The reason why a text is not a coordinate.
 #[derive(Clone, PartialEq, Debug)]
 pub enum CoordinateError {
@@ -53,6 +55,9 @@ fn not_too_long(text: &str) -> Result<(), CoordinateError> {
 /// # Errors
 /// [`CoordinateError`] if the text is not a number, or no double is printed as it.
 pub fn read(text: &str) -> Result<f64, CoordinateError> {
+    if let Some(x) = short::read(text) {
+        return Ok(x);
+    }
     not_too_long(text)?;
     if hexfloat::looks_like(text) {
         return hexfloat::parse(text).map_err(|error| match error {
@@ -110,7 +115,7 @@ fn single(x: f64) -> f32 {
     x as f32
 }
 
-/// True if a text is a decimal of at most 15 digits, without an exponent. Nearly all texts are that short.
+/// True if a text is a decimal of at most 15 digits, without an exponent. Most texts that people type are that short.
 ///
 /// Such a decimal is zero or between 10^-15 and 10^15, where doubles are normal, and its distance from its double is
 /// less than half a unit of its 15th digit: the double, printed with 15 digits, is the decimal again.

@@ -41,7 +41,7 @@ impl Decimals {
     /// [`CoordinateError`] if the text is not a number, if no double is printed as it and rounding is off, or if it
     /// would be more than the [`MOST_COORDINATES`]th.
     pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
-        self.count()?;
+        self.count(1)?;
         self.or_nearest(coordinate::read(text))
     }
 
@@ -50,7 +50,7 @@ impl Decimals {
     /// # Errors
     /// As [`read`](Decimals::read).
     pub fn read_single(&self, text: &str) -> Result<f64, CoordinateError> {
-        self.count()?;
+        self.count(1)?;
         self.or_nearest(coordinate::read_single(text).map(f64::from))
     }
 
@@ -65,8 +65,9 @@ impl Decimals {
         }
     }
 
-    fn count(&self) -> Result<(), CoordinateError> {
-        self.read.set(self.read.get() + 1);
+    /// Counts coordinates that are read; an error if the scene has too many.
+    pub(crate) fn count(&self, more: usize) -> Result<(), CoordinateError> {
+        self.read.set(self.read.get() + more);
         if self.read.get() > MOST_COORDINATES { Err(CoordinateError::TooMany) } else { Ok(()) }
     }
 }

@@ -48,8 +48,11 @@ pub fn format(x: f64) -> String {
 
 /// True if a text starts like a hex float, with `0x` or `0X` after an optional sign.
 pub(crate) fn looks_like(text: &str) -> bool {
-    let digits = text.strip_prefix(['-', '+']).unwrap_or(text);
-    digits.starts_with("0x") || digits.starts_with("0X")
+    let digits = match text.as_bytes() {
+        [b'-' | b'+', digits @ ..] => digits,
+        digits => digits,
+    };
+    matches!(digits, [b'0', b'x' | b'X', ..])
 }
 
 /// The double that a hex float denotes, in canonical form or not.

@@ -11,7 +11,7 @@ impl Lines {
     /// Scans the whole text once.
     #[must_use]
     pub fn new(text: &str) -> Lines {
-        Lines { newlines: text.bytes().enumerate().filter_map(|(at, byte)| (byte == b'\n').then_some(at)).collect() }
+        Lines { newlines: memchr::memchr_iter(b'\n', text.as_bytes()).collect() }
     }
 
     /// The line of a byte offset, counted from 1.
@@ -36,7 +36,7 @@ pub(crate) fn lines(text: &str) -> impl Iterator<Item = Line<'_>> {
         if rest.is_empty() {
             return None;
         }
-        let length = rest.find(['\n', '\r']).unwrap_or(rest.len());
+        let length = memchr::memchr2(b'\n', b'\r', rest.as_bytes()).unwrap_or(rest.len());
         let (body, behind) = rest.split_at(length);
         let end = &behind[..if behind.starts_with("\r\n") { 2 } else { behind.len().min(1) }];
         rest = &behind[end.len()..];

@@ -27,7 +27,7 @@ impl Commas {
         cell: &'c str,
         line: usize,
     ) -> Result<Cow<'c, str>, (String, String)> {
-        if separator != Some(Separator::Character(';')) || hexfloat::looks_like(cell) {
+        if separator != Some(Separator::Character(b';')) || hexfloat::looks_like(cell) {
             return Ok(Cow::Borrowed(cell));
         }
         let (has_comma, has_point) = (cell.contains(','), cell.contains('.'));
@@ -63,11 +63,11 @@ impl Commas {
 /// The cure for a cell that is not a number because it has a decimal comma.
 pub(super) fn cure(separator: Option<Separator>, cell: &str) -> Option<String> {
     let is_number = |text: &str| coordinate::read(text) != Err(CoordinateError::Malformed);
-    let is_cut = separator == Some(Separator::Character(','))
+    let is_cut = separator == Some(Separator::Character(b','))
         && cell.split_whitespace().nth(1).is_some()
         && cell.split_whitespace().all(is_number);
     let has_comma =
-        separator != Some(Separator::Character(';')) && cell.contains(',') && is_number(&cell.replace(',', "."));
+        separator != Some(Separator::Character(b';')) && cell.contains(',') && is_number(&cell.replace(',', "."));
     (is_cut || has_comma).then(|| {
         "decimal commas are supported only if `;` separates the cells; separate cells by `;`, or write decimal \
          points"

@@ -120,10 +120,12 @@ fn cure(first: &[&str]) -> String {
 /// The columns of points that the first row of a file names unambiguously. `None` if the file can be read without named
 /// columns, or if the names are ambiguous.
 pub(crate) fn recognised(text: &str) -> Option<Recognised> {
-    let mut scanner = Scanner::default();
+    let (mut scanner, mut cells) = (Scanner::default(), Vec::new());
     for Line { body, .. } in lines(text) {
-        let Some(cells) = scanner.cells(body).ok()? else { continue };
-        let first: Vec<&str> = cells.into_iter().map(|cell| &body[cell]).collect();
+        if !scanner.cells(body, &mut cells).ok()? {
+            continue;
+        }
+        let first: Vec<&str> = cells.iter().map(|cell| &body[cell.clone()]).collect();
         return match Layout::of(&first, Wanted::Points, &POINT) {
             Ok(_) => None,
             Err(_) => columns::recognised(&first),
@@ -132,11 +134,13 @@ pub(crate) fn recognised(text: &str) -> Option<Recognised> {
     None
 }
 
-/// The cells of a row to read, by their positions in the line. An error is a message and its cure.
-fn picked(layout: &Layout, cells: Vec<Range<usize>>) -> Result<Vec<Range<usize>>, (String, String)> {
-    let Layout::Some(chosen) = layout else { return Ok(cells) };
-    chosen.check(cells.len())?;
-    Ok(chosen.at.iter().map(|&at| cells[at].clone()).collect())
+/// Replaces the cells of a row by those to read. An error is a message and its cure.
+fn pick(layout: &Layout, cells: &mut Vec<Range<usize>>) -> Result<(), (String, String)> {
+    if let Layout::Some(chosen) = layout {
+        chosen.check(cells.len())?;
+        *cells = chosen.at.iter().map(|&at| cells[at].clone()).collect();
+    }
+    Ok(())
 }
 
 /// The error for a cell and its cure, with the name of the cell's column.
@@ -171,10 +175,12 @@ pub(crate) fn read(
     decimals: &Decimals,
 ) -> Result<Rows, CorpusError> {
     let (mut scanner, mut commas, mut rows) = (Scanner::default(), Commas::default(), Rows::default());
-    let (mut layout, mut width) = (None, None);
+    let (mut layout, mut width, mut cells) = (None, None, Vec::new());
     for Line { number, body, .. } in lines(text) {
         let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);
-        let Some(cells) = scanner.cells(body).map_err(error)? else { continue };
+        if !scanner.cells(body, &mut cells).map_err(error)? {
+            continue;
+        }
         let layout = match &layout {
             Some(layout) => layout,
             None => {
@@ -187,9 +193,9 @@ pub(crate) fn read(
                 found
             }
         };
-        let cells = picked(layout, cells).map_err(error)?;
+        pick(layout, &mut cells).map_err(error)?;
         kind.check(&mut width, rows.lines.len(), cells.len()).map_err(|message| error((message, kind.cure.into())))?;
-        for (place, cell) in cells.into_iter().enumerate() {
+        for (place, cell) in cells.iter().cloned().enumerate() {
             let cell = &body[cell];
             let number = commas.number(scanner.separator(), cell, number).map_err(error)?;
             let x = decimals

@@ -2,7 +2,7 @@
 
 use super::cells::Scanner;
 use super::commas::Commas;
-use super::{Chosen, Columns, Layout, columns, is_misplaced, is_name, picked, wrong};
+use super::{Chosen, Columns, Layout, columns, is_misplaced, is_name, pick, wrong};
 use crate::coordinate::{self, CoordinateError};
 use crate::file::BOM;
 use crate::lines::{Line, lines};
@@ -19,17 +19,18 @@ use crate::{CorpusError, hexfloat};
 /// [`CorpusError`] if a cell is not a number in the range of doubles, or a column does not exist.
 pub fn fmt_csv(file: &str, text: &str, columns: Option<&Columns>) -> Result<String, CorpusError> {
     let (mark, rest) = text.strip_prefix(BOM).map_or(("", text), |rest| (&text[..BOM.len_utf8()], rest));
-    let (mut scanner, mut commas, mut layout) = (Scanner::default(), Commas::default(), None);
+    let (mut scanner, mut commas) = (Scanner::default(), Commas::default());
+    let (mut layout, mut cells) = (None, Vec::new());
     let mut out = String::with_capacity(text.len());
     out.push_str(mark);
     // A last line without an end takes that of the line before it.
     let mut usual_end = "\n";
     for Line { number, body, end } in lines(rest) {
         let error = |(message, cure): (String, String)| CorpusError::file(file, message, cure).at_line(number);
-        let Some(cells) = scanner.cells(body).map_err(error)? else {
+        if !scanner.cells(body, &mut cells).map_err(error)? {
             out.extend([body, end]);
             continue;
-        };
+        }
         let layout = match &layout {
             Some(layout) => layout,
             None => {
@@ -44,7 +45,8 @@ pub fn fmt_csv(file: &str, text: &str, columns: Option<&Columns>) -> Result<Stri
         };
         usual_end = if end.is_empty() { usual_end } else { end };
         let (mut decimals, mut edits) = (Vec::new(), Vec::new());
-        for (place, cell) in picked(layout, cells).map_err(error)?.into_iter().enumerate() {
+        pick(layout, &mut cells).map_err(error)?;
+        for (place, cell) in cells.iter().cloned().enumerate() {
             let text = &body[cell.clone()];
             let decimal = commas.number(scanner.separator(), text, number).map_err(error)?;
             match coordinate::read(&decimal) {

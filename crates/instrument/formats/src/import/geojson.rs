@@ -6,13 +6,17 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
+use std::marker::PhantomData;
 
-use serde::Deserialize;
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{MapAccess, Visitor};
+use serde::{Deserialize, Deserializer};
 use serde_json::Value;
 use serde_json::value::RawValue;
 
 use super::features::{CLOSE, DEEPEST, Feature, Geometry, Position, Shape, open};
 use super::{ImportNotes, Keeps, id_text};
+use crate::coordinate;
 use crate::decimals::{Place as Written, ends, explain, shown};
 use crate::{CorpusError, Decimals, Lines};
 
@@ -36,6 +40,52 @@ struct Object<'t> {
 #[derive(Deserialize)]
 struct Properties {
     name: Option<Value>,
+}
+
+/// A collection of features, for a reader of one pass.
+#[derive(Deserialize)]
+struct Collection<'t> {
+    #[serde(rename = "type")]
+    kind: &'t str,
+    #[serde(borrow)]
+    features: Vec<&'t RawValue>,
+}
+
+/// A feature, for a reader of one pass.
+#[derive(Deserialize)]
+struct Plain<'t> {
+    #[serde(rename = "type")]
+    kind: Option<&'t str>,
+    #[serde(borrow)]
+    geometry: Option<Member<'t>>,
+    properties: Option<Properties>,
+    id: Option<Value>,
+}
+
+/// An object that is a member of another; an array of its values, which serde would accept, is refused.
+struct Member<'t>(Object<'t>);
+
+impl<'de: 't, 't> Deserialize<'de> for Member<'t> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Member<'t>, D::Error> {
+        struct Members<'t>(PhantomData<&'t ()>);
+        impl<'de: 't, 't> Visitor<'de> for Members<'t> {
+            type Value = Member<'t>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str("an object")
+            }
+
+            fn visit_map<A: MapAccess<'de>>(self, members: A) -> Result<Member<'t>, A::Error> {
+                Object::deserialize(MapAccessDeserializer::new(members)).map(Member)
+            }
+        }
+        deserializer.deserialize_map(Members(PhantomData))
+    }
+}
+
+/// Parses an object of JSON; `None` if it is not one, or has other members.
+fn only_object<'t, T: Deserialize<'t>>(text: &'t str) -> Option<T> {
+    if text.trim_ascii_start().starts_with('{') { serde_json::from_str(text).ok() } else { None }
 }
 
 /// A path in the file: `features[3].geometry.coordinates[0][2]`.
@@ -84,6 +134,14 @@ impl fmt::Display for Place<'_> {
 /// # Errors
 /// [`CorpusError`] at the line that is wrong, with the path in the file if the line is not enough.
 pub fn read(file: &str, text: &str, decimals: &Decimals, keeps: &mut Keeps<'_>) -> Result<Geometry, CorpusError> {
+    // A collection is read in one pass. If that fails, the passes below find out why.
+    if let Some(Collection { kind, features }) = only_object(text)
+        && kind == "FeatureCollection"
+    {
+        let mut reader = Reader::new(file, text, decimals);
+        reader.all(features, &ROOT, keeps)?;
+        return Ok(reader.finish());
+    }
     let (mut reader, whole) = Reader::open(file, text, decimals)?;
     if whole.get().starts_with('[') {
         reader.bare_rings(whole, &ROOT, keeps)?;
@@ -132,14 +190,18 @@ struct Reader<'r, 't> {
 }
 
 impl<'r, 't> Reader<'r, 't> {
+    fn new(file: &'r str, text: &'t str, decimals: &'r Decimals) -> Reader<'r, 't> {
+        let (lines, notes) = (Lines::new(text), ImportNotes::default());
+        Reader { file, text, lines, decimals, notes, features: Vec::new(), seen: 0 }
+    }
+
     /// A reader, and the whole file as one value: the syntax of the file is checked completely before any part is read.
     fn open(
         file: &'r str,
         text: &'t str,
         decimals: &'r Decimals,
     ) -> Result<(Reader<'r, 't>, &'t RawValue), CorpusError> {
-        let (lines, notes) = (Lines::new(text), ImportNotes::default());
-        let reader = Reader { file, text, lines, decimals, notes, features: Vec::new(), seen: 0 };
+        let reader = Reader::new(file, text, decimals);
         let whole = reader.part(text, 0)?;
         Ok((reader, whole))
     }
@@ -193,30 +255,9 @@ impl<'r, 't> Reader<'r, 't> {
                 let features = object.features.ok_or_else(|| {
                     self.error(raw, place, "a FeatureCollection without features", "give it `features`")
                 })?;
-                for (index, feature) in self.items(features, &place.key("features"))?.into_iter().enumerate() {
-                    let place = place.key("features");
-                    let place = place.index(index);
-                    let kind: Kind = self.parsed(feature)?;
-                    if kind.kind.as_deref() != Some("Feature") {
-                        return Err(self.error(feature, &place, "not a Feature", "list features only"));
-                    }
-                    self.feature(feature, &place, keeps)?;
-                }
-                Ok(())
+                self.all(self.items(features, &place.key("features"))?, place, keeps)
             }
-            Some("Feature") => {
-                if !self.is_wanted(id_text(object.id.as_ref()).as_deref(), keeps) {
-                    return Ok(());
-                }
-                let mut shapes = Vec::new();
-                if let Some(geometry) = object.geometry {
-                    self.geometry(geometry, &place.key("geometry"), 0, &mut shapes)?;
-                }
-                let name =
-                    super::topojson::name(object.properties.and_then(|all| all.name).as_ref(), object.id.as_ref());
-                self.features.push(Feature { name, line, shapes });
-                Ok(())
-            }
+            Some("Feature") => self.one(object, line, place, keeps),
             Some("Topology") => {
                 let cure = "for a map write `topojson = \"…\"` and `object = \"…\"`; else convert it to GeoJSON";
                 Err(self.error(raw, place, "the file is TopoJSON", cure))
@@ -231,6 +272,63 @@ impl<'r, 't> Reader<'r, 't> {
                 Ok(())
             }
         }
+    }
+
+    /// Reads the features of a collection.
+    fn all(
+        &mut self,
+        features: Vec<&'t RawValue>,
+        place: &Place<'_>,
+        keeps: &mut Keeps<'_>,
+    ) -> Result<(), CorpusError> {
+        let place = place.key("features");
+        for (index, raw) in features.into_iter().enumerate() {
+            let place = place.index(index);
+            let line = self.line(raw.get());
+            let Some(Plain { kind: Some("Feature"), geometry, properties, id }) = only_object(raw.get()) else {
+                let object = self.object(raw, &place)?;
+                if object.kind.as_deref() != Some("Feature") {
+                    return Err(self.error(raw, &place, "not a Feature", "list features only"));
+                }
+                self.one(object, line, &place, keeps)?;
+                continue;
+            };
+            if !self.is_wanted(id_text(id.as_ref()).as_deref(), keeps) {
+                continue;
+            }
+            let mut shapes = Vec::new();
+            let read = geometry
+                .map_or(Ok(()), |Member(object)| self.shapes(object, raw, &place.key("geometry"), 0, &mut shapes));
+            if read.is_err() {
+                // The same error, with the line of the geometry.
+                let object = self.object(raw, &place)?;
+                let geometry = object.geometry.map(|raw| self.geometry(raw, &place.key("geometry"), 0, &mut shapes));
+                geometry.unwrap_or(read)?;
+            }
+            let name = super::topojson::name(properties.and_then(|all| all.name).as_ref(), id.as_ref());
+            self.features.push(Feature { name, line, shapes });
+        }
+        Ok(())
+    }
+
+    /// Reads a feature, which starts at a line.
+    fn one(
+        &mut self,
+        object: Object<'t>,
+        line: usize,
+        place: &Place<'_>,
+        keeps: &mut Keeps<'_>,
+    ) -> Result<(), CorpusError> {
+        if !self.is_wanted(id_text(object.id.as_ref()).as_deref(), keeps) {
+            return Ok(());
+        }
+        let mut shapes = Vec::new();
+        if let Some(geometry) = object.geometry {
+            self.geometry(geometry, &place.key("geometry"), 0, &mut shapes)?;
+        }
+        let name = super::topojson::name(object.properties.and_then(|all| all.name).as_ref(), object.id.as_ref());
+        self.features.push(Feature { name, line, shapes });
+        Ok(())
     }
 
     /// Reads the rings of one polygon and nothing around them, closed or not: the format of triangulators' test data.
@@ -255,6 +353,18 @@ impl<'r, 't> Reader<'r, 't> {
         shapes: &mut Vec<Shape>,
     ) -> Result<(), CorpusError> {
         let object = self.object(raw, place)?;
+        self.shapes(object, raw, place, depth, shapes)
+    }
+
+    /// Adds the shapes of a geometry.
+    fn shapes(
+        &mut self,
+        object: Object<'t>,
+        raw: &'t RawValue,
+        place: &Place<'_>,
+        depth: usize,
+        shapes: &mut Vec<Shape>,
+    ) -> Result<(), CorpusError> {
         let kind = object.kind.as_deref().unwrap_or_default();
         if kind == "GeometryCollection" {
             if depth == DEEPEST {
@@ -307,6 +417,11 @@ impl<'r, 't> Reader<'r, 't> {
     }
 
     fn polygon(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Shape, CorpusError> {
+        if let Some(rings) = self.plain(raw.get(), 3)
+            && let Ok(rings) = rings.into_iter().map(open).collect()
+        {
+            return Ok(Shape::Polygon(rings));
+        }
         let mut rings = Vec::new();
         for (index, ring) in self.items(raw, place)?.into_iter().enumerate() {
             let place = place.index(index);
@@ -319,6 +434,9 @@ impl<'r, 't> Reader<'r, 't> {
     }
 
     fn positions(&mut self, raw: &'t RawValue, place: &Place<'_>) -> Result<Vec<Position>, CorpusError> {
+        if let Some(positions) = self.plain(raw.get(), 2).and_then(|mut lists| lists.pop()) {
+            return Ok(positions);
+        }
         let items = self.items(raw, place)?.into_iter().enumerate();
         items.map(|(index, position)| self.position(position, &place.index(index))).collect()
     }
@@ -340,6 +458,42 @@ impl<'r, 't> Reader<'r, 't> {
         Ok(Position { at, height, line: self.line(raw.get()) })
     }
 
+    /// Reads an array of positions of two numbers each (`deep` = 2), or an array of such arrays (3), without another
+    /// parse; `None` if it is something else, or a number is not a coordinate. The text is known to be valid JSON.
+    fn plain(&self, text: &'t str, deep: usize) -> Option<Vec<Vec<Position>>> {
+        let (mut lists, mut list, mut numbers) = (Vec::new(), Vec::new(), [0.0; 2]);
+        let (mut depth, mut count, mut start, mut at) = (0, 0, 0, 0);
+        let mut total = 0;
+        while let Some(&byte) = text.as_bytes().get(at) {
+            match byte {
+                b'[' => (depth, count, start) = (depth + 1, 0, at),
+                b'-' | b'0'..=b'9' if depth == deep && count < 2 => {
+                    let rest = &text[at..];
+                    let end =
+                        rest.bytes().position(|byte| !matches!(byte, b'-' | b'+' | b'.' | b'e' | b'E' | b'0'..=b'9'));
+                    let word = &rest[..end?];
+                    numbers[count] = coordinate::read(word).ok()?;
+                    (at, count) = (at + word.len() - 1, count + 1);
+                }
+                b']' if depth == deep && count == 2 => {
+                    depth -= 1;
+                    list.push(Position { at: numbers, height: None, line: self.line(&text[start..]) });
+                }
+                b']' if depth + 1 == deep => {
+                    depth -= 1;
+                    total += list.len();
+                    lists.push(std::mem::take(&mut list));
+                }
+                b']' if depth > 0 && depth < deep => depth -= 1,
+                b',' | b' ' | b'\t' | b'\n' | b'\r' => {}
+                _ => return None,
+            }
+            at += 1;
+        }
+        self.decimals.count(2 * total).ok()?;
+        Some(lists)
+    }
+
     /// Parses an object; an array of its values, which serde would accept, is refused.
     fn object(&self, raw: &'t RawValue, place: &Place<'_>) -> Result<Object<'t>, CorpusError> {
         if !raw.get().starts_with('{') {
@@ -355,13 +509,6 @@ impl<'r, 't> Reader<'r, 't> {
         }
         self.parsed(raw)
     }
-}
-
-/// The type that an object declares.
-#[derive(Deserialize)]
-struct Kind {
-    #[serde(rename = "type")]
-    kind: Option<String>,
 }
 
 #[cfg(test)]

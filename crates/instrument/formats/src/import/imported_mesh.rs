@@ -29,13 +29,23 @@ pub struct ImportedMesh {
 
 /// A line without its comment, or `None` if it is then empty.
 pub(super) fn content(line: &str) -> Option<&str> {
-    let line = line.split('#').next().unwrap_or_default().trim();
+    let line = memchr::memchr(b'#', line.as_bytes()).map_or(line, |at| &line[..at]).trim();
     (!line.is_empty()).then_some(line)
 }
 
 /// The lines with content, numbered from 1.
 pub(super) fn contents(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines(text).filter_map(|line| content(line.body).map(|body| (line.number, body)))
+}
+
+/// Replaces `words` by those of a line.
+pub(super) fn split<'t>(line: &'t str, words: &mut Vec<&'t str>) {
+    words.clear();
+    if line.is_ascii() {
+        words.extend(line.split_ascii_whitespace());
+    } else {
+        words.extend(line.split_whitespace());
+    }
 }
 
 pub(super) fn no_vertex(file: &str, line: usize, word: &str, points: usize, first: &str) -> CorpusError {
@@ -58,6 +68,16 @@ pub(super) fn point(file: &str, line: usize, words: &[&str], decimals: &Decimals
     Ok(point)
 }
 
+/// True if a vertex is named twice.
+fn has_repeats(corners: &[Vertex]) -> bool {
+    if let [a, b, c] = corners {
+        return a == b || b == c || c == a;
+    }
+    let mut sorted = corners.to_vec();
+    sorted.sort_unstable();
+    sorted.windows(2).any(|pair| pair[0] == pair[1])
+}
+
 impl ImportedMesh {
     /// Appends a point and its position.
     pub(super) fn push_point(&mut self, point: [f64; 3], at: usize) {
@@ -73,9 +93,7 @@ impl ImportedMesh {
         if rest.len() < 2 && !self.keeps_degenerate {
             return Err((format!("a face of {} corners", corners.len()), "give it three, or remove it"));
         }
-        let mut sorted = corners.to_vec();
-        sorted.sort_unstable();
-        if sorted.windows(2).any(|pair| pair[0] == pair[1]) && !self.keeps_degenerate {
+        if !self.keeps_degenerate && has_repeats(corners) {
             return Err(("a face that names a vertex twice".to_owned(), "divide it, or remove it"));
         }
         // The corners are input vertices, of which there are at most 2^31.

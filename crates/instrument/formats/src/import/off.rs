@@ -2,7 +2,7 @@
 
 use predicament_predicates::Vertex;
 
-use super::imported_mesh::{ImportedMesh, content, contents, no_vertex, point};
+use super::imported_mesh::{ImportedMesh, content, contents, no_vertex, point, split};
 use crate::decimals::shown;
 use crate::{CorpusError, Decimals};
 
@@ -40,9 +40,10 @@ pub(super) fn read(
     };
     let mut last = line;
     let mut width = None;
+    let (mut words, mut corners): (Vec<&str>, Vec<Vertex>) = (Vec::new(), Vec::new());
     for at in 0..vertices {
-        let (line, words) = lines.next().ok_or_else(|| counted(last, at, vertices, "vertices"))?;
-        let words: Vec<&str> = words.split_whitespace().collect();
+        let (line, text) = lines.next().ok_or_else(|| counted(last, at, vertices, "vertices"))?;
+        split(text, &mut words);
         // Colours may follow the coordinates. A face among the vertices is detected by its different number of words.
         let first = *width.get_or_insert(words.len());
         if words.len() != first {
@@ -53,19 +54,22 @@ pub(super) fn read(
         last = line;
     }
     for at in 0..faces {
-        let (line, words) = lines.next().ok_or_else(|| counted(last, at, faces, "faces"))?;
+        let (line, text) = lines.next().ok_or_else(|| counted(last, at, faces, "faces"))?;
         last = line;
-        let words: Vec<&str> = words.split_whitespace().collect();
+        split(text, &mut words);
         // Colours may follow the corners.
-        let corners = words[0].parse().ok().and_then(|corners: usize| words.get(1..corners.checked_add(1)?));
-        let Some(corners) = corners else {
+        let named = words[0].parse().ok().and_then(|corners: usize| words.get(1..corners.checked_add(1)?));
+        let Some(named) = named else {
             return Err(error(line, "a face is the number of its corners, then the corners".to_owned(), CURE));
         };
         let corner = |word: &&str| {
             let index = word.parse().ok().filter(|&index: &usize| index < vertices);
             index.map(Vertex::input).ok_or_else(|| no_vertex(file, line, word, vertices, "0"))
         };
-        let corners = corners.iter().map(corner).collect::<Result<Vec<_>, _>>()?;
+        corners.clear();
+        for word in named {
+            corners.push(corner(word)?);
+        }
         mesh.push_face(&corners, line).map_err(|(message, cure)| error(line, message, cure))?;
     }
     match lines.next() {
