@@ -26,6 +26,7 @@ mod faces;
 mod first;
 mod incremental;
 mod interior;
+mod middle;
 mod order;
 mod plane;
 mod scratch;

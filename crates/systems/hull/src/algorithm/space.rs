@@ -7,12 +7,13 @@ use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 use super::first::AXES;
 use super::order::lexicographic;
 use super::scratch::Scratch;
-use super::{Hull3, divide, incremental};
+use super::{Hull3, divide, incremental, middle};
 
 /// The methods for hulls in space.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum SpaceMethod {
-    /// Insertion in a fixed random order; a conflict graph holds the outside points.
+    /// Drops points in a box in the middle, and inserts the others in a fixed random order; a conflict graph holds the
+    /// outside points.
     #[default]
     Incremental,
     /// Divide and conquer: sorts the points, and stitches the half-edge meshes of both halves by the faces that touch
@@ -24,15 +25,18 @@ pub enum SpaceMethod {
 #[must_use]
 pub fn hull3d(session: &dyn Predicates, method: SpaceMethod) -> Hull3 {
     let scene = session.scene();
-    let vertices: Vec<Vertex> = scene.vertices().collect();
     let mut scratch = Scratch::new(scene.len());
     let mut hull = match method {
         SpaceMethod::Incremental => {
+            let vertices = middle::outer(session, &mut scratch);
             let mut hull = incremental::hull(session, &mut scratch, &vertices);
             name_by_smallest(session, &mut hull);
             hull
         }
-        SpaceMethod::Divide => divide::hull(session, &mut scratch, &vertices),
+        SpaceMethod::Divide => {
+            let vertices: Vec<Vertex> = scene.vertices().collect();
+            divide::hull(session, &mut scratch, &vertices)
+        }
     };
     hull.vertices.sort_unstable();
     for face in &mut hull.faces {

@@ -90,6 +90,29 @@ fn parts_of_many_faces_are_stitched() {
     }
 }
 
+#[test]
+fn a_box_in_the_middle_takes_nothing_of_the_hull() {
+    // More points than the filter needs: a lattice, the corners of which are the hull; points in a cube and in a ball,
+    // some of them twice; and a needle along a diagonal.
+    let mut state = 7_u64;
+    let mut next = || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        i64::try_from(state >> 44).unwrap() - (1 << 19)
+    };
+    let cube: Vec<[i64; 3]> = (0..5000).map(|_| [next(), next(), next()]).collect();
+    let is_in_ball = |point: &&[i64; 3]| point.iter().map(|x| x * x).sum::<i64>() < 1 << 38;
+    let ball: Vec<[i64; 3]> = cube.iter().filter(is_in_ball).flat_map(|&point| [point, point, point]).collect();
+    let needle: Vec<[i64; 3]> = cube.iter().map(|&[x, y, z]| [x, x + y / 4096, x + z / 4096]).collect();
+    for points in [lattice(17), cube, ball, needle] {
+        assert!(points.len() > 4096);
+        let scene = scene(&points);
+        let [incremental, divide] = hulls(&Exact.prepare(&scene, Off).unwrap());
+        assert_eq!((incremental.broken, divide.broken), (None, None));
+        assert_eq!(incremental, divide);
+        is_simplicial(&points, Sos::default());
+    }
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(predicament_effort::some_or_all(50, 2000)))]
 
