@@ -18,7 +18,7 @@ pub use choice::Choice;
 pub use error::Error;
 pub use files::{Files, Written, write};
 pub use placed::{Placed, rounded_points};
-pub use plane::{collection, plane};
+pub use plane::{collection, plane, table};
 pub use space::mesh;
 pub use vertices::{all_vertices, vertices};
 

@@ -5,7 +5,8 @@ use std::io::{Result as IoResult, Write};
 
 use predicament_judge::{Points, nearest, rational};
 use predicament_predicates::{Scene, Vertex};
-use serde_json::{Value, json};
+use serde::ser::SerializeStruct;
+use serde::{Serialize, Serializer};
 
 use super::choice::When;
 use super::{Error, Files, exactly, rounded};
@@ -41,9 +42,20 @@ where
     };
     let points = LazyCell::new(|| Points::of(scene));
     files.offer(&svg, when, note, |out| picture(out, &points, polygons.clone()))?;
-    files.write(&geojson, |out| collection(out, polygons.clone().map(|rings| feature(&points, &rings))))?;
+    files.write(&geojson, |out| collection(out, polygons.clone().map(|rings| Feature::of(&points, rings))))?;
     files.by_format(&wkt, |out| {
         polygons.clone().try_for_each(|rings| writeln!(out, "{}", Placed::of(&points, &rings)?.wkt()))
+    })
+}
+
+/// Offers `NAME.csv` by its format: the ids of each triangle's corners, one triangle a line.
+///
+/// # Errors
+/// As [`Files::write`].
+pub fn table(files: &mut Files, name: &str, triangles: &[[Vertex; 3]]) -> Result<(), Error> {
+    files.by_format(&format!("{name}.csv"), |out| {
+        writeln!(out, "a,b,c")?;
+        triangles.iter().try_for_each(|[a, b, c]| writeln!(out, "{a},{b},{c}"))
     })
 }
 
@@ -51,30 +63,70 @@ where
 ///
 /// # Errors
 /// The error of a feature or of the file system.
-pub fn collection(out: &mut dyn Write, features: impl IntoIterator<Item = IoResult<Value>>) -> IoResult<()> {
+pub fn collection<F: Serialize>(out: &mut dyn Write, features: impl IntoIterator<Item = IoResult<F>>) -> IoResult<()> {
     write!(out, "{{\"features\":[")?;
-    for (at, feature) in features.into_iter().enumerate() {
-        let separator = if at == 0 { "" } else { "," };
-        write!(out, "{separator}{}", feature?)?;
+    let mut text = Vec::new();
+    for feature in features {
+        serde_json::to_writer(&mut text, &feature?)?;
+        out.write_all(&text)?;
+        text.clear();
+        text.push(b',');
     }
     writeln!(out, "],\"type\":\"FeatureCollection\"}}")
 }
 
-fn feature(points: &Points, rings: &[Vec<Vertex>]) -> IoResult<Value> {
-    let ids: Vec<Vec<String>> = rings.iter().map(|ring| ring.iter().map(ToString::to_string).collect()).collect();
-    Ok(json!({
-        "type": "Feature",
-        "geometry": Placed::of(points, rings)?.geojson(),
-        "properties": { "vertices": ids },
-    }))
+/// A polygon as GeoJSON has it, with the ids of its vertices. Keys are in the order of the alphabet.
+#[derive(Serialize)]
+struct Feature {
+    geometry: Placed,
+    properties: Properties,
+    r#type: &'static str,
 }
 
-/// The rings of a polygon in doubles, or what a degenerate polygon is.
+#[derive(Serialize)]
+struct Properties {
+    vertices: Vec<Ids>,
+}
+
+/// The ids of a ring's vertices, as texts.
+struct Ids(Vec<Vertex>);
+
+impl Serialize for Ids {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_seq(self.0.iter().map(|v| format!("{v}")))
+    }
+}
+
+impl Feature {
+    fn of(points: &Points, rings: Vec<Vec<Vertex>>) -> IoResult<Feature> {
+        let geometry = Placed::of(points, &rings)?;
+        Ok(Feature {
+            geometry,
+            properties: Properties { vertices: rings.into_iter().map(Ids).collect() },
+            r#type: "Feature",
+        })
+    }
+}
+
+/// The rings of a polygon in doubles, or what a degenerate polygon is: the geometry of a feature.
 enum Placed {
     Point([f64; 2]),
     Line(Vec<[f64; 2]>),
     /// Closed rings.
     Polygon(Vec<Vec<[f64; 2]>>),
+}
+
+impl Serialize for Placed {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut geometry = serializer.serialize_struct("geometry", 2)?;
+        let kind = match self {
+            Placed::Point(point) => geometry.serialize_field("coordinates", point).map(|()| "Point"),
+            Placed::Line(line) => geometry.serialize_field("coordinates", line).map(|()| "LineString"),
+            Placed::Polygon(rings) => geometry.serialize_field("coordinates", rings).map(|()| "Polygon"),
+        }?;
+        geometry.serialize_field("type", kind)?;
+        geometry.end()
+    }
 }
 
 impl Placed {
@@ -90,14 +142,6 @@ impl Placed {
                 Placed::Polygon(placed)
             }
         })
-    }
-
-    fn geojson(&self) -> Value {
-        match self {
-            Placed::Point(point) => json!({ "type": "Point", "coordinates": point }),
-            Placed::Line(line) => json!({ "type": "LineString", "coordinates": line }),
-            Placed::Polygon(rings) => json!({ "type": "Polygon", "coordinates": rings }),
-        }
     }
 
     fn wkt(&self) -> String {

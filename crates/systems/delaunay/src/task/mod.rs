@@ -180,7 +180,7 @@ impl Task for Delaunay2d {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// Offers SVG and GeoJSON of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
+    /// Offers SVG, GeoJSON and CSV of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
     fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, files: &mut Files) -> Result<(), output::Error> {
         let found = &answer.0;
         files.broken(found.broken);
@@ -189,6 +189,7 @@ impl Task for Delaunay2d {
             exact.construct(*definition).map_err(std::io::Error::other)?;
         }
         output::plane(files, &exact, "triangles", found.triangles.iter().map(|triangle| vec![triangle.to_vec()]))?;
+        output::table(files, "triangles", &found.triangles)?;
         files.json("edges.json", || {
             let ids = |list: &[Vertex]| list.iter().map(ToString::to_string).collect::<Vec<_>>();
             let pairs = |pairs: &[[Vertex; 2]]| pairs.iter().map(|pair| ids(pair)).collect::<Vec<_>>();
