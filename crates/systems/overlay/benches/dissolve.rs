@@ -77,7 +77,7 @@ fn dissolved<B: Backend>(backend: &B, points: &[[f64; 2]], loops: &[Vec<Vertex>]
     let mut session = backend.prepare(&scene, Off).expect("points");
     let counties = Polygon::of_vertices(loops, Rule::NonZero);
     let made = overlay(&mut session, [&counties, &Polygon::default()], method).expect("nothing crosses");
-    let regions = made.regions(&session, Operation::Union).regions;
+    let regions = made.regions(Operation::Union).regions;
     regions.iter().flat_map(|region| region.loops()).map(Vec::len).sum()
 }
 

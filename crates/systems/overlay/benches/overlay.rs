@@ -74,7 +74,7 @@ fn ours<'a, B: Backend>(
             Layers::Polygons(loops, rule) => {
                 let [a, b] = loops.each_ref().map(|loops| Polygon::of_vertices(loops, *rule));
                 let Ok(made) = overlay(&mut session, [&a, &b], method) else { return 0 };
-                let regions = made.regions(&session, Operation::Union).regions;
+                let regions = made.regions(Operation::Union).regions;
                 regions.iter().flat_map(|region| region.loops()).map(Vec::len).sum()
             }
         }

@@ -55,7 +55,7 @@ fn combined(float: &dyn Contestant, scene: &Scene, passes: &Passes, step: &Opera
         let operands = [0, 1].map(|operand| polygon(passes, operand));
         let [a, b] = &operands;
         let made = overlay(session, [a, b], Search::Grid)?;
-        let result = made.regions(&*session, step.operation);
+        let result = made.regions(step.operation);
         let session: &dyn Predicates = &*session;
         let vertices = result.regions.iter().flat_map(|region| region.loops()).flatten().map(|edge| edge.from);
         let at = vertices.map(|v| (v, place(session, v))).collect();

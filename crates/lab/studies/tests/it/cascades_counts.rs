@@ -157,7 +157,7 @@ fn regions_are_those_of_all_operands_at_once() {
         let all = Polygon::of_vertices(&vertices[..=sample.step], Rule::NonZero);
         let mut session = Backend.prepare(&scene, Off).unwrap();
         let made = overlay(&mut session, [&all, &Polygon::default()], Method::Sweep).unwrap();
-        let made = made.regions(&session, predicament_overlay::algorithm::overlay::Operation::Union).regions;
+        let made = made.regions(predicament_overlay::algorithm::overlay::Operation::Union).regions;
         assert_eq!(sample.regions, made.len(), "after step {}", sample.step);
         several = several.max(made.len());
         holes = holes.max(made.iter().map(|region| region.holes.len()).sum());

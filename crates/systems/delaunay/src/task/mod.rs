@@ -180,7 +180,8 @@ impl Task for Delaunay2d {
         Ok(Explanation { vertices: vertices.clone(), ..Explanation::default() }.with_answers(backends, ask))
     }
 
-    /// Offers SVG, GeoJSON and CSV of the triangles; chain, copies and edges of constraints as JSON; all vertices exactly.
+    /// Offers SVG, GeoJSON and CSV of the triangles; chain, copies and edges of constraints as JSON; all vertices
+    /// exactly.
     fn write(&self, scene: &Scene, _: &Sites, answer: &Triangles, files: &mut Files) -> Result<(), output::Error> {
         let found = &answer.0;
         files.broken(found.broken);

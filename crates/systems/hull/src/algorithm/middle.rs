@@ -125,8 +125,8 @@ fn extreme(scene: &Scene) -> Vec<Vertex> {
 /// True if a point is certainly on the inner side of the plane through three points, which are counterclockwise as seen
 /// from outside.
 ///
-/// The bound on the error of the determinant is Shewchuk's (1997, section 4.3), with u = 2^-53, doubled. It holds without
-/// underflow and overflow: differences of other sizes decide nothing.
+/// The bound on the error of the determinant is Shewchuk's (1997, section 4.3), with u = 2^-53, doubled. It holds
+/// without underflow and overflow: differences of other sizes decide nothing.
 fn is_certainly_inside(face: [[f64; 3]; 3], point: [f64; 3]) -> bool {
     let rows = face.map(|corner| [0, 1, 2].map(|axis: usize| corner[axis] - point[axis]));
     let is_moderate = |x: &f64| *x == 0.0 || (1e-100..1e100).contains(&x.abs());

@@ -220,7 +220,7 @@ fn holds(scene: &Scene, polygon: &Polygon, p: &Point) -> Option<bool> {
 
 /// Regions as a polygon, after checks of their form.
 fn checked(session: &dyn Predicates, made: &Overlay, operation: Operation, what: &str) -> Polygon {
-    let Regions { regions, broken } = made.regions(session, operation);
+    let Regions { regions, broken } = made.regions(operation);
     assert_eq!((broken, made.arrangement.broken), (None, None), "{what}");
     let scene = session.scene();
     assert!(regions.is_sorted());
@@ -294,7 +294,7 @@ fn results_of_broken_ties_have_the_same_areas() {
         let mut exact = Exact.prepare(&scene, Off).unwrap();
         let by_exact = overlay(&mut exact, [&operands[0], &operands[1]], Method::Grid).unwrap();
         for operation in Operation::ALL {
-            let Regions { regions, broken } = by_sos.regions(&perturbed, operation);
+            let Regions { regions, broken } = by_sos.regions(operation);
             assert_eq!((broken, by_sos.arrangement.broken), (None, None), "round {round}");
             let moved = area(perturbed.scene(), &Polygon::from(regions.as_slice()));
             assert_eq!(moved, area(exact.scene(), &checked(&exact, &by_exact, operation, "exact")), "round {round}");
@@ -365,7 +365,7 @@ fn operations_satisfy_the_laws_of_sets() {
         let mut session = Exact.prepare(&scene, Off).unwrap();
         let mut regions = |first: &Polygon, second: &Polygon, operation: Operation| {
             let made = overlay(&mut session, [first, second], Method::Grid).unwrap();
-            let made = made.regions(&session, operation).regions;
+            let made = made.regions(operation).regions;
             (by_place(session.scene(), &made), Polygon::from(made.as_slice()))
         };
         for operation in [Operation::Union, Operation::Intersection, Operation::SymmetricDifference] {
@@ -426,7 +426,7 @@ fn combined_results_are_those_of_whole_overlays() {
             // For overlapping lines no perturbed crossing is constructed.
             let first = Polygon::from(current.as_slice());
             let Ok(made) = overlay(&mut sessions[0], [&first, &second], Method::Grid) else { break };
-            let whole = made.regions(&sessions[0], after);
+            let whole = made.regions(after);
             let local = combine(&mut sessions[1], &current, &second, after, Method::Grid).unwrap();
             assert_eq!((whole.broken, local.broken), (None, None), "round {round}, step {step}");
             let [wanted, found] =
@@ -490,7 +490,7 @@ fn signs_that_mean_nothing_end() {
             let mut session = Lies { liar, own: scene.clone() };
             let made = overlay(&mut session, [&operands[0], &operands[1]], method).unwrap();
             for operation in Operation::ALL {
-                let of_result = made.regions(&session, operation).broken;
+                let of_result = made.regions(operation).broken;
                 broken += usize::from(made.arrangement.broken.or(of_result).is_some());
             }
         }
@@ -509,7 +509,7 @@ fn combining_by_signs_that_mean_nothing_ends_and_is_told() {
         let mut session = lies();
         let made = overlay(&mut session, [&Polygon::default(), &one], Method::Grid).unwrap();
         for operation in Operation::ALL {
-            let wanted = made.arrangement.broken.or(made.regions(&session, operation).broken);
+            let wanted = made.arrangement.broken.or(made.regions(operation).broken);
             let found = combine(&mut lies(), &[], &one, operation, Method::Grid).unwrap();
             assert_eq!(found.broken, wanted, "seed {seed}, {}", operation.name());
         }

@@ -243,7 +243,7 @@ fn uncovered(
     let mut flat = InPlane::new(session, places, plane, vertices, ([a, b, c], apart)).ok_or(out_of_range)?;
     lines.into_iter().for_each(|(segment, line)| flat.on_line(segment, line));
     let both = overlay(&mut flat, operands.each_ref(), Method::Grid)?;
-    let regions = both.regions(&flat, Operation::Difference);
+    let regions = both.regions(Operation::Difference);
     if let Some(rule) = both.arrangement.broken.or(regions.broken) {
         return Err(Undone::Broken(rule.into()));
     }

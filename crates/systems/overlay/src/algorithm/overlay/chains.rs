@@ -119,9 +119,9 @@ impl Chains {
             } else if on_segments.may_be_ends {
                 inner.extend(ends);
             }
-            sort_along(view, ends, &mut inner, &mut about);
+            let has_ties = sort_along(view, ends, &mut inner, &mut about);
             let is_open = supports.are_whole && !on_segments.may_be_ends;
-            if inner.len() > 1 {
+            if has_ties {
                 let along = view.along(ends);
                 for pair in inner.windows(2) {
                     if pair[0] != pair[1] && along.order(pair[0], pair[1]) == Sign::Zero {
@@ -340,15 +340,22 @@ fn constructed(session: &mut dyn Predicates, supports: &Supports, meetings: Meet
     Ok(OnSegments { first, vertices, same, has_overlaps, may_be_ends })
 }
 
-/// Sorts vertices along a segment: by rounded coordinates first, then by signs, which change little.
-fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>) {
+/// Sorts vertices along a segment: by rounded coordinates first, then by signs, which change little. False if the sort
+/// has shown that all are apart: it compares all neighbours of the result.
+fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>) -> bool {
     if inner.len() < 2 {
-        return;
+        return false;
     }
     let along = view.along(ends);
     let axis = if along.axis == Axis::X { 0 } else { 1 };
     about.sort(inner, axis, along.is_rising());
-    sort_by_sign(inner, |a, b| along.order(a, b));
+    let mut has_ties = false;
+    sort_by_sign(inner, |a, b| {
+        let sign = along.order(a, b);
+        has_ties |= sign == Sign::Zero;
+        sign
+    });
+    has_ties
 }
 
 /// Approximate positions of vertices: they give the order before signs do.

@@ -43,7 +43,7 @@ mod view;
 
 use predicament_grid::Raster;
 use predicament_mesh::Subdivision;
-use predicament_predicates::{Predicates, Refused, Vertex};
+use predicament_predicates::{Predicates, Refused, Scene, Vertex};
 
 pub use crate::answer::Operation;
 pub use chains::Piece;
@@ -111,15 +111,15 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// The regions of the result of an operation. The session must be the one that made the overlay.
+    /// The regions of the result of an operation.
     #[must_use]
-    pub fn regions(&self, session: &dyn Predicates, operation: Operation) -> Regions {
-        self.beside(session, operation, &[])
+    pub fn regions(&self, operation: Operation) -> Regions {
+        self.beside(operation, None)
     }
 
-    /// The regions of a result that has other regions besides.
-    fn beside(&self, session: &dyn Predicates, operation: Operation, apart: &[Region]) -> Regions {
-        self.arrangement.extraction(session, &self.windings, self.rules, apart).regions(operation)
+    /// The regions of a result that has other regions in a scene besides.
+    fn beside(&self, operation: Operation, apart: Option<(&Scene, &[Region])>) -> Regions {
+        self.arrangement.extraction(&self.windings, self.rules, apart).regions(operation)
     }
 }
 
@@ -179,7 +179,7 @@ pub fn combine(
     let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
     let made = overlaid(session, edges, &runs, [Rule::NonZero, second.rule], method)?;
     let apart = if operation.holds([true, false]) { apart } else { Vec::new() };
-    let mut result = made.beside(&*session, operation, &apart);
+    let mut result = made.beside(operation, Some((session.scene(), &apart)));
     result.broken = made.arrangement.broken.or(result.broken);
     result.regions.extend(apart);
     result.regions.sort_unstable();

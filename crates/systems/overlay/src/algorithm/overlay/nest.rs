@@ -87,9 +87,39 @@ impl<'a> Pieces<'a> {
     /// Builds the subdivision: nodes, pieces and their order around nodes.
     pub fn subdivision(&self) -> Subdivision {
         let ends = self.chains.pieces.iter().map(|piece| piece.ends).collect();
-        Subdivision::new(self.chains.nodes.len(), ends, |_, halves| {
-            sort_by_sign(halves, |a, b| self.order_around(a, b));
+        Subdivision::new(self.chains.nodes.len(), ends, |_, halves| match self.around_crossing(halves) {
+            Some(sorted) => halves.copy_from_slice(&sorted),
+            None => sort_by_sign(halves, |a, b| self.order_around(a, b)),
         })
+    }
+
+    /// The counterclockwise order of the half-edges around a crossing of two segments, by one turn; `None` if they are
+    /// something else.
+    fn around_crossing(&self, halves: &[u32]) -> Option<[u32; 4]> {
+        let halves = <[u32; 4]>::try_from(halves).ok()?;
+        let segment = |half: u32| self.chains.pieces[half as usize / 2].segment;
+        let first = segment(halves[0]);
+        // The half-edges ahead, then those back; of the first segment, then of the other.
+        let mut sorted = [NONE; 4];
+        let mut other = NONE;
+        for half in halves {
+            let own = segment(half);
+            if own == NONE || own != first && other != NONE && own != other {
+                return None;
+            }
+            let is_ahead = self.is_ahead[own as usize] == half.is_multiple_of(2);
+            other = if own == first { other } else { own };
+            sorted[2 * usize::from(!is_ahead) + usize::from(own != first)] = half;
+        }
+        if sorted.contains(&NONE) {
+            return None;
+        }
+        let [a, b, back, also] = sorted;
+        match self.order_around(a, b) {
+            Sign::Negative => Some(sorted),
+            Sign::Positive => Some([b, a, also, back]),
+            Sign::Zero => None,
+        }
     }
 
     fn vertex(&self, node: u32) -> Vertex {

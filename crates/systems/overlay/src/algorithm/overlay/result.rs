@@ -1,13 +1,22 @@
 //! Winding numbers of faces, and the regions of a result.
+//!
+//! # Outer loops and holes
+//! No predicate says which loops are holes: the faces do. Inside faces that have a common edge are in one component,
+//! and outside faces likewise. Each loop has a component inside, on its left, and one or more outside, on its right.
+//! The unbounded face is outside. From its component on, each component is reached through loops: a loop that is first
+//! reached from its right is an outer one, and a loop that is first reached from its left is a hole.
+//!
+//! Proof: a loop is simple, so it separates the plane. A component has no edge of a loop in it, so it is on one side of
+//! each loop. Two loops have no edge in common and do not cross, so all components at another loop are on one side of
+//! this one. So the components on the side away from the unbounded face are only reached through the loop itself.
 
 use predicament_mesh::Subdivision;
-use predicament_predicates::{Predicates, Sign};
+use predicament_predicates::Scene;
 
 use super::chains::Piece;
 use super::far::{Run, Touched};
 use super::polygon::{Edge, Region, Rule};
-use super::view::View;
-use super::{Arrangement, Contradiction, NONE, reach};
+use super::{Arrangement, Contradiction, NONE};
 use crate::answer::Operation;
 
 /// The winding numbers of both operands in each face, starting at the unbounded face; and true if they agree around
@@ -60,12 +69,11 @@ pub struct Regions {
 
 /// The extraction of regions from faces, some of which are inside.
 pub(super) struct Extraction<'a> {
-    pub view: View<'a>,
     pub arrangement: &'a Arrangement,
     pub windings: &'a [[i32; 2]],
     pub rules: [Rule; 2],
-    /// Other regions of the result, which touch the extracted ones in vertices at most.
-    pub apart: &'a [Region],
+    /// Other regions of the result in the scene, which touch the extracted ones in vertices at most.
+    pub apart: Option<(&'a Scene, &'a [Region])>,
 }
 
 /// A loop with the region that it bounds.
@@ -84,83 +92,76 @@ impl Extraction<'_> {
             .map(|winding| operation.holds([0, 1].map(|at| self.rules[at].is_inside(winding[at]))))
             .collect();
         let halves = 2 * subdivision.edges().len();
-        let inside = |half: usize| is_inside[subdivision.face(super::number(half)) as usize];
-        let is_bound: Vec<bool> = (0..halves).map(|half| inside(half) && !inside(half ^ 1)).collect();
-        let region = self.components(&is_inside);
+        let mut is_bound = vec![false; halves];
         // Where several loops meet, each has a vertex.
         let mut bounds_at = vec![0_u32; subdivision.nodes()];
-        (0..halves).filter(|&half| is_bound[half]).for_each(|half| {
-            bounds_at[subdivision.origin(super::number(half)) as usize] += 1;
-        });
-        if !self.apart.is_empty() {
-            let apart = Touched::new(self.view.session.scene(), self.apart);
+        // For each face, a face of its component; the lowest is the representative.
+        let mut region: Vec<u32> = (0..super::number(is_inside.len())).collect();
+        for (half, ends) in (0..).step_by(2).zip(subdivision.edges()) {
+            let faces = [half, half + 1].map(|half| subdivision.face(half));
+            match faces.map(|face| is_inside[face as usize]) {
+                [left, right] if left == right => unite(&mut region, faces),
+                [left, _] => {
+                    let at = usize::from(!left);
+                    is_bound[half as usize + at] = true;
+                    bounds_at[ends[at] as usize] += 1;
+                }
+            }
+        }
+        if let Some((scene, apart)) = self.apart.filter(|(_, apart)| !apart.is_empty()) {
+            let apart = Touched::new(scene, apart);
             for (bounds, v) in bounds_at.iter_mut().zip(&self.arrangement.vertices) {
                 *bounds += u32::from(apart.times(*v));
             }
         }
         let mut result = Regions::default();
         let mut bounds: Vec<Bound> = Vec::new();
+        let mut sides = Sides::default();
         let mut is_done = vec![false; halves];
         let mut place = vec![NONE; subdivision.nodes()];
+        let mut walk = Vec::new();
         for start in (0..halves).filter(|&half| is_bound[half]) {
             if is_done[start] {
                 continue;
             }
-            let walk = self.walk(start, &is_bound, &mut is_done);
-            let region = region[subdivision.face(super::number(start)) as usize];
-            for simple in simple_loops(subdivision, &walk, &mut place) {
-                bounds.push(self.bound(&simple, region, &bounds_at));
+            self.walk(start, &is_bound, &mut is_done, &mut walk);
+            let left = root(&mut region, subdivision.face(super::number(start)));
+            let mut push = |simple: &[u32]| {
+                bounds.push(self.bound(simple, left, &bounds_at));
+                sides.push(left, simple.iter().map(|half| root(&mut region, subdivision.face(half ^ 1))));
+            };
+            if is_simple(subdivision, &walk, &mut place) {
+                push(&walk);
+            } else {
+                simple_loops(subdivision, &walk, &mut place).iter().for_each(|simple| push(simple));
             }
         }
-        // A region's outer loop comes before its holes.
-        bounds.sort_unstable_by(|a, b| {
-            (a.region, a.is_hole).cmp(&(b.region, b.is_hole)).then_with(|| a.edges.cmp(&b.edges))
-        });
-        for group in bounds.chunk_by(|a, b| a.region == b.region) {
-            let outer: Vec<&Bound> = group.iter().filter(|bound| !bound.is_hole).collect();
-            let holes: Vec<Vec<Edge>> =
-                group.iter().filter(|bound| bound.is_hole).map(|bound| bound.edges.clone()).collect();
-            let [outer] = outer.as_slice() else {
+        let outside = root(&mut region, 0);
+        sides.reach(outside, region.len(), |at, from| bounds[at].is_hole = bounds[at].region == from);
+        // A region's outer loop comes before its holes. A loop begins at its first vertex.
+        let key = |bound: &Bound| (bound.region, bound.is_hole, bound.edges.first().map(|edge| edge.from));
+        bounds.sort_unstable_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.edges.cmp(&b.edges)));
+        let mut bounds = bounds.into_iter().peekable();
+        while let Some(first) = bounds.next() {
+            let (mut outer, mut holes) = (usize::from(!first.is_hole), Vec::new());
+            while let Some(bound) = bounds.next_if(|bound| bound.region == first.region) {
+                outer += usize::from(!bound.is_hole);
+                holes.push(bound.edges);
+            }
+            if outer == 1 {
+                result.regions.push(Region { outer: first.edges, holes });
+            } else {
                 result.broken.get_or_insert(Contradiction::Outer);
-                continue;
-            };
-            result.regions.push(Region { outer: outer.edges.clone(), holes });
+            }
         }
         result.regions.sort_unstable();
         result
     }
 
-    /// The components of the inside: for each face, the lowest face that can be reached without leaving the inside.
-    fn components(&self, is_inside: &[bool]) -> Vec<u32> {
+    /// Finds the half-edges of a bound in order, with the same part of the inside on their left.
+    fn walk(&self, start: usize, is_bound: &[bool], is_done: &mut [bool], walk: &mut Vec<u32>) {
         let subdivision = &self.arrangement.subdivision;
-        let mut region = vec![NONE; is_inside.len()];
-        let mut open = Vec::new();
-        for (number, start) in (0..).zip(0..is_inside.len()) {
-            if region[start] != NONE || !is_inside[start] {
-                continue;
-            }
-            region[start] = number;
-            open.push(start);
-            while let Some(face) = open.pop() {
-                let cycles = &subdivision.faces()[face];
-                for &cycle in cycles.outer.iter().chain(&cycles.inner) {
-                    for half in subdivision.walk_from(subdivision.cycles()[cycle as usize]) {
-                        let other = subdivision.face(half ^ 1) as usize;
-                        if is_inside[other] && region[other] == NONE {
-                            region[other] = number;
-                            open.push(other);
-                        }
-                    }
-                }
-            }
-        }
-        region
-    }
-
-    /// The half-edges of a bound in order, with the same part of the inside on their left.
-    fn walk(&self, start: usize, is_bound: &[bool], is_done: &mut [bool]) -> Vec<u32> {
-        let subdivision = &self.arrangement.subdivision;
-        let mut walk = Vec::new();
+        walk.clear();
         let mut at = super::number(start);
         while !std::mem::replace(&mut is_done[at as usize], true) {
             walk.push(at);
@@ -171,7 +172,6 @@ impl Extraction<'_> {
                 at = subdivision.next(at ^ 1);
             }
         }
-        walk
     }
 
     /// A simple loop in its final form.
@@ -212,28 +212,97 @@ impl Extraction<'_> {
         }
         let first = (0..edges.len()).min_by_key(|&at| edges[at].from).unwrap_or(0);
         edges.rotate_left(first);
-        Bound { region, is_hole: self.turn(&edges) == Sign::Negative, edges }
+        Bound { region, is_hole: false, edges }
+    }
+}
+
+/// The components on both sides of each loop.
+#[derive(Default)]
+struct Sides {
+    /// For each loop, the component on its left, then those on its right.
+    components: Vec<u32>,
+    /// The index of each loop's first component.
+    first: Vec<u32>,
+}
+
+impl Sides {
+    /// Adds a loop by the components on its left and on the right of its edges.
+    fn push(&mut self, left: u32, right: impl Iterator<Item = u32>) {
+        self.first.push(super::number(self.components.len()));
+        self.components.push(left);
+        for component in right {
+            if self.components.last() != Some(&component) {
+                self.components.push(component);
+            }
+        }
     }
 
-    /// The orientation of a simple loop: the turn at its leftmost vertex.
-    fn turn(&self, edges: &[Edge]) -> Sign {
-        // Vertices that can be leftmost, by their approximate positions.
-        let ranges: Vec<[f64; 2]> = edges.iter().map(|edge| reach::range(self.view.session, edge.from)).collect();
-        let least = ranges.iter().map(|range| range[1]).fold(f64::INFINITY, f64::min);
-        let leftmost = (0..edges.len()).filter(|&at| ranges[at][0] <= least).reduce(|best, at| {
-            if self.view.order(edges[at].from, edges[best].from) == Sign::Negative { at } else { best }
-        });
-        let Some(at) = leftmost else { return Sign::Zero };
-        let before = self.directed(edges[(at + edges.len() - 1) % edges.len()]);
-        let after = self.directed(edges[at]);
-        self.view.turn(before[0], before[1], after[1])
+    fn of(&self, at: usize) -> &[u32] {
+        let end = self.first.get(at + 1).map_or(self.components.len(), |end| *end as usize);
+        &self.components[self.first[at] as usize..end]
     }
 
-    /// The ends of an edge's support in the edge's direction.
-    fn directed(&self, edge: Edge) -> [predicament_predicates::Vertex; 2] {
-        let [a, b] = edge.support;
-        if self.view.along([a, b]).order(edge.from, edge.to) == Sign::Positive { [b, a] } else { [a, b] }
+    /// Reaches all components from one of them, through loops; `visit` gets each loop with the component from which it
+    /// is first reached.
+    fn reach(&self, from: u32, components: usize, mut visit: impl FnMut(usize, u32)) {
+        // The loops of each component.
+        let mut starts = vec![0_u32; components + 1];
+        self.components.iter().for_each(|&component| starts[component as usize] += 1);
+        let mut end = 0;
+        for start in &mut starts {
+            end += *start;
+            *start = end;
+        }
+        let mut loops = vec![0_u32; self.components.len()];
+        for at in (0..self.first.len()).rev() {
+            for &component in self.of(at) {
+                let start = &mut starts[component as usize];
+                *start -= 1;
+                loops[*start as usize] = super::number(at);
+            }
+        }
+        let (mut is_reached, mut is_visited) = (vec![false; components], vec![false; self.first.len()]);
+        let mut open = vec![from];
+        is_reached[from as usize] = true;
+        while let Some(component) = open.pop() {
+            let range = starts[component as usize] as usize..starts[component as usize + 1] as usize;
+            for &at in &loops[range] {
+                let at = at as usize;
+                if std::mem::replace(&mut is_visited[at], true) {
+                    continue;
+                }
+                visit(at, component);
+                for &other in self.of(at) {
+                    if !std::mem::replace(&mut is_reached[other as usize], true) {
+                        open.push(other);
+                    }
+                }
+            }
+        }
     }
+}
+
+/// The representative of a face's component.
+fn root(region: &mut [u32], mut face: u32) -> u32 {
+    while region[face as usize] != face {
+        region[face as usize] = region[region[face as usize] as usize];
+        face = region[face as usize];
+    }
+    face
+}
+
+/// Joins the components of two faces.
+fn unite(region: &mut [u32], faces: [u32; 2]) {
+    let [a, b] = faces.map(|face| root(region, face));
+    region[a.max(b) as usize] = a.min(b);
+}
+
+/// True if a closed walk visits each node once.
+fn is_simple(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> bool {
+    let node = |half: &u32| subdivision.origin(*half) as usize;
+    let seen = walk.iter().position(|half| std::mem::replace(&mut place[node(half)], 0) != NONE);
+    walk[..seen.unwrap_or(walk.len())].iter().for_each(|half| place[node(half)] = NONE);
+    seen.is_none()
 }
 
 /// Divides a closed walk into simple loops, at nodes that it visits again.
@@ -270,11 +339,10 @@ impl Arrangement {
     /// Prepares the extraction of the regions of results.
     pub(super) fn extraction<'a>(
         &'a self,
-        session: &'a dyn Predicates,
         windings: &'a [[i32; 2]],
         rules: [Rule; 2],
-        apart: &'a [Region],
+        apart: Option<(&'a Scene, &'a [Region])>,
     ) -> Extraction<'a> {
-        Extraction { view: View::new(session), arrangement: self, windings, rules, apart }
+        Extraction { arrangement: self, windings, rules, apart }
     }
 }

@@ -58,7 +58,7 @@ impl Overlaid {
             }
             Some([a, b]) => {
                 let overlay = overlay(session, [&a, &b], content.method)?;
-                let regions = Operation::ALL.map(|operation| overlay.regions(&*session, operation));
+                let regions = Operation::ALL.map(|operation| overlay.regions(operation));
                 (overlay, regions)
             }
         };
