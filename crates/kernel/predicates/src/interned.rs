@@ -6,6 +6,9 @@
 //! A hash table of ids, with open addressing, finds the index; the definitions themselves are in the list. At most half
 //! of the table is occupied. A look-up therefore compares one or two definitions, and the table takes 8 to 16 bytes per
 //! vertex.
+//!
+//! The last definitions that are in ascending order are not in the table: a greater definition is new, and bisection
+//! finds the others. Algorithms that construct many vertices in one call define them in this order.
 
 use crate::{Construction, Vertex};
 use alloc::{vec, vec::Vec};
@@ -14,15 +17,13 @@ use alloc::{vec, vec::Vec};
 #[derive(Clone, Default)]
 pub(crate) struct Interned {
     list: Vec<Construction>,
+    /// The number of constructions in the table: the first of the list. The others are in ascending order.
+    indexed: usize,
     /// The hash table: index in the list plus one, or 0 for a free slot.
     ///
     /// An entry is at the first slot from its hash on that was free. The number of slots is a power of two, or zero.
     table: Vec<u32>,
 }
-
-/// The free slot for a construction that is not in the list.
-#[derive(Clone, Copy)]
-pub(crate) struct Gap(usize);
 
 impl Interned {
     /// The constructions in the order of their ids.
@@ -31,65 +32,77 @@ impl Interned {
         &self.list
     }
 
-    /// The vertex of a construction, or the free slot for a construction that is not in the list.
+    /// The vertex of a construction; `None` if it is not in the list.
     #[inline]
-    pub(crate) fn find(&self, construction: &Construction) -> Result<Vertex, Gap> {
-        if self.table.is_empty() {
-            return Err(Gap(0));
-        }
+    pub(crate) fn find(&self, construction: &Construction) -> Option<Vertex> {
+        let found = if self.indexed == 0 { None } else { self.look_up(construction) };
+        found.or_else(|| {
+            let last = &self.list[self.indexed..];
+            let is_there = last.last().is_some_and(|greatest| construction <= greatest);
+            let at = if is_there { last.binary_search(construction).ok() } else { None };
+            at.map(|at| Vertex::constructed(self.indexed + at))
+        })
+    }
+
+    #[inline]
+    fn look_up(&self, construction: &Construction) -> Option<Vertex> {
         let mut place = self.home(construction);
         loop {
             match self.table[place] {
-                0 => return Err(Gap(place)),
+                0 => return None,
                 entry if self.list[entry as usize - 1] == *construction => {
-                    return Ok(Vertex::constructed(entry as usize - 1));
+                    return Some(Vertex::constructed(entry as usize - 1));
                 }
                 _ => place = (place + 1) & (self.table.len() - 1),
             }
         }
     }
 
-    /// Adds a construction that is not in the list, at its free slot.
+    /// Adds a construction that is not in the list.
     #[inline]
-    pub(crate) fn push(&mut self, construction: Construction, gap: Gap) -> Vertex {
-        let vertex = Vertex::constructed(self.list.len());
-        let Gap(mut place) = gap;
-        if self.table.len() < 2 * (self.list.len() + 1) {
-            self.reserve(1);
-            place = self.free(&construction);
+    pub(crate) fn push(&mut self, construction: Construction) -> Vertex {
+        if self.list[self.indexed..].last().is_some_and(|greatest| construction < *greatest) {
+            self.index();
         }
         self.list.push(construction);
-        self.table[place] = entry(self.list.len());
-        vertex
+        Vertex::constructed(self.list.len() - 1)
     }
 
     /// Reserves space for `more` constructions.
-    #[cold]
-    #[inline(never)]
     pub(crate) fn reserve(&mut self, more: usize) {
         self.list.reserve(more);
-        let places = (2 * (self.list.len() + more)).next_power_of_two().max(16);
-        if places > self.table.len() {
-            self.table = vec![0; places];
-            for index in 0..self.list.len() {
-                let place = self.free(&self.list[index]);
-                self.table[place] = entry(index + 1);
-            }
+    }
+
+    /// Adds all constructions to the table.
+    #[cold]
+    #[inline(never)]
+    fn index(&mut self) {
+        if self.table.len() < 2 * self.list.len() {
+            self.table = vec![0; (2 * self.list.len()).next_power_of_two().max(16)];
+            self.indexed = 0;
         }
+        for index in self.indexed..self.list.len() {
+            let mut place = self.home(&self.list[index]);
+            while self.table[place] != 0 {
+                place = (place + 1) & (self.table.len() - 1);
+            }
+            self.table[place] = entry(index + 1);
+        }
+        self.indexed = self.list.len();
     }
 
     /// Removes all constructions after the first `count`.
     pub(crate) fn truncate(&mut self, count: usize) {
-        while self.list.len() > count {
+        while self.indexed > count {
             // Last in, first out: the removed entries have not displaced an entry that is still in the list.
-            let last = entry(self.list.len());
-            let mut place = self.home(&self.list[self.list.len() - 1]);
-            while self.table[place] != last {
+            let mut place = self.home(&self.list[self.indexed - 1]);
+            while self.table[place] != entry(self.indexed) {
                 place = (place + 1) & (self.table.len() - 1);
             }
             self.table[place] = 0;
-            self.list.pop();
+            self.indexed -= 1;
         }
+        self.list.truncate(count);
     }
 
     /// The slot where the search begins.
@@ -98,15 +111,6 @@ impl Interned {
         #[allow(clippy::cast_possible_truncation)] // the mask keeps fewer bits
         let bits = construction.hash() as usize;
         bits & (self.table.len() - 1)
-    }
-
-    /// The first free slot for a construction that is not in the table.
-    fn free(&self, construction: &Construction) -> usize {
-        let mut place = self.home(construction);
-        while self.table[place] != 0 {
-            place = (place + 1) & (self.table.len() - 1);
-        }
-        place
     }
 }
 
@@ -148,14 +152,14 @@ mod tests {
         let check = |interned: &Interned| {
             let count = interned.list().len();
             for i in 0..2100 {
-                let found = interned.find(&definition(i)).ok();
+                let found = interned.find(&definition(i));
                 assert_eq!(found, (i < count).then(|| Vertex::constructed(i)), "{i} of {count}");
             }
         };
         for to in [1, 20, 7, 1000, 999, 0, 300, 2000, 1500, 1501, 16, 17] {
             for i in interned.list().len()..to {
-                let Err(gap) = interned.find(&definition(i)) else { panic!("{i} is not there") };
-                assert_eq!(interned.push(definition(i), gap), Vertex::constructed(i));
+                assert_eq!(interned.find(&definition(i)), None);
+                assert_eq!(interned.push(definition(i)), Vertex::constructed(i));
             }
             interned.truncate(to);
             check(&interned);
@@ -177,9 +181,9 @@ mod tests {
             let mut interned = Interned::default();
             let mut steps = 0;
             for i in 0..1 << 12 {
-                let Err(gap) = interned.find(&define(i)) else { panic!("{i} is not there") };
-                interned.push(define(i), gap);
+                interned.push(define(i));
             }
+            interned.index();
             for i in 0..1 << 12 {
                 let mut place = interned.home(&define(i));
                 while interned.table[place] != entry(i + 1) {

@@ -246,9 +246,9 @@ impl Scene {
     pub fn construct(&mut self, construction: Construction) -> Result<Vertex, ConstructionError> {
         let construction = self.checked(construction)?;
         match self.constructions.find(&construction) {
-            Ok(vertex) => Ok(vertex),
-            Err(_) if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
-            Err(gap) => Ok(Arc::make_mut(&mut self.constructions).push(construction, gap)),
+            Some(vertex) => Ok(vertex),
+            None if self.constructions.list().len() == Vertex::MAX_CONSTRUCTED => Err(ConstructionError::TooMany),
+            None => Ok(Arc::make_mut(&mut self.constructions).push(construction)),
         }
     }
 

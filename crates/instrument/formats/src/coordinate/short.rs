@@ -70,8 +70,8 @@ impl Short {
         Some(Short { digits, exponent })
     }
 
-    /// The double nearest to the decimal if one operation makes it: both the digits and the power of ten are doubles, and
-    /// a product or quotient is rounded once (Clinger 1990).
+    /// The double nearest to the decimal if one operation makes it: both the digits and the power of ten are doubles,
+    /// and a product or quotient is rounded once (Clinger 1990).
     #[inline(always)]
     fn nearest(self) -> Option<f64> {
         const POWERS: [f64; 23] = [
