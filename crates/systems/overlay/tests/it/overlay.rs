@@ -305,6 +305,27 @@ fn results_of_broken_ties_have_the_same_areas() {
 
 /// Tests that a result can be an operand: its new vertices are still defined by input vertices.
 #[test]
+fn regions_in_holes_have_holes() {
+    // Six squares around each other, and two more in the innermost hole, which touch in a corner.
+    let square = |x: f64, half: f64| [[x - half, -half], [x + half, -half], [x + half, half], [x - half, half]];
+    let around = [7.0, 6.0, 5.0, 4.0, 3.0, 2.0].map(|half| square(0.0, half));
+    let corner = |x: f64, y: f64| [[x, y], [x + 0.5, y], [x + 0.5, y + 0.5], [x, y + 0.5]];
+    let points: Vec<[f64; 2]> = around.into_iter().chain([corner(0.0, 0.0), corner(-0.5, -0.5)]).flatten().collect();
+    let scene = Scene::from_points2(&points).unwrap();
+    let loops: Vec<Vec<Vertex>> = (0..8).map(|at| (4 * at..4 * at + 4).map(Vertex::input).collect()).collect();
+    let polygon = Polygon::of_vertices(&loops, Rule::EvenOdd);
+    for method in [Method::Grid, Method::Sweep] {
+        let mut session = Exact.prepare(&scene, Off).unwrap();
+        let made = overlay(&mut session, [&polygon, &Polygon::default()], method).unwrap();
+        let Regions { regions, broken } = made.regions(Operation::Union);
+        assert_eq!(broken, None);
+        let sizes: Vec<(usize, usize)> =
+            regions.iter().map(|one| (one.outer[0].from.index(), one.holes.len())).collect();
+        assert_eq!(sizes, [(0, 1), (8, 1), (16, 1), (24, 0), (24, 0)], "{regions:?}");
+    }
+}
+
+#[test]
 fn results_are_overlaid_again_without_deeper_vertices() {
     let mut numbers = Numbers(5);
     for round in 0..200 {
