@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use predicament_controls::{BadEpsilon, Epsilon, ExactRational, Naive, Pivot, Shewchuk};
+use predicament_controls::{BadEpsilon, BadStep, Epsilon, ExactRational, Grid, Naive, Pivot, Shewchuk};
 use predicament_engines::{Engine, EngineError};
 use predicament_exact::{Exact, Partial};
 use predicament_formats::{nearest, use_one_of};
@@ -47,6 +47,7 @@ naive, naive:first      plain floating point, pivot at the last or the first arg
 naive:nalgebra          the determinant of the homogeneous matrix, by the crate nalgebra
 epsilon:EPS             plain floating point, zero where |det| < EPS (1e-10 if left out)
 shewchuk                the crate `robust` as it is
+grid:STEP               coordinates rounded to multiples of STEP, then exact signs
 fault:NAME              a planted fault; `predicament setup selftest --list` names them
 engine:NAME             a program with somebody else's predicates: engines/NAME/engine.toml, or a path to such a file";
 
@@ -64,12 +65,12 @@ pub enum BackendError {
         /// The name.
         name: String,
     },
-    /// The tolerance of `epsilon` is not a number.
+    /// The parameter of `epsilon` or `grid` is not a number.
     NoNumber {
         /// The name.
         name: String,
         /// The text given as the number.
-        eps: String,
+        text: String,
     },
     /// The tolerance of `epsilon` is a number outside of the allowed range.
     Epsilon {
@@ -77,6 +78,13 @@ pub enum BackendError {
         name: String,
         /// The reason for the refusal.
         why: BadEpsilon,
+    },
+    /// The step of `grid` is a number outside of the allowed range.
+    Step {
+        /// The name.
+        name: String,
+        /// The reason for the refusal.
+        why: BadStep,
     },
     /// No planted fault has the name.
     UnknownFault {
@@ -97,10 +105,11 @@ impl std::fmt::Display for BackendError {
             BackendError::Stages { name } => {
                 write!(f, "`{name}`: write a number of stages from 1 to {}", Partial::STAGES)
             }
-            BackendError::NoNumber { name, eps } => {
-                write!(f, "`{name}`: `{eps}` is not a number; write e.g. epsilon:1e-10")
+            BackendError::NoNumber { name, text } => {
+                write!(f, "`{name}`: `{text}` is not a number; write e.g. epsilon:1e-10 or grid:0.01")
             }
             BackendError::Epsilon { name, why } => write!(f, "`{name}`: {why}"),
+            BackendError::Step { name, why } => write!(f, "`{name}`: {why}"),
             BackendError::UnknownFault { fault } => {
                 let known = faults::Fault::planted().map(faults::Fault::name);
                 let meant = nearest(fault, known).map_or_else(String::new, |near| format!("did you mean `{near}`? "));
@@ -148,11 +157,15 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
                 return Ok(visitor.visit(Boxed::new(partial), None));
             }
             if let Some(eps) = name.strip_prefix("epsilon:") {
-                let no_number = |_| BackendError::NoNumber { name: name.to_owned(), eps: eps.to_owned() };
-                let eps: f64 = eps.parse().map_err(no_number)?;
+                let eps = parameter(name, eps)?;
                 let unfit = |why| BackendError::Epsilon { name: name.to_owned(), why };
                 let epsilon = Epsilon::new(eps).map_err(unfit)?;
                 return Ok(hand(visitor, epsilon, None));
+            }
+            if let Some(step) = name.strip_prefix("grid:") {
+                let unfit = |why| BackendError::Step { name: name.to_owned(), why };
+                let grid = Grid::new(parameter(name, step)?).map_err(unfit)?;
+                return Ok(hand(visitor, grid, None));
             }
             if let Some(fault) = name.strip_prefix("fault:") {
                 return faults::visit(fault, visitor)
@@ -161,6 +174,11 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
             return Err(BackendError::Unknown { name: name.to_owned() });
         }
     })
+}
+
+/// The number in the name of a backend.
+fn parameter(name: &str, text: &str) -> Result<f64, BackendError> {
+    text.parse().map_err(|_| BackendError::NoNumber { name: name.to_owned(), text: text.to_owned() })
 }
 
 /// True if a backend with this name exists. An engine exists if its configuration does; it is not started.

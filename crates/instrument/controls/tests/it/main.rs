@@ -2,4 +2,5 @@
 
 mod batches;
 mod controls;
+mod grid;
 mod rational;
