@@ -7,8 +7,8 @@ use predicament_corpus::Level;
 use predicament_exact::Exact;
 use predicament_predicates::Backend;
 use predicament_records::{
-    self as records, AnswerRow, CostRow, Env, ImportRow, PhaseRow, Plan, RunDir, RunFolder, SampledRow, SegmentRow,
-    Shard, TableSpec,
+    self as records, AnswerRow, CostRow, DecimalsRow, Env, ImportRow, PhaseRow, Plan, RunDir, RunFolder, SampledRow,
+    SegmentRow, Shard, TableSpec,
 };
 use predicament_tasks::{Budget, Contestant};
 
@@ -28,7 +28,8 @@ pub fn budget(level: Level) -> Budget {
 /// The tables of a run folder in addition to those of every run.
 pub fn tables(tool: &Tool) -> Vec<TableSpec> {
     let mut tables = tool.tables();
-    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
+    tables.extend([TableSpec::of::<JudgedRow>(), TableSpec::of::<DecimalsRow>()]);
+    tables.extend([TableSpec::of::<SampledRow>(), TableSpec::of::<ImportRow>()]);
     tables
 }
 

@@ -5,10 +5,10 @@ use predicament_formats::ImportNotes;
 use predicament_oracle::expect::Expectations;
 use predicament_predicates::PredicateKind;
 use predicament_records::{
-    AnswerRow, Error, FindingRow, ImportRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow, Status,
-    SummaryRow,
+    AnswerRow, DecimalsRow, Error, FindingRow, ImportRow, PlannedScene, PrecisionRow, RunWriter, SampledRow, StageRow,
+    Status, SummaryRow,
 };
-use predicament_tasks::{AnswerLine, Class, ClassCounts, Finding, Outcome, finding_id, ids};
+use predicament_tasks::{Agreement, AnswerLine, Class, ClassCounts, Finding, Outcome, finding_id, ids};
 
 use crate::judged::JudgedRow;
 
@@ -27,6 +27,7 @@ pub fn record(
     writer.write(&stages(scene, backend, outcome))?;
     writer.append(&outcome.rows)?;
     writer.write(&JudgedRow::of(scene, backend, outcome))?;
+    writer.write(&decimals(scene, backend, outcome))?;
     if !outcome.answers.is_empty() {
         writer.write(&answers(scene, backend, outcome))?;
     }
@@ -90,6 +91,15 @@ pub fn finding(scene: &PlannedScene, backend: &str, finding: &Finding, finding_i
         distance_over_l: finding.distance_over_l,
         stage: finding.stage.unwrap_or_default().to_owned(),
     }
+}
+
+/// The row about the decimals that were written, if the scene has a truth of decimals.
+fn decimals(scene: &PlannedScene, backend: &str, outcome: &Outcome) -> Vec<DecimalsRow> {
+    let row = |agreement: Agreement| {
+        let Agreement { answers, doubles, written, ties, ties_found } = agreement;
+        DecimalsRow { answers, doubles, written, ties, ties_found, ..DecimalsRow::new(scene, backend) }
+    };
+    outcome.agreement.map(row).into_iter().collect()
 }
 
 /// The rows of all answers.

@@ -28,13 +28,15 @@ taken in order, as many for each query as the predicate takes.
 Columns: query and args, the exact sign, its value as the nearest double (inf, in JSON null, where it is beyond all) and as a \
 fraction, then for each backend its answer, with the class where that is not \
 `agree`, and the stage that decided it; in CSV three columns each, such as `naive answer`, `naive class`, `naive stage`. \
-A backend that declines says why on stderr.
+A backend that declines says why on stderr. With --decimals there are also sign and value of the decimals as they are \
+written (columns `written` and `written_value`); the classes stay those of the doubles.
 
 Examples:
   predicament ask orient2d 0,0 1,0 0.5,0x1p-60
   predicament ask incircle --round 0.1,0 0,0.1 -0.1,0 0,-0.1 -b exact,sos,naive,shewchuk
   predicament ask orient3d --points mesh.off --queries all --format csv > answers.csv
   predicament ask orient2d --points towns.csv --columns lon,lat --queries random:1000
+  predicament ask orient2d --decimals 0.1,0.3 0.2,0.6 0.3,0.9      on a line as written, and their doubles are not
   predicament ask orient2d --plane yz --points - --format json < points.csv";
 
 /// Ask about your own points: every backend's answer, the exact value, the class
@@ -72,6 +74,10 @@ pub struct Args {
     /// Take the nearest doubles of decimals that are none
     #[arg(long)]
     pub round: bool,
+
+    /// Also the signs of the decimals as they are written, beside those of their doubles
+    #[arg(long)]
+    pub decimals: bool,
 
     /// Backends, several with commas or by repeating; all if left out
     #[arg(short = 'b', long = "backend", value_name = "BACKEND")]
@@ -167,6 +173,8 @@ struct Row {
     /// The determinant's nearest double, and all of it.
     value: f64,
     exact: String,
+    /// The same three about the decimals as they are written, if they are asked about.
+    written: Option<(String, f64, String)>,
     /// Backend, answer, class, stage.
     answers: Vec<[String; 4]>,
 }
@@ -180,14 +188,19 @@ impl Row {
                 (backend.clone(), json!({ "answer": answer, "class": class, "stage": stage }))
             })
             .collect();
-        json!({
+        let mut row = json!({
             "query": self.query,
             "args": self.args,
             "exact": self.sign,
             "value": self.value,
             "exact_value": self.exact,
             "answers": answers,
-        })
+        });
+        if let Some((sign, _, exact)) = &self.written {
+            row["written"] = sign.as_str().into();
+            row["written_value"] = exact.as_str().into();
+        }
+        row
     }
 }
 
@@ -208,6 +221,11 @@ fn rows(loaded: &LoadedScene, answered: &[(String, Outcome)]) -> Result<Vec<Row>
             sign: verdict.sign().to_string(),
             value: verdict.determinant.to_f64(),
             exact: verdict.determinant.to_string(),
+            written: loaded.written.as_ref().map(|written| {
+                let judge = judge::Decimals::new(&loaded.scene, written.digits(), written.numerators());
+                let verdict = judge.verdict(question, args);
+                (verdict.sign().to_string(), verdict.determinant.to_f64(), verdict.determinant.to_string())
+            }),
             answers: answers.collect(),
         }
     };
@@ -224,6 +242,9 @@ fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
         }
         say!("{}", row.query);
         say!("  {:<width$}  {:<2} {:e}", "exact value", row.sign, row.value);
+        if let Some((sign, value, _)) = &row.written {
+            say!("  {:<width$}  {sign:<2} {value:e}", "as written");
+        }
         for [backend, answer, class, stage] in &row.answers {
             let stage = if stage.is_empty() { String::new() } else { format!("by {stage}") };
             let line = format!("{answer:<2} {class:<11} {stage}");
@@ -256,6 +277,9 @@ fn text(loaded: &LoadedScene, rows: &[Row], answered: &[(String, Outcome)]) {
 fn csv(rows: &[Row], answered: &[(String, Outcome)]) -> Result<(), csv::Error> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let mut head = ["query", "args", "exact", "value", "exact_value"].map(str::to_owned).to_vec();
+    if rows.iter().any(|row| row.written.is_some()) {
+        head.extend(["written", "written_value"].map(str::to_owned));
+    }
     for (name, _) in answered {
         head.extend(["answer", "class", "stage"].map(|what| format!("{name} {what}")));
     }
@@ -263,6 +287,7 @@ fn csv(rows: &[Row], answered: &[(String, Outcome)]) -> Result<(), csv::Error> {
     for row in rows {
         let mut cells =
             vec![row.query.clone(), row.args.clone(), row.sign.clone(), format!("{:e}", row.value), row.exact.clone()];
+        cells.extend(row.written.iter().flat_map(|(sign, _, exact)| [sign.clone(), exact.clone()]));
         cells
             .extend(row.answers.iter().flat_map(|[_, answer, class, stage]| [answer, class, stage].map(String::clone)));
         writer.write_record(&cells)?;
@@ -287,7 +312,7 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
             let columns = args.columns.clone().or_else(|| columns::of_bytes(STDIN_CSV, STDIN, bytes.clone()));
             let decimals = Decimals::new(args.round);
             let read = points::read_columns(STDIN_CSV, bytes, columns.as_ref(), &decimals).map_err(for_ask)?;
-            let rows = read.coordinates.chunks(read.dimension.count()).map(written);
+            let rows = read.coordinates.chunks(read.dimension.count()).map(|row| written(row, args.decimals));
             format!("[{}]", rows.collect::<Vec<_>>().join(",\n"))
         }
         Some(file) => {
@@ -310,7 +335,11 @@ fn load(args: &Args, tool: &Tool) -> Result<LoadedScene, Failure> {
             text += &format!("{key} = {}\n", quoted(value));
         }
     }
-    if args.round && args.points.is_some() {
+    if args.decimals {
+        text += "truth = \"decimals\"\n";
+    }
+    // Decimals that are typed are passed on as they are.
+    if args.round && (args.points.is_some() || args.decimals) {
         text += "round = true\n";
     }
     let base = Some(Path::new("."));
@@ -353,7 +382,7 @@ fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result
     for (place, text) in points {
         let bare = text.trim().trim_start_matches(['(', '[']).trim_end_matches([')', ']']);
         let cells = bare.split(|c: char| c == ',' || c == ';' || c.is_whitespace()).filter(|cell| !cell.is_empty());
-        let mut row = Vec::new();
+        let (mut row, mut texts) = (Vec::new(), Vec::new());
         for cell in cells {
             let x = decimals.read(cell).map_err(|error| {
                 let (message, cure) = predicament_formats::explain(Place::Data, cell, &error);
@@ -362,6 +391,7 @@ fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result
                 Failure::usage(format!("{place}: {message}; {cure}"))
             })?;
             row.push(x);
+            texts.push(quoted(cell));
         }
         let (fits, cure) = match args.task {
             PredicateKind::Derived(derived) => {
@@ -374,14 +404,15 @@ fn listed(points: impl Iterator<Item = (String, String)>, args: &Args) -> Result
         if !fits {
             return Err(Failure::usage(format!("{place}: {} coordinates in `{text}`; {cure}", row.len())));
         }
-        rows.push(written(&row));
+        rows.push(if args.decimals { format!("[{}]", texts.join(", ")) } else { written(&row, false) });
     }
     Ok(format!("[{}]", rows.join(",\n")))
 }
 
-/// A point as an array of hex floats.
-fn written(point: &[f64]) -> String {
-    let cells: Vec<String> = point.iter().map(|&x| format!("\"{}\"", hexfloat::format(x))).collect();
+/// A point as an array of hex floats, or of shortest decimals.
+fn written(point: &[f64], decimals: bool) -> String {
+    let one = |&x: &f64| if decimals { format!("\"{x}\"") } else { format!("\"{}\"", hexfloat::format(x)) };
+    let cells: Vec<String> = point.iter().map(one).collect();
     format!("[{}]", cells.join(", "))
 }
 

@@ -22,6 +22,9 @@ with the names of the parts. docs/ENGINES.md lists the parts of each task.
 The judge decides in rationals. Answers of indices and labels are right or wrong. Constructed coordinates and measures are \
 right, rounded by a distance that is printed, or wrong. The exit code is 0 if the answer is right, and 100 otherwise.
 
+With `--set truth=decimals` the answer is also judged by the decimals in the files, of which a program gets only the \
+doubles.
+
 Examples:
   predicament judge delaunay2d survey.csv --answer triangles.json
   predicament judge delaunay2d survey.csv --answer triangles.json --format json
@@ -119,6 +122,9 @@ fn tell(format: Format, name: &str, outcome: &Outcome) {
             if all > kept {
                 say!("  and {} more", all - kept);
             }
+            if let Some(agreement) = &outcome.agreement {
+                say!("  {agreement}");
+            }
             if let Some(sampled) = &outcome.sampled {
                 say!("  judged: {sampled}");
             }
@@ -137,7 +143,11 @@ fn tell(format: Format, name: &str, outcome: &Outcome) {
                     })
                 })
                 .collect();
-            say!("{}", json!({ "input": name, "verdict": verdict(outcome), "findings": findings }));
+            let mut said = json!({ "input": name, "verdict": verdict(outcome), "findings": findings });
+            if let Some(agreement) = &outcome.agreement {
+                said["right_as_written"] = (agreement.written == agreement.answers).into();
+            }
+            say!("{said}");
         }
     }
 }

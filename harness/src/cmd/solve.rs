@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use predicament_corpus::LoadedScene;
-use predicament_tasks::Purpose;
 use predicament_tasks::output::{Choice, Error, Written};
+use predicament_tasks::{Budget, Purpose, Watch};
 
 use crate::exit::{self, Failure};
 use crate::one_scene::OneScene;
@@ -35,7 +35,8 @@ Examples:
   predicament solve mesh-intersect a.off b.off -b sos:per-mesh --only union --format stl --out out
   predicament solve mesh-intersect part.stl part.stl -b sos:per-mesh --set 'moved=[1, 0, 0]' --out out/step
   predicament solve orient2d survey.csv --set queries=all --round --out out/signs
-  predicament solve delaunay2d towns.csv --columns lon,lat --out out/net";
+  predicament solve delaunay2d towns.csv --columns lon,lat --out out/net
+  predicament solve hull2d towns.csv --set truth=decimals --out out/hull      judged by what was written, too";
 
 /// Solve one scene, or a task on your own files, under one backend, and write the answer
 #[derive(clap::Args)]
@@ -82,6 +83,15 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
         })
     });
     drop(working);
+    if loaded.written.is_some() {
+        let quiet = |_: u64| {};
+        let watch = Watch::new(interrupt::flag(), None, &quiet);
+        let stopped = |_| Failure { message: "interrupted".to_owned(), code: exit::INCOMPLETE };
+        let case = task.case(&loaded, &watch).map_err(stopped)?;
+        let outcome =
+            predicament_oracle::run(case.as_ref(), backend.as_ref(), Budget::QUICK, &watch).map_err(stopped)?;
+        outcome.agreement.iter().for_each(|agreement| note!("{}: {agreement}", args.scene.named(&loaded)));
+    }
     match solved {
         Ok(Ok(())) => {}
         Ok(Err(why)) => return Err(about(args, &loaded, &backend.name(), format!("{why}{}", cure(&why)))),

@@ -7,7 +7,7 @@ use std::any::Any;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-use predicament_formats::{Cache, CorpusError, Entry, ImportNotes};
+use predicament_formats::{Cache, CorpusError, Entry, ImportNotes, Written};
 use predicament_predicates::Scene;
 
 use crate::{Canon, Level, Spelled};
@@ -44,13 +44,15 @@ pub struct Parts {
     pub notes: ImportNotes,
     /// Remarks that a user would not expect, such as points that no query names, one a line.
     pub remarks: Vec<String>,
+    /// The decimals of the coordinates, if a generator knows them; used only by scenes with a truth of decimals.
+    pub written: Option<Written>,
 }
 
 impl Parts {
     /// A scene that no importer changed.
     #[must_use]
     pub fn new(scene: Scene, content: impl Content) -> Parts {
-        Parts { scene, content: Arc::new(content), notes: ImportNotes::default(), remarks: Vec::new() }
+        Parts { scene, content: Arc::new(content), notes: ImportNotes::default(), remarks: Vec::new(), written: None }
     }
 }
 

@@ -24,8 +24,8 @@ pub trait SceneFormat: Send + Sync {
         String::new()
     }
 
-    /// The keys of the task's `[[scene]]` tables besides the keys of all scenes (`name`, `task`, `round`, `tags`,
-    /// `source`, `analysis`).
+    /// The keys of the task's `[[scene]]` tables besides the keys of all scenes (`name`, `task`, `round`, `truth`,
+    /// `tags`, `source`, `analysis`).
     fn keys(&self) -> &'static [&'static str];
 
     /// The keys of the task's scenes and generators that hold coordinates: numbers, arrays of numbers, or tables that
@@ -37,6 +37,11 @@ pub trait SceneFormat: Send + Sync {
     /// The keys of the task that take a data file as `{ path = … }`: `solve TASK FILE` writes the file names there.
     fn file_keys(&self) -> &'static [&'static str] {
         &["points"]
+    }
+
+    /// The kind of scenes of the task that can also be judged by the decimals that were written (`truth = "decimals"`).
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Never
     }
 
     /// Reads a `[[scene]]` table. Keys that it does not read are errors.
@@ -66,6 +71,17 @@ pub trait SceneFormat: Send + Sync {
     fn naming_keys(&self) -> &'static [&'static str] {
         &[]
     }
+}
+
+/// The kind of scenes whose answers can also be judged by the decimals that were written.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum InDecimals {
+    /// No scene: answers depend on more than the shape of the points.
+    Never,
+    /// Scenes that are integers below 2^53 times a power of ten: the task judges the integers.
+    Integers,
+    /// Scenes of any decimals.
+    AnyDigits,
 }
 
 /// A family of generated scenes: one kind of difficulty.
@@ -161,7 +177,7 @@ impl std::fmt::Debug for Vocabulary {
 }
 
 /// The keys of every `[[scene]]` table.
-const SCENE: [&str; 7] = ["name", "task", "round", "invalid", "tags", "source", "analysis"];
+const SCENE: [&str; 8] = ["name", "task", "round", "truth", "invalid", "tags", "source", "analysis"];
 /// The keys of every `[[generate]]` table besides those of scenes.
 const GENERATOR: [&str; 5] = ["family", "n", "n_full", "seed", "coordinates"];
 

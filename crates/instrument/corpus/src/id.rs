@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use predicament_formats::{CorpusError, hex};
+use predicament_formats::{CorpusError, Written, hex};
 use predicament_predicates::{Construction, Scene, Vertex};
 use sha2::{Digest, Sha256};
 
@@ -37,6 +37,15 @@ pub fn content_id(scene: &Scene, content: &dyn Content) -> String {
         }
     }
     content.canon(&mut canon);
+    hex(&canon.0.finalize()[..8])
+}
+
+/// The content id of a scene with a truth of decimals: a hash of the id of its doubles and of its decimals.
+pub(crate) fn written_id(id: &str, written: &Written) -> String {
+    let mut canon = Canon(Sha256::new());
+    canon.bytes(b"predicament decimals 1\n");
+    canon.text(id);
+    (0..written.numerators().len()).for_each(|at| canon.text(&written.text(at)));
     hex(&canon.0.finalize()[..8])
 }
 

@@ -21,7 +21,7 @@ mod suite;
 pub use content::{Content, Elsewhere, Parts, Source};
 pub use data::{LocatedPoints, Origin, PointSource};
 pub use fmt::fmt;
-pub use format::{Family, Making, Recipe, SceneFormat, Vocabulary};
+pub use format::{Family, InDecimals, Making, Recipe, SceneFormat, Vocabulary};
 pub use homogeneous::{homogeneous, integer, lowest_exponent, meet};
 pub use id::{Canon, SeenIds, content_id};
 pub use level::Level;

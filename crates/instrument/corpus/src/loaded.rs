@@ -3,7 +3,7 @@
 use std::any::Any;
 use std::sync::Arc;
 
-use predicament_formats::ImportNotes;
+use predicament_formats::{ImportNotes, Written};
 use predicament_predicates::{Scene, SceneError, Vertex};
 
 use crate::{Content, content_id};
@@ -37,6 +37,10 @@ pub struct LoadedScene {
     pub notes: ImportNotes,
     /// Remarks that a user would not expect, one a line.
     pub remarks: Vec<String>,
+    /// The decimals of the coordinates, a second truth beside the doubles; `None` if the suite does not ask for it.
+    pub written: Option<Written>,
+    /// The scene as written times a power of ten, for tasks that judge decimals as integers.
+    pub similar: Option<Arc<LoadedScene>>,
 }
 
 impl LoadedScene {
@@ -47,14 +51,21 @@ impl LoadedScene {
         any.downcast_ref()
     }
 
-    /// The scene with its points moved, and its new content id.
+    /// The scene with its points moved, and its new content id. It has no truth of decimals.
     ///
     /// # Errors
     /// [`MoveError`] if the coordinates make no scene, if their number differs from the scene's, or if the scene has
     /// constructed vertices.
     pub fn moved(self, coordinates: Vec<f64>) -> Result<LoadedScene, MoveError> {
         let (scene, content) = moved(&self.scene, &self.content, coordinates)?;
-        Ok(LoadedScene { id: content_id(&scene, content.as_ref()), scene, content, ..self })
+        Ok(LoadedScene {
+            id: content_id(&scene, content.as_ref()),
+            scene,
+            content,
+            written: None,
+            similar: None,
+            ..self
+        })
     }
 
     /// The number of questions: see [`Content::count`].

@@ -25,6 +25,8 @@ pub struct Spelled {
     pub words: Vec<(&'static str, String)>,
     /// All lists of items.
     pub lists: Vec<List>,
+    /// True if the scene has a truth of decimals: coordinates are written as the shortest decimals of their doubles.
+    pub decimals: bool,
 }
 
 /// The items under one key.
@@ -206,6 +208,7 @@ impl Spelled {
     /// floats.
     #[must_use]
     pub fn table(&self, heading: Heading<'_>) -> String {
+        let row = |coordinates: &[f64]| row(coordinates, self.decimals);
         let mut text = format!("[[scene]]\nname = {}\ntask = {}\n", quoted(heading.name), quoted(self.task));
         if !heading.tags.is_empty() {
             let tags: Vec<String> = heading.tags.iter().map(|tag| quoted(tag)).collect();
@@ -236,7 +239,7 @@ impl Spelled {
                     write_items(&mut text, labels, rows.iter().map(|row| label(row)));
                 }
                 Items::Rows(all) => write_items(&mut text, key, all.iter().map(|one| row(one))),
-                Items::Polygons(all) => write_items(&mut text, key, all.iter().map(|rings| polygon(rings))),
+                Items::Polygons(all) => write_items(&mut text, key, all.iter().map(|rings| polygon(rings, row))),
             }
         }
         for table in self.emptied() {
@@ -282,6 +285,14 @@ impl LoadedScene {
         if self.is_invalid {
             spelled.words.push(("invalid", "true".to_owned()));
         }
+        if let Some(written) = &self.written {
+            let is_shortest = |(at, &x): (usize, &f64)| written.text(at) == decimal(x);
+            if !self.scene.coordinates().iter().enumerate().all(is_shortest) {
+                return None;
+            }
+            spelled.words.push(("truth", "\"decimals\"".to_owned()));
+            spelled.decimals = true;
+        }
         Some(spelled)
     }
 }
@@ -323,8 +334,14 @@ pub fn coordinate(x: f64) -> String {
     }
 }
 
-fn row(coordinates: &[f64]) -> String {
-    let all: Vec<String> = coordinates.iter().map(|&x| coordinate(x)).collect();
+/// The shortest decimal of a double, without an exponent.
+fn decimal(x: f64) -> String {
+    format!("{}", x + 0.0)
+}
+
+fn row(coordinates: &[f64], decimals: bool) -> String {
+    let one = |&x: &f64| if decimals { format!("\"{}\"", decimal(x)) } else { coordinate(x) };
+    let all: Vec<String> = coordinates.iter().map(one).collect();
     format!("[{}]", all.join(", "))
 }
 
@@ -333,7 +350,7 @@ fn label(row: &[u32]) -> String {
     if let [one] = row { one.to_string() } else { format!("{row:?}") }
 }
 
-fn polygon(rings: &[Vec<Vec<f64>>]) -> String {
+fn polygon(rings: &[Vec<Vec<f64>>], row: impl Fn(&[f64]) -> String) -> String {
     let ring = |points: &Vec<Vec<f64>>| {
         let points: Vec<String> = points.iter().map(|point| row(point)).collect();
         format!("[{}]", points.join(", "))

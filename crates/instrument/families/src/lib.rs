@@ -11,12 +11,14 @@
 //! * [`Random`]: streams of random numbers. [`bits`]: doubles by their bits.
 //! * [`uniform`], [`grid`], [`near`], [`midpoint`], [`kettner`], [`degenerate`], [`decimal`], [`wide_scaled`],
 //!   [`wide_mixed`], [`far`]: one query at a time.
+//! * [`Typed`]: one query of decimals as people write them, as integers over a power of ten.
 //! * [`scattered`], [`band`], [`PixelMap`], [`Arrangement`]: a whole scene, as a [`Cloud`].
 //! * [`place`]: the map from a family's plane to the plane of the question.
 
 mod band;
 pub mod bits;
 mod constructed;
+mod decimals;
 mod degenerate;
 mod far;
 mod kettner;
@@ -30,6 +32,7 @@ mod wide;
 
 pub use band::band;
 pub use constructed::{Arrangement, Kind, Trouble};
+pub use decimals::{Figure, MOST_DIGITS, Place, Typed};
 pub use degenerate::{decimal, scaled as degenerate};
 pub use far::far;
 pub use kettner::kettner;

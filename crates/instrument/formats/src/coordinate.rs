@@ -144,15 +144,15 @@ fn nearest(text: &str) -> Result<(Decimal, f64), CoordinateError> {
 }
 
 /// The absolute value of a decimal: digits · 10^exponent, without leading or trailing zeros; zero has no digits.
-#[derive(PartialEq, Eq, Debug)]
-struct Decimal {
-    digits: String,
-    exponent: i64,
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub(crate) struct Decimal {
+    pub(crate) digits: String,
+    pub(crate) exponent: i64,
 }
 
 impl Decimal {
     /// Reads `[+-]D[.D][e[+-]D]`, with a digit before or behind the point.
-    fn read(text: &str) -> Option<Decimal> {
+    pub(crate) fn read(text: &str) -> Option<Decimal> {
         let text = text.strip_prefix(['-', '+']).unwrap_or(text);
         let (mantissa, exponent) = match text.split_once(['e', 'E']) {
             Some((mantissa, exponent)) => (mantissa, read_exponent(exponent)?),
@@ -184,7 +184,7 @@ impl Decimal {
 
     /// The exact value of a finite double: Rust writes as many digits as requested, and a double whose lowest bit is
     /// 2^-k has k digits behind the point.
-    fn of(x: f64) -> Decimal {
+    pub(crate) fn of(x: f64) -> Decimal {
         let places = usize::try_from(-lowest_bit(x).unwrap_or(0)).unwrap_or(0);
         let written = format!("{:.places$}", x.abs());
         let digits = written.replace('.', "");

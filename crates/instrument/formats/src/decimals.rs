@@ -1,7 +1,8 @@
 //! The reading of a scene's decimals: lossless or refused, or rounded if the suite requests it.
 
-use std::cell::Cell;
+use std::cell::{Cell, RefCell};
 
+use crate::Kept;
 use crate::coordinate::{self, CoordinateError};
 
 /// The maximum number of coordinates in a scene: 2 GiB of doubles.
@@ -14,6 +15,8 @@ pub struct Decimals {
     round: bool,
     read: Cell<usize>,
     rounded: Cell<usize>,
+    /// The texts that were read, if they are kept.
+    kept: Option<RefCell<Kept>>,
 }
 
 impl Decimals {
@@ -21,6 +24,18 @@ impl Decimals {
     #[must_use]
     pub fn new(round: bool) -> Decimals {
         Decimals { round, ..Decimals::default() }
+    }
+
+    /// The same reader, which keeps the texts if `keeps`: see [`Decimals::kept`].
+    #[must_use]
+    pub fn keeping(self, keeps: bool) -> Decimals {
+        Decimals { kept: keeps.then(RefCell::default), ..self }
+    }
+
+    /// The texts that were read so far; none if they are not kept.
+    #[must_use]
+    pub fn kept(&self) -> Kept {
+        self.kept.as_ref().map(|kept| kept.borrow().clone()).unwrap_or_default()
     }
 
     /// True if decimals are rounded.
@@ -42,7 +57,11 @@ impl Decimals {
     /// would be more than the [`MOST_COORDINATES`]th.
     pub fn read(&self, text: &str) -> Result<f64, CoordinateError> {
         self.count(1)?;
-        self.or_nearest(coordinate::read(text))
+        let read = self.or_nearest(coordinate::read(text));
+        if let (Some(kept), Ok(x)) = (&self.kept, &read) {
+            kept.borrow_mut().keep(*x, text);
+        }
+        read
     }
 
     /// The single that a text denotes, as a double; for values declared as singles.

@@ -6,6 +6,7 @@
 //!
 //! * [`Document`], [`Field`] and [`Fields`]: a TOML file with line numbers.
 //! * [`read_coordinate`], [`Decimals`], [`hexfloat`], [`bits`]: doubles as text and as bits.
+//! * [`Written`]: the coordinates of a scene as decimals.
 //! * [`read_rows`], [`read_csv_rows`], [`fmt_csv`]: rows of numbers in suites and CSV files.
 //! * [`Columns`], [`recognised_columns`]: the columns of the coordinates in a CSV file.
 //! * [`points`], [`geometry`], [`mesh`], [`topojson`], [`read_polygons`]: importers.
@@ -30,6 +31,7 @@ mod manifest;
 mod nearest;
 mod rows;
 mod tables;
+mod written;
 
 pub use cache::Cache;
 pub use coordinate::{CoordinateError, is_exact, read as read_coordinate};
@@ -48,6 +50,7 @@ pub use nearest::{nearest, use_one_of};
 pub use predicament_families::bits;
 pub use rows::{POINT, RowKind, Rows, read_points, read_rows};
 pub use tables::{POINTS, TableKind};
+pub use written::{Kept, NotWritten, Written};
 
 /// A digest as lower-case hex digits.
 #[must_use]

@@ -29,7 +29,11 @@ pub fn point(scene: &Scene, v: Vertex) -> Option<Vec<Rational>> {
 
 /// The exact coordinates of any vertex as in [`point`], over one denominator.
 pub(crate) fn row(scene: &Scene, v: Vertex) -> Option<Row> {
-    Points { scene, known: BTreeMap::new() }.row(v)
+    let input = |v| {
+        let (coordinates, weight) = over_one_denominator(scene.point(v));
+        Row { coordinates, weight }
+    };
+    Solver { scene, input: &input, known: BTreeMap::new() }.row(v)
 }
 
 /// The row of any vertex; a constructed vertex is solved again on each call.
@@ -41,17 +45,16 @@ pub(crate) fn certain_row(scene: &Scene, v: Vertex) -> Row {
 }
 
 /// The points of a scene. Each constructed point is computed once, since many definitions may use it.
-struct Points<'s> {
-    scene: &'s Scene,
-    known: BTreeMap<Vertex, Option<Row>>,
+pub(crate) struct Solver<'s> {
+    pub(crate) scene: &'s Scene,
+    /// The coordinates of input vertices.
+    pub(crate) input: &'s dyn Fn(Vertex) -> Row,
+    pub(crate) known: BTreeMap<Vertex, Option<Row>>,
 }
 
-impl Points<'_> {
-    fn row(&mut self, v: Vertex) -> Option<Row> {
-        let Some(index) = v.construction() else {
-            let (coordinates, weight) = over_one_denominator(self.scene.point(v));
-            return Some(Row { coordinates, weight });
-        };
+impl Solver<'_> {
+    pub(crate) fn row(&mut self, v: Vertex) -> Option<Row> {
+        let Some(index) = v.construction() else { return Some((self.input)(v)) };
         if let Some(known) = self.known.get(&v) {
             return known.clone();
         }

@@ -142,7 +142,7 @@ fn assert_arity(question: Question, args: &[Vertex]) {
 }
 
 /// The axes whose coordinates are columns of the matrix.
-fn axes(question: &Question) -> &[Axis] {
+pub(crate) fn axes(question: &Question) -> &[Axis] {
     match question {
         Question::Compare(axis) => std::slice::from_ref(axis),
         Question::Orient2d(Plane::Xy) | Question::Incircle => &[Axis::X, Axis::Y],

@@ -6,6 +6,7 @@
 //!
 //! * [`sign`], [`is_within`], [`verdict`], [`point`]: determinants and constructed points.
 //! * [`Points`]: the same for one scene, with its constructed points cached.
+//! * [`Decimals`]: the same about the decimals that were written, instead of their doubles.
 //! * [`Judged`]: the same as a session, for algorithms that need predicates.
 //! * [`boxes`]: which of many boxes are near a box.
 //! * [`contacts`]: which simplices of two complexes meet.
@@ -30,6 +31,8 @@ mod constructed;
 pub mod contacts;
 #[cfg(feature = "gmp")]
 pub mod cubes;
+#[cfg(feature = "gmp")]
+mod decimals;
 #[cfg(feature = "gmp")]
 mod determinant;
 #[cfg(feature = "gmp")]
@@ -65,6 +68,8 @@ mod tests;
 
 #[cfg(feature = "gmp")]
 pub use constructed::point;
+#[cfg(feature = "gmp")]
+pub use decimals::Decimals;
 #[cfg(feature = "gmp")]
 pub use determinant::{Verdict, determinant, is_within, log2_relative, rational, sign, verdict};
 #[cfg(feature = "gmp")]

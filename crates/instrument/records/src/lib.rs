@@ -14,6 +14,7 @@
 
 mod answers;
 mod balance;
+mod decimals;
 mod env;
 mod error;
 pub mod format;
@@ -35,6 +36,7 @@ mod work;
 
 pub use answers::AnswerRow;
 pub use balance::{Basis, Costs, balance, part_of_id};
+pub use decimals::DecimalsRow;
 pub use env::Env;
 pub use error::{Error, with_cure};
 pub use hold::Hold;

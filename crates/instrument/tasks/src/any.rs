@@ -9,6 +9,7 @@ use predicament_predicates::{Declined, PredicateKind, Query, Scene};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 
+use crate::decimals;
 use crate::output::{self, Canvas, Choice, Written};
 use crate::replies::{self, Arrays, Example, FORM_CHECK, Part, Planted, Reply};
 use crate::{
@@ -203,7 +204,8 @@ impl<T: Task> AnyTask for T {
     fn case<'a>(&'a self, loaded: &'a LoadedScene, watch: &Watch) -> Result<Box<dyn AnyCase + 'a>, Stop> {
         let content = content(self, loaded);
         let truth = self.truth(&loaded.scene, content, watch)?;
-        Ok(Box::new(CaseOf { task: self, case: Case { loaded, content, truth } }))
+        let written = decimals::as_written(self, loaded, watch)?;
+        Ok(Box::new(CaseOf { task: self, case: Case { loaded, content, truth }, written }))
     }
 
     fn describe_scene(&self, loaded: &LoadedScene, watch: &Watch) -> Result<String, Stop> {
@@ -346,6 +348,8 @@ impl<T: Task> AnyTask for T {
 struct CaseOf<'a, T: Task> {
     task: &'a T,
     case: Case<'a, T>,
+    /// The same scene as it was written.
+    written: Option<Case<'a, T>>,
 }
 
 impl<T: Task> AnyCase for CaseOf<'_, T> {
@@ -380,12 +384,22 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
         if let Some(reply) = answer.downcast_ref::<Reply>() {
             outcome.digest = Some(reply.digest());
             let judge = self.task.replies().expect("only tasks with a judge of replies are put to programs");
-            return replies::judge(judge, &self.case, asked, reply, outcome);
+            replies::judge(judge, &self.case, asked, reply, outcome)?;
+            if let Some(written) = &self.written {
+                let mut other = Outcome::default();
+                replies::judge(judge, written, asked, reply, &mut other)?;
+                outcome.agreement = Some(decimals::of_wholes(outcome, &other));
+            }
+            return Ok(());
         }
         let answer = typed::<T>(answer);
         outcome.digest = Some(answer.digest());
         outcome.sampled = self.sampled();
-        self.task.judge(&self.case, asked, answer, outcome)
+        self.task.judge(&self.case, asked, answer, outcome)?;
+        if let Some(written) = &self.written {
+            outcome.agreement = Some(self.task.agreement(written, asked, answer, outcome)?);
+        }
+        Ok(())
     }
 
     fn truth(&self) -> &dyn Any {

@@ -10,6 +10,7 @@
 //! * [`Contestant`], [`Entry`], [`Solver`]: a backend selected at run time, on the tasks of a [`TaskList`].
 //! * [`AnswerError`], [`ExplainError`]: reasons why a backend gives no answer, and why a query cannot be repeated.
 //! * [`Outcome`], [`Finding`], [`ClassCounts`]: the results of judging.
+//! * [`Agreement`]: the answers that agree with the doubles, and with the decimals that were written.
 //! * [`Check`]: a check that a judge can report. [`Spoiled`]: answers that prove that it does.
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the transformations that make them harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
@@ -24,6 +25,7 @@ mod checks;
 mod compared;
 mod contestant;
 mod counts;
+mod decimals;
 mod digest;
 mod error;
 mod knob;
@@ -54,6 +56,7 @@ pub use checks::{Check, ON_EVERY_TASK, is_declared};
 pub use compared::{Compared, Kind};
 pub use contestant::{Contestant, Entry};
 pub use counts::ClassCounts;
+pub use decimals::Agreement;
 pub use digest::digest;
 pub use error::{AnswerError, ExplainError};
 pub use knob::{Knob, RoundsScene, SHIFTED_BITS, Turns};

@@ -4,7 +4,7 @@ use predicament_predicates::{Query, Sign, Vertex};
 use predicament_records::{Record, Row};
 use sha2::{Digest, Sha256};
 
-use crate::{Class, ClassCounts};
+use crate::{Agreement, Class, ClassCounts};
 
 /// A disagreement, with all data needed to repeat the query.
 #[derive(Clone, PartialEq, Debug)]
@@ -89,6 +89,8 @@ pub struct Outcome {
     /// Every answer, in query order, if the [`Budget`](crate::Budget) asks for them and the task has an answer to each
     /// query; empty for tasks that are judged as a whole.
     pub answers: Vec<AnswerLine>,
+    /// The agreement with the decimals that were written, if the scene has a truth of decimals.
+    pub agreement: Option<Agreement>,
 }
 
 impl Outcome {

@@ -3,16 +3,18 @@
 use std::collections::BTreeMap;
 
 use predicament_corpus::{Content, LoadedScene, SceneFormat};
+use predicament_formats::Written;
 use predicament_predicates::{Declined, PredicateKind, Predicates, Query, QuerySet, Scene, Sign, Vertex};
 use predicament_records::{RunDir, TableSpec};
 use predicament_report::Section;
 use predicament_report::drawing::Role;
 
+use crate::decimals;
 use crate::output::{self, Canvas, Files};
 use crate::replies::Replies;
 use crate::{
-    Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Halt, How, Knob, Outcome, Phase, Spoiled, Stop,
-    Turns, Watch,
+    Agreement, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Halt, How, Knob, Outcome, Phase,
+    Spoiled, Stop, Turns, Watch,
 };
 
 /// An answer to everything that a scene asks. Timed passes reuse it, so that they do not time memory allocation.
@@ -73,6 +75,36 @@ pub trait Task: SceneFormat + Sized + 'static {
     /// # Errors
     /// [`Stop`] if the watch stops the computation.
     fn truth(&self, scene: &Scene, content: &Self::Content, watch: &Watch) -> Result<Self::Truth, Stop>;
+
+    /// Computes the truth about the decimals that were written. By default it is the truth about `scene`, which is then
+    /// the written scene times a power of ten.
+    ///
+    /// # Errors
+    /// [`Stop`] if the watch stops the computation.
+    fn truth_as_written(
+        &self,
+        scene: &Scene,
+        content: &Self::Content,
+        written: &Written,
+        watch: &Watch,
+    ) -> Result<Self::Truth, Stop> {
+        let _ = written;
+        self.truth(scene, content, watch)
+    }
+
+    /// Compares an answer to the doubles with the truth of decimals. `own` is its outcome about the doubles.
+    ///
+    /// # Errors
+    /// [`Stop`] if the watch stops the judge.
+    fn agreement(
+        &self,
+        written: &Case<'_, Self>,
+        asked: &Asked<'_>,
+        answer: &Self::Answer,
+        own: &Outcome,
+    ) -> Result<Agreement, Stop> {
+        decimals::by_judge(self, written, asked, answer, own)
+    }
 
     /// The part of the scene that the truth covers, if not all, as text.
     fn sampled(&self, truth: &Self::Truth) -> Option<String> {

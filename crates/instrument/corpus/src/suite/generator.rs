@@ -48,7 +48,7 @@ impl Places {
         }
         let (scene, content) =
             moved(&made.scene, &made.content, self.coordinates.clone()).map_err(|why| error(why.to_string()))?;
-        Ok(Parts { scene, content, ..made })
+        Ok(Parts { scene, content, written: None, ..made })
     }
 }
 
@@ -80,14 +80,7 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     };
     let reported_as = family.reported_as.map_or_else(|| name.clone(), str::to_owned);
     let making = Making { family: family.name, task: task.name(), seed, n: 0, level: Level::Quick };
-    define(
-        context,
-        fields,
-        name,
-        task.name(),
-        &reported_as,
-        Source::elsewhere(Generated { recipe, making, amount, places }),
-    )
+    define(context, fields, name, task, &reported_as, Source::elsewhere(Generated { recipe, making, amount, places }))
 }
 
 /// Reads `n` and `n_full`; recipes of a fixed size have neither.

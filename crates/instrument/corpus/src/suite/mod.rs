@@ -8,14 +8,15 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use predicament_formats::{
-    Cache, CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite, shown,
+    Cache, CorpusError, Decimals, Document, Entry, Field, Fields, Manifest, TableKind, read_suite, shown, use_one_of,
 };
 
 use crate::{SeenIds, Vocabulary};
 pub use scene::SceneDef;
 
 /// The keys of a suite.
-pub(crate) static SUITE: TableKind = TableKind::new("suite", &["title", "description", "round", "scene", "generate"]);
+pub(crate) static SUITE: TableKind =
+    TableKind::new("suite", &["title", "description", "round", "truth", "scene", "generate"]);
 
 /// A suite: the scenes of a TOML file, in the order of the file.
 #[derive(Clone, Debug)]
@@ -62,12 +63,14 @@ impl Suite {
         let title = fields.required("title")?.string()?;
         let description = fields.string_or_empty("description")?;
         let round = fields.bool_or("round", false)?;
+        let decimal = takes_decimals(&fields, false)?;
         let mut context = Context {
             suite: name.clone(),
             base: base.map(Path::to_path_buf),
             manifest,
             vocabulary,
             round,
+            decimal,
             is_invalid: false,
             data: RefCell::default(),
         };
@@ -79,8 +82,9 @@ impl Suite {
             for table in array(&fields, tables)? {
                 let table = table.fields(kind)?;
                 context.round = table.bool_or("round", round)?;
+                context.decimal = takes_decimals(&table, decimal)?;
                 context.is_invalid = tables == "scene" && table.bool_or("invalid", false)?;
-                let decimals = Decimals::new(context.round);
+                let decimals = Decimals::new(context.round).keeping(context.decimal);
                 scenes.push(read(&context, table.reading(&decimals))?);
             }
         }
@@ -145,6 +149,7 @@ pub struct Context<'m> {
     manifest: &'m Manifest,
     vocabulary: &'m Vocabulary,
     round: bool,
+    decimal: bool,
     is_invalid: bool,
     /// The data files that the scene has referred to so far.
     data: RefCell<Vec<DataName>>,
@@ -213,6 +218,16 @@ impl Context<'_> {
         })?;
         self.data.borrow_mut().push(DataName::Fetched(entry.clone()));
         Ok(entry)
+    }
+}
+
+/// Reads `truth`: true for decimals, `inherited` if the key is missing.
+fn takes_decimals(fields: &Fields<'_, '_>, inherited: bool) -> Result<bool, CorpusError> {
+    let Some(field) = fields.get("truth") else { return Ok(inherited) };
+    match field.str()? {
+        "doubles" => Ok(false),
+        "decimals" => Ok(true),
+        other => Err(field.error(format!("`{other}` is no truth"), use_one_of(other, &["doubles", "decimals"]))),
     }
 }
 

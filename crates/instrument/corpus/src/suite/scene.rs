@@ -3,10 +3,11 @@
 use std::fmt;
 use std::sync::Arc;
 
-use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, shown};
+use predicament_formats::{Cache, CorpusError, Entry, Field, Fields, Kept, NotWritten, Written, shown};
 
 use super::{Context, DataName};
-use crate::{Elsewhere, Level, LoadedScene, Parts, Source, content_id};
+use crate::id::written_id;
+use crate::{Elsewhere, InDecimals, Level, LoadedScene, MoveError, Parts, SceneFormat, Source, content_id};
 
 /// A scene as its suite defines it; [`SceneDef::load`] loads it.
 #[derive(Clone)]
@@ -36,6 +37,8 @@ pub struct SceneDef {
     data: Vec<DataName>,
     /// The number of rounded decimals in the scene's table.
     rounded: usize,
+    /// The decimals in the scene's table and the task's limit, if the scene has a truth of decimals.
+    decimals: Option<(Kept, InDecimals)>,
 }
 
 #[derive(Clone)]
@@ -79,16 +82,16 @@ impl SceneDef {
     /// [`CorpusError`] if a data file is missing or wrong; for data that is not yet fetched, the error says how to
     /// fetch it. An error at a line of the suite includes the names of the scene's data files.
     pub fn load(&self, level: Level, cache: &Cache) -> Result<LoadedScene, CorpusError> {
-        let (Parts { scene, content, mut notes, remarks }, id) = match &self.content {
+        let (Parts { scene, content, mut notes, remarks, written }, id) = match &self.content {
             Where::Written(written) => written.as_ref().clone(),
             Where::Elsewhere(elsewhere) => {
-                let parts = elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?;
-                let id = content_id(&parts.scene, parts.content.as_ref());
+                let mut parts = elsewhere.load(level, cache).map_err(|error| self.with_data(error, cache))?;
+                let id = identify(&mut parts, self.decimals.as_ref(), &self.file, self.line)?;
                 (parts, id)
             }
         };
         notes.rounded += self.rounded;
-        Ok(LoadedScene {
+        let loaded = LoadedScene {
             suite: self.suite.clone(),
             name: self.name.clone(),
             id,
@@ -102,7 +105,16 @@ impl SceneDef {
             content,
             notes,
             remarks,
-        })
+            written: None,
+            similar: None,
+        };
+        let Some(written) = written else { return Ok(loaded) };
+        let is_integers = matches!(self.decimals, Some((_, InDecimals::Integers)));
+        let scaled = written.scaled().filter(|_| is_integers);
+        let similar = scaled.map(|scaled| loaded.clone().moved(scaled)).transpose();
+        let error =
+            |why: MoveError| CorpusError::file(&self.file, why.to_string(), NotWritten::CURE).at_line(self.line);
+        Ok(LoadedScene { similar: similar.map_err(error)?.map(Arc::new), written: Some(written), ..loaded })
     }
 
     /// Adds the names of the scene's data files to an error about the suite that does not name them: the cause
@@ -130,15 +142,23 @@ pub(super) fn define(
     context: &Context<'_>,
     fields: Fields<'_, '_>,
     name: String,
-    task: &'static str,
+    task: &'static dyn SceneFormat,
     family: &str,
     source: Source,
 ) -> Result<SceneDef, CorpusError> {
+    if context.decimal && task.in_decimals() == InDecimals::Never {
+        let takes = |other: &&&dyn SceneFormat| other.in_decimals() != InDecimals::Never;
+        let names: Vec<&str> = context.vocabulary.tasks().iter().filter(takes).map(|task| task.name()).collect();
+        let message =
+            format!("{} has no truth of decimals; it depends on more than the shape of the points", task.name());
+        return Err(fields.error(message, format!("remove `truth`, or choose {}", names.join(", "))));
+    }
+    let decimals = context.decimal.then(|| (fields.decimals().kept(), task.in_decimals()));
     let define = SceneDef {
         suite: context.suite.clone(),
         family: family.to_owned(),
         name,
-        task,
+        task: task.name(),
         tags: fields.get("tags").map_or(Ok(Vec::new()), |field| field.strings())?,
         source: fields.string_or_empty("source")?,
         analysis: fields.string_or_empty("analysis")?,
@@ -146,17 +166,41 @@ pub(super) fn define(
         file: fields.file().to_owned(),
         line: fields.line(),
         content: match source {
-            Source::Written(parts) => {
-                let id = content_id(&parts.scene, parts.content.as_ref());
+            Source::Written(mut parts) => {
+                let id = identify(&mut parts, decimals.as_ref(), fields.file(), fields.line())?;
                 Where::Written(Arc::new((parts, id)))
             }
             Source::Elsewhere(elsewhere) => Where::Elsewhere(elsewhere),
         },
         data: context.data.take(),
         rounded: fields.decimals().rounded(),
+        decimals,
     };
     fields.finish()?;
     Ok(define)
+}
+
+/// The content id of a scene. `decimals` are the decimals in the table of a scene whose truth is about them, and the
+/// task's limit; they become the scene's decimals unless a generator made others.
+fn identify(
+    parts: &mut Parts,
+    decimals: Option<&(Kept, InDecimals)>,
+    file: &str,
+    line: usize,
+) -> Result<String, CorpusError> {
+    let id = content_id(&parts.scene, parts.content.as_ref());
+    let made = parts.written.take();
+    let Some((kept, limit)) = decimals else { return Ok(id) };
+    let error = |message: String| CorpusError::file(file, message, NotWritten::CURE).at_line(line);
+    if !parts.scene.weights().is_empty() {
+        return Err(error("weights have no truth of decimals".to_owned()));
+    }
+    let found = || Written::of(parts.scene.coordinates(), kept).map_err(|why| error(why.to_string()));
+    let written = made.map_or_else(found, Ok)?;
+    if *limit == InDecimals::Integers && written.scaled().is_none() {
+        return Err(error("decimals that are no integers below 2^53 times one power of ten".to_owned()));
+    }
+    Ok(written_id(&id, parts.written.insert(written)))
 }
 
 /// The maximum length of a name, in characters.
@@ -186,5 +230,5 @@ pub(super) fn read(context: &Context<'_>, fields: Fields<'_, '_>) -> Result<Scen
     fields.check_keys(|key| context.vocabulary.foreign(key, task))?;
     let source = task.read(context, &fields)?;
     let family = name.clone();
-    define(context, fields, name, task.name(), &family, source)
+    define(context, fields, name, task, &family, source)
 }

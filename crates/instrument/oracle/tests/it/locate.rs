@@ -73,6 +73,8 @@ fn judged(backend: impl Backend + 'static, probes: usize) -> Outcome {
         content: Arc::new(MapWithProbes::new(map, (0..probes).map(probe).collect())),
         notes: ImportNotes::default(),
         remarks: Vec::new(),
+        written: None,
+        similar: None,
     };
     common::judged(&loaded, &predicament_bundle::entry(backend))
 }

@@ -4,6 +4,7 @@ mod common;
 mod constructed;
 mod contacts;
 mod crossings;
+mod decimals;
 mod expect;
 mod faults;
 mod guards;

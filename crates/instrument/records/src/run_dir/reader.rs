@@ -15,8 +15,8 @@ use super::tables::{Record, TableSpec};
 use super::{ENV, MAPS, PLAN, TABLES};
 use crate::rows::{MOST, NO_COUNT};
 use crate::{
-    Env, Error, FORMAT, FindingRow, Interface, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow, SummaryRow,
-    ThroughputRow,
+    DecimalsRow, Env, Error, FORMAT, FindingRow, Interface, Plan, PrecisionRow, Row, Rows, SampledRow, StageRow,
+    SummaryRow, ThroughputRow,
 };
 
 /// The key of a pair of scene and backend: suite, scene, id, task, backend.
@@ -270,9 +270,10 @@ fn read_text(folder: &Path, file: &str, state: &State, warnings: &mut Vec<String
 }
 
 /// The tables with at most one row per scene and backend, or per scene.
-const UNIQUE: [(&str, &[&str]); 3] = [
+const UNIQUE: [(&str, &[&str]); 4] = [
     (SummaryRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
     (SampledRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
+    (DecimalsRow::FILE, &["suite", "scene", "scene_id", "task", "backend"]),
     (PrecisionRow::FILE, &["suite", "scene", "scene_id"]),
 ];
 

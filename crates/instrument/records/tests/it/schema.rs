@@ -1,13 +1,14 @@
 //! The published schema agrees with the rows.
 
 use predicament_records::{
-    AnswerRow, FindingRow, ImportRow, Kind, PhaseRow, PlannedScene, Row, SampledRow, SegmentRow, TABLES, TableSpec,
-    ThroughputRow, schema_json, schema_markdown,
+    AnswerRow, DecimalsRow, FindingRow, ImportRow, Kind, PhaseRow, PlannedScene, Row, SampledRow, SegmentRow, TABLES,
+    TableSpec, ThroughputRow, schema_json, schema_markdown,
 };
 
 fn tables() -> Vec<TableSpec> {
     let more = [
         TableSpec::of::<AnswerRow>(),
+        TableSpec::of::<DecimalsRow>(),
         TableSpec::of::<ImportRow>(),
         TableSpec::of::<PhaseRow>(),
         TableSpec::of::<SampledRow>(),

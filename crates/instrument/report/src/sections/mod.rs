@@ -2,6 +2,7 @@
 
 mod against;
 mod counts;
+mod decimals;
 mod findings;
 mod glance;
 mod headlines;
@@ -69,6 +70,7 @@ pub fn sections(runs: &[RunDir], of_tasks: &[Section]) -> Result<Vec<Section>, E
         of_tasks.into_iter().partition(|section| section.blocks.iter().all(|block| matches!(block, Block::Note(..))));
     empty.extend(silent.iter().map(|section| section.title));
     rest.extend(of_tasks);
+    rest.extend(decimals::section(runs)?);
     let mut last = not_run::section(runs)?;
     if !empty.is_empty() {
         let note = format!("Sections with nothing to show, which are left out: {}.", empty.join(", "));

@@ -3,7 +3,7 @@
 //! The runs and the approved page are in the folder of the tasks, whose sections are part of the page; the sections
 //! here are made by hand.
 
-use predicament_records::{Class, Env, FindingRow, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
+use predicament_records::{Class, DecimalsRow, Env, FindingRow, Outcome, RunDir, RunWriter, SampledRow, TableSpec};
 use predicament_report::{Block, Cell, PixelMap, Section, Table, Tone, data_uri, html, markdown, write_pages};
 
 fn runs() -> Vec<RunDir> {
@@ -216,6 +216,31 @@ fn a_scene_that_was_judged_in_part_is_named() {
         with.contains("Compared with the truth of only a part") && !without.contains("Compared with the truth"),
         "{without}"
     );
+}
+
+/// Answers about decimals have a section of their own, with ties and other signs apart; runs without them have none.
+#[test]
+fn answers_about_decimals_are_shown_beside_those_about_doubles() {
+    let plan = &runs()[0].plan;
+    let counts = DecimalsRow {
+        answers: 8,
+        doubles: 8,
+        written: 5,
+        ties: 4,
+        ties_found: 1,
+        ..DecimalsRow::new(&plan.scenes[0], "exact")
+    };
+    let page = |rows: &[DecimalsRow]| {
+        let folder = tempfile::tempdir().unwrap();
+        let mut writer =
+            RunWriter::create(folder.path(), plan, &Env::default(), &[TableSpec::of::<DecimalsRow>()]).unwrap();
+        writer.write(rows).unwrap();
+        writer.finish(Outcome::Complete).unwrap();
+        markdown(&[RunDir::open(folder.path()).unwrap()], &[]).unwrap().replace("\\-", "-")
+    };
+    let (with, without) = (page(std::slice::from_ref(&counts)), page(&[]));
+    assert!(with.contains("| 8 | 100 % | 62.5 % | 25.0 % | 100 % |"), "{with}");
+    assert!(!without.contains("What was written"), "{without}");
 }
 
 #[test]

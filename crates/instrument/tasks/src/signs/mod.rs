@@ -22,8 +22,8 @@ mod random;
 mod truth;
 mod write;
 
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
-use predicament_formats::{CorpusError, Fields};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
+use predicament_formats::{CorpusError, Fields, Written};
 use predicament_predicates::{Derived, PredicateKind, Predicates, Query, QuerySet, Scene, Sign};
 use rayon::prelude::*;
 
@@ -36,8 +36,8 @@ pub use truth::truth;
 
 use crate::output::{self, Canvas, Files};
 use crate::{
-    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
-    Stop, Task, Turns, Watch, digest,
+    Agreement, Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob,
+    Outcome, Stop, Task, Turns, Watch, digest,
 };
 
 /// The number of queries in a chunk: small enough to stop soon, large enough to have no overhead.
@@ -118,6 +118,13 @@ impl SceneFormat for Signs {
         content::read(self.kind, context, fields)
     }
 
+    fn in_decimals(&self) -> InDecimals {
+        match self.kind {
+            PredicateKind::Derived(_) => InDecimals::Never,
+            _ => InDecimals::AnyDigits,
+        }
+    }
+
     fn families(&self) -> &'static [Family] {
         families::of(self.kind)
     }
@@ -178,6 +185,26 @@ impl Task for Signs {
 
     fn truth(&self, scene: &Scene, content: &SignQueries, watch: &Watch) -> Result<Vec<Sign>, Stop> {
         truth::truth(scene, &content.queries, watch)
+    }
+
+    fn truth_as_written(
+        &self,
+        scene: &Scene,
+        content: &SignQueries,
+        written: &Written,
+        watch: &Watch,
+    ) -> Result<Vec<Sign>, Stop> {
+        truth::as_written(scene, &content.queries, written, watch)
+    }
+
+    fn agreement(
+        &self,
+        written: &Case<'_, Signs>,
+        _: &Asked<'_>,
+        answer: &Answers,
+        own: &Outcome,
+    ) -> Result<Agreement, Stop> {
+        Ok(truth::agreement(&written.truth, &answer.0, own))
     }
 
     fn dispute(&self, case: &Case<'_, Signs>) -> Option<Dispute> {

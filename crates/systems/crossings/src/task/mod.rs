@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 
 use crate::algorithm::{Along, crossings};
 use crate::truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::{nearest, point};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -56,6 +56,10 @@ impl SceneFormat for Crossings {
 
     fn about(&self) -> &'static str {
         "all crossings of a set of segments, sorted along each"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

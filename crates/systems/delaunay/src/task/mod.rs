@@ -13,7 +13,7 @@ mod spoiled;
 
 use crate::algorithm::{Contradiction, Delaunay2, constrained_delaunay2d, delaunay2d};
 use crate::truth::Truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, PredicateKind, Predicates, Query, Refused, Scene, Vertex};
 use predicament_report::drawing::Role;
@@ -62,6 +62,10 @@ impl SceneFormat for Delaunay2d {
 
     fn about(&self) -> &'static str {
         "the Delaunay triangulation of points in the plane; a rule cuts cocircular faces"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -2,7 +2,7 @@
 
 use crate::algorithm::{PlaneMethod, hull2d};
 use crate::checks::plane_flaws;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene};
 use predicament_report::drawing::Role;
@@ -31,6 +31,10 @@ impl SceneFormat for Hull2d {
 
     fn about(&self) -> &'static str {
         "the vertices of the convex hull of points in the plane, counterclockwise"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -2,7 +2,7 @@
 
 use crate::algorithm::{Hull3, SpaceMethod, hull3d};
 use crate::checks::space_flaws;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
@@ -31,6 +31,10 @@ impl SceneFormat for Hull3d {
 
     fn about(&self) -> &'static str {
         "the faces of the convex hull of points in space, counterclockwise as seen from outside"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -13,7 +13,7 @@ mod spoiled;
 use crate::algorithm::cells_at;
 use crate::answer::{Found, Place};
 use crate::truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
@@ -64,6 +64,10 @@ impl SceneFormat for Interval {
 
     fn about(&self) -> &'static str {
         "the cell of a partition of a line in which a point lies (Franklin and Magalhães, 4.1)"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -19,7 +19,7 @@ mod spoiled;
 
 use crate::algorithm::{Location, Ray, Scratch, locate_all, question_all};
 use crate::truth::Truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::OUTSIDE;
@@ -81,6 +81,10 @@ impl SceneFormat for MeshLocate {
 
     fn about(&self) -> &'static str {
         "the region of a multi-material mesh in which a point lies (Franklin and Magalhães, 4.4)"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -15,7 +15,7 @@ mod spoiled;
 
 use crate::algorithm::{Location, Locations, Scratch, locate_all, question_all};
 use crate::truth::Truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
 use predicament_predicates::{Declined, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -73,6 +73,10 @@ impl SceneFormat for PolygonLocate {
 
     fn about(&self) -> &'static str {
         "the region of a map in which a point lies (Franklin and Magalhães, 4.2)"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

@@ -15,7 +15,7 @@ mod touching;
 
 use crate::algorithm::{Contradiction, Triangulation, oriented, projection, triangulate};
 use crate::truth::Truth;
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Dimension, Plane, PredicateKind, Predicates, Query, Scene, Vertex};
 use predicament_report::drawing::Role;
@@ -55,6 +55,10 @@ impl SceneFormat for Triangulate {
 
     fn about(&self) -> &'static str {
         "triangles of polygons with holes, by ear clipping or a plane sweep"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {

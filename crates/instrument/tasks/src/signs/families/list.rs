@@ -105,6 +105,14 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
             read::decimal,
         ),
         family(
+            "decimals",
+            "decimals",
+            families::Typed::KINDS,
+            &["digits", "figure", "place"],
+            "numbers as people write them, on a figure or one step beside it",
+            read::typed,
+        ),
+        family(
             "midpoint-collinear",
             "midpoint-collinear",
             &[PredicateKind::Orient2d, PredicateKind::Orient3d],

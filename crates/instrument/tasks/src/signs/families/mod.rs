@@ -10,7 +10,7 @@ use predicament_corpus::{Making, Parts, Random, Recipe};
 use predicament_families::{Cloud, native, place};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::formula::Formula;
-use predicament_predicates::{Dimension, PredicateKind, QuerySet, Question, Scene, SceneError, Sign};
+use predicament_predicates::{Axis, Dimension, PredicateKind, QuerySet, Question, Scene, SceneError, Sign};
 
 pub(super) use list::of;
 
@@ -97,6 +97,18 @@ impl Asked {
         let weights = weighted.clone().map(|point| point[point.len() - 1]).collect();
         let points = weighted.flat_map(|point| &point[..point.len() - 1]).copied().collect();
         Scene::new(self.dimension, points)?.with_weights(weights)
+    }
+
+    /// Integers of points in a family's own plane, with zeros for coordinates that the question does not use.
+    fn in_its_plane(self, integers: Vec<i128>) -> Vec<i128> {
+        let (Question::Orient2d(plane), Dimension::Three) = (self.question, self.dimension) else { return integers };
+        let [x, y] = plane.axes().map(Axis::index);
+        let placed = |pair: &[i128; 2]| {
+            let mut point = [0; 3];
+            (point[x], point[y]) = (pair[0], pair[1]);
+            point
+        };
+        integers.as_chunks().0.iter().flat_map(placed).collect()
     }
 
     /// The scene of a cloud whose points are in the family's own plane.
