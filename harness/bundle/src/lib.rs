@@ -31,6 +31,7 @@ use predicament_studies::bounds::Bounds;
 use predicament_studies::cascades::Cascades;
 use predicament_studies::compare::Compare;
 use predicament_studies::cut::Cut;
+use predicament_studies::decimals::Decimals;
 use predicament_studies::laws::Laws;
 use predicament_studies::mesh_cascades::MeshCascades;
 use predicament_studies::parity::Parity;
@@ -113,6 +114,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<Cascades>(),
     studies::Entry::of::<MeshCascades>(),
     studies::Entry::of::<Touching>(),
+    studies::Entry::of::<Decimals>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

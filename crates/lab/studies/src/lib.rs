@@ -17,6 +17,7 @@
 //! * [`cascades`]: how does a polygon change if each result is an operand of the next step?
 //! * [`touching`]: what do solids that touch cost, and what does each philosophy return?
 //! * [`cut`]: how good is a tetrahedral mesh that is cut by the contacts of a backend?
+//! * [`decimals`]: which backends are right about decimals as they were written?
 //! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //!
@@ -92,6 +93,7 @@ pub mod bounds;
 pub mod cascades;
 pub mod compare;
 pub mod cut;
+pub mod decimals;
 pub mod laws;
 pub mod mesh_cascades;
 pub mod parity;

@@ -20,8 +20,11 @@ const FETCHED: &str = "(needs `predicament corpus fetch`)";
 const CURVES: &str = "exact,epsilon:1e-16,epsilon:1e-14,epsilon:1e-12,epsilon:1e-10,epsilon:1e-8,epsilon:1e-6,epsilon:1e-4,\
     exact:stages=1,exact:stages=2,exact:stages=3,exact:stages=4,exact:stages=5,exact:stages=6";
 
+/// The backends that are asked about decimals.
+const SWEPT: &str = "exact,sos,tolerance,epsilon:1e-12,epsilon:1e-10,epsilon:1e-8,epsilon:1e-6,epsilon:1e-2";
+
 /// The files of studies from which the figures of `docs/WHICH.md` are made, relative to the folder of the run.
-const STUDIED: [&str; 9] = [
+const STUDIED: [&str; 10] = [
     "compare/compare.csv",
     "compare/promises.csv",
     "compare/conditioning.csv",
@@ -31,6 +34,7 @@ const STUDIED: [&str; 9] = [
     "cut/cut.csv",
     "parity/parity.csv",
     "parity-space/parity-space.csv",
+    "decimals/decimals.csv",
 ];
 
 /// Measures that no figure of the page uses: the sample omits their rows.
@@ -77,6 +81,8 @@ pub fn make(resume: bool) -> Result<(), String> {
     tool("merge closed curves", &[&pairs[..], &["--out", &study("parity")]].concat())?;
     let surfaces = ["--dimension", "3", "--out", &study("parity-space")];
     tool("merge closed surfaces", &[&pairs[..], &surfaces].concat())?;
+    let decimals = ["study", "decimals", "--quiet", "--digits", "0,1,2,3,4,6,8", "--samples", "0", "-b", SWEPT];
+    tool("ask about decimals", &[&decimals[..], &["--out", &study("decimals")]].concat())?;
     tool("turn the knobs", &["study", "stress", "--quiet", "--out", &study("stress")])?;
     let [readme, which] = ["README.md", "docs/WHICH.md"].map(|page| root().join(page).display().to_string());
     let spliced = ["--splice", &readme, "--splice", &which];

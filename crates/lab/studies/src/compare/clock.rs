@@ -14,7 +14,7 @@ const LEAST: Duration = Duration::from_millis(2);
 
 /// The time and memory of a backend on one scene.
 #[derive(Clone, PartialEq, Default, Debug)]
-pub(super) struct Taken {
+pub(crate) struct Taken {
     /// Nanoseconds per unit that the scene counts, sample by sample; empty if the backend declines.
     pub nanoseconds: Vec<f64>,
     /// The peak memory while it prepared and answered, in bytes.
@@ -22,7 +22,7 @@ pub(super) struct Taken {
 }
 
 /// Times backends on one scene, in turns, on one thread.
-pub(super) fn taken(
+pub(crate) fn taken(
     scene: &LoadedScene,
     backends: &[&dyn Contestant],
     samples: u32,

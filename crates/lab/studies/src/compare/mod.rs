@@ -16,7 +16,7 @@
 //! * [`part`]: the tables and sentences of a page with marks, made from the files of a folder.
 
 mod bits;
-mod clock;
+pub(crate) mod clock;
 mod conditioning;
 mod details;
 mod errors;

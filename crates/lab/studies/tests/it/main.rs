@@ -6,6 +6,7 @@ mod cascades_counts;
 mod cascades_pages;
 mod compare;
 mod cut;
+mod decimals;
 mod laws;
 mod mesh_cascades;
 mod parity;

@@ -26,7 +26,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 12] = [
+const SMALL: [(&str, &[&str]); 13] = [
     ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -96,6 +96,21 @@ const SMALL: [(&str, &[&str]); 12] = [
     (
         "touching -p general,faces --side 2 --levels 1 --rounds 1",
         &["touching.csv", "touching-times.csv", "touching.md", "touching-pairs.toml"],
+    ),
+    (
+        "decimals -b exact --digits 1 --queries 5 --samples 0 --out x",
+        &[
+            "decimals.csv",
+            "decimals.md",
+            "decimals-metres.svg",
+            "decimals-metres.pdf",
+            "decimals-degrees.svg",
+            "decimals-degrees.pdf",
+            "decimals-survey.svg",
+            "decimals-survey.pdf",
+            "decimals-inches.svg",
+            "decimals-inches.pdf",
+        ],
     ),
 ];
 

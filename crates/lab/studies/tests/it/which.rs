@@ -24,7 +24,7 @@ fn made(page: &str, folder: &Path) -> Result<String, String> {
 /// A copy of the sample's files in a separate folder.
 fn copy(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("predicament-which-{name}-{}", std::process::id()));
-    for study in ["compare", "curves", "stress", "cut", "parity", "parity-space"] {
+    for study in ["compare", "curves", "stress", "cut", "parity", "parity-space", "decimals"] {
         std::fs::create_dir_all(folder.join(study)).unwrap();
         for file in std::fs::read_dir(root().join("reports/sample").join(study)).unwrap() {
             let file = file.unwrap();

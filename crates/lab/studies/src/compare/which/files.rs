@@ -6,6 +6,7 @@ use serde::de::DeserializeOwned;
 
 use crate::compare::section::{FILE, PROMISES};
 use crate::compare::{Conditioned, Measure, Promise};
+use crate::decimals::Answered;
 use crate::folder::{FolderError, rows_of};
 use crate::stress::{BreakPoint, Violations};
 
@@ -63,6 +64,11 @@ impl Files {
     /// The rows of closed curves.
     pub fn parity<T: DeserializeOwned>(&self) -> Result<Vec<T>, FolderError> {
         self.rows("parity", "parity.csv", "parity")
+    }
+
+    /// The answers about decimals.
+    pub fn decimals(&self) -> Result<Vec<Answered>, FolderError> {
+        self.rows("decimals", crate::decimals::FILE, "decimals")
     }
 
     /// The rows of closed surfaces.
