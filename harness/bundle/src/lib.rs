@@ -35,6 +35,7 @@ use predicament_studies::decimals::Decimals;
 use predicament_studies::laws::Laws;
 use predicament_studies::mesh_cascades::MeshCascades;
 use predicament_studies::parity::Parity;
+use predicament_studies::repeat::Repeat;
 use predicament_studies::resolution::Resolution;
 use predicament_studies::stress::Stress;
 use predicament_studies::touching::Touching;
@@ -115,6 +116,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<MeshCascades>(),
     studies::Entry::of::<Touching>(),
     studies::Entry::of::<Decimals>(),
+    studies::Entry::of::<Repeat>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

@@ -4,6 +4,7 @@
 //! bar, folder and exit code for all studies.
 
 use std::path::Path;
+use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
@@ -70,6 +71,16 @@ impl Host for Terminal<'_> {
 
     fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error> {
         self.tool.backend(name).map_err(Error::unfit)
+    }
+
+    fn again(&self, arguments: &[String]) -> Result<Option<String>, Error> {
+        let program = std::env::current_exe().map_err(Error::unfit)?;
+        let output = Command::new(program).args(arguments).output().map_err(Error::unfit)?;
+        if output.status.success() {
+            return Ok(Some(String::from_utf8_lossy(&output.stdout).into_owned()));
+        }
+        let why = String::from_utf8_lossy(&output.stderr);
+        Err(Error::Unfit(format!("`{}`: {}", arguments.join(" "), why.trim())))
     }
 
     fn begin(&self, total: u64, unit: &str) {

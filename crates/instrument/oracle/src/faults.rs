@@ -11,6 +11,7 @@ mod contacts;
 mod deadly;
 mod filters;
 mod ties;
+mod unsteady;
 
 use predicament_controls::{Naive, Pivot, Shewchuk};
 use predicament_exact::{Exact, raw};
@@ -28,6 +29,7 @@ use crate::visit::{Visit, hand};
 
 pub use area::Area;
 pub use deadly::Deadly;
+pub use unsteady::Unsteady;
 
 /// A planted fault of a backend.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -313,6 +315,9 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
     if let Some(deadly) = Deadly::ALL.into_iter().find(|deadly| deadly.name() == name) {
         // Until it strikes, it is as correct as exact.
         return Ok(visitor.visit(Boxed::new(Faulty { fault: Fault::ContactsOneSided, deadly: Some(deadly) }), None));
+    }
+    if let Some(unsteady) = Unsteady::ALL.into_iter().find(|&unsteady| Unsteady::name(unsteady) == name) {
+        return Ok(visitor.visit(Boxed::new(unsteady), None));
     }
     // A scaled tolerance that keeps its promise is not a fault to detect, but it can be run.
     let mut all = Fault::ALL.into_iter().chain(Misscaled::ALL.map(Fault::Misscaled));

@@ -66,6 +66,9 @@ pub trait AnyTask: SceneFormat {
     /// If a vertex of the answer is not a point.
     fn draw_scene(&self, loaded: &LoadedScene, answer: Option<&dyn Any>, canvas: &mut Canvas) -> std::io::Result<()>;
 
+    /// Calls [`Answer::digest`] of an answer of the task's type, or of a program's answer.
+    fn digest_of(&self, answer: &dyn Any) -> u64;
+
     /// Calls [`Task::size`].
     fn size_of(&self, loaded: &LoadedScene) -> usize;
 
@@ -249,6 +252,10 @@ impl<T: Task> AnyTask for T {
             return replies::draw(self.replies(), &loaded.scene, reply, canvas);
         }
         self.draw(&loaded.scene, content, answer.map(typed::<T>), canvas)
+    }
+
+    fn digest_of(&self, answer: &dyn Any) -> u64 {
+        answer.downcast_ref::<Reply>().map_or_else(|| typed::<T>(answer).digest(), Reply::digest)
     }
 
     fn size_of(&self, loaded: &LoadedScene) -> usize {

@@ -25,6 +25,16 @@ pub trait Host {
     /// [`Error::Unfit`] with the known names.
     fn backend(&self, name: &str) -> Result<Box<dyn Contestant>, Error>;
 
+    /// Runs the tool again in a new process, with these arguments; returns its standard output. `None` if the host has
+    /// no tool.
+    ///
+    /// # Errors
+    /// [`Error::Unfit`] if the process fails.
+    fn again(&self, arguments: &[String]) -> Result<Option<String>, Error> {
+        let _ = arguments;
+        Ok(None)
+    }
+
     /// Begins a part of the work, with this many units of this name.
     fn begin(&self, total: u64, unit: &str) {
         let _ = (total, unit);

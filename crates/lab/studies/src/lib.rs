@@ -18,6 +18,7 @@
 //! * [`touching`]: what do solids that touch cost, and what does each philosophy return?
 //! * [`cut`]: how good is a tetrahedral mesh that is cut by the contacts of a backend?
 //! * [`decimals`]: which backends are right about decimals as they were written?
+//! * [`repeat`]: does a backend give the same answer twice?
 //! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
 //!
@@ -97,6 +98,7 @@ pub mod decimals;
 pub mod laws;
 pub mod mesh_cascades;
 pub mod parity;
+pub mod repeat;
 pub mod resolution;
 pub mod shrink;
 pub mod stress;

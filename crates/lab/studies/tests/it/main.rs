@@ -11,6 +11,7 @@ mod laws;
 mod mesh_cascades;
 mod parity;
 mod parity_space;
+mod repeat;
 mod shape;
 mod standing;
 mod stress;

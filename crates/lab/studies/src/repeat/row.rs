@@ -1,0 +1,28 @@
+//! The rows of the study's file.
+
+use serde::Serialize;
+
+/// One scene asked again in one way.
+#[derive(Clone, PartialEq, Eq, Debug, Serialize)]
+pub struct Row {
+    /// The backend.
+    pub backend: String,
+    /// The task.
+    pub task: String,
+    /// The kind of the scene.
+    pub scene: String,
+    /// The way.
+    pub way: String,
+    /// `agree`, `unstable`, `declined`, or `panic`.
+    pub class: &'static str,
+    /// The number of compared answers: queries, or one whole answer.
+    pub answers: u64,
+    /// The number of answers that differ.
+    pub unstable: u64,
+    /// The first query whose answers differ; empty for whole answers.
+    pub query: String,
+    /// Its answer at first: a sign, or a digest of the whole answer.
+    pub first: String,
+    /// Its answer when it was asked again.
+    pub second: String,
+}
