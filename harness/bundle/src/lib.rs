@@ -27,6 +27,7 @@ use predicament_simplify::task::Simplify;
 use predicament_slice::task::Slice;
 use predicament_studies as studies;
 use predicament_studies::audit::Audit;
+use predicament_studies::border::Borders;
 use predicament_studies::bounds::Bounds;
 use predicament_studies::cascades::Cascades;
 use predicament_studies::compare::Compare;
@@ -117,6 +118,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<Touching>(),
     studies::Entry::of::<Decimals>(),
     studies::Entry::of::<Repeat>(),
+    studies::Entry::of::<Borders>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

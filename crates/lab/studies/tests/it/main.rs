@@ -1,6 +1,7 @@
 //! The studies, each with the results that it must find, and their common structure.
 
 mod audit;
+mod border;
 mod cascades;
 mod cascades_counts;
 mod cascades_pages;

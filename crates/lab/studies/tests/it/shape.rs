@@ -26,7 +26,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 14] = [
+const SMALL: [(&str, &[&str]); 15] = [
     ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -113,6 +113,7 @@ const SMALL: [(&str, &[&str]); 14] = [
         ],
     ),
     ("repeat -b exact --task orient2d --size 10 --out x", &["repeat.csv", "repeat.md"]),
+    ("border -b naive --family near --queries 20 --out x", &["border.csv", "border.md", "border.toml"]),
 ];
 
 #[test]
