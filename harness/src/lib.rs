@@ -76,6 +76,7 @@ mod temporary;
 mod timing;
 mod told;
 mod tool;
+mod vectors;
 mod worker;
 
 pub use cli::{BackendList, Cli, cli};

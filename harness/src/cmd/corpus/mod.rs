@@ -18,6 +18,7 @@ use crate::out::program;
 use crate::select::Selector;
 use crate::shared::tell_not_selected;
 use crate::tool::Tool;
+use crate::vectors::{SCHEMA, VERSION, Vectors};
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
@@ -27,6 +28,7 @@ Examples:
   predicament corpus fmt mine.toml points.csv         decimals with digits that no double holds as hex floats, beside
   predicament corpus gen families -f 'near-orient3d'  generate, and show how degenerate it is
   predicament corpus gen classics -f 'kettner-a1$' --toml > mine.toml   write it out, as a suite to change
+  predicament corpus gen families -f 'near-orient' --json               as test vectors, with all truths
   predicament corpus fetch                            real data, into the cache";
 
 /// Suites: list, make, verify, format, generate; expectations; fetch data
@@ -59,6 +61,9 @@ enum Command {
         /// Print the scenes written out, as a suite: points, and what is asked about them by their indices
         #[arg(long)]
         toml: bool,
+        /// Print the queries of scenes of the five predicates as test vectors: points and all truths (docs/VECTORS.md)
+        #[arg(long, conflicts_with = "toml")]
+        json: bool,
     },
     /// Fetch real data with npm and cargo, verified by SHA-256
     Fetch {
@@ -87,7 +92,8 @@ pub fn run(args: Args, tool: &Tool) -> exit::Outcome {
         Command::List { scenes, format } => list(tool, scenes, format == Format::Json),
         Command::Fmt(args) => fmt::run(&args, tool),
         Command::Verify(selector) => verify(tool, &selector),
-        Command::Gen { selector, toml } => generate(tool, &selector, toml),
+        Command::Gen { selector, json: true, .. } => vectors(tool, &selector),
+        Command::Gen { selector, toml, .. } => generate(tool, &selector, toml),
         Command::Fetch { keys, cache } => fetch_all(tool, &keys, cache),
         Command::New(args) => new::run(&args, tool),
         Command::Expect(args) => expect::run(&args, tool),
@@ -169,6 +175,26 @@ fn generate(tool: &Tool, selector: &Selector, as_suite: bool) -> exit::Outcome {
             say!("  {line}");
         }
     }
+    Ok(exit::OK)
+}
+
+/// Prints the test vectors of scenes, a row a line.
+fn vectors(tool: &Tool, selector: &Selector) -> exit::Outcome {
+    interrupt::leave_at_once();
+    let selection = selector.select(tool)?;
+    let defs = selection.defs();
+    if defs.is_empty() {
+        return Err(selection.nothing());
+    }
+    let mut vectors = Vectors::new(tool)?;
+    let working = progress::working("");
+    let mut rows = Vec::new();
+    for def in defs {
+        working.now(format!("{}/{}", def.suite, def.name));
+        rows.extend(vectors.rows(&selection.load(def)?)?.iter().map(ToString::to_string));
+    }
+    drop(working);
+    say!("{{\"schema\":\"{SCHEMA}\",\"version\":{VERSION},\"rows\":[\n{}\n]}}", rows.join(",\n"));
     Ok(exit::OK)
 }
 
