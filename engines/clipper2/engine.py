@@ -1,9 +1,10 @@
-"""Clipper2 on its grid of integers. The scene is scaled by a power of two, so that its largest coordinate has 52 bits, and
-rounded to the grid; results are scaled back. Clipper2 knows both rules of the tool and takes all rings of an operand at once.
-"""
+"""Clipper2 on its grid of integers. The scene is scaled by a power of two, so that its largest coordinate has 52 bits (or as
+many as the parameter says), and rounded to the grid; results are scaled back. Clipper2 knows both rules of the tool and takes
+all rings of an operand at once."""
 
 import importlib.metadata
 import math
+import os
 import sys
 
 sys.path.insert(0, "../python")
@@ -11,6 +12,7 @@ sys.path.insert(0, "../python")
 import predicament_engine
 from clipper2 import Clipper64, ClipType, FillRule
 
+BITS = int(os.environ.get("PREDICAMENT_BITS", 52))
 OPERATIONS = {
     "union": ClipType.UNION,
     "intersection": ClipType.INTERSECTION,
@@ -22,7 +24,7 @@ OPERATIONS = {
 def overlay(first, second, rule):
     rule = FillRule.EVEN_ODD if rule == "even-odd" else FillRule.NON_ZERO
     largest = max((abs(x) for ring in first + second for point in ring for x in point), default=0.0)
-    shift = 52 - math.frexp(largest)[1]
+    shift = BITS - math.frexp(largest)[1]
 
     def grid(rings):
         return [[tuple(round(math.ldexp(x, shift)) for x in point) for point in ring] for ring in rings]

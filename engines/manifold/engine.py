@@ -1,6 +1,7 @@
 """Manifold, with coordinates in doubles. It refuses meshes that are not closed, oriented surfaces by a status."""
 
 import importlib.metadata
+import os
 import sys
 
 sys.path.insert(0, "../python")
@@ -9,13 +10,15 @@ import manifold3d
 import numpy
 import predicament_engine
 
+TOLERANCE = float(os.environ.get("PREDICAMENT_TOLERANCE", 0))
+
 
 def solid(mesh):
     vertices, triangles = mesh
     made = manifold3d.Manifold(manifold3d.Mesh64(vertices, triangles.astype("u8")))
     if made.status() != manifold3d.Error.NoError:
         raise ValueError(f"Manifold's status for an operand is {made.status().name}")
-    return made
+    return made.set_tolerance(TOLERANCE) if TOLERANCE else made
 
 
 def mesh(solid):

@@ -1,7 +1,7 @@
 """GEOS through shapely. The rings of an operand go in one by one: their symmetric difference is the even-odd rule. A ring
 that crosses itself is first made valid, which keeps that rule."""
-
 import functools
+import os
 import sys
 
 sys.path.insert(0, "../python")
@@ -9,6 +9,7 @@ import predicament_engine
 import shapely
 
 OPERATIONS = "union", "intersection", "difference", "symmetric-difference"
+GRID = float(os.environ.get("PREDICAMENT_GRID", 0)) or None
 SIMPLICES = {1: shapely.Point, 2: shapely.LineString, 3: shapely.Polygon}
 
 
@@ -22,16 +23,15 @@ def region(rings):
 def polygons(geometry):
     """The polygons of a geometry, which can also have points and lines."""
     if geometry.geom_type == "Polygon":
-        rings = [] if geometry.is_empty else [geometry.exterior, *geometry.interiors]
-        return [[list(ring.coords) for ring in rings]] if rings else []
+        return [] if geometry.is_empty else [[list(ring.coords) for ring in (geometry.exterior, *geometry.interiors)]]
     return [polygon for part in getattr(geometry, "geoms", []) for polygon in polygons(part)]
 
 
 def overlay(first, second, rule):
     if rule != "even-odd":
         raise predicament_engine.Declined("GEOS has no rule of nonzero winding numbers")
-    operands = region(first), region(second)
-    return {name: polygons(getattr(shapely, name.replace("-", "_"))(*operands)) for name in OPERATIONS}
+    both = region(first), region(second)
+    return {name: polygons(getattr(shapely, name.replace("-", "_"))(*both, grid_size=GRID)) for name in OPERATIONS}
 
 
 def locate(regions, probes):

@@ -66,7 +66,8 @@ impl Programs {
                 Some(file) if is_file(file) => {
                     let config = predicament_engines::find(file).map_err(Failure::usage)?;
                     names.push(format!("{PREFIX}{}", config.name));
-                    self.engines.push(format!("{}={file}", config.name));
+                    let [name, file] = [&config.name, file].map(|text| predicament_engines::split(text).0);
+                    self.engines.push(format!("{name}={file}"));
                 }
                 engine => {
                     names.push(argument.to_owned());
@@ -92,7 +93,8 @@ impl Programs {
                     let config = self.config(engine, recorded)?;
                     let file = config.file.display().to_string();
                     files.insert(name.clone(), file.clone());
-                    format!("{PREFIX}{file}")
+                    let settings = predicament_engines::split(engine).1.map(|settings| format!(":{settings}"));
+                    format!("{PREFIX}{file}{}", settings.unwrap_or_default())
                 }
             });
         }
@@ -115,6 +117,7 @@ impl Programs {
     /// engines.
     fn config(&self, engine: &str, recorded: Recorded<'_>) -> Result<Config, Failure> {
         let Recorded { file, folder: with, engines } = recorded;
+        let (engine, then) = (predicament_engines::split(engine).0, engines.get(&format!("{PREFIX}{engine}")));
         if let Some(place) = self.place(engine)? {
             let config = Config::read(&place).map_err(Failure::usage)?;
             if config.name != engine {
@@ -124,11 +127,10 @@ impl Programs {
             }
             return Ok(config);
         }
-        let then = engines.get(&format!("{PREFIX}{engine}"));
         let was = then.map_or("FILE", |then| &then.file);
         let cure = format!("if that is the program you mean, add --engine {}", word(&format!("{engine}={was}")));
         let refuse = |why: String| refused(file, &format!("it names the engine `{engine}`, and {why}; {cure}"));
-        let is_named = self.typed.contains(engine);
+        let is_named = self.typed.iter().any(|typed| predicament_engines::split(typed).0 == engine);
         let folder = predicament_engines::folder();
         let own = folder.join(engine).join(predicament_engines::FILE);
         if is_file(engine) || !own.is_file() {
@@ -173,7 +175,7 @@ impl Programs {
         let name = backend.name();
         let Some(engine) = name.strip_prefix(PREFIX) else { return Ok(()) };
         let (now, then) = (backend.version(), recorded.engines.get(&name).and_then(|then| then.version.clone()));
-        if now == then || self.typed.contains(engine) || self.place(engine)?.is_some() {
+        if now == then || self.typed.contains(engine) || self.place(predicament_engines::split(engine).0)?.is_some() {
             return Ok(());
         }
         let told =

@@ -8,18 +8,24 @@ use std::process::Command;
 use std::sync::{Mutex, PoisonError};
 
 use indicatif::ProgressBar;
+use predicament_engines::{EngineError, PREFIX, swept};
 use predicament_studies::{Error, Host, Ready};
 use predicament_tasks::{AnyTask, Contestant, Watch};
 
 use crate::exit::{self, Failure};
 use crate::shared::set_threads;
-use crate::tool::Tool;
+use crate::tool::{Tool, each};
 use crate::{interrupt, progress};
 
 /// Runs the command.
 pub fn run(study: &dyn Ready, tool: &Tool) -> exit::Outcome {
     set_threads(study.threads())?;
     let names = study.backends();
+    let swept = each(&names).map(|name| match name.strip_prefix(PREFIX) {
+        Some(engine) => Ok(swept(engine)?.into_iter().map(|engine| format!("{PREFIX}{engine}")).collect()),
+        None => Ok(vec![name.to_owned()]),
+    });
+    let names = swept.collect::<Result<Vec<Vec<String>>, EngineError>>().map_err(Failure::usage)?.concat();
     let backends = if names.is_empty() { Vec::new() } else { tool.pick(&names)? };
     if let Some(folder) = study.out() {
         std::fs::create_dir_all(folder).map_err(Failure::io(folder))?;

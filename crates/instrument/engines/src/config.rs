@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
+use crate::parameter::{self, Parameter};
 use crate::{EngineError, EngineFailure};
 use predicament_formats::{CorpusError, Document, Field, Fields, TableKind, shown};
 
@@ -39,13 +40,14 @@ static ENGINE: TableKind = TableKind::new(
         "run",
         "clean",
         "environment",
+        "parameters",
         "timeout",
         "memory",
     ],
 );
 
 /// The configuration of one engine.
-#[derive(Clone, PartialEq, Eq, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Config {
     /// The engine's name; reports call it `engine:NAME`.
     pub name: String,
@@ -67,6 +69,8 @@ pub struct Config {
     pub clean: Vec<Vec<String>>,
     /// Environment variables of all commands.
     pub environment: BTreeMap<String, String>,
+    /// The parameters that a backend's name can set.
+    pub parameters: Vec<Parameter>,
     /// The silence limit in seconds, after which the process is ended.
     timeout: u64,
     /// The memory limit of each engine process, in MiB; 0 for no limit.
@@ -131,6 +135,10 @@ fn parse(file: &str, text: &str) -> Result<Config, CorpusError> {
         run: command(&fields.required("run")?)?,
         clean: commands(&fields, "clean")?,
         environment: environment(&fields)?,
+        parameters: match fields.get("parameters") {
+            Some(field) => field.entries()?.iter().map(parameter::read).collect::<Result<_, _>>()?,
+            None => Vec::new(),
+        },
         timeout: fields.integer_or("timeout", SILENCE, 1..=MOST_SILENCE)?,
         memory: fields.integer_or("memory", MEMORY, 0..=MOST_MEMORY)?,
         file: PathBuf::new(),
@@ -216,11 +224,22 @@ pub fn folder() -> PathBuf {
     std::env::var_os(FOLDER).map_or_else(|| PathBuf::from("engines"), PathBuf::from)
 }
 
-/// The configuration of the engine with this name in the folder of engines, or with this file.
+/// The configuration of the engine with this name in the folder of engines, or with this file; `:key=value` after it
+/// sets a parameter.
 ///
 /// # Errors
 /// [`EngineError`] with the known engines, or with the error in the file.
 pub fn find(name: &str) -> Result<Config, EngineError> {
+    let (name, settings) = parameter::split(name);
+    let config = found(name)?;
+    match settings {
+        Some(settings) => config.with_settings(settings),
+        None => Ok(config),
+    }
+}
+
+/// The configuration of the engine with this name or file, without settings.
+fn found(name: &str) -> Result<Config, EngineError> {
     let path = Path::new(name);
     if name.ends_with(".toml") {
         return Config::read(path);

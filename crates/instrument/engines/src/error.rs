@@ -90,6 +90,8 @@ impl std::error::Error for EngineError {}
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum EngineFailure {
+    /// A setting in the backend's name is not valid; the message with the fix.
+    Setting(String),
     /// The command is empty.
     NoProgram,
     /// A command did not start.
@@ -127,6 +129,7 @@ pub enum EngineFailure {
 impl std::fmt::Display for EngineFailure {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            EngineFailure::Setting(why) => f.write_str(why),
             EngineFailure::NoProgram => f.write_str("an empty command"),
             EngineFailure::NotStarted { command, error } => write!(f, "`{command}` did not start: {error}"),
             EngineFailure::Command { command, status, said } => write!(f, "`{command}` failed: {status}\n  {said}"),

@@ -6,6 +6,7 @@
 //! configuration and the protocol; `engines/` has engines.
 //!
 //! * [`Config`]: `engine.toml`; [`find`]: the configuration for the text after `engine:`.
+//! * [`Parameter`]: what a library lets its users set, by `engine:NAME:key=value`.
 //! * [`Message`]: one message of the protocol, and its encoding.
 //! * [`EngineError`]: why an engine cannot be used; [`ProtocolError`]: how a message breaks the protocol.
 //! * [`Engine`]: the backend; [`end_all`]: for an exit without drops.
@@ -20,6 +21,7 @@ mod error;
 mod group;
 mod mark;
 mod message;
+mod parameter;
 mod pipes;
 mod pool;
 mod process;
@@ -32,3 +34,4 @@ pub use config::{Config, FILE, FOLDER, NAME_RULE, all, find, folder, is_name};
 pub use error::{EngineError, EngineFailure, ProtocolError};
 pub use group::{Group, end_all};
 pub use message::{Bound, MOST_BYTES, MOST_ENTRIES, MOST_TEXT, Message};
+pub use parameter::{Parameter, Range, split, swept};

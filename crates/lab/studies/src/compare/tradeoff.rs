@@ -20,15 +20,18 @@ pub struct Tradeoff<'m> {
     /// The share of scenes that it has not done, of the scenes that it was asked.
     pub not_done: Share,
     /// The parameter of its curve; `None` for a single point.
-    pub knob: Option<&'static str>,
+    pub knob: Option<&'m str>,
 }
 
-/// The parameters that make curves: the common prefixes of backend names that differ in nothing else.
+/// The parameters of our backends that make curves: the common prefixes of backend names that differ in nothing else.
+/// Those of engines end with `=`.
 const KNOBS: [&str; 2] = ["epsilon:", "exact:stages="];
 
 /// The parameter in a backend's name, if it is one that makes curves.
-fn knob_of(backend: &str) -> Option<&'static str> {
-    KNOBS.into_iter().find(|knob| backend.starts_with(knob))
+fn knob_of(backend: &str) -> Option<&str> {
+    let parameter = backend.starts_with("engine:").then(|| backend.rfind('=')).flatten();
+    let known = KNOBS.into_iter().find(|knob| backend.starts_with(knob)).map(str::len);
+    Some(&backend[..parameter.map(|at| at + 1).or(known)?])
 }
 
 /// The inputs on which all of these backends, and the reference, answered a scene and have a time.
