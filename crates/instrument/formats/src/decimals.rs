@@ -32,6 +32,11 @@ impl Decimals {
         Decimals { kept: keeps.then(RefCell::default), ..self }
     }
 
+    /// True if the texts are kept.
+    pub(crate) fn keeps(&self) -> bool {
+        self.kept.is_some()
+    }
+
     /// The texts that were read so far; none if they are not kept.
     #[must_use]
     pub fn kept(&self) -> Kept {

@@ -461,6 +461,9 @@ impl<'r, 't> Reader<'r, 't> {
     /// Reads an array of positions of two numbers each (`deep` = 2), or an array of such arrays (3), without another
     /// parse; `None` if it is something else, or a number is not a coordinate. The text is known to be valid JSON.
     fn plain(&self, text: &'t str, deep: usize) -> Option<Vec<Vec<Position>>> {
+        if self.decimals.keeps() {
+            return None;
+        }
         let (mut lists, mut list, mut numbers) = (Vec::new(), Vec::new(), [0.0; 2]);
         let (mut depth, mut count, mut start, mut at) = (0, 0, 0, 0);
         let mut total = 0;
