@@ -13,6 +13,7 @@
 //!   a proved radius. All on the stack.
 //! * [`BigInt`]: integers of any length.
 //! * `rational`, `Scaled` (feature `gmp`): doubles as exact numbers of GMP.
+//! * [`Number`]: the interface of numbers that the formulas of filters run on.
 //! * [`difference_up`]: a difference rounded up, for lengths that bound others.
 
 #![cfg_attr(not(test), no_std)]
@@ -26,6 +27,7 @@ pub mod dyadic;
 #[cfg(any(test, feature = "gmp"))]
 mod exact;
 mod fixed;
+mod number;
 mod parts;
 mod plan;
 mod short;
@@ -36,6 +38,7 @@ pub use big::BigInt;
 #[cfg(any(test, feature = "gmp"))]
 pub use exact::{Scaled, rational};
 pub use fixed::Fixed;
+pub use number::Number;
 pub use parts::{Parts, power_of_two};
 pub use plan::{Arithmetic, ExponentRange, Form, Plan, Span, difference_up, exact_tail, units};
 pub use short::{exact_differences, short_rows};

@@ -40,28 +40,30 @@
 //!
 //! A determinant of zero is never certain: its sign comes from the rungs above.
 
-use predicament_arithmetic::Sign;
-use predicament_arithmetic::{bound, power_of_two};
+use predicament_arithmetic::{Number, Sign, bound, power_of_two};
 
 use crate::estimate::{self, Estimate};
 
-const SLACK: f64 = power_of_two(-960);
+/// The number σ.
+pub const SLACK: f64 = power_of_two(-960);
 
 /// A determinant, and the magnitude beyond which its sign is certain.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Bounded {
+pub struct Bounded<T = f64> {
     /// The determinant in doubles.
-    pub determinant: f64,
+    pub determinant: T,
     /// The sign is certain if the magnitude exceeds this bound; NaN or infinite if the bound is unknown.
-    pub bound: f64,
+    pub bound: T,
+}
+
+impl<T: Number> Bounded<T> {
+    #[inline(always)]
+    fn new(estimate: Estimate<T>, constant: T, slack: T) -> Bounded<T> {
+        Bounded { determinant: estimate.determinant, bound: constant * estimate.permanent + slack }
+    }
 }
 
 impl Bounded {
-    #[inline(always)]
-    fn new(estimate: Estimate, constant: f64, slack: f64) -> Bounded {
-        Bounded { determinant: estimate.determinant, bound: constant * estimate.permanent + slack }
-    }
-
     /// The sign, if it is certain.
     #[inline(always)]
     #[must_use]
@@ -77,30 +79,58 @@ impl Bounded {
 /// The turn a, b, c.
 #[inline(always)]
 #[must_use]
-pub fn orient2d([a, b, c]: [[f64; 2]; 3]) -> Bounded {
-    Bounded::new(estimate::orient2d(a, b, c), bound::ORIENT2D, SLACK)
+pub fn orient2d(points: [[f64; 2]; 3]) -> Bounded {
+    orient2d_by(points, bound::ORIENT2D, SLACK)
 }
 
 /// The side of d on the plane of a, b, c.
 #[inline(always)]
 #[must_use]
-pub fn orient3d([a, b, c, d]: [[f64; 3]; 4]) -> Bounded {
-    let (estimate, heights) = estimate::orient3d_sized(a, b, c, d);
-    Bounded::new(estimate, bound::ORIENT3D, SLACK * (heights + 1.0))
+pub fn orient3d(points: [[f64; 3]; 4]) -> Bounded {
+    orient3d_by(points, bound::ORIENT3D, SLACK)
 }
 
 /// The position of d relative to the circle of a, b, c.
 #[inline(always)]
 #[must_use]
-pub fn incircle([a, b, c, d]: [[f64; 2]; 4]) -> Bounded {
-    let (estimate, lifts) = estimate::incircle_sized(a, b, c, d);
-    Bounded::new(estimate, bound::INCIRCLE, SLACK * (lifts + 1.0))
+pub fn incircle(points: [[f64; 2]; 4]) -> Bounded {
+    incircle_by(points, bound::INCIRCLE, SLACK)
 }
 
 /// The position of e relative to the sphere of a, b, c, d.
 #[inline(always)]
 #[must_use]
-pub fn insphere([a, b, c, d, e]: [[f64; 3]; 5]) -> Bounded {
+pub fn insphere(points: [[f64; 3]; 5]) -> Bounded {
+    insphere_by(points, bound::INSPHERE, SLACK)
+}
+
+/// The result of [`orient2d`] in any numbers, with B and σ as arguments.
+#[inline(always)]
+#[must_use]
+pub fn orient2d_by<T: Number>([a, b, c]: [[T; 2]; 3], constant: T, slack: T) -> Bounded<T> {
+    Bounded::new(estimate::orient2d(a, b, c), constant, slack)
+}
+
+/// The result of [`orient3d`] in any numbers, with B and σ as arguments.
+#[inline(always)]
+#[must_use]
+pub fn orient3d_by<T: Number>([a, b, c, d]: [[T; 3]; 4], constant: T, slack: T) -> Bounded<T> {
+    let (estimate, heights) = estimate::orient3d_sized(a, b, c, d);
+    Bounded::new(estimate, constant, slack * (heights + T::ONE))
+}
+
+/// The result of [`incircle`] in any numbers, with B and σ as arguments.
+#[inline(always)]
+#[must_use]
+pub fn incircle_by<T: Number>([a, b, c, d]: [[T; 2]; 4], constant: T, slack: T) -> Bounded<T> {
+    let (estimate, lifts) = estimate::incircle_sized(a, b, c, d);
+    Bounded::new(estimate, constant, slack * (lifts + T::ONE))
+}
+
+/// The result of [`insphere`] in any numbers, with B and σ as arguments.
+#[inline(always)]
+#[must_use]
+pub fn insphere_by<T: Number>([a, b, c, d, e]: [[T; 3]; 5], constant: T, slack: T) -> Bounded<T> {
     let (estimate, [heights, lifts]) = estimate::insphere_sized(a, b, c, d, e);
-    Bounded::new(estimate, bound::INSPHERE, SLACK * (lifts * (heights + 1.0) + 1.0))
+    Bounded::new(estimate, constant, slack * (lifts * (heights + T::ONE) + T::ONE))
 }

@@ -7,16 +7,19 @@
 //! a proof, *provided that nothing underflows or overflows*: callers hold a
 //! [`Plan`](predicament_arithmetic::Plan). With a bound of zero the sign of the determinant is the answer, which is
 //! right if all intermediates are exact. The bound is an argument so that a test can run a filter with a wrong one.
+//!
+//! The formulas are written over any [`Number`]: a proof reads them on symbols, and a test tries all inputs of tiny
+//! formats.
 
-use predicament_arithmetic::Sign;
+use predicament_arithmetic::{Number, Sign};
 
 /// A determinant and its permanent, computed in plain floating point.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Estimate {
+pub struct Estimate<T = f64> {
     /// The determinant.
-    pub determinant: f64,
+    pub determinant: T,
     /// The permanent; [`orient2d`] defines it differently.
-    pub permanent: f64,
+    pub permanent: T,
 }
 
 impl Estimate {
@@ -49,7 +52,7 @@ impl Estimate {
 /// Ogita, Oishi and Rump 2016).
 #[inline(always)]
 #[must_use]
-pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
+pub fn orient2d<T: Number>(a: [T; 2], b: [T; 2], c: [T; 2]) -> Estimate<T> {
     let [acx, acy] = minus2(a, c);
     let [bcx, bcy] = minus2(b, c);
     let left = acx * bcy;
@@ -60,13 +63,13 @@ pub fn orient2d(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> Estimate {
 /// The estimate of det(a − d, b − d, c − d).
 #[inline(always)]
 #[must_use]
-pub fn orient3d(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> Estimate {
+pub fn orient3d<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3]) -> Estimate<T> {
     orient3d_sized(a, b, c, d).0
 }
 
 /// The result of [`orient3d`], and the sum of the magnitudes of the last coordinates' differences.
 #[inline(always)]
-pub(crate) fn orient3d_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3]) -> (Estimate, f64) {
+pub(crate) fn orient3d_sized<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3]) -> (Estimate<T>, T) {
     let [adx, ady, adz] = minus3(a, d);
     let [bdx, bdy, bdz] = minus3(b, d);
     let [cdx, cdy, cdz] = minus3(c, d);
@@ -82,13 +85,13 @@ pub(crate) fn orient3d_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3])
 /// The estimate of the 3 × 3 determinant of a − d, b − d, c − d, each with its squared length.
 #[inline(always)]
 #[must_use]
-pub fn incircle(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> Estimate {
+pub fn incircle<T: Number>(a: [T; 2], b: [T; 2], c: [T; 2], d: [T; 2]) -> Estimate<T> {
     incircle_sized(a, b, c, d).0
 }
 
 /// The result of [`incircle`], and the sum of the squared lengths of the differences.
 #[inline(always)]
-pub(crate) fn incircle_sized(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2]) -> (Estimate, f64) {
+pub(crate) fn incircle_sized<T: Number>(a: [T; 2], b: [T; 2], c: [T; 2], d: [T; 2]) -> (Estimate<T>, T) {
     let [adx, ady] = minus2(a, d);
     let [bdx, bdy] = minus2(b, d);
     let [cdx, cdy] = minus2(c, d);
@@ -108,14 +111,20 @@ pub(crate) fn incircle_sized(a: [f64; 2], b: [f64; 2], c: [f64; 2], d: [f64; 2])
 /// The estimate of the 4 × 4 determinant of a − e, b − e, c − e, d − e, each with its squared length.
 #[inline(always)]
 #[must_use]
-pub fn insphere(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> Estimate {
+pub fn insphere<T: Number>(a: [T; 3], b: [T; 3], c: [T; 3], d: [T; 3], e: [T; 3]) -> Estimate<T> {
     insphere_sized(a, b, c, d, e).0
 }
 
 /// The result of [`insphere`], the sum of the magnitudes of the last coordinates' differences, and the sum of the
 /// squared lengths of the differences.
 #[inline(always)]
-pub(crate) fn insphere_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3], e: [f64; 3]) -> (Estimate, [f64; 2]) {
+pub(crate) fn insphere_sized<T: Number>(
+    a: [T; 3],
+    b: [T; 3],
+    c: [T; 3],
+    d: [T; 3],
+    e: [T; 3],
+) -> (Estimate<T>, [T; 2]) {
     let a = minus3(a, e);
     let b = minus3(b, e);
     let c = minus3(c, e);
@@ -142,36 +151,36 @@ pub(crate) fn insphere_sized(a: [f64; 3], b: [f64; 3], c: [f64; 3], d: [f64; 3],
 
 /// A 2 × 2 determinant, and its permanent.
 #[derive(Clone, Copy)]
-struct Minor {
-    value: f64,
-    permanent: f64,
+struct Minor<T> {
+    value: T,
+    permanent: T,
 }
 
-impl Minor {
+impl<T: Number> Minor<T> {
     #[inline(always)]
-    fn new(px: f64, py: f64, qx: f64, qy: f64) -> Minor {
+    fn new(px: T, py: T, qx: T, qy: T) -> Minor<T> {
         let left = px * qy;
         let right = qx * py;
         Minor { value: left - right, permanent: left.abs() + right.abs() }
     }
 
     #[inline(always)]
-    fn xy(p: [f64; 3], q: [f64; 3]) -> Minor {
+    fn xy(p: [T; 3], q: [T; 3]) -> Minor<T> {
         Minor::new(p[0], p[1], q[0], q[1])
     }
 }
 
 #[inline(always)]
-fn minus2(p: [f64; 2], q: [f64; 2]) -> [f64; 2] {
+fn minus2<T: Number>(p: [T; 2], q: [T; 2]) -> [T; 2] {
     [p[0] - q[0], p[1] - q[1]]
 }
 
 #[inline(always)]
-fn minus3(p: [f64; 3], q: [f64; 3]) -> [f64; 3] {
+fn minus3<T: Number>(p: [T; 3], q: [T; 3]) -> [T; 3] {
     [p[0] - q[0], p[1] - q[1], p[2] - q[2]]
 }
 
 #[inline(always)]
-fn lift3([x, y, z]: [f64; 3]) -> f64 {
+fn lift3<T: Number>([x, y, z]: [T; 3]) -> T {
     x * x + y * y + z * z
 }

@@ -13,51 +13,53 @@
 // Loops over indices stay in registers, whereas `map` on arrays goes through memory.
 #![allow(clippy::needless_range_loop)]
 
+use predicament_arithmetic::Number;
+
 use crate::estimate::Estimate;
 
 /// A line in the plane, or a plane in space, directed.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Side<const D: usize> {
+pub struct Side<const D: usize, T = f64> {
     /// The vector that differences to the pivot are multiplied with.
-    pub normal: [f64; D],
+    pub normal: [T; D],
     /// A point of the line or plane.
-    pub pivot: [f64; D],
+    pub pivot: [T; D],
     /// An upper bound of the permanent of any point of the scene.
-    pub permanent: f64,
+    pub permanent: T,
 }
 
-impl<const D: usize> Side<D> {
+impl<const D: usize, T: Number> Side<D, T> {
     /// The determinant of a point against the line or plane.
     #[inline(always)]
     #[must_use]
-    pub fn determinant(&self, p: [f64; D]) -> f64 {
+    pub fn determinant(&self, p: [T; D]) -> T {
         let mut sum = self.normal[0] * (self.pivot[0] - p[0]);
         for axis in 1..D {
-            sum += self.normal[axis] * (self.pivot[axis] - p[axis]);
+            sum = sum + self.normal[axis] * (self.pivot[axis] - p[axis]);
         }
         sum
     }
 }
 
-impl Side<2> {
+impl<T: Number> Side<2, T> {
     /// The side of the line from a to b: positive to its left.
     ///
     /// `extent` is that of the scene's axes.
     #[must_use]
-    pub fn of_line([a, b]: [[f64; 2]; 2], extent: [f64; 2]) -> Side<2> {
+    pub fn of_line([a, b]: [[T; 2]; 2], extent: [T; 2]) -> Side<2, T> {
         let normal = [b[1] - a[1], a[0] - b[0]];
         let permanent = normal[0].abs() * extent[0] + normal[1].abs() * extent[1];
         Side { normal, pivot: a, permanent }
     }
 }
 
-impl Side<3> {
+impl<T: Number> Side<3, T> {
     /// The side of the plane of a, b and c: positive below it, where they are seen clockwise.
     ///
     /// `extent` is that of the scene's axes.
     #[must_use]
-    pub fn of_plane([a, b, c]: [[f64; 3]; 3], extent: [f64; 3]) -> Side<3> {
-        let row = |p: [f64; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
+    pub fn of_plane([a, b, c]: [[T; 3]; 3], extent: [T; 3]) -> Side<3, T> {
+        let row = |p: [T; 3]| [p[0] - a[0], p[1] - a[1], p[2] - a[2]];
         let (b, c) = (row(b), row(c));
         let minor = |i: usize, j: usize| {
             let (left, right) = (b[i] * c[j], b[j] * c[i]);

@@ -49,9 +49,7 @@
 //! is more than that and the later losses of products and quotients. A C may lose 2^-1074, which is negligible beside
 //! one of 2^-600, and the other factors leave it more. Differences underflow exactly.
 
-use core::ops::{Add, Mul, Sub};
-
-use predicament_arithmetic::{bound::UNIT_ROUNDOFF, power_of_two};
+use predicament_arithmetic::{Number, bound::UNIT_ROUNDOFF, power_of_two};
 use predicament_predicates::Share;
 
 use super::filter::FLOOR;
@@ -86,14 +84,17 @@ const fn dot(a: u32, b: u32) -> u32 {
 
 /// The roundings of a normal of a plane.
 const NORMAL: u32 = cross(DIFFERENCE, DIFFERENCE);
-/// The errors of w and n: roundings times terms of one size.
-const SEGMENTS: f64 = cross(DIFFERENCE, DIFFERENCE) as f64;
-const LINE_PLANE: f64 = 3.0 * dot(NORMAL, DIFFERENCE) as f64;
-const PLANES_WEIGHT: f64 = 6.0 * dot(NORMAL, cross(NORMAL, NORMAL)) as f64;
-const PLANES_POINT: f64 = 6.0 * sum(product(dot(NORMAL, DIFFERENCE), cross(NORMAL, NORMAL))) as f64;
+/// The errors of w and n of two lines: roundings times terms of one size.
+pub const SEGMENTS: f64 = cross(DIFFERENCE, DIFFERENCE) as f64;
+/// The errors of w and n of a line and a plane.
+pub const LINE_PLANE: f64 = 3.0 * dot(NORMAL, DIFFERENCE) as f64;
+/// The errors of w of three planes.
+pub const PLANES_WEIGHT: f64 = 6.0 * dot(NORMAL, cross(NORMAL, NORMAL)) as f64;
+/// The errors of n of three planes.
+pub const PLANES_POINT: f64 = 6.0 * sum(product(dot(NORMAL, DIFFERENCE), cross(NORMAL, NORMAL))) as f64;
 
 /// The factor for all smaller errors; see the module.
-const ROOM: f64 = 1.0 + 1.0 / 64.0;
+pub const ROOM: f64 = 1.0 + 1.0 / 64.0;
 /// The largest ratio u·E/|w| for which w is certainly not zero: 2^-10.
 const CERTAIN: f64 = 1.0 / 1024.0;
 /// The largest allowed difference: 2^60.
@@ -249,34 +250,36 @@ fn largest<const D: usize>(values: [f64; D]) -> f64 {
 
 /// The minor ad − bc.
 #[inline(always)]
-fn minor<T: Number>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
+#[must_use]
+pub fn minor<T: Number>([a, b]: [T; 2], [c, d]: [T; 2]) -> T {
     a * d - b * c
 }
 
 /// The dot product.
 #[inline(always)]
-fn inner<T: Number>(a: [T; 3], b: [T; 3]) -> T {
+#[must_use]
+pub fn inner<T: Number>(a: [T; 3], b: [T; 3]) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 /// The cross product.
 #[inline(always)]
-fn outer<T: Number>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
+#[must_use]
+pub fn outer<T: Number>([ax, ay, az]: [T; 3], [bx, by, bz]: [T; 3]) -> [T; 3] {
     [minor([ay, az], [by, bz]), minor([az, ax], [bz, bx]), minor([ax, ay], [bx, by])]
 }
 
 /// A component of n for three planes.
 #[inline(always)]
-fn mixed<T: Number>([second, third]: [T; 2], [nl, lm]: [T; 2]) -> T {
+#[must_use]
+pub fn mixed<T: Number>([second, third]: [T; 2], [nl, lm]: [T; 2]) -> T {
     second * nl + third * lm
 }
 
-/// Doubles, or the counting numbers of a test.
-trait Number: Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> {}
-impl Number for f64 {}
-
 #[cfg(test)]
 mod tests {
+    use core::ops::{Add, Mul, Sub};
+
     use rug::{Rational, ops::Pow};
 
     use super::*;
@@ -312,7 +315,12 @@ mod tests {
         }
     }
 
-    impl Number for Counted {}
+    impl Number for Counted {
+        const ONE: Counted = Counted { roundings: 0, permanent: 1.0 };
+        fn abs(self) -> Counted {
+            self
+        }
+    }
 
     /// The formulas themselves are counted, with every M = 1: the constants are exactly the counts.
     #[test]

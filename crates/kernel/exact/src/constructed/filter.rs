@@ -18,7 +18,7 @@
 //! nothing overflowed; if not, |d| > B·p is false. It is false as well for a NaN, and for d = 0: the filter never
 //! answers a tie. No plan of the scene is needed.
 
-use predicament_arithmetic::{bound::semi_static, power_of_two};
+use predicament_arithmetic::{Number, bound::semi_static, power_of_two};
 use predicament_predicates::Sign;
 
 /// The constant for a difference of coordinates.
@@ -33,19 +33,41 @@ pub(super) const FLOOR: f64 = power_of_two(-300);
 
 /// A number and a bound of its error, in units of u.
 #[derive(Clone, Copy, Debug)]
-pub struct Approximate {
-    value: f64,
-    slack: f64,
+pub struct Approximate<T = f64> {
+    value: T,
+    slack: T,
 }
 
-impl Approximate {
+impl<T: Number> Approximate<T> {
     /// A coordinate that is within `slack`·u of the true one; the slack is 2^-300 at least.
     #[inline(always)]
     #[must_use]
-    pub fn near(value: f64, slack: f64) -> Approximate {
+    pub fn near(value: T, slack: T) -> Approximate<T> {
         Approximate { value, slack }
     }
 
+    #[inline(always)]
+    fn minus(self, other: Approximate<T>) -> Approximate<T> {
+        let value = self.value - other.value;
+        Approximate { value, slack: value.abs() + (self.slack + other.slack) }
+    }
+
+    /// The minor ad − bc.
+    #[inline(always)]
+    fn cross([a, b]: [Approximate<T>; 2], [c, d]: [Approximate<T>; 2]) -> Approximate<T> {
+        let value = a.value * d.value - b.value * c.value;
+        Approximate { value, slack: a.slack * d.slack + b.slack * c.slack }
+    }
+
+    /// The value, and the permanent that its error is relative to.
+    #[inline(always)]
+    #[must_use]
+    pub fn parts(self) -> [T; 2] {
+        [self.value, self.slack]
+    }
+}
+
+impl Approximate {
     /// A coordinate that is within `errors`·u of the true one, relative to itself.
     ///
     /// `errors` is zero for input vertices, 65/64 for constructed ones.
@@ -53,19 +75,6 @@ impl Approximate {
     #[must_use]
     pub fn within(value: f64, errors: f64) -> Approximate {
         Approximate { value, slack: errors * value.abs() + FLOOR }
-    }
-
-    #[inline(always)]
-    fn minus(self, other: Approximate) -> Approximate {
-        let value = self.value - other.value;
-        Approximate { value, slack: value.abs() + (self.slack + other.slack) }
-    }
-
-    /// The minor ad − bc.
-    #[inline(always)]
-    fn cross([a, b]: [Approximate; 2], [c, d]: [Approximate; 2]) -> Approximate {
-        let value = a.value * d.value - b.value * c.value;
-        Approximate { value, slack: a.slack * d.slack + b.slack * c.slack }
     }
 
     #[inline(always)]
@@ -78,15 +87,14 @@ impl Approximate {
 #[inline(always)]
 #[must_use]
 pub fn compare(a: Approximate, b: Approximate, bound: f64) -> Option<Sign> {
-    a.minus(b).certain(bound)
+    difference(a, b).certain(bound)
 }
 
 /// The turn a, b, c; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn orient2d(a: [Approximate; 2], b: [Approximate; 2], c: [Approximate; 2], bound: f64) -> Option<Sign> {
-    let [ac, bc] = [minus2(a, c), minus2(b, c)];
-    Approximate::cross(ac, bc).certain(bound)
+    turn(a, b, c).certain(bound)
 }
 
 /// The side of d on the plane of a, b, c; `None` if the errors may have changed it.
@@ -99,25 +107,52 @@ pub fn orient3d(
     d: [Approximate; 3],
     bound: f64,
 ) -> Option<Sign> {
+    volume(a, b, c, d).certain(bound)
+}
+
+/// The difference a − b, with its permanent.
+#[inline(always)]
+#[must_use]
+pub fn difference<T: Number>(a: Approximate<T>, b: Approximate<T>) -> Approximate<T> {
+    a.minus(b)
+}
+
+/// The determinant of the turn a, b, c, with its permanent.
+#[inline(always)]
+#[must_use]
+pub fn turn<T: Number>(a: [Approximate<T>; 2], b: [Approximate<T>; 2], c: [Approximate<T>; 2]) -> Approximate<T> {
+    let [ac, bc] = [minus2(a, c), minus2(b, c)];
+    Approximate::cross(ac, bc)
+}
+
+/// The determinant of a, b, c and d, with its permanent.
+#[inline(always)]
+#[must_use]
+pub fn volume<T: Number>(
+    a: [Approximate<T>; 3],
+    b: [Approximate<T>; 3],
+    c: [Approximate<T>; 3],
+    d: [Approximate<T>; 3],
+) -> Approximate<T> {
     let [a, b, c] = [minus3(a, d), minus3(b, d), minus3(c, d)];
     let [bc, ca, ab] = [cross3(b, c), cross3(c, a), cross3(a, b)];
     let value = a[2].value * bc.value + b[2].value * ca.value + c[2].value * ab.value;
     let slack = a[2].slack * bc.slack + b[2].slack * ca.slack + c[2].slack * ab.slack;
-    Approximate { value, slack }.certain(bound)
+    Approximate { value, slack }
 }
 
 #[inline(always)]
-fn minus2(p: [Approximate; 2], q: [Approximate; 2]) -> [Approximate; 2] {
+fn minus2<T: Number>(p: [Approximate<T>; 2], q: [Approximate<T>; 2]) -> [Approximate<T>; 2] {
     [p[0].minus(q[0]), p[1].minus(q[1])]
 }
 
 #[inline(always)]
-fn minus3(p: [Approximate; 3], q: [Approximate; 3]) -> [Approximate; 3] {
+fn minus3<T: Number>(p: [Approximate<T>; 3], q: [Approximate<T>; 3]) -> [Approximate<T>; 3] {
     [p[0].minus(q[0]), p[1].minus(q[1]), p[2].minus(q[2])]
 }
 
 #[inline(always)]
-fn cross3(p: [Approximate; 3], q: [Approximate; 3]) -> Approximate {
+fn cross3<T: Number>(p: [Approximate<T>; 3], q: [Approximate<T>; 3]) -> Approximate<T> {
     Approximate::cross([p[0], p[1]], [q[0], q[1]])
 }
 

@@ -26,7 +26,7 @@ use alloc::{format, vec::Vec};
 
 #[macro_use]
 mod capacity;
-mod approximate;
+pub mod approximate;
 mod deep;
 mod demand;
 mod determinant;
