@@ -15,6 +15,7 @@ mod command;
 mod compiler;
 mod cpu;
 mod data;
+mod defects;
 mod deny;
 #[cfg(test)]
 mod house;
@@ -58,6 +59,8 @@ Commands:
          the C library in release, with headers and files for pkg-config and CMake, under DIR or target/c-library/release.
          check compiles and runs its examples, as `test` does; bench times calls from C beside calls from Rust
   data   the blocks of docs/DATA.md, run by DuckDB and pandas in an environment of Python in target/data
+  defects
+         the programs of docs/defects: fetched, compiled, run, and compared with what their pages say (minutes)
   wheel  the Python package by maturin: a wheel and its sources, each installed in an environment of its own, the wheel
          tested (minutes)
   fuzz-seeds
@@ -113,6 +116,7 @@ fn main() -> ExitCode {
         "advisories" => advisories::check(&rest),
         "c-library" => c_library::make(&rest),
         "data" => data::check(),
+        "defects" => defects::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "wheel" => m4::ensure().and_then(|()| python::wheel()),

@@ -215,6 +215,7 @@ pub fn nightly() -> Result<(), String> {
         crates(),
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         packages(),
+        crate::defects::check(),
         crate::deny::check(),
         crate::advisories::check_if_at_hand(),
         crate::ci_page::check(),
@@ -233,7 +234,13 @@ pub fn nightly() -> Result<(), String> {
 
 /// Packages what goes to a registry, and compiles each package as somebody else's, in a folder of its own.
 fn packages() -> Result<(), String> {
-    let others = EXAMPLES.into_iter().chain([BENCHES, "predicament-effort", "predicament-python", "xtask"]);
+    let others = EXAMPLES.into_iter().chain([
+        BENCHES,
+        "predicament-effort",
+        "predicament-proofs",
+        "predicament-python",
+        "xtask",
+    ]);
     let excluded: Vec<&str> = others.flat_map(|name| ["--exclude", name]).collect();
     let package = ["package", "--workspace", "--allow-dirty", "--target-dir", "target/package-check"];
     cargo("packages", &[&package[..], &excluded].concat())
