@@ -3,6 +3,7 @@
 mod commands;
 mod coverage;
 mod engines;
+mod independence;
 mod kernel;
 mod links;
 mod packages;

@@ -24,7 +24,7 @@ const EXCEPTIONS: [(&str, &[&str], &str); 1] = [(
 )];
 
 /// The code without comments, up to the tests in the file.
-fn code(text: &str) -> String {
+pub(super) fn code(text: &str) -> String {
     let text = text.split("#[cfg(test)]").next().unwrap_or_default();
     text.lines().map(|line| line.split("//").next().unwrap_or_default()).collect::<Vec<_>>().join("\n")
 }
@@ -52,7 +52,7 @@ fn is_word(token: &str) -> bool {
 }
 
 /// All words and paths; a path with braces is split into its paths.
-fn paths(code: &str) -> Vec<String> {
+pub(super) fn paths(code: &str) -> Vec<String> {
     let tokens = tokens(code);
     let (mut all, mut at) = (Vec::new(), 0);
     while at < tokens.len() {

@@ -9,8 +9,19 @@ use rug::Rational;
 use super::settled::Settlement;
 use super::{Laws, Violations, name, note};
 
-/// Directions of rays; usually at least one misses all edges.
-const DIRECTIONS: [[i32; 3]; 4] = [[83, 31, 17], [-29, 71, 43], [13, -47, 97], [-61, -7, 89]];
+/// Directions of rays, one after the other until a ray misses all edges.
+fn directions() -> impl Iterator<Item = [i32; 3]> {
+    (0..64).map(|k| [83 - 37 * k, 31 + 41 * (k % 7) - 5 * k, 17 + 23 * (k % 5) + 3 * k])
+}
+
+/// Returns true if a point may be said to be in a region: on a triangle, in the region of either side.
+fn is_of(place: &Place, region: u32, sides: &[[u32; 2]]) -> bool {
+    match place {
+        Place::In(found) => *found == region,
+        Place::On(triangles) => triangles.iter().any(|&at| sides[at as usize].contains(&region)),
+        Place::Windings(around) => around.iter().any(|(found, _)| *found == region),
+    }
+}
 
 impl Laws<'_> {
     /// Checks that the middle of each sampled piece is in the region stated for the piece; on the other mesh, either
@@ -32,13 +43,8 @@ impl Laws<'_> {
                     sum / 3
                 });
                 let said = regions.pairs[regions.sides[at][0] as usize][1 - mesh];
-                let place = DIRECTIONS.iter().find_map(|&direction| judge.winding(&middle, direction));
-                let is_right = match &place {
-                    // None of these rays misses all edges: the location is not known.
-                    None | Some(Place::On(_)) => true,
-                    Some(Place::In(region)) => *region == said,
-                    Some(Place::Windings(_)) => true,
-                };
+                let place = directions().find_map(|direction| judge.winding(&middle, direction));
+                let is_right = place.as_ref().is_some_and(|place| is_of(place, said, other.sides()));
                 if !is_right {
                     wrong += 1;
                     if wrong == 1 {
@@ -88,6 +94,31 @@ impl Laws<'_> {
                 note(found, "point in a result", got, law);
                 return;
             }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_outcome_has_its_wrong_regions() {
+        let sides = [[0, 1], [2, 0], [3, 4]];
+        assert!(is_of(&Place::In(2), 2, &sides) && !is_of(&Place::In(2), 0, &sides));
+        let on = Place::On(vec![0, 1]);
+        assert!([0, 1, 2].iter().all(|&region| is_of(&on, region, &sides)));
+        assert!([3, 4].iter().all(|&region| !is_of(&on, region, &sides)));
+        let around = Place::Windings(vec![(1, 2), (3, -1)]);
+        assert!(is_of(&around, 3, &sides) && !is_of(&around, 0, &sides));
+    }
+
+    #[test]
+    fn no_two_of_the_directions_are_parallel() {
+        let all: Vec<[i32; 3]> = directions().collect();
+        let is_parallel = |[a, b, c]: [i32; 3], [x, y, z]: [i32; 3]| a * y == b * x && b * z == c * y && a * z == c * x;
+        for (at, &direction) in all.iter().enumerate() {
+            assert!(direction != [0; 3] && all[..at].iter().all(|&other| !is_parallel(direction, other)), "{at}");
         }
     }
 }

@@ -1,8 +1,8 @@
 //! A multi-material mesh, and points to locate in it.
 
+use std::any::Any;
 use std::sync::{Arc, OnceLock};
 
-use crate::algorithm::MeshIndex;
 use predicament_corpus::{Canon, Content, Items, List, Spelled, unnumbered};
 use predicament_mesh::{MaterialMesh, OUTSIDE};
 use predicament_predicates::{Scene, Vertex};
@@ -25,14 +25,15 @@ pub struct ProbedMesh {
     pub probes: Vec<Probe>,
     /// The file from which the mesh was read, if any.
     file: Option<MeshFile>,
-    index: OnceLock<MeshIndex>,
+    /// Data that an algorithm makes of the content once, for all backends; its type is the algorithm's.
+    made: OnceLock<Box<dyn Any + Send + Sync>>,
 }
 
 impl ProbedMesh {
     /// Combines a mesh and its probes.
     #[must_use]
     pub fn new(mesh: MaterialMesh, tetrahedra: Vec<[Vertex; 4]>, probes: Vec<Probe>) -> ProbedMesh {
-        ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, file: None, index: OnceLock::new() }
+        ProbedMesh { mesh: Arc::new(mesh), tetrahedra, probes, file: None, made: OnceLock::new() }
     }
 
     /// Sets the file from which the mesh was read.
@@ -46,9 +47,12 @@ impl ProbedMesh {
         self.file.as_ref()
     }
 
-    /// The mesh with its grid. It is built once: it uses no predicate, so all backends share it.
-    pub fn mesh_index(&self, scene: &Scene) -> &MeshIndex {
-        self.index.get_or_init(|| MeshIndex::new(self.mesh.clone(), scene))
+    /// The data that `make` makes, once. The truth reads this type too, so the type does not name an algorithm.
+    ///
+    /// # Panics
+    /// If it was made as another type.
+    pub(super) fn made<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
+        self.made.get_or_init(|| Box::new(make())).downcast_ref().expect("one type of data for each content")
     }
 
     /// The vertices of the probes.
@@ -96,7 +100,7 @@ impl Content for ProbedMesh {
     /// The index of the moved scene is new.
     fn moved(&self, scene: Scene) -> (Scene, Option<Arc<dyn Content>>) {
         let (mesh, tetrahedra, probes) = (self.mesh.clone(), self.tetrahedra.clone(), self.probes.clone());
-        (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, index: OnceLock::new() })))
+        (scene, Some(Arc::new(ProbedMesh { mesh, tetrahedra, probes, file: None, made: OnceLock::new() })))
     }
 }
 

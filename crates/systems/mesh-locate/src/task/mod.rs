@@ -8,6 +8,7 @@ mod checks;
 pub mod content;
 pub mod generate;
 mod judge;
+mod made;
 mod mesh_file;
 mod phases;
 pub mod probes;

@@ -1,9 +1,9 @@
 //! A mesh, and lines, rays or segments that may hit it.
 
+use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, OnceLock};
 
-use crate::algorithm::MeshTree;
 use crate::answer::{Extent, edges};
 use predicament_corpus::{Canon, Content, Items, List, Parts, Spelled, numbered, unnumbered};
 use predicament_predicates::{Dimension, Scene, Vertex};
@@ -23,14 +23,15 @@ pub struct RayScene {
     /// The part of each query's line that counts.
     pub extent: Extent,
     is_closed: bool,
-    tree: OnceLock<MeshTree>,
+    /// Data that an algorithm makes of the content once, for all backends; its type is the algorithm's.
+    made: OnceLock<Box<dyn Any + Send + Sync>>,
 }
 
 impl RayScene {
     /// Combines triangles and queries.
     #[must_use]
     pub fn new(triangles: Vec<[Vertex; 3]>, rays: Vec<[Vertex; 2]>, extent: Extent) -> RayScene {
-        RayScene { is_closed: is_closed(&triangles), triangles, rays, extent, tree: OnceLock::new() }
+        RayScene { is_closed: is_closed(&triangles), triangles, rays, extent, made: OnceLock::new() }
     }
 
     /// True if every edge is used equally often in both directions: then winding numbers are defined.
@@ -39,9 +40,12 @@ impl RayScene {
         self.is_closed
     }
 
-    /// The mesh with its tree. It is built once: it uses no predicate, so all backends share it.
-    pub fn tree(&self, scene: &Scene) -> &MeshTree {
-        self.tree.get_or_init(|| MeshTree::new(scene, &self.triangles))
+    /// The data that `make` makes, once. The truth reads this type too, so the type does not name an algorithm.
+    ///
+    /// # Panics
+    /// If it was made as another type.
+    pub(super) fn made<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
+        self.made.get_or_init(|| Box::new(make())).downcast_ref().expect("one type of data for each content")
     }
 }
 

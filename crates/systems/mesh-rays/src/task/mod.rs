@@ -8,6 +8,7 @@ mod checks;
 pub mod content;
 pub mod generate;
 mod judge;
+mod made;
 mod read;
 mod replies;
 mod spoiled;

@@ -1,8 +1,8 @@
 //! A map with points to locate in it, and the rules for choosing them.
 
+use std::any::Any;
 use std::sync::{Arc, OnceLock};
 
-use crate::algorithm::LocateIndex;
 use predicament_corpus::{Canon, Content, Items, Level, List, Spelled, unnumbered};
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::PolygonMap;
@@ -20,19 +20,23 @@ pub struct MapWithProbes {
     pub map: PolygonMap,
     /// The points to locate.
     pub probes: Vec<Probe>,
-    index: OnceLock<LocateIndex>,
+    /// Data that an algorithm makes of the content once, for all backends; its type is the algorithm's.
+    made: OnceLock<Box<dyn Any + Send + Sync>>,
 }
 
 impl MapWithProbes {
     /// Combines a map and its probes.
     #[must_use]
     pub fn new(map: PolygonMap, probes: Vec<Probe>) -> MapWithProbes {
-        MapWithProbes { map, probes, index: OnceLock::new() }
+        MapWithProbes { map, probes, made: OnceLock::new() }
     }
 
-    /// The map's edges, ready for queries. They are built once: this uses no predicate, so all backends share it.
-    pub fn locate_index(&self, scene: &Scene) -> &LocateIndex {
-        self.index.get_or_init(|| LocateIndex::new(&self.map, scene))
+    /// The data that `make` makes, once. The truth reads this type too, so the type does not name an algorithm.
+    ///
+    /// # Panics
+    /// If it was made as another type.
+    pub(super) fn made<T: Any + Send + Sync>(&self, make: impl FnOnce() -> T) -> &T {
+        self.made.get_or_init(|| Box::new(make())).downcast_ref().expect("one type of data for each content")
     }
 
     /// The vertices of the probes.

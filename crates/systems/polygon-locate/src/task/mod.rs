@@ -7,6 +7,7 @@ mod checks;
 pub(crate) mod content;
 mod generate;
 mod judge;
+mod made;
 mod probes;
 mod read;
 mod replies;
