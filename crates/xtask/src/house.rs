@@ -8,6 +8,7 @@ mod kernel;
 mod links;
 mod packages;
 mod prose;
+mod trust;
 mod truth;
 
 use std::path::{Path, PathBuf};

@@ -22,6 +22,7 @@ mod house;
 mod m4;
 mod mutants;
 mod pages;
+mod prove;
 mod python;
 #[cfg(test)]
 mod recipes;
@@ -66,6 +67,8 @@ Commands:
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, docs/COMMANDS.md, the schema in docs/DATA.md
+  prove  the constants of filters and the bounds of tolerances by Gappa, and one predicate by Coq too: each constant, the
+         least that is proved, and the slack (a minute). Says what is missing where there is no `gappa` or `coqc`
   sample [--resume]
          the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (40 minutes). --resume keeps the steps that an earlier, stopped sample has done
@@ -123,6 +126,7 @@ fn main() -> ExitCode {
         "spread" => m4::ensure().and_then(|()| spread::check()),
         "fuzz-seeds" => m4::ensure().and_then(|()| steps::fuzz_seeds()),
         "pages" => m4::ensure().and_then(|()| pages::write()),
+        "prove" => m4::ensure().and_then(|()| prove::check()),
         "sample" => m4::ensure().and_then(|()| sample::make(!rest.is_empty())),
         "scoreboard" => m4::ensure().and_then(|()| scoreboard::make(!rest.is_empty())),
         "setup" => m4::ensure(),

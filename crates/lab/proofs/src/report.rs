@@ -1,0 +1,88 @@
+//! All proofs, as tables.
+
+use std::path::Path;
+
+use crate::filters::{Kind, filters};
+use crate::gappa::{self, Gappa};
+use crate::rules::MODEL;
+use crate::{approximations, tolerances};
+
+/// The predicate whose whole proof Coq checks again.
+const BY_COQ: &str = "orient3d";
+
+/// Proves everything, and prints the tables.
+///
+/// Scripts go to `folder`, for reading; what Coq checks goes there too.
+///
+/// # Errors
+/// What is not proved.
+pub fn all(folder: &Path) -> Result<(), String> {
+    let gappa = Gappa::default();
+    for (_, script) in MODEL {
+        gappa.ask(script, &[])?;
+    }
+    println!("| predicate | filter | in the code, in u | proved, in u | slack in ulps |");
+    println!("|---|---|---:|---:|---:|");
+    let mut refused = 0;
+    for filter in filters() {
+        for row in filter.prove(&gappa)? {
+            let of_u = |x: f64| x / (f64::EPSILON / 2.0);
+            let ulps = row.constant.to_bits() - row.least.to_bits();
+            let (constant, least) = (of_u(row.constant), of_u(row.least));
+            println!("| {} | {} | {constant:.16} | {least:.16} | {ulps} |", row.name, row.kind.name());
+            // The least constant is proved; the double below it has to be refused.
+            let below = filter.script(&gappa, row.kind, row.least.next_down())?;
+            if gappa.proves(&below) {
+                return Err(format!("a constant that is an ulp too small is proved:\n{below}"));
+            }
+            refused += 1;
+        }
+    }
+    println!("\n{refused} constants that are an ulp too small were refused.");
+    println!("\n| constructed vertex | stated, in u | proved, in u |\n|---|---:|---:|");
+    for row in approximations::prove(&gappa)? {
+        println!("| {} | {} | {:.10} |", row.name, row.stated, value(&row.proved));
+    }
+    println!("\n| section | bound | stated, in ε | proved for f64 | proved for f32 |\n|---|---|---:|---:|---:|");
+    for (double, single) in tolerances::prove(&gappa, 53)?.iter().zip(tolerances::prove(&gappa, 24)?) {
+        let [in_f64, in_f32] = [value(&double.proved), value(&single.proved)];
+        println!("| {} | {} | {} | {in_f64:.4} | {in_f32:.4} |", double.section, double.name, double.stated);
+    }
+    let scripts = gappa.scripts();
+    let whole = scripts.join("\n");
+    let file = folder.join("scripts.g");
+    std::fs::write(&file, whole).map_err(|error| format!("{}: {error}", file.display()))?;
+    println!("\nGappa proved {} scripts; they are in {}.", scripts.len(), file.display());
+    if gappa::is_here("coqc") {
+        let checked = by_coq(folder)?;
+        println!("Coq checked {checked} of them again: all of {BY_COQ} for any doubles, and the model of rounding.");
+    } else {
+        println!("NOT RUN: there is no `coqc` here, so Coq checked none of them again.");
+    }
+    Ok(())
+}
+
+/// Checks the proofs of one predicate by Coq; returns their number.
+fn by_coq(folder: &Path) -> Result<usize, String> {
+    let gappa = Gappa::default();
+    for (_, script) in MODEL {
+        gappa.ask(script, &[])?;
+    }
+    let filter = filters().into_iter().find(|filter| filter.name == BY_COQ).expect("one of the predicates");
+    gappa.ask(&filter.script(&gappa, Kind::Anywhere, filter.constant)?, &[])?;
+    let scripts = gappa.scripts();
+    for (index, script) in scripts.iter().enumerate() {
+        gappa::coq(script, folder, &format!("proof_{index}"))?;
+    }
+    Ok(scripts.len())
+}
+
+/// A number of Gappa as a double, for printing.
+#[must_use]
+pub fn value(number: &str) -> f64 {
+    let (mantissa, exponent) = number.split_once('b').unwrap_or((number, "0"));
+    let exponent: i32 = exponent.parse().unwrap_or(0);
+    // (In two steps: the mantissa is large where the power is small.)
+    let half = 2_f64.powi(exponent / 2);
+    mantissa.parse::<f64>().unwrap_or(f64::NAN) * half * 2_f64.powi(exponent - exponent / 2)
+}
