@@ -15,4 +15,5 @@ mod partial;
 #[path = "../rational/mod.rs"]
 mod rational;
 mod session;
+mod toy;
 mod truth;
