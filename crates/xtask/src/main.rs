@@ -20,6 +20,7 @@ mod deny;
 #[cfg(test)]
 mod house;
 mod m4;
+mod memory;
 mod mutants;
 mod pages;
 mod prove;
@@ -67,6 +68,8 @@ Commands:
   fuzz-seeds
          write what the fuzz targets start from, of the embedded suites, into fuzz/corpus
   pages  the pages that commands print anew: docs/CHECKS.md, docs/BOUNDS.md, docs/COMMANDS.md, the schema in docs/DATA.md
+  memory
+         the unsafe code of lanes and exact under AddressSanitizer and Miri, by a nightly toolchain; says what is missing
   prove  the constants of filters and the bounds of tolerances by Gappa, and one predicate by Coq too: each constant, the
          least that is proved, and the slack (a minute). Says what is missing where there is no `gappa` or `coqc`
   sample [--resume]
@@ -121,6 +124,7 @@ fn main() -> ExitCode {
         "data" => data::check(),
         "defects" => defects::check(),
         "engines" => m4::ensure().and_then(|()| steps::engines(&rest)),
+        "memory" => m4::ensure().and_then(|()| memory::check()),
         "mutants" => m4::ensure().and_then(|()| mutants::score(&rest)),
         "wheel" => m4::ensure().and_then(|()| python::wheel()),
         "spread" => m4::ensure().and_then(|()| spread::check()),

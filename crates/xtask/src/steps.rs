@@ -216,6 +216,7 @@ pub fn nightly() -> Result<(), String> {
         cargo("build the benches", &[&["bench", "--benches", "--no-run"], &with_peers[..]].concat()),
         packages(),
         crate::prove::check(),
+        crate::memory::check(),
         crate::defects::check(),
         crate::deny::check(),
         crate::advisories::check_if_at_hand(),

@@ -55,9 +55,10 @@ unsafe fn make<T: Coordinate>(
             1 => Rule::Sos,
             _ => return Err(PREDICAMENT_ARGUMENT.into()),
         };
-        // SAFETY: the caller's promise.
         let (dimension, coordinates) = match dimension {
+            // SAFETY: the caller's promise.
             2 => (Dimension::Two, unsafe { coordinates::<T, 2>(points)? }),
+            // SAFETY: the caller's promise.
             3 => (Dimension::Three, unsafe { coordinates::<T, 3>(points)? }),
             _ => return Err(PREDICAMENT_ARGUMENT.into()),
         };
