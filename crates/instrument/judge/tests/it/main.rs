@@ -12,6 +12,7 @@ mod portable;
 mod random;
 mod rational_solids;
 mod sample;
+mod second;
 mod session;
 mod solids;
 mod within;

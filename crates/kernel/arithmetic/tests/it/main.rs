@@ -3,5 +3,6 @@
 
 mod ball;
 mod dyadic;
+mod fixed;
 mod plan;
 mod short;
