@@ -1,6 +1,6 @@
 //! Intersection points of lines and planes in floating point: doubles near the point, with a proved error bound.
 //!
-//! The formulas are those of [`points`](super::points): a vertex of the definition, and from there an offset, P = p +
+//! The formulas are those of `points`: a vertex of the definition, and from there an offset, P = p +
 //! (n/w)·u. For points that are close together this is far more precise than coordinates relative to the origin.
 //!
 //! # What is proved
@@ -9,8 +9,8 @@
 //! s_y. Sums and products of differences are polynomials: written out as a sum of products, each product of k
 //! differences goes through k roundings by those of the differences and some more, n in all. Then |f − F| ≤ ((1 + u)^n
 //! − 1)·P, where the *permanent* P is the sum of the products of the M. n is counted by rules: a difference is one
-//! rounding ([`DIFFERENCE`]), a product has those of both factors and one ([`product`]), a sum those of the worse term
-//! and one ([`sum`]). They are compile-time expressions below, along the formulas.
+//! rounding (`DIFFERENCE`), a product has those of both factors and one (`product`), a sum those of the worse term
+//! and one (`sum`). They are compile-time expressions below, along the formulas.
 //!
 //! Permanents are bounded by norms. Let m be the largest M of a difference of points, over the axes, and for two
 //! differences a and b in space C the largest |a_j·b_k| + |a_k·b_j| with M in place of magnitudes: that bounds the
@@ -45,7 +45,7 @@
 //! intermediate of w and n is below 2^430. A division by w may overflow, and then s is not finite, which is checked. A
 //! product that underflows is wrong by 2^-1075, times other factors: components of normals are below 2^121, their
 //! products' below 2^243. That is less than 2^-820 for w, while u·E is more than 2^-402, and less than 2^-760 for n. As
-//! |w| ≥ 2^10·u·E ≥ 2^-392, it moves n/w by 2^-368 at most (`Ssi` and `Lpi`: by 2^-619, times u); [`FLOOR`]·u = 2^-353
+//! |w| ≥ 2^10·u·E ≥ 2^-392, it moves n/w by 2^-368 at most (`Ssi` and `Lpi`: by 2^-619, times u); `FLOOR`·u = 2^-353
 //! is more than that and the later losses of products and quotients. A C may lose 2^-1074, which is negligible beside
 //! one of 2^-600, and the other factors leave it more. Differences underflow exactly.
 
