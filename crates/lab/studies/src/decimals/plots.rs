@@ -15,7 +15,7 @@ pub(super) fn all(rows: &[Answered]) -> Result<Vec<File>, Error> {
     for place in places {
         let here: Vec<&Answered> = rows.iter().filter(|row| row.place == place).collect();
         let drawn = curves(&lines(place, &here)).map_err(Error::format)?;
-        files.extend(File::plot(&format!("decimals-{place}"), drawn));
+        files.extend(File::plot(format!("decimals-{place}"), drawn));
     }
     Ok(files)
 }

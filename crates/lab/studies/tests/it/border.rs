@@ -23,7 +23,7 @@ fn each_border_is_right_on_one_side_and_wrong_on_the_other() {
     assert!(found.len() > 4, "plain doubles are wrong in several families: {found:?}");
     let files = study.suites(&found).unwrap();
     let suite =
-        Suite::parse(predicament_bundle::vocabulary(), "border.toml", &files[0].text(), None, &Manifest::default());
+        Suite::parse(predicament_bundle::vocabulary(), "border.toml", files[0].text(), None, &Manifest::default());
     let scenes = suite.unwrap().scenes;
     assert_eq!(scenes.len(), 2 * found.len());
     let (never, silent) = (AtomicBool::new(false), |_: u64| {});
