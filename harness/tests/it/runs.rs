@@ -122,6 +122,7 @@ fn every_scene_has_one_precision_plan_whatever_the_backends() {
         "contacts.csv",
         "masses.csv",
         "judged.csv",
+        "decimals.csv",
         "sampled.csv",
         "imports.csv",
         "snap.csv",

@@ -5,7 +5,7 @@ use tempfile::tempdir;
 use crate::common::{assert_same_tables, at, run, tables};
 
 /// A part of the corpora with signs, ties, findings and a row for every table.
-const SOME: &str = "kettner-[ab]|wide-scaled-orient2d|grid-incircle|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra|intersections/tetrahedra$|simplify/a-right-angle|tilings/";
+const SOME: &str = "kettner-[ab]|wide-scaled-orient2d|grid-incircle|contacts/(surfaces|polygons)-degen|cubes/slide|snaps/drifting|mesh-points/two-tetrahedra|intersections/tetrahedra$|simplify/a-right-angle|written/tenths|tilings/";
 
 #[test]
 fn the_bytes_do_not_depend_on_the_number_of_threads() {
