@@ -6,9 +6,8 @@
 pub fn outer_first(points: &[[f64; 2]], rings: &[Vec<u32>]) -> Option<Vec<Vec<u32>>> {
     // The low corner of the bounding box, then the high one with its sign changed.
     let extent = |ring: &Vec<u32>| {
-        let low = |of: &dyn Fn([f64; 2]) -> f64| {
-            ring.iter().map(|&v| of(points[v as usize])).fold(f64::INFINITY, f64::min)
-        };
+        let low =
+            |of: &dyn Fn([f64; 2]) -> f64| ring.iter().map(|&v| of(points[v as usize])).fold(f64::INFINITY, f64::min);
         [low(&|p| p[0]), low(&|p| p[1]), low(&|p| -p[0]), low(&|p| -p[1])]
     };
     let mut rings: Vec<_> = rings.iter().map(|ring| (extent(ring), ring.clone())).collect();
