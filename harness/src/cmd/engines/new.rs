@@ -120,6 +120,7 @@ const RUST: Template = Template {
     helpers: &[
         file!("rust", "lib.rs" => "predicament_engine/mod.rs"),
         file!("rust", "message.rs" => "predicament_engine/message.rs"),
+        file!("rust", "rings.rs" => "predicament_engine/rings.rs"),
         file!("rust", "server.rs" => "predicament_engine/server.rs"),
         file!("rust", "tasks.rs" => "predicament_engine/tasks.rs"),
         // Not a link: the file in `engines` needs a crate.

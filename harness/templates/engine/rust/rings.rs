@@ -1,0 +1,1 @@
+../../../../engines/rust/src/rings.rs
