@@ -1,7 +1,8 @@
 //! The crate `earcutr`. It wants an outer ring and then holes: the outer ring's bounding box has all others in it. Other
 //! nests of rings, such as islands in holes, are declined.
 
-use predicament_engine::{Engine, Task, locked, outer_first, serve};
+use predicament_engine::rings::outer_first;
+use predicament_engine::{Engine, Task, locked, serve};
 
 #[derive(Default)]
 struct Ears;

@@ -2,7 +2,8 @@
 //! ring's bounding box has all others in it. Other nests of rings, such as islands in holes, are declined.
 
 use i_triangle::float::unchecked::UncheckedTriangulatable;
-use predicament_engine::{Engine, Task, locked, outer_first, serve};
+use predicament_engine::rings::outer_first;
+use predicament_engine::{Engine, Task, locked, serve};
 
 #[derive(Default)]
 struct Sweep;

@@ -32,7 +32,7 @@
 //! library.
 
 mod message;
-mod rings;
+pub mod rings;
 mod server;
 mod stdout;
 mod tasks;
@@ -40,8 +40,6 @@ mod tasks;
 use std::cmp::Ordering;
 use std::ops::Neg;
 use std::process::ExitCode;
-
-pub use rings::outer_first;
 
 /// The meaning of the engine's zero.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
