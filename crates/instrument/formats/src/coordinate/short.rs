@@ -162,7 +162,8 @@ mod tests {
         fn what_programs_print_is_accepted(bits: u64, near in -13_i32..40) {
             let x = f64::from_bits(bits >> 12 | 1023 << 52) * 2_f64.powi(near);
             prop_assert_eq!(read(&format!("{x}")), Some(x));
-            prop_assert_eq!(read(&format!("{x:.16e}")), Some(x));
+            // A tie between two decimals of 17 digits is left to the general reader.
+            prop_assert_eq!(any(&format!("{x:.16e}")), Ok(x));
         }
     }
 }
