@@ -90,7 +90,7 @@ impl Short {
     /// True if the decimal is nearer to a double than half a unit of its last digit; false also if that is not known.
     /// Then the double, printed with as many digits, is the decimal. The decimal has at most 17 digits.
     ///
-    /// With x = f · 2^e and the decimal m · 10^k, both sides of 2 |m · 10^k − f · 2^e| < 10^k are multiplied by
+    /// Let x = f · 2^e, and the decimal m · 10^k. Both sides of 2 |m · 10^k − f · 2^e| < 10^k are multiplied by
     /// 2^-e · 10^-k, where −70 ≤ e ≤ 0 and −22 ≤ k ≤ 0: all terms are integers below 2^128, as m < 2^57 and f < 2^53.
     fn is_print(self, x: f64) -> bool {
         let bits = x.to_bits();
