@@ -49,7 +49,8 @@ pub fn with_slacks(difference: Traced) -> Polynomial {
 
 /// A symbol with the extent of the scene in place of a difference that is not larger, along the same axis.
 ///
-/// Of differences between the pivot a and the point that is asked about, or of all.
+/// The function replaces differences between the pivot a and the point that is asked about (`queried`); all differences
+/// if there is no such point.
 pub fn extent_of(symbol: &str, queried: Option<&str>) -> String {
     let is_of = |point: &str| symbol.starts_with("|(a") && symbol.contains(&format!(" - {point}"));
     match symbol.strip_prefix("|(").and_then(|names| names.chars().nth(1)) {
