@@ -1,9 +1,9 @@
 //! Overlay of a result with another polygon: parts that are far from the other polygon are not processed.
 //!
-//! The edges of a result meet in vertices only. So edges outside the other polygon's box meet nothing, and do not
-//! change:
+//! The edges of a result meet in vertices only. So edges that are [certainly apart](super::sides) from the other
+//! polygon's edges meet nothing, and do not change:
 //! * A region whose box is off the other's is in the new result as a whole, or not at all.
-//! * In the other regions, consecutive edges off the box form a [`Run`]: one piece of the arrangement, which nothing
+//! * In the other regions, consecutive edges that are apart form a [`Run`]: one piece of the arrangement, which nothing
 //!   divides. At its ends it has the directions of its first and its last edge.
 //!
 //! The leftmost vertex of each loop is needed to find the face around its component; in vertices of several loops the
@@ -12,9 +12,9 @@
 use predicament_predicates::{Predicates, Scene, Vertex};
 
 use super::polygon::{Edge, Polygon, Region};
-use super::reach::{Extent, edge_extent, range};
+use super::sides::{Lines, NOTHING, Spot, joined, meets};
 
-/// Consecutive edges of a loop, off the other operand's box.
+/// Consecutive edges of a loop that meet nothing else.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub(super) struct Run {
     /// Two or more edges, in the order of the loop.
@@ -39,32 +39,31 @@ pub(super) struct Split {
     pub apart: Vec<Region>,
 }
 
-/// Divides a result by the box of a polygon.
+/// Divides a result by the edges of a polygon.
 pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon) -> Split {
-    const NOTHING: Extent = [f64::INFINITY, f64::INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY];
-    let joined =
-        |all: Extent, one: Extent| [all[0].min(one[0]), all[1].min(one[1]), all[2].max(one[2]), all[3].max(one[3])];
-    let reached = second.loops.iter().flatten().map(|edge| edge_extent(session, *edge)).fold(NOTHING, joined);
-    let meets = |one: &Extent| {
-        (one[0] <= reached[2]) & (reached[0] <= one[2]) & (one[1] <= reached[3]) & (reached[1] <= one[3])
-    };
+    let lines = Lines::new(session, second);
     let mut split = Split::default();
     let touched = Touched::new(session.scene(), first);
-    let mut extents: Vec<Extent> = Vec::new();
+    let (mut spots, mut is_near) = (Vec::new(), Vec::new());
     for region in first {
-        extents.clear();
-        extents.extend(region.outer.iter().map(|edge| edge_extent(session, *edge)));
-        if !meets(&extents.iter().copied().fold(NOTHING, joined)) {
+        let spot = |edge: &Edge| Spot::new(session, edge.from);
+        spots.clear();
+        spots.extend(region.outer.iter().map(spot));
+        if !meets(&spots.iter().map(|spot| spot.extent).fold(NOTHING, joined), &lines.bounds) {
             split.apart.push(region.clone());
             continue;
         }
         for (at, one) in region.loops().enumerate() {
             if at > 0 {
-                extents.clear();
-                extents.extend(one.iter().map(|edge| edge_extent(session, *edge)));
+                spots.clear();
+                spots.extend(one.iter().map(spot));
             }
-            let mut is_near: Vec<bool> = extents.iter().map(meets).collect();
-            keep_leftmost(session, one, &mut is_near);
+            is_near.clear();
+            is_near.extend((0..one.len()).map(|at| {
+                let next = if at + 1 == one.len() { 0 } else { at + 1 };
+                lines.may_meet([&spots[at], &spots[next]])
+            }));
+            keep_leftmost(&spots, &mut is_near);
             for at in (0..one.len()).filter(|&at| touched.times(one[at].from) > 1) {
                 keep_both(at, &mut is_near);
             }
@@ -75,10 +74,9 @@ pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon
 }
 
 /// Keeps the edges at every vertex that may be a loop's leftmost.
-fn keep_leftmost(session: &dyn Predicates, one: &[Edge], is_near: &mut [bool]) {
-    let ranges: Vec<[f64; 2]> = one.iter().map(|edge| range(session, edge.from)).collect();
-    let least = ranges.iter().map(|range| range[1]).fold(f64::INFINITY, f64::min);
-    for (at, _) in ranges.iter().enumerate().filter(|(_, range)| range[0] <= least) {
+fn keep_leftmost(spots: &[Spot], is_near: &mut [bool]) {
+    let least = spots.iter().map(|spot| spot.extent[2]).fold(f64::INFINITY, f64::min);
+    for (at, _) in spots.iter().enumerate().filter(|(_, spot)| spot.extent[0] <= least) {
         keep_both(at, is_near);
     }
 }

@@ -37,6 +37,7 @@ mod partial;
 mod polygon;
 mod reach;
 mod result;
+mod sides;
 mod supports;
 mod sweep;
 mod view;

@@ -117,16 +117,6 @@ pub(super) fn edge_raw(session: &dyn Predicates, edge: Edge) -> [[f64; 2]; 2] {
     part(session, [edge.from, edge.to], whole).map_or(whole, |(raw, _)| raw)
 }
 
-/// An interval that contains the x of a vertex.
-pub(super) fn range(session: &dyn Predicates, v: Vertex) -> [f64; 2] {
-    match place(session, v) {
-        Some(([x, _], [error, _])) if x.is_finite() && error.is_finite() => {
-            [(x - error).next_down(), (x + error).next_up()]
-        }
-        _ => [f64::NEG_INFINITY, f64::INFINITY],
-    }
-}
-
 /// The position of a vertex, and an error bound along each axis.
 pub(super) fn place(session: &dyn Predicates, v: Vertex) -> Option<([f64; 2], [f64; 2])> {
     let scene = session.scene();

@@ -42,25 +42,7 @@ impl Supports {
             let [a, b] = edge.support;
             if a < b { [a, b] } else { [b, a] }
         };
-        // Counting sort by their first ends, which are input vertices; then sorted by their second ends, among few.
-        let mut starts = vec![0_u32; session.scene().len() + 1];
-        for (edge, _) in edges {
-            starts[ends(edge)[0].index()] += 1;
-        }
-        let mut end = 0;
-        for start in &mut starts {
-            end += *start;
-            *start = end;
-        }
-        let mut order = vec![0_u32; edges.len()];
-        for (at, (edge, _)) in edges.iter().enumerate().rev() {
-            let start = &mut starts[ends(edge)[0].index()];
-            *start -= 1;
-            order[*start as usize] = number(at);
-        }
-        for pair in starts.windows(2).filter(|pair| pair[1] - pair[0] > 1) {
-            order[pair[0] as usize..pair[1] as usize].sort_by_key(|&at| ends(&edges[at as usize].0)[1]);
-        }
+        let order = sorted(session.scene().len(), edges.len(), |at| ends(&edges[at].0));
         let mut supports = Supports { are_whole: true, ..Supports::default() };
         supports.ends.reserve(edges.len());
         supports.spans.reserve(edges.len());
@@ -112,6 +94,36 @@ impl Supports {
         }
         self.spans.truncate(kept + 1);
     }
+}
+
+/// The indices of edges in the order of their segments' ends, and for one segment in their own order.
+fn sorted(vertices: usize, count: usize, ends: impl Fn(usize) -> [Vertex; 2]) -> Vec<u32> {
+    // A few edges in a large scene, as in a step of a cascade.
+    if count < vertices / 16 {
+        let mut order: Vec<u32> = (0..number(count)).collect();
+        order.sort_by_key(|&at| ends(at as usize));
+        return order;
+    }
+    // Counting sort by their first ends, which are input vertices; then sorted by their second ends, among few.
+    let mut starts = vec![0_u32; vertices + 1];
+    for at in 0..count {
+        starts[ends(at)[0].index()] += 1;
+    }
+    let mut end = 0;
+    for start in &mut starts {
+        end += *start;
+        *start = end;
+    }
+    let mut order = vec![0_u32; count];
+    for at in (0..count).rev() {
+        let start = &mut starts[ends(at)[0].index()];
+        *start -= 1;
+        order[*start as usize] = number(at);
+    }
+    for pair in starts.windows(2).filter(|pair| pair[1] - pair[0] > 1) {
+        order[pair[0] as usize..pair[1] as usize].sort_by_key(|&at| ends(at as usize)[1]);
+    }
+    order
 }
 
 /// The span of an edge; `None` for an edge without length.
