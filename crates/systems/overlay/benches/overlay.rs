@@ -20,7 +20,7 @@ use std::time::{Duration, Instant};
 use predicament_corpus::{Level, Suite};
 use predicament_exact::Exact;
 use predicament_formats::{Cache, Manifest};
-use predicament_overlay::algorithm::overlay::{Method, Operation, Polygon, Rule, arrange, overlay};
+use predicament_overlay::algorithm::overlay::{Method, Operation, Polygon, Rule, arrange, operate};
 use predicament_overlay::task::overlay::{Layered, Layers};
 use predicament_predicates::{Backend, Off, Plane, Scene, Vertex};
 use predicament_sos::Sos;
@@ -73,9 +73,8 @@ fn ours<'a, B: Backend>(
             }
             Layers::Polygons(loops, rule) => {
                 let [a, b] = loops.each_ref().map(|loops| Polygon::of_vertices(loops, *rule));
-                let Ok(made) = overlay(&mut session, [&a, &b], method) else { return 0 };
-                let regions = made.regions(Operation::Union).regions;
-                regions.iter().flat_map(|region| region.loops()).map(Vec::len).sum()
+                let Ok(made) = operate(&mut session, [&a, &b], Operation::Union, method) else { return 0 };
+                made.regions.iter().flat_map(|region| region.loops()).map(Vec::len).sum()
             }
         }
     };

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_exact::Exact;
 use predicament_overlay::algorithm::overlay::{
-    Arrangement, Edge, Method, Operation, Overlay, Polygon, Region, Regions, Rule, arrange, combine, overlay,
+    Arrangement, Edge, Method, Operation, Overlay, Polygon, Region, Regions, Rule, arrange, combine, operate, overlay,
 };
 use predicament_predicates::{Axis, Backend, Construction, Off, Predicates, Refused, Scene, Sign, Vertex};
 use predicament_sos::Sos;
@@ -475,6 +475,91 @@ fn combined_results_are_those_of_whole_overlays() {
         seen = [0, 1].map(|i: usize| seen[i] + found[i] + perturbed[i]);
     }
     assert!(seen[0] > 16 * rounds && seen[1] > 50 * rounds, "holes and edges: {seen:?}");
+}
+
+/// A loop of lattice points: between a few corners, steps that go neither back in x nor in y.
+fn staircase(numbers: &mut Numbers, side: u32) -> Vec<[f64; 2]> {
+    let corners: Vec<[i64; 2]> =
+        (0..3 + numbers.below(4)).map(|_| [numbers.below(side), numbers.below(side)].map(i64::from)).collect();
+    let mut points: Vec<[f64; 2]> = Vec::new();
+    for (at, &from) in corners.iter().enumerate() {
+        let to = corners[(at + 1) % corners.len()];
+        let mut here = from;
+        while here != to {
+            let push = |points: &mut Vec<[f64; 2]>, [x, y]: [i64; 2]| {
+                points.push([x, y].map(|x| f64::from(i32::try_from(x).unwrap())));
+            };
+            push(&mut points, here);
+            if numbers.below(60) == 0 {
+                // A spike that ends on itself.
+                let [x, y] = [0, 1].map(|_: usize| i64::from(numbers.below(5)) - 2);
+                push(&mut points, [here[0] + 2 * x, here[1] + 2 * y]);
+                push(&mut points, [here[0] + x, here[1] + y]);
+            }
+            let before = here;
+            for axis in 0..2 {
+                let most = (to[axis] - here[axis]).abs().min(i64::from(numbers.below(3)));
+                here[axis] += most * (to[axis] - here[axis]).signum();
+            }
+            if here == before && numbers.below(10) > 0 {
+                points.pop();
+            }
+        }
+    }
+    points
+}
+
+/// Tests that edges found to meet nothing, which are copied, do not change the result.
+#[test]
+fn results_in_which_most_edges_meet_nothing_are_those_of_whole_overlays() {
+    fn results<B: Backend>(backend: &B, scene: &Scene, operands: [&Polygon; 2], what: &str) -> usize {
+        let mut sessions = [backend.prepare(scene, Off).unwrap(), backend.prepare(scene, Off).unwrap()];
+        // For overlapping lines no perturbed crossing is constructed.
+        let Ok(made) = overlay(&mut sessions[0], operands, Method::Grid) else { return 0 };
+        let at = |v: Vertex| (!v.is_constructed()).then(|| scene.point(v)).ok_or(v);
+        let mut holes = 0;
+        for operation in Operation::ALL {
+            let whole = made.regions(operation);
+            let found = operate(&mut sessions[1], operands, operation, Method::Grid).unwrap();
+            assert_eq!((whole.broken, found.broken), (None, None), "{what}");
+            let [wanted, is] =
+                [by_place(sessions[0].scene(), &whole.regions), by_place(sessions[1].scene(), &found.regions)];
+            assert_eq!(is, wanted, "{what}, {}", operation.name());
+            holes += found.regions.iter().map(|region| region.holes.len()).sum::<usize>();
+            let has_length = |edge: &Edge| edge.from != edge.to && at(edge.from) != at(edge.to);
+            // A perturbation separates vertices at one place.
+            let is_perturbed = what.ends_with("perturbed");
+            assert!(is_perturbed || found.regions.iter().flat_map(Region::loops).flatten().all(has_length), "{what}");
+        }
+        holes
+    }
+    let mut numbers = Numbers(23);
+    let mut holes = 0;
+    let rounds = predicament_effort::some_or_all(32, 600);
+    for round in 0..rounds {
+        let side = [30, 60, 200, 500][round % 4];
+        let mut points: Vec<[f64; 2]> = Vec::new();
+        let is_shared = round % 3 == 0;
+        let mut polygon = |numbers: &mut Numbers| {
+            let mut vertex = |point: [f64; 2]| {
+                let known = is_shared.then(|| points.iter().position(|&other| other == point)).flatten();
+                Vertex::input(known.unwrap_or_else(|| {
+                    points.push(point);
+                    points.len() - 1
+                }))
+            };
+            let loops: Vec<Vec<Vertex>> = (0..1 + numbers.below(3))
+                .map(|_| staircase(numbers, side).into_iter().map(&mut vertex).collect())
+                .collect();
+            Polygon::of_vertices(&loops, [Rule::EvenOdd, Rule::NonZero][numbers.below(2) as usize])
+        };
+        let operands = [polygon(&mut numbers), polygon(&mut numbers)];
+        let scene = Scene::from_points2(&points).unwrap();
+        let operands = [&operands[0], &operands[1]];
+        holes += results(&Exact, &scene, operands, &format!("round {round}"));
+        holes += results(&Sos::default(), &scene, operands, &format!("round {round}, perturbed"));
+    }
+    assert!(holes > 8 * rounds, "{holes} holes");
 }
 
 /// A session with meaningless signs and arbitrary vertices.

@@ -86,7 +86,7 @@ impl Chains {
         session: &mut dyn Predicates,
         supports: &Supports,
         meetings: Meetings,
-        runs: &[Run],
+        runs: Vec<Run>,
     ) -> Result<Chains, Refused> {
         let on_segments = constructed(session, supports, meetings)?;
         let view = View::new(session);
@@ -143,8 +143,10 @@ impl Chains {
                 chains.broken.get_or_insert(Contradiction::Ends);
                 continue;
             }
-            chains.runs.push(run.clone());
-            chains.pieces.push(Piece { ends, segment: NONE, label: [1, 0] });
+            let mut label = [0; 2];
+            label[run.operand] = 1;
+            chains.pieces.push(Piece { ends, segment: NONE, label });
+            chains.runs.push(run);
         }
         Ok(chains)
     }

@@ -19,6 +19,8 @@ use super::sides::{Lines, NOTHING, Spot, joined, meets};
 pub(super) struct Run {
     /// Two or more edges, in the order of the loop.
     pub edges: Vec<Edge>,
+    /// The operand whose edges they are: 0 or 1.
+    pub operand: usize,
 }
 
 impl Run {
@@ -67,7 +69,7 @@ pub(super) fn split(session: &dyn Predicates, first: &[Region], second: &Polygon
             for at in (0..one.len()).filter(|&at| touched.times(one[at].from) > 1) {
                 keep_both(at, &mut is_near);
             }
-            split.add(one, &is_near);
+            split.add(one, &is_near, 0);
         }
     }
     split
@@ -82,7 +84,7 @@ fn keep_leftmost(spots: &[Spot], is_near: &mut [bool]) {
 }
 
 /// Keeps the edges at a vertex.
-fn keep_both(at: usize, is_near: &mut [bool]) {
+pub(super) fn keep_both(at: usize, is_near: &mut [bool]) {
     is_near[at] = true;
     is_near[(at + is_near.len() - 1) % is_near.len()] = true;
 }
@@ -115,26 +117,31 @@ impl Touched {
 }
 
 impl Split {
-    /// Adds a loop: its edges, or runs of them.
-    fn add(&mut self, one: &[Edge], is_near: &[bool]) {
+    /// Adds a loop of an operand: its edges, or runs of them.
+    pub fn add(&mut self, one: &[Edge], is_near: &[bool], operand: usize) {
         // There is a leftmost vertex, with two edges.
         let start = is_near.iter().position(|is| *is).unwrap_or(0);
+        // From there around the loop, in two parts; a run may be in both.
         let mut run: Vec<Edge> = Vec::new();
-        for step in 0..one.len() {
-            let at = (start + step) % one.len();
-            if is_near[at] {
-                self.end(&mut run);
-                self.near.push(one[at]);
-            } else {
-                run.push(one[at]);
+        for range in [start..one.len(), 0..start] {
+            let mut at = range.start;
+            while at < range.end {
+                let far = is_near[at..range.end].iter().position(|is| *is).unwrap_or(range.end - at);
+                run.extend_from_slice(&one[at..at + far]);
+                at += far;
+                if at < range.end {
+                    self.end(&mut run, operand);
+                    self.near.push(one[at]);
+                    at += 1;
+                }
             }
         }
-        self.end(&mut run);
+        self.end(&mut run, operand);
     }
 
-    fn end(&mut self, run: &mut Vec<Edge>) {
+    fn end(&mut self, run: &mut Vec<Edge>, operand: usize) {
         if run.len() > 1 {
-            self.runs.push(Run { edges: std::mem::take(run) });
+            self.runs.push(Run { edges: std::mem::take(run), operand });
         } else {
             self.near.append(run);
         }

@@ -31,6 +31,7 @@ mod chains;
 mod contradiction;
 mod far;
 mod heap;
+mod lonely;
 mod meet;
 mod nest;
 mod partial;
@@ -134,7 +135,7 @@ impl Overlay {
 pub fn arrange(session: &mut dyn Predicates, edges: &[Edge], method: Method) -> Result<Arrangement, Refused> {
     let edges: Vec<(Edge, usize)> = edges.iter().map(|&edge| (edge, 0)).collect();
     let supports = Supports::new(&*session, &edges, |_| false);
-    arranged(session, supports, &[], method)
+    arranged(session, supports, Vec::new(), method)
 }
 
 /// Computes the overlay of two polygons.
@@ -154,7 +155,29 @@ pub fn overlay(session: &mut dyn Predicates, operands: [&Polygon; 2], method: Me
     for (operand, polygon) in operands.into_iter().enumerate() {
         edges.extend(polygon.loops.iter().flatten().map(|&edge| (edge, operand)));
     }
-    overlaid(session, edges, &[], rules, method)
+    overlaid(session, edges, Vec::new(), rules, method)
+}
+
+/// The result of an operation on two polygons: the same as by [`overlay`], but edges that meet nothing are copied.
+///
+/// # Errors
+/// As [`arrange`].
+///
+/// # Panics
+/// As [`arrange`].
+pub fn operate(
+    session: &mut dyn Predicates,
+    operands: [&Polygon; 2],
+    operation: Operation,
+    method: Method,
+) -> Result<Regions, Refused> {
+    let made = match lonely::divide(&*session, operands) {
+        Some((edges, runs)) => overlaid(session, edges, runs, operands.map(|polygon| polygon.rule), method)?,
+        None => overlay(session, operands, method)?,
+    };
+    let mut result = made.regions(operation);
+    result.broken = made.arrangement.broken.or(result.broken);
+    Ok(result)
 }
 
 /// The result of an operation on an earlier result and a polygon: the same as by [`overlay`], but without comparing
@@ -178,7 +201,7 @@ pub fn combine(
     let far::Split { near, runs, apart } = far::split(&*session, first, second);
     let edges = near.into_iter().map(|edge| (edge, 0));
     let edges = edges.chain(second.loops.iter().flatten().map(|&edge| (edge, 1))).collect();
-    let made = overlaid(session, edges, &runs, [Rule::NonZero, second.rule], method)?;
+    let made = overlaid(session, edges, runs, [Rule::NonZero, second.rule], method)?;
     let apart = if operation.holds([true, false]) { apart } else { Vec::new() };
     let mut result = made.beside(operation, Some((session.scene(), &apart)));
     result.broken = made.arrangement.broken.or(result.broken);
@@ -191,7 +214,7 @@ pub fn combine(
 fn overlaid(
     session: &mut dyn Predicates,
     edges: Vec<(Edge, usize)>,
-    runs: &[Run],
+    runs: Vec<Run>,
     rules: [Rule; 2],
     method: Method,
 ) -> Result<Overlay, Refused> {
@@ -214,7 +237,7 @@ fn overlaid(
 fn arranged(
     session: &mut dyn Predicates,
     supports: Supports,
-    runs: &[Run],
+    runs: Vec<Run>,
     method: Method,
 ) -> Result<Arrangement, Refused> {
     let reach = Reach::new(&*session, &supports);
