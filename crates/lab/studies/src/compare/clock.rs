@@ -3,8 +3,9 @@
 use std::time::Duration;
 
 use predicament_corpus::LoadedScene;
+use predicament_predicates::Counts;
 use predicament_records::approximately;
-use predicament_tasks::{Contestant, Watch};
+use predicament_tasks::{Contestant, How, Purpose, Solver, Watch};
 
 use super::memory::peak;
 use crate::Error;
@@ -19,6 +20,8 @@ pub(crate) struct Taken {
     pub nanoseconds: Vec<f64>,
     /// The peak memory while it prepared and answered, in bytes.
     pub bytes: Option<u64>,
+    /// The number of points that it constructed for its answer; `None` if it declines.
+    pub constructed: Option<u64>,
 }
 
 /// Times backends on one scene, in turns, on one thread.
@@ -54,7 +57,12 @@ pub(crate) fn taken(
                 }
             });
         }
-        taken.push(Taken { nanoseconds: Vec::new(), bytes: if stopwatch.is_some() { bytes } else { None } });
+        let answers = solver.filter(|_| stopwatch.is_some());
+        taken.push(Taken {
+            nanoseconds: Vec::new(),
+            bytes: bytes.filter(|_| stopwatch.is_some()),
+            constructed: answers.and_then(|solver| constructed(solver, scene, watch)),
+        });
         stopwatches.push(stopwatch);
         watch.done(0)?;
     }
@@ -74,4 +82,17 @@ pub(crate) fn taken(
         watch.done(0)?;
     }
     Ok(taken)
+}
+
+/// The number of points that a backend constructs for its answer to a scene.
+fn constructed(solver: &dyn Solver, scene: &LoadedScene, watch: &Watch<'_>) -> Option<u64> {
+    let how = How { purpose: Purpose::Use, watch };
+    let mut points = None;
+    solver
+        .solve(&scene.scene, scene.content.as_ref(), &Counts::new(), &how, &mut |session, _| {
+            points = Some(session.scene().constructions().len() as u64);
+            Ok(())
+        })
+        .ok()?;
+    points
 }

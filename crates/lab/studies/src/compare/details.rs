@@ -7,17 +7,18 @@ use predicament_report::{Cell, Origin, Table, Tone};
 
 use super::Measure;
 use super::measure::FEATURES;
-use super::standing::{InputKey, REFERENCE, Share, Standing, key, left_out, time_ratio};
+use super::standing::{InputKey, REFERENCE, Share, Standing, key, left_out, point_ratio, time_ratio};
 use super::words::{counted, millionths, percents, rate, scenes, share, short, times};
 
 /// The explanation of the columns.
 pub(super) const MEANING: &str = "Scenes are distinct; a family without randomness makes one. Wrong scenes and broken laws are counted among the scenes answered. Times are nanoseconds \
      per query, primitive or triangle of a scene: the median, with the least and the largest sample. Bits is the length of the widest arithmetic that settled an answer: 53 (24 \
      in single precision) if floating point settled all answers; else an upper bound, the degree times the bits of differences, plus the growth of sums. – means unknown: for \
-     constructed points, and for libraries that do not say what they compute in.";
+     constructed points, and for libraries that do not say what they compute in. Constructed are the points of the timed scene: a perturbation adds crossings where inputs touch, and \
+     time / point is the ratio to exact of the times for each point, so that a tie's cost stands apart from the number of points.";
 
 /// The columns, with the measures of their numbers.
-const MEASURES: [(&str, &str); 10] = [
+const MEASURES: [(&str, &str); 11] = [
     ("not done", "not done"),
     ("undecided", "undecided"),
     ("rounded", "rounded"),
@@ -27,6 +28,7 @@ const MEASURES: [(&str, &str); 10] = [
     ("bits", "bits"),
     ("location, 99 %, L", "location: 99 %"),
     ("ns", "time"),
+    ("constructed", "constructed"),
     ("KiB", "memory"),
 ];
 
@@ -51,6 +53,8 @@ pub(super) fn table(measures: &[Measure], task: Option<&str>, path: Option<&Path
         "location, 99 %, L",
         "ns",
         &format!("time / {REFERENCE}"),
+        "constructed",
+        "time / point",
         "KiB",
     ]);
     let barely = left_out(measures);
@@ -91,6 +95,10 @@ pub(super) fn table(measures: &[Measure], task: Option<&str>, path: Option<&Path
         );
         let ratio =
             time_ratio(measures, backend, &input).map_or_else(|| Cell::from("–"), |ratio| Cell::from(times(ratio)));
+        let points = of("constructed", "");
+        let constructed = Cell::from(points.map_or_else(|| "–".to_owned(), |row| short(Some(row.value))));
+        let each = point_ratio(measures, backend, &input);
+        let each = Cell::from(each.map_or_else(|| "–".to_owned(), times));
         let is_barely = barely.iter().any(|(other, _)| *other == input);
         table.push(vec![
             Cell::from(task),
@@ -107,6 +115,8 @@ pub(super) fn table(measures: &[Measure], task: Option<&str>, path: Option<&Path
             Cell::from(value("location: 99 %", "L")),
             time,
             if is_barely { ratio.detail("barely depends") } else { ratio },
+            constructed,
+            each,
             Cell::from(short(of("memory", "").map(|row| row.value / 1024.0))),
         ]);
     }

@@ -196,11 +196,20 @@ pub fn left_out(measures: &[Measure]) -> Vec<(InputKey<'_>, f64)> {
 /// The ratio of a backend's time on an input to the reference's; `None` if one of them has no time.
 #[must_use]
 pub fn time_ratio(measures: &[Measure], backend: &str, input: &InputKey<'_>) -> Option<f64> {
-    let time = |backend: &str| {
-        let is = |row: &&Measure| row.backend == backend && row.measure == "time" && key(row) == *input;
+    measure_ratio(measures, backend, input, "time")
+}
+
+/// The ratio of the times for each constructed point, to the reference's; `None` if one of them constructs nothing.
+pub(super) fn point_ratio(measures: &[Measure], backend: &str, input: &InputKey<'_>) -> Option<f64> {
+    Some(time_ratio(measures, backend, input)? / measure_ratio(measures, backend, input, "constructed")?)
+}
+
+fn measure_ratio(measures: &[Measure], backend: &str, input: &InputKey<'_>, measure: &str) -> Option<f64> {
+    let value = |backend: &str| {
+        let is = |row: &&Measure| row.backend == backend && row.measure == measure && key(row) == *input;
         measures.iter().find(is).map(|row| row.value)
     };
-    Some(time(backend)? / time(REFERENCE)?)
+    Some(value(backend)? / value(REFERENCE)?)
 }
 
 /// The mean ratio of a backend over the given inputs that both answered.

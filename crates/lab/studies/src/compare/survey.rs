@@ -163,6 +163,8 @@ pub(crate) fn measures_of(
         all.extend(located(&about, &seen.errors));
         if let Some(taken) = taken.get(at) {
             all.extend(about.median("time", "ns a query", &taken.nanoseconds));
+            let points = taken.constructed.filter(|points| *points > 0).map(approximately);
+            all.extend(points.map(|points| about.measure("constructed", "points", points, [points; 2], 1)));
             let bytes = taken.bytes.map(approximately);
             all.extend(bytes.map(|bytes| about.measure("memory", "bytes", bytes, [bytes; 2], 1)));
         }
