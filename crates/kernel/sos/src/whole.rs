@@ -21,7 +21,7 @@ pub(crate) fn integers<const N: usize>(doubles: [f64; N]) -> [Integer; N] {
 }
 
 /// The pair (m, e) with x = m · 2^e; 0 · 2^0 for zero.
-fn significand(x: f64) -> (i64, i32) {
+pub(crate) fn significand(x: f64) -> (i64, i32) {
     let Parts { negative, significand, exponent } = Parts::of(x).expect("scenes are finite").odd();
     let m = significand.cast_signed();
     if m == 0 { (0, 0) } else { (if negative { -m } else { m }, exponent) }

@@ -24,6 +24,7 @@
 //! search for the deciding monomial is proved and affordable for the first level, not for the second.
 
 mod certain;
+mod common_line;
 mod first;
 pub(crate) mod fixed;
 mod limit;
@@ -86,6 +87,11 @@ pub(crate) fn are_of_inputs(scene: &Scene) -> Result<(), Declined> {
 /// # Panics
 /// If the scene lacks a vertex, or the question is about circles or spheres.
 fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: [Vertex; N]) -> Option<(Sign, usize)> {
+    if let (Question::Compare(axis), [u, v]) = (question, &args[..])
+        && let Some(decided) = common_line::decide(scene, axis, [*u, *v])
+    {
+        return Some(decided);
+    }
     match first::decide(scene, rows, question, args) {
         Known::Broken(sign, degree) => Some((sign, degree)),
         Known::Identity => None,
