@@ -22,18 +22,23 @@ pub struct Turns {
 impl Turns {
     /// The median time of each engine for a pass, in seconds.
     ///
-    /// After each pass, `check` gets the signs of all engines.
+    /// In each turn every engine answers another pass: after the same pass, the points that an engine reads would be
+    /// in the caches already. After each round, `check` gets the signs of all engines for all queries.
     pub fn medians<const N: usize>(&self, engines: &[Engine; N], mut check: impl FnMut(&[Vec<Sign>; N])) -> [f64; N] {
         let mut times = [const { Vec::new() }; N];
-        let mut signs = [(); N].map(|()| vec![Sign::Zero; self.pass]);
+        let mut signs = [(); N].map(|()| vec![Sign::Zero; self.queries]);
         let passes = self.queries / self.pass;
-        for pass in 0..(self.warm_up + self.rounds) * passes {
-            for turn in 0..N {
-                let at = (pass + turn) % N;
-                let start = Instant::now();
-                engines[at].1(pass * self.pass % self.queries, &mut signs[at]);
-                if pass >= self.warm_up * passes {
-                    times[at].push(start.elapsed());
+        for round in 0..self.warm_up + self.rounds {
+            for pass in 0..passes {
+                for turn in 0..N {
+                    let at = (pass + turn) % N;
+                    let first = (pass + at * passes / N) % passes * self.pass;
+                    let out = &mut signs[at][first..first + self.pass];
+                    let start = Instant::now();
+                    engines[at].1(first, out);
+                    if round >= self.warm_up {
+                        times[at].push(start.elapsed());
+                    }
                 }
             }
             check(&signs);

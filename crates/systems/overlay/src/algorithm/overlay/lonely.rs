@@ -1,13 +1,15 @@
 //! Edges of input polygons that meet nothing, found by monotone chains before anything is arranged.
 //!
-//! A *chain* is a part of a loop in which neither x nor y changes its direction. Its edges meet only in common vertices:
-//! the box of each begins where the box before ends. The box of any part of a chain is the box of the part's two ends.
-//! So two chains are compared by halving, as JTS and GEOS do, and most parts of smooth borders are never looked at.
+//! A *chain* is a part of a loop in which neither x nor y changes its direction. Its edges meet only in common
+//! vertices: the box of each begins where the box before ends. The box of any part of a chain is the box of the part's
+//! two ends. So two chains are compared by halving, as JTS and GEOS do, and most parts of smooth borders are never
+//! looked at.
 //!
 //! An edge is *lonely* if its box meets the boxes of no other edges but its neighbours in the loop. Neighbours meet in
 //! their common vertex. If they have more in common, an end of one is on the other, so the edge after (or before) them
 //! meets it too: one of the two is not lonely, and the other one has no lonely neighbour. The same is true of edges
-//! without length, and in a triangle two edges are at the leftmost vertex. Two or more consecutive lonely edges form a [`Run`], whose time is that of a copy.
+//! without length, and in a triangle two edges are at the leftmost vertex. Two or more consecutive lonely edges form a
+//! [`Run`], whose time is that of a copy.
 //!
 //! Boxes are of raw coordinates. Boxes that are apart have a distance, so no perturbation makes their edges meet.
 
