@@ -5,6 +5,8 @@
 //! tetrahedron by its faces, a circle the volume of the lifted tetrahedron, a sphere that of the lifted simplex by its
 //! five facets. Hulls come from triangles: a point is extreme unless it is in a triangle or a segment of others.
 
+mod generated;
+
 use num_bigint::{BigInt, Sign as Side};
 use predicament_judge::{Judged, hull, sign};
 use predicament_predicates::{Axis, Dimension, Plane, Question, Scene, Sign, Vertex};

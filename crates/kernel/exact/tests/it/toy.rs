@@ -5,8 +5,11 @@
 //! queries round alike, so that differences along an axis begin with a positive one.
 //!
 //! * The filter for any doubles is never wrong, with its constant computed for the format, subnormal numbers and
-//!   overflow included. Turns only: with so few bits, filters of higher degree are never certain.
+//!   overflow included. Turns only: with so few bits, filters of higher degree are never certain ([`space`] samples
+//!   them in formats of more bits).
 //! * Errors are within ((1 + u)ⁿ − 1)·P and the loss by underflow, which is what the constants are made of.
+
+mod space;
 
 use std::collections::BTreeSet;
 use std::ops::{Add, Mul, Sub};
