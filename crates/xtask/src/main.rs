@@ -85,6 +85,10 @@ Commands:
   mutants --planted [NAME...]
          the faults that are known by name, or those named: each is planted in a copy of the tree, and has to turn its test or
          its run of a suite red (minutes for each)
+  mutants --score [--sample N] [--seed S] [--evaluations E] [--only CRATE]
+         a sample of the changes of all algorithms (60): which ones the quick run and the gate notice, and which of the
+         others a hunt of E evaluations (600) finds; lists the outcomes of comparisons that no suite has. One build has
+         all changes (a quarter of an hour)
   spread a run in parts by GNU parallel, HyperQueue and Slurm, each with a part that is killed; says which of them is missing
   setup  only make sure that what the build needs is there (m4, a C compiler, make)
   help   this text

@@ -7,14 +7,15 @@
 //! A crate's own tests are the quick ones. With `--all-tests`, mutants that they miss run again with the tests of the
 //! crates above, which compare backends, judges and checks with each other.
 //!
-//! `--planted` tries the known faults, in algorithms ([`planted`]).
+//! `--planted` tries the known faults, in algorithms ([`planted`]). `--score` tries a sample of changes of algorithms
+//! by the quick run and the gate alone: one build has them all (`tools/switches`).
 
 mod planted;
 
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use crate::command::{answers, cargo_command, fresh, root, step_ending};
+use crate::command::{answers, cargo_command, fresh, root, step, step_ending};
 
 /// The packages whose errors would be taken for truth.
 const PACKAGES: [&str; 6] = ["arithmetic", "exact", "sos", "tolerance", "laws", "judge"];
@@ -30,6 +31,18 @@ const ABOVE: [&str; 4] = ["tasks", "oracle", "studies", "search"];
 const SECONDS_ABOVE: &str = "1800";
 /// The exit codes of cargo-mutants with missed or timed-out mutants, which are counted and are not errors.
 const FINE: [i32; 3] = [0, 2, 3];
+
+/// The folder of the results of `--score`.
+const SWITCHES: &str = "target/switches";
+
+/// Tries a sample of changes of the algorithms by the quick run and the gate.
+fn by_runs(args: &[String]) -> Result<(), String> {
+    let tree = planted::copied()?.display().to_string();
+    let [built, out] = [BUILT, SWITCHES].map(|folder| root().join(folder).display().to_string());
+    let tool = ["run", "--quiet", "--manifest-path", "tools/switches/Cargo.toml", "--", &tree, &built, &out];
+    let words: Vec<&str> = tool.into_iter().chain(args.iter().map(String::as_str)).collect();
+    step("changes of algorithms by the quick run", &cargo_command(&words), &[])
+}
 
 /// The packages of the systems: the folders of their group.
 fn systems() -> Result<Vec<String>, String> {
@@ -159,8 +172,13 @@ impl Asked {
 
 /// Tries every n-th mutant of the packages, from the k-th on, and prints the score and the survivors.
 ///
-/// The option `--planted` tries the known faults instead.
+/// The option `--planted` tries the known faults instead, and `--score` the algorithms by runs.
 pub fn score(args: &[String]) -> Result<(), String> {
+    if let [first, options @ ..] = args
+        && first == "--score"
+    {
+        return by_runs(options);
+    }
     if let [first, names @ ..] = args
         && first == "--planted"
     {

@@ -64,12 +64,12 @@ fn at_hand() -> Option<PathBuf> {
     std::iter::once(home.join("advisory-db")).chain(of_deny).find(|folder| folder.join("crates").is_dir())
 }
 
-/// The lock files of cargo: of the workspace, of the fuzz targets and of each engine in Rust.
+/// The lock files of cargo: of the workspace, of the fuzz targets, of the tool `switches` and of each engine in Rust.
 ///
 /// # Errors
 /// If a folder can't be read.
 pub fn locks(root: &Path) -> Result<Vec<String>, String> {
-    let mut locks = vec!["Cargo.lock".to_owned(), "fuzz/Cargo.lock".to_owned()];
+    let mut locks = ["Cargo.lock", "fuzz/Cargo.lock", "tools/switches/Cargo.lock"].map(str::to_owned).to_vec();
     let mut packages = entries(&root.join("engines"))?;
     packages.sort();
     for package in packages.into_iter().filter(|package| package.join("Cargo.toml").is_file()) {
@@ -246,8 +246,8 @@ mod tests {
     #[test]
     fn every_lock_file_of_this_repository_is_held() {
         let all = locks(&root()).unwrap();
-        assert_eq!(all[..2], ["Cargo.lock", "fuzz/Cargo.lock"]);
-        assert!(all.contains(&"engines/simplicity/Cargo.lock".to_owned()) && all.len() == 21, "{all:?}");
+        assert_eq!(all[..3], ["Cargo.lock", "fuzz/Cargo.lock", "tools/switches/Cargo.lock"]);
+        assert!(all.contains(&"engines/simplicity/Cargo.lock".to_owned()) && all.len() == 22, "{all:?}");
         let planted = |package: &str| Advisory {
             id: "RUSTSEC-2024-0003".to_owned(),
             package: package.to_owned(),
@@ -256,8 +256,11 @@ mod tests {
         };
         for lock in &all {
             let text = std::fs::read_to_string(root().join(lock)).unwrap();
-            let is_engine = lock.starts_with("engines/");
-            let (package, few) = if is_engine { ("rustix", 7) } else { ("rug", 20) };
+            let (package, few) = match lock.split('/').next() {
+                Some("engines") => ("rustix", 7),
+                Some("tools") => ("syn", 4),
+                _ => ("rug", 20),
+            };
             let mut findings = Findings::default();
             findings.hold(lock, &text, &[planted(package)]);
             assert!(findings.packages >= few && findings.hits.len() == 1, "{lock}: {findings:?}");

@@ -98,6 +98,13 @@ pub(super) fn try_all(names: &[String]) -> Result<(), String> {
     }
 }
 
+/// Updates the copy of the tree, and returns its folder.
+pub(super) fn copied() -> Result<PathBuf, String> {
+    let folder = root().join(FOLDER);
+    let tree = Tree { path: folder.join("tree"), built: PathBuf::new(), out: PathBuf::new() };
+    tree.copy().map(|()| tree.path)
+}
+
 /// The result of a check.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 enum Sight {
