@@ -12,11 +12,28 @@ const BY_COQ: &str = "orient3d";
 
 /// Proves everything, and prints the tables.
 ///
-/// Scripts go to `folder`, for reading; what Coq checks goes there too.
+/// Scripts go to `folder`, for reading; what Coq checks goes there too. Coq takes half of the time, and shares nothing
+/// with the tables: it runs beside them.
 ///
 /// # Errors
 /// What is not proved.
 pub fn all(folder: &Path) -> Result<(), String> {
+    std::thread::scope(|scope| {
+        let coq = gappa::is_here("coqc").then(|| scope.spawn(|| lemma(folder).and_then(|()| by_coq(folder))));
+        tables(folder)?;
+        let Some(coq) = coq else {
+            println!("NOT RUN: there is no `coqc` here, so Coq checked none of them again.");
+            return Ok(());
+        };
+        let checked = coq.join().map_err(|_| "the thread that calls Coq has panicked".to_owned())??;
+        println!("Coq checked the lemma about incircle; with 13 in place of 14 it refuses the proof.");
+        println!("Coq checked {checked} of them again: all of {BY_COQ} for any doubles, and the model of rounding.");
+        Ok(())
+    })
+}
+
+/// Proves everything by Gappa, and prints the tables.
+fn tables(folder: &Path) -> Result<(), String> {
     let gappa = Gappa::default();
     for (_, script) in MODEL {
         gappa.ask(script, &[])?;
@@ -53,14 +70,6 @@ pub fn all(folder: &Path) -> Result<(), String> {
     let file = folder.join("scripts.g");
     std::fs::write(&file, whole).map_err(|error| format!("{}: {error}", file.display()))?;
     println!("\nGappa proved {} scripts; they are in {}.", scripts.len(), file.display());
-    if gappa::is_here("coqc") {
-        lemma(folder)?;
-        println!("Coq checked the lemma about incircle; with 13 in place of 14 it refuses the proof.");
-        let checked = by_coq(folder)?;
-        println!("Coq checked {checked} of them again: all of {BY_COQ} for any doubles, and the model of rounding.");
-    } else {
-        println!("NOT RUN: there is no `coqc` here, so Coq checked none of them again.");
-    }
     Ok(())
 }
 
