@@ -16,8 +16,8 @@ mod unsteady;
 use predicament_controls::{Naive, Pivot, Shewchuk};
 use predicament_exact::{Exact, raw};
 use predicament_predicates::{
-    Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    ZeroMeaning, answer_by,
+    Backend, Band, Construction, Constructs, Contract, Declined, Off, Plane, PredicateKind, Predicates, Question,
+    Refused, Scene, Sign, Tally, Vertex, ZeroMeaning, answer_by,
 };
 use predicament_sos::{Scheme, Sos, infinitesimal};
 use predicament_tolerance::{Misscaled, Tolerance};
@@ -308,6 +308,11 @@ impl Fault {
             | Fault::Misscaled(_) => ZeroMeaning::Band,
         }
     }
+
+    /// True if sessions construct vertices: wrong arithmetic reaches the judges of overlays and cuts.
+    fn constructs(self) -> bool {
+        self.poses_as() == ZeroMeaning::Exact && self.area() == Area::Arithmetic
+    }
 }
 
 /// Finds the faulty backend with this name and passes it to the visitor; returns the visitor if there is none.
@@ -365,6 +370,10 @@ impl Backend for Faulty {
 
     fn stages(&self) -> &'static [&'static str] {
         &["faulty"]
+    }
+
+    fn constructs(&self) -> Constructs {
+        if self.fault.constructs() { Exact.constructs() } else { Constructs::Declines }
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
@@ -438,6 +447,7 @@ impl Session<'_> {
             | Fault::ExactNan
             | Fault::ExactOneLimb
             | Fault::ExactFlushed
+            | Fault::ExactUnguarded
                 if args.iter().any(|v| v.is_constructed()) =>
             {
                 exact
@@ -510,6 +520,13 @@ impl Session<'_> {
 impl Predicates for Session<'_> {
     fn scene(&self) -> &Scene {
         self.exact.scene()
+    }
+
+    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
+        if self.fault.constructs() {
+            return self.exact.construct(definitions);
+        }
+        Err(Refused::session("the fault is in questions about the vertices that a scene is prepared with"))
     }
 
     fn supports(&self, kind: PredicateKind) -> Result<(), Declined> {

@@ -108,9 +108,15 @@ impl Fault {
                 (Class::Overreach, "sign"),
                 (Class::Inconsistent, "grassmann-plucker"),
             ],
-            Fault::ExactRoundedVertex => {
-                &[(Class::Overreach, "sign"), (Class::MissedZero, "sign"), (Class::SignFlip, "sign")]
-            }
+            Fault::ExactRoundedVertex => &[
+                (Class::Overreach, "sign"),
+                (Class::MissedZero, "sign"),
+                (Class::SignFlip, "sign"),
+                (Class::Topology, "cap not in its plane"),
+                (Class::Topology, "node off its segment"),
+                (Class::Topology, "undiscovered crossing"),
+                (Class::Topology, "winding"),
+            ],
             Fault::ToleranceNarrow => &[(Class::MissedZero, "sign")],
             Fault::ToleranceWide | Fault::ToleranceBoastfulFormula => &[(Class::Overreach, "sign")],
             Fault::CompareGreaterOnTies => &[
