@@ -2,6 +2,8 @@
 //!
 //! Points are integers times one step. They are exact in decimals, and most of their doubles are other points. Half of
 //! the queries are ties of the decimals; in the others, the last point is moved by one step along one axis.
+//!
+//! Neighbours are boxes (in the plane, parcels) that share a part of a side in decimals, corners on sides included.
 
 use predicament_predicates::PredicateKind;
 
@@ -133,6 +135,68 @@ impl Typed {
     }
 }
 
+/// Two boxes in `D` dimensions that share a part of a side, each by its 2^D corners in units of the last digit.
+///
+/// The bits of a corner's index say at which end of the box it is, along each direction.
+pub type Neighbours<const D: usize> = [Vec<[i128; D]>; 2];
+
+impl Typed {
+    /// Pairs of neighbours in a row, without common points of different pairs. The directions of a box are those of the
+    /// figure, and turn counterclockwise.
+    ///
+    /// # Panics
+    /// For more than [`MOST_DIGITS`] digits.
+    #[must_use]
+    pub fn neighbours<const D: usize>(self, pairs: usize, rng: &mut Random) -> Vec<Neighbours<D>> {
+        assert!(self.digits <= MOST_DIGITS, "{} digits", self.digits);
+        let (step, one, centre) = (self.step(), 10_i128.pow(self.digits), self.place.centre());
+        let gap = 8 * i128::from(self.size());
+        let pair = |at: i128| -> Neighbours<D> {
+            let along = match self.figure {
+                Figure::General => skew::<D>(rng),
+                Figure::Rectangle => turned(rng),
+                Figure::Grid => [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
+            };
+            let from: [i64; D] = origin(self.size(), rng);
+            let longest = (self.size() / 60).max(2);
+            let mut length = || rng.integer(1, longest);
+            let first: [[i64; 2]; 3] = std::array::from_fn(|_| [0, length()]);
+            // The second box begins where the first ends; its other sides overlap those of the first.
+            let second: [[i64; 2]; 3] = std::array::from_fn(|axis| {
+                let [_, end] = first[axis];
+                let low = if axis == 0 { end } else { end - length() };
+                [low, end + length()]
+            });
+            [first, second].map(|ranges| {
+                let corner = |bits: usize| -> [i128; D] {
+                    std::array::from_fn(|i| {
+                        let reach: i64 = (0..D).map(|axis| ranges[axis][bits >> axis & 1] * along[axis][i]).sum();
+                        let row = if i == 0 { at * gap } else { 0 };
+                        centre[i] * one + (i128::from(from[i] + reach) + row) * step
+                    })
+                };
+                (0..1 << D).map(corner).collect()
+            })
+        };
+        (0..).take(pairs).map(pair).collect()
+    }
+}
+
+/// Independent directions of small integers, which turn counterclockwise.
+fn skew<const D: usize>(rng: &mut Random) -> [[i64; 3]; 3] {
+    loop {
+        let mut along: [[i64; 3]; 3] = std::array::from_fn(|_| std::array::from_fn(|_| rng.nonzero(25)));
+        if D == 2 {
+            along[2] = [0, 0, 1];
+        }
+        let [u, v, w] = along;
+        let minor = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
+        if minor(1, 2) * w[0] + minor(2, 0) * w[1] + minor(0, 1) * w[2] > 0 {
+            return along;
+        }
+    }
+}
+
 /// A point of a cube of this size.
 fn origin<const D: usize>(size: i64, rng: &mut Random) -> [i64; D] {
     std::array::from_fn(|_| rng.integer(-size, size))
@@ -229,6 +293,34 @@ mod tests {
                     let step = typed.step();
                     let centre = |at: usize| place.centre()[at % 2] * 10_i128.pow(digits);
                     assert!(out.iter().enumerate().all(|(at, x)| (x - centre(at)) % step == 0), "{typed:?}");
+                }
+            }
+        }
+    }
+
+    /// The second box begins on a side of the first, and reaches beyond one of its corners; no two pairs meet.
+    #[test]
+    fn neighbours_share_a_part_of_a_side() {
+        for &figure in Figure::ALL {
+            for digits in [0, 3, MOST_DIGITS] {
+                let typed = Typed { digits, figure, place: Place::Survey };
+                let pairs = typed.neighbours::<2>(20, &mut Random::new("decimals", "test", 0));
+                let widest = |pair: &Neighbours<2>| {
+                    let along = || pair.iter().flatten().map(|corner| corner[0]);
+                    [along().min().unwrap(), along().max().unwrap()]
+                };
+                assert!(pairs.windows(2).all(|two| widest(&two[0])[1] < widest(&two[1])[0]), "{typed:?}");
+                for [first, second] in &pairs {
+                    let side = |p: [i128; 2], q: [i128; 2], r: [i128; 2]| orient2d(&[p, q, r].concat());
+                    assert!(side(first[0], first[1], first[2]) > 0 && side(second[0], second[1], second[2]) > 0);
+                    // The side at the far end of the first direction; the corners of the second box on its line.
+                    let [from, to] = [first[1], first[3]];
+                    let on = [second[0], second[2]];
+                    assert!(on.iter().all(|&corner| side(from, to, corner) == 0), "{typed:?}");
+                    let before = |p: [i128; 2], q: [i128; 2]| {
+                        (0..2).map(|i| (to[i] - from[i]) * (q[i] - p[i])).sum::<i128>() > 0
+                    };
+                    assert!(before(on[0], to) && before(from, on[1]), "{typed:?}");
                 }
             }
         }

@@ -11,7 +11,7 @@
 //! * [`Random`]: streams of random numbers. [`bits`]: doubles by their bits.
 //! * [`uniform`], [`grid`], [`near`], [`midpoint`], [`kettner`], [`degenerate`], [`decimal`], [`wide_scaled`],
 //!   [`wide_mixed`], [`far`]: one query at a time.
-//! * [`Typed`]: one query of decimals as people write them, as integers over a power of ten.
+//! * [`Typed`]: one query of decimals as people write them, or boxes that share sides, as integers over a power of ten.
 //! * [`scattered`], [`band`], [`PixelMap`], [`Arrangement`]: a whole scene, as a [`Cloud`].
 //! * [`place`]: the map from a family's plane to the plane of the question.
 
@@ -32,7 +32,7 @@ mod wide;
 
 pub use band::band;
 pub use constructed::{Arrangement, Kind, Trouble};
-pub use decimals::{Figure, MOST_DIGITS, Place, Typed};
+pub use decimals::{Figure, MOST_DIGITS, Neighbours, Place, Typed};
 pub use degenerate::{decimal, scaled as degenerate};
 pub use far::far;
 pub use kettner::kettner;

@@ -13,8 +13,8 @@ use crate::decimals;
 use crate::output::{self, Canvas, Choice, Written};
 use crate::replies::{self, Arrays, Example, FORM_CHECK, Part, Planted, Reply};
 use crate::{
-    Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob, Outcome,
-    Phase, Stop, Task, Turns, Watch,
+    Agreement, Answer, AnySpoiled, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Knob,
+    Outcome, Phase, Stop, Task, Turns, Watch,
 };
 
 /// A [`Task`] with erased types. Every task implements it.
@@ -394,8 +394,9 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
             replies::judge(judge, &self.case, asked, reply, outcome)?;
             if let Some(written) = &self.written {
                 let mut other = Outcome::default();
-                replies::judge(judge, written, asked, reply, &mut other)?;
-                outcome.agreement = Some(decimals::of_wholes(outcome, &other));
+                let digits = self.case.loaded.written.as_ref().map_or(0, predicament_formats::Written::digits);
+                replies::judge(judge, written, asked, &reply.scaled(judge.parts(), digits), &mut other)?;
+                outcome.agreement = Some(Agreement::of_wholes(outcome, &other));
             }
             return Ok(());
         }
@@ -404,7 +405,7 @@ impl<T: Task> AnyCase for CaseOf<'_, T> {
         outcome.sampled = self.sampled();
         self.task.judge(&self.case, asked, answer, outcome)?;
         if let Some(written) = &self.written {
-            outcome.agreement = Some(self.task.agreement(written, asked, answer, outcome)?);
+            outcome.agreement = Some(self.task.agreement(&self.case, written, asked, answer, outcome)?);
         }
         Ok(())
     }

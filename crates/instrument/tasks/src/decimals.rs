@@ -50,7 +50,7 @@ pub(crate) fn by_judge<T: Task>(
     let budget = Budget { answers: true, findings_per_class: 0, ..asked.budget };
     task.judge(case, &Asked { budget, ..*asked }, answer, &mut outcome)?;
     Ok(if outcome.answers.is_empty() {
-        of_wholes(own, &outcome)
+        Agreement::of_wholes(own, &outcome)
     } else {
         let written = outcome.answers.iter().filter(|line| line.answer == line.exact).count() as u64;
         let (answers, doubles) = (outcome.answers.len() as u64, own.counts.get(Class::Agree));
@@ -58,10 +58,15 @@ pub(crate) fn by_judge<T: Task>(
     })
 }
 
-/// The agreement of an answer that is judged as a whole, from its outcomes about the doubles and about the decimals.
-pub(crate) fn of_wholes(own: &Outcome, written: &Outcome) -> Agreement {
-    let right = |outcome: &Outcome| u64::from(outcome.counts.findings() == 0);
-    Agreement { answers: 1, doubles: right(own), written: right(written), ..Agreement::default() }
+impl Agreement {
+    /// The agreement of a whole answer, from its outcomes about the doubles and about the decimals.
+    ///
+    /// Coordinates that are off by rounding are right.
+    #[must_use]
+    pub fn of_wholes(own: &Outcome, written: &Outcome) -> Agreement {
+        let right = |outcome: &Outcome| u64::from(outcome.counts.findings() == outcome.counts.get(Class::Rounded));
+        Agreement { answers: 1, doubles: right(own), written: right(written), ..Agreement::default() }
+    }
 }
 
 impl std::fmt::Display for Agreement {

@@ -15,7 +15,7 @@
 //! * [`Compared`], [`Knob`]: the scenes on which a task is compared, and the transformations that make them harder.
 //! * [`output`]: answers as files for other programs, vertices exactly.
 //! * [`signs`]: the tasks that ask for single signs. Every other task is a separate crate.
-//! * [`map_source`], [`map_loops`], [`segment_source`], [`solids`]: input shared by several tasks.
+//! * [`map_source`], [`map_loops`], [`segment_source`], [`solids`], [`typed`]: input shared by several tasks.
 //! * [`rounding`]: violations that the rounding of output coordinates excuses.
 
 mod any;
@@ -43,6 +43,7 @@ mod solver;
 mod spoiled;
 mod task;
 mod threads;
+pub mod typed;
 mod watch;
 
 pub mod output;

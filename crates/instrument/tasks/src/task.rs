@@ -92,17 +92,19 @@ pub trait Task: SceneFormat + Sized + 'static {
         self.truth(scene, content, watch)
     }
 
-    /// Compares an answer to the doubles with the truth of decimals. `own` is its outcome about the doubles.
+    /// Compares an answer to the doubles of a case with the truth of decimals. `own` is its outcome about the doubles.
     ///
     /// # Errors
     /// [`Stop`] if the watch stops the judge.
     fn agreement(
         &self,
+        case: &Case<'_, Self>,
         written: &Case<'_, Self>,
         asked: &Asked<'_>,
         answer: &Self::Answer,
         own: &Outcome,
     ) -> Result<Agreement, Stop> {
+        let _ = case;
         decimals::by_judge(self, written, asked, answer, own)
     }
 

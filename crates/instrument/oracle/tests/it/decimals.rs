@@ -2,9 +2,11 @@
 
 use predicament_corpus::{LoadedScene, Suite};
 use predicament_formats::{Cache, CorpusError, Manifest};
-use predicament_tasks::Agreement;
+use predicament_predicates::Predicates;
+use predicament_tasks::replies::{Arrays, Reply};
+use predicament_tasks::{Agreement, Asked, Budget, Outcome, Purpose};
 
-use crate::common::{judged_by_name, suite};
+use crate::common::{judged_by_name, suite, task, with_case};
 
 fn read(text: &str) -> Result<LoadedScene, CorpusError> {
     let suite = Suite::parse(predicament_bundle::vocabulary(), "mine.toml", text, None, &Manifest::default())?;
@@ -48,6 +50,100 @@ fn tasks_other_than_signs_are_judged_by_the_integers() {
         assert_eq!((exact.answers, exact.doubles), (answers, answers), "{name}: {exact:?}");
         assert_eq!(grid.written, answers, "{name}: {grid:?}");
         assert!(exact.written < answers, "{name}: {exact:?}");
+    }
+}
+
+/// Parcels share borders and blocks share faces as written, and not as stored: backends with a band are right about
+/// what was written, and exact signs about the doubles.
+#[test]
+fn shared_sides_are_judged_as_they_were_written() {
+    let scenes = suite("written");
+    let of = |task: &str, digits: &str| {
+        let is = |loaded: &&LoadedScene| loaded.task == task && loaded.name.contains(digits);
+        scenes.iter().find(is).unwrap()
+    };
+    for (task, right, count) in [
+        ("contacts2d", "tolerance", 16),
+        ("contacts3d", "tolerance", 35),
+        ("overlay2d", "tolerance", 1),
+        ("overlay2d", "grid:0.01", 1),
+        ("mesh-intersect", "sos:per-mesh", 1),
+    ] {
+        let loaded = of(task, "digits-2");
+        let [exact, right] = ["exact", right].map(|backend| agreement(loaded, backend));
+        assert_eq!((exact.answers, exact.doubles, exact.written), (count, count, 0), "{task}: {exact:?}");
+        assert_eq!((right.answers, right.written), (count, count), "{task}: {right:?}");
+    }
+}
+
+/// Without digits behind the point both truths are the same: no judge mixes up the doubles and the decimals.
+#[test]
+fn integers_have_one_truth_for_every_task() {
+    for (task, family) in [
+        ("contacts2d", "parcels"),
+        ("contacts3d", "blocks"),
+        ("overlay2d", "overlay-parcels"),
+        ("mesh-intersect", "intersect-blocks"),
+    ] {
+        for (figure, place) in [("general", "survey"), ("rectangle", "metres"), ("grid", "degrees")] {
+            let text = format!(
+                "title = \"t\"\n[[generate]]\nfamily = \"{family}\"\ntask = \"{task}\"\ntruth = \"decimals\"\n\
+                 digits = 0\nfigure = \"{figure}\"\nplace = \"{place}\"\nn = 16\nseed = 7\n"
+            );
+            let loaded = read(&text).unwrap();
+            for backend in ["exact", "sos", "naive", "grid:1"] {
+                let Some(agreement) = judged_by_name(&loaded, backend).agreement else { continue };
+                let Agreement { doubles, written, .. } = agreement;
+                // Vertices that a session rounds are judged by their definitions there.
+                let is_rounded = task == "mesh-intersect" && doubles < written;
+                assert!(doubles == written || is_rounded, "{task} {figure} {backend}: {agreement:?}");
+                assert!(backend != "exact" || doubles == agreement.answers, "{task} {figure}: {agreement:?}");
+            }
+        }
+    }
+}
+
+/// Answers of other programs have coordinates in doubles, near the decimals. They are compared with those, up to
+/// rounding.
+#[test]
+fn answers_of_programs_are_judged_by_the_decimals() {
+    let scenes = suite("written");
+    let loaded = scenes.iter().find(|loaded| loaded.task == "overlay2d").unwrap();
+    let (task, exact) = (task(loaded), predicament_bundle::backend("exact").unwrap());
+    let of = |loaded: &LoadedScene| {
+        let mut arrays = None;
+        let (scene, content) = (&loaded.scene, loaded.content.as_ref());
+        let asked = exact.answer_any(loaded.task, scene, content, Purpose::Use, &mut |answer| {
+            arrays = task.as_reply(scene, content, answer);
+        });
+        asked.unwrap();
+        arrays.unwrap()
+    };
+    let agreement = |arrays: Arrays| {
+        let (mut outcome, reply) = (Outcome::default(), Reply { arrays, ..Reply::default() });
+        with_case(loaded, |case, watch| {
+            let judge = &mut |session: &mut dyn Predicates| {
+                let asked = Asked { backend: exact.as_ref(), session, budget: Budget::QUICK, watch };
+                case.judge(&asked, &reply, &mut outcome).unwrap();
+            };
+            exact.with_session(&loaded.scene, judge).unwrap();
+        });
+        outcome.agreement.unwrap()
+    };
+    // The exact results as written, in doubles.
+    let mut right = of(loaded.similar.as_ref().unwrap());
+    let rings = right.polygons("union").unwrap();
+    let moved = |by: f64| {
+        let scaled = |ring: &Vec<[f64; 2]>| ring.iter().map(|point| point.map(|x| x / 100.0 + by)).collect();
+        rings.iter().map(|polygon| polygon.iter().map(scaled).collect()).collect::<Vec<Vec<Vec<[f64; 2]>>>>()
+    };
+    for part in ["union", "intersection", "difference", "symmetric-difference"] {
+        right.remove(part);
+    }
+    for (by, written) in [(0.0, 1), (0.5, 0)] {
+        let mut arrays = right.clone();
+        arrays.add_polygons("union", &moved(by));
+        assert_eq!(agreement(arrays).written, written, "moved by {by}");
     }
 }
 

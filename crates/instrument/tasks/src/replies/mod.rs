@@ -60,6 +60,25 @@ pub struct Reply {
 }
 
 impl Reply {
+    /// The reply with its coordinates times a power of ten, which round to the nearest doubles.
+    pub(crate) fn scaled(&self, parts: &[Part], digits: u32) -> Reply {
+        let mut scaled = self.clone();
+        let Some(factor) = i32::try_from(digits).ok().map(|digits| 10_f64.powi(digits)).filter(|_| digits > 0) else {
+            return scaled;
+        };
+        for part in parts {
+            let key = match part.form {
+                Form::Polygons | Form::Lines => part.name.to_owned(),
+                Form::Mesh | Form::Meshes => format!("{}.vertices", part.name),
+                _ => continue,
+            };
+            if let Some(Array::Numbers(numbers)) = scaled.arrays.get_mut(&key) {
+                numbers.iter_mut().for_each(|x| *x *= factor);
+            }
+        }
+        scaled
+    }
+
     /// A digest of the arrays.
     #[must_use]
     pub fn digest(&self) -> u64 {

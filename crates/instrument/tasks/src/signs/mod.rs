@@ -199,6 +199,7 @@ impl Task for Signs {
 
     fn agreement(
         &self,
+        _: &Case<'_, Signs>,
         written: &Case<'_, Signs>,
         _: &Asked<'_>,
         answer: &Answers,

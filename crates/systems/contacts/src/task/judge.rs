@@ -20,7 +20,7 @@ use super::classes::{self, Judgement};
 use super::pairs::Pairs;
 use super::section::ContactRow;
 use super::{Complexes, Contacts, band, order, query, topology, vertices_of};
-use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
+use predicament_tasks::{Agreement, Asked, Case, Class, Finding, Outcome, Stop};
 
 /// The maximum number of orders of a pair's vertices: the cost of a pair in the budget for permutations.
 const ORDERS: usize = 24;
@@ -121,6 +121,22 @@ pub(super) fn judge(
         });
     }
     Ok(())
+}
+
+/// The agreement with the truth of the doubles and with that of the decimals.
+///
+/// The answers are all pairs that the backend or a truth registers. A pair is right if both register it, or neither.
+pub(super) fn agreement(truths: [&Truth; 2], found: &Registered) -> Agreement {
+    let got: BTreeSet<Pair> = found.registered.iter().map(|contact| [contact.a, contact.b]).collect();
+    let is_judged = |[s, _]: &&Pair| truths.iter().all(|truth| truth.sampled.contains(s));
+    let said = truths.iter().flat_map(|truth| &truth.registered).chain(&got);
+    let all: BTreeSet<Pair> = said.filter(is_judged).copied().collect();
+    let right = |truth: &Truth| {
+        let is_right = |pair: &&Pair| got.contains(*pair) == truth.registered.contains(*pair);
+        all.iter().filter(is_right).count() as u64
+    };
+    let [doubles, written] = truths.map(right);
+    Agreement { answers: all.len() as u64, doubles, written, ..Agreement::default() }
 }
 
 fn has_nan(weights: &[Weights; 2]) -> bool {

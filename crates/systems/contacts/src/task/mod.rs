@@ -20,7 +20,7 @@ mod topology;
 
 use crate::algorithm::pairs::{Contact, Contacts as Registered, Weights, contacts};
 use crate::truth::{Pair, Truth};
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_judge::Judged;
 use predicament_mesh::{Complex, Simplex};
@@ -38,8 +38,8 @@ use pairs::closure;
 use predicament_tasks::output::{self, Canvas, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest,
+    Agreement, Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Spoiled, Stop, Task, Turns, Watch, digest,
 };
 
 /// The task, in the plane or in space.
@@ -83,6 +83,10 @@ impl SceneFormat for Contacts {
             Dimension::Two => "the contacts between two complexes in the plane (Wang et al.)",
             Dimension::Three => "the contacts between two complexes in space (Wang et al.)",
         }
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -208,6 +212,17 @@ impl Task for Contacts {
         outcome: &mut Outcome,
     ) -> Result<(), Stop> {
         judge::judge(case, asked, answer, outcome)
+    }
+
+    fn agreement(
+        &self,
+        case: &Case<'_, Contacts>,
+        written: &Case<'_, Contacts>,
+        _: &Asked<'_>,
+        answer: &Registered,
+        _: &Outcome,
+    ) -> Result<Agreement, Stop> {
+        Ok(judge::agreement([&case.truth, &written.truth], answer))
     }
 
     fn checks(&self) -> &'static [Check] {

@@ -1,15 +1,17 @@
 //! Pairs of meshes by size, and the placement of the second mesh.
 
-use predicament_corpus::{Family, Making, Random, Recipe};
+use predicament_corpus::{Family, Making, Parts, Random, Recipe};
 use predicament_formats::bits::{power_of_two, step};
 use predicament_formats::{CorpusError, Fields};
-use predicament_mesh::OUTSIDE;
+use predicament_mesh::{MaterialMesh, OUTSIDE};
+use predicament_predicates::Vertex;
 
 use super::content::parts;
 use super::shapes::{checkers, combs, crowd, needles, terrain};
 use predicament_mesh_locate::task::generate::{lattice_of_tetrahedra, surface_of};
 use predicament_mesh_locate::task::probes::Surface;
 use predicament_tasks::solids::{self, Shape};
+use predicament_tasks::typed::{FACES, Neighbours, TYPED_KEYS, typed};
 
 /// The placement of the second mesh, a copy of the first.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -68,7 +70,7 @@ macro_rules! family {
 }
 
 /// The families of pairs.
-pub(super) static FAMILIES: [Family; 10] = [
+pub(super) static FAMILIES: [Family; 11] = [
     family!("intersect-spheres", "two spheres of about n triangles each", sphere),
     family!("intersect-tori", "two tori of about n triangles each", torus),
     family!(
@@ -89,7 +91,31 @@ pub(super) static FAMILIES: [Family; 10] = [
         about: "two solids under terrains of about n triangles each, over a common ground or apart",
         read: terrains,
     },
+    Family {
+        name: "intersect-blocks",
+        reported_as: Some("intersect-blocks"),
+        parameters: TYPED_KEYS,
+        about: "blocks that share parts of faces as written in decimals, for `truth = \"decimals\"`",
+        read: blocks,
+    },
 ];
+
+/// Two lists of blocks; a face of each block is on one of the other list.
+fn blocks(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let typed = typed(fields)?;
+    let make = move |making: &Making| {
+        let Neighbours { written, points, count } = Neighbours::<3>::new(typed, making);
+        let list = |at: usize| {
+            let points: Vec<_> = points[at * 8 * count..][..8 * count].to_vec();
+            let face = |block: usize| FACES.map(|face| face.map(|corner| Vertex::input(8 * block + corner)));
+            let triangles: Vec<_> = (0..count).flat_map(face).collect();
+            let mesh = MaterialMesh::of_closed(points.len(), triangles).expect("triangles of the points");
+            Surface { points, mesh, tetrahedra: Vec::new() }
+        };
+        Parts { written: Some(written), ..parts([list(0), list(1)]) }
+    };
+    Ok(Recipe::new(|n| 3 * n + 48, make))
+}
 
 fn recipe(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Surface) -> Result<Recipe, CorpusError> {
     let placed = match fields.get("placed") {

@@ -20,7 +20,7 @@ mod spoiled;
 mod spoiled_results;
 
 use crate::algorithm::overlay::{Contacts, Contradiction, Regions, Source as OfMesh, Undone, mesh_overlay_as_answered};
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_overlay::algorithm::overlay::Operation;
 use predicament_predicates::{Construction, Declined, PredicateKind, Predicates, Query, Scene, Vertex};
@@ -38,8 +38,8 @@ pub use settled::{Settled, Unsettled};
 use predicament_tasks::output::{Canvas, Files, Placed};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
-    Phase, Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Agreement, Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob,
+    Outcome, Phase, Purpose, Refusal, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `mesh-intersect`.
@@ -140,6 +140,10 @@ impl SceneFormat for MeshIntersect {
 
     fn about(&self) -> &'static str {
         "two multi-material meshes, cut where they meet (Franklin and Magalhães, 4.5)"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -251,6 +255,22 @@ impl Task for MeshIntersect {
         outcome.sampled = judge::sampled(case.content);
         section::rows(case, asked, answer, outcome);
         judge::judge(case, asked, answer, outcome)
+    }
+
+    /// The overlay over the written points: constructed vertices keep their definitions, and no vertex is rounded. The
+    /// results without the perturbation are about the doubles alone.
+    fn agreement(
+        &self,
+        _: &Case<'_, MeshIntersect>,
+        written: &Case<'_, MeshIntersect>,
+        asked: &Asked<'_>,
+        answer: &Overlaid,
+        own: &Outcome,
+    ) -> Result<Agreement, Stop> {
+        let over = Overlaid { rounded: None, registered: None, settled: None, ..answer.clone() };
+        let mut outcome = Outcome::default();
+        judge::laws(written, asked, &over, None, &mut outcome)?;
+        Ok(Agreement::of_wholes(own, &outcome))
     }
 
     fn building(&self, _: &Scene, content: &TwoMeshes) -> Vec<Phase> {

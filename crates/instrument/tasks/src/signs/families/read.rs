@@ -1,14 +1,13 @@
 //! The keys of families' tables, and the recipes that they give.
 
 use predicament_corpus::{Parts, Random, Recipe};
-use predicament_families::{
-    self as families, Arrangement, Cloud, Figure, Kind, Ordinary, PixelError, PixelMap, Place, Trouble, Typed,
-};
+use predicament_families::{self as families, Arrangement, Cloud, Kind, Ordinary, PixelError, PixelMap, Trouble};
 use predicament_formats::bits::power_of_two;
-use predicament_formats::{CorpusError, Field, Fields, Written, use_one_of};
+use predicament_formats::{CorpusError, Field, Fields, Written};
 use predicament_predicates::PredicateKind;
 
 use super::{Asked, by_query, formula};
+use crate::typed::typed as typed_of;
 
 /// Reads `ulps`.
 pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
@@ -48,35 +47,17 @@ pub(super) fn decimal(task: &'static str, fields: &Fields<'_, '_>) -> Result<Rec
 
 /// Reads `digits`, `figure` and `place`.
 pub(super) fn typed(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
-    let most = u64::from(families::MOST_DIGITS);
-    let digits = fields.integer_or("digits", 2, 0..=most)?.try_into().unwrap_or(families::MOST_DIGITS);
-    let figures: Vec<_> = Figure::ALL.iter().map(|figure| figure.name()).collect();
-    let figure = word(fields, "figure", &figures)?.and_then(Figure::named).unwrap_or(Figure::General);
-    let places: Vec<_> = Place::ALL.iter().map(|place| place.name()).collect();
-    let place = word(fields, "place", &places)?.and_then(Place::named).unwrap_or(Place::Metres);
-    let (typed, asked) = (Typed { digits, figure, place }, Asked::read(task, fields, None)?);
+    let (typed, asked) = (typed_of(fields)?, Asked::read(task, fields, None)?);
     Ok(Recipe::new(
         move |n| asked.coordinates(n),
         move |making| {
             let (mut rng, mut numerators) = (making.random(), Vec::new());
             (0..making.n).for_each(|_| typed.query(asked.kind(), &mut rng, &mut numerators));
-            let written = Written::new(digits, asked.in_its_plane(numerators));
+            let written = Written::new(typed.digits, asked.in_its_plane(numerators));
             let cloud = Cloud { coordinates: written.doubles(), ..Cloud::default() };
             Parts { written: Some(written), ..asked.parts(cloud) }
         },
     ))
-}
-
-/// Reads a key whose value is one of these words.
-fn word(
-    fields: &Fields<'_, '_>,
-    key: &'static str,
-    known: &[&'static str],
-) -> Result<Option<&'static str>, CorpusError> {
-    let Some(field) = fields.get(key) else { return Ok(None) };
-    let text = field.str()?;
-    let found = known.iter().copied().find(|name| *name == text);
-    found.map(Some).ok_or_else(|| field.error(format!("`{text}` is no {key}"), use_one_of(text, known)))
 }
 
 /// Reads a table of the family `band`, which has no parameters of its own.

@@ -6,12 +6,14 @@
 mod polygons;
 mod surfaces;
 pub mod thresholds;
+mod typed;
 
 use predicament_corpus::{Family, Parts, Random, Recipe};
 use predicament_formats::bits::rounded;
 use predicament_formats::{CorpusError, Fields};
 use predicament_mesh::{Complex, Simplices};
 use predicament_predicates::{Dimension, Scene, Vertex};
+use predicament_tasks::typed::TYPED_KEYS;
 
 use super::content::{Complexes, moved, shifted};
 use super::sigma::sigma;
@@ -35,7 +37,7 @@ const fn family(name: &'static str, parameters: &'static [&'static str], about: 
 }
 
 /// The families of complexes in the plane.
-pub(super) static PLANE: [Family; 5] = [
+pub(super) static PLANE: [Family; 6] = [
     family(
         "polygons-uniform",
         &["bits"],
@@ -60,10 +62,16 @@ pub(super) static PLANE: [Family; 5] = [
     family("thresholds-plane", &[], "pairs at the tolerances of Algorithms 2 to 5", |_, _| {
         Ok(Pair::Thresholds(Dimension::Two).recipe())
     }),
+    family(
+        "parcels",
+        TYPED_KEYS,
+        "parcels that share borders as written in decimals, for `truth = \"decimals\"`",
+        |_, fields| typed::recipe::<2>(fields),
+    ),
 ];
 
 /// The families of complexes in space.
-pub(super) static SPACE: [Family; 5] = [
+pub(super) static SPACE: [Family; 6] = [
     family(
         "surfaces-uniform",
         &["bits"],
@@ -88,6 +96,12 @@ pub(super) static SPACE: [Family; 5] = [
     family("thresholds-space", &[], "pairs at the tolerances of Algorithms 7 to 12", |_, _| {
         Ok(Pair::Thresholds(Dimension::Three).recipe())
     }),
+    family(
+        "blocks",
+        TYPED_KEYS,
+        "blocks that share parts of faces as written in decimals, for `truth = \"decimals\"`",
+        |_, fields| typed::recipe::<3>(fields),
+    ),
 ];
 
 /// A generator of two complexes.

@@ -22,24 +22,8 @@ use rug::Rational;
 
 use super::{Judging, MeshIntersect, TwoMeshes, points};
 use crate::task::content::for_both;
+use predicament_tasks::typed::FACES;
 use predicament_tasks::{Asked, Stop};
-
-/// The triangles of a box around the origin, counterclockwise as seen from outside; the bits of a corner are the signs
-/// of its coordinates.
-const BOX: [[usize; 3]; 12] = [
-    [0, 2, 3],
-    [0, 3, 1],
-    [4, 5, 7],
-    [4, 7, 6],
-    [0, 1, 5],
-    [0, 5, 4],
-    [2, 6, 7],
-    [2, 7, 3],
-    [0, 4, 6],
-    [0, 6, 2],
-    [1, 3, 7],
-    [1, 7, 5],
-];
 
 /// A scene of two meshes.
 struct Other {
@@ -164,8 +148,8 @@ impl Judging<'_> {
                 places.push(at);
             }
         }
-        triangles.extend(BOX.map(|triangle| triangle.map(|corner| Vertex::input(count + corner))));
-        sides.extend([[OUTSIDE, 1]; BOX.len()]);
+        triangles.extend(FACES.map(|triangle| triangle.map(|corner| Vertex::input(count + corner))));
+        sides.extend([[OUTSIDE, 1]; FACES.len()]);
         let Ok(complement) = MaterialMesh::new(points.len(), triangles, sides) else { return };
         let first = MaterialMesh::clone(&self.laws.meshes[0]);
         let Some(other) = Other::new(&points, [first, complement]) else { return };

@@ -52,11 +52,23 @@ pub(super) fn sampled(content: &TwoMeshes) -> Option<String> {
         .then(|| "pieces cover all triangles, and regions are closed; regions and crossings: an even sample".to_owned())
 }
 
-/// Judges an overlay.
+/// Judges an overlay by the laws, and by repeated overlays.
 pub(super) fn judge(
     case: &Case<'_, MeshIntersect>,
     asked: &Asked<'_>,
     answer: &Overlaid,
+    outcome: &mut Outcome,
+) -> Result<(), Stop> {
+    let again = |judged: &Judging<'_>, found: &mut Violations| judged.again(asked, found);
+    laws(case, asked, answer, Some(&again), outcome)
+}
+
+/// Judges an overlay by the laws alone, and by those of `again`.
+pub(super) fn laws(
+    case: &Case<'_, MeshIntersect>,
+    asked: &Asked<'_>,
+    answer: &Overlaid,
+    again: Option<&Holds<'_>>,
     outcome: &mut Outcome,
 ) -> Result<(), Stop> {
     let found = &mut Vec::new();
@@ -126,8 +138,8 @@ pub(super) fn judge(
     report(found, outcome);
     asked.watch.done(0)?;
     let many = if has_areas { 24 * AGAIN[level] } else { AGAIN[level] };
-    if case.content.triangles() <= many {
-        judged.measured(&exact, &|judged, found| judged.again(asked, found), outcome)?;
+    if let Some(again) = again.filter(|_| case.content.triangles() <= many) {
+        judged.measured(&exact, again, outcome)?;
     }
     if outcome.findings.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
@@ -176,14 +188,14 @@ fn points(scene: &Scene, answer: &Overlaid, place: Where) -> Result<Vec<Point>, 
 }
 
 /// An answer that is being judged.
-struct Judging<'a> {
+pub(super) struct Judging<'a> {
     laws: Laws<'a>,
     answer: &'a Overlaid,
     place: Where,
 }
 
 /// A function that checks laws and records violations.
-type Holds<'l> = dyn Fn(&Judging<'_>, &mut Violations) -> Result<(), Stop> + 'l;
+pub(super) type Holds<'l> = dyn Fn(&Judging<'_>, &mut Violations) -> Result<(), Stop> + 'l;
 
 impl<'a> Judging<'a> {
     fn new(

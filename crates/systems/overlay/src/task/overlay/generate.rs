@@ -5,6 +5,8 @@ use predicament_corpus::{Family, Making, Parts, Random, Recipe};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Scene, Vertex};
 
+use predicament_tasks::typed::{Neighbours, RING, TYPED_KEYS, typed};
+
 use super::content::{Layered, Layers, read_method};
 use super::shapes::{self, Lines, Pair};
 
@@ -21,7 +23,7 @@ macro_rules! family {
 }
 
 /// The families of overlays.
-pub(super) static FAMILIES: [Family; 8] = [
+pub(super) static FAMILIES: [Family; 9] = [
     family!("overlay-segments", "short segments: each crosses about one other", lines, shapes::uniform),
     family!("overlay-grid", "vertical and horizontal lines of a grid that end on each other", lines, shapes::grid),
     family!("overlay-pencil", "segments through one point", lines, shapes::pencil),
@@ -30,7 +32,27 @@ pub(super) static FAMILIES: [Family; 8] = [
     family!("overlay-shifted", "a star of n corners and a copy of it, moved by an ulp", pairs, shapes::shifted),
     family!("overlay-combs", "two combs of about n corners across each other", pairs, shapes::combs),
     family!("overlay-squares", "squares on integers that share edges and parts of edges", pairs, shapes::squares),
+    Family {
+        name: "overlay-parcels",
+        reported_as: Some("overlay-parcels"),
+        parameters: TYPED_KEYS,
+        about: "parcels that share borders as written in decimals, for `truth = \"decimals\"`",
+        read: parcels,
+    },
 ];
+
+/// Two layers of parcels; a border of each parcel is on one of the other layer.
+fn parcels(_: &str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let (method, typed) = (read_method(fields)?, typed(fields)?);
+    let make = move |making: &Making| {
+        let neighbours = Neighbours::<2>::new(typed, making);
+        let ring = |first: usize| RING.map(|corner| Vertex::input(first + corner)).to_vec();
+        let loops = neighbours.first_corners().map(|firsts| firsts.into_iter().map(ring).collect());
+        let parts = parts(&neighbours.points, Layers::Polygons(loops, Rule::NonZero), method);
+        Parts { written: Some(neighbours.written), ..parts }
+    };
+    Ok(Recipe::new(|n| 2 * n + 16, make))
+}
 
 fn lines(fields: &Fields<'_, '_>, shape: fn(usize, &mut Random) -> Lines) -> Result<Recipe, CorpusError> {
     let method = read_method(fields)?;

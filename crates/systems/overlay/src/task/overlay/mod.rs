@@ -12,7 +12,7 @@ mod shapes;
 mod spoiled;
 
 use crate::algorithm::overlay::{Contradiction, Edge, Operation, Overlay, Regions, arrange, overlay};
-use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
 use predicament_report::drawing::Role;
@@ -23,8 +23,8 @@ pub use checks::RULES;
 use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
-    Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome, Spoiled,
-    Stop, Task, Turns, Watch, digest, output,
+    Agreement, Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome,
+    Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `overlay2d`.
@@ -108,6 +108,10 @@ impl SceneFormat for Overlay2d {
 
     fn about(&self) -> &'static str {
         "the arrangement of segments; union, intersection and differences of polygons"
+    }
+
+    fn in_decimals(&self) -> InDecimals {
+        InDecimals::Integers
     }
 
     fn keys(&self) -> &'static [&'static str] {
@@ -201,6 +205,26 @@ impl Task for Overlay2d {
     ) -> Result<(), Stop> {
         outcome.sampled = judge::sampled(case.content);
         judge::judge(case, asked, answer, outcome)
+    }
+
+    /// The arrangement over the written points: constructed vertices keep their definitions, and no vertex is rounded.
+    fn agreement(
+        &self,
+        _: &Case<'_, Overlay2d>,
+        written: &Case<'_, Overlay2d>,
+        asked: &Asked<'_>,
+        answer: &Overlaid,
+        own: &Outcome,
+    ) -> Result<Agreement, Stop> {
+        let mut scene = written.scene().clone();
+        for definition in answer.scene.iter().flat_map(Scene::constructions) {
+            // A definition without a point is a violation, which the judge finds.
+            let _ = scene.construct(*definition);
+        }
+        let over = Overlaid { scene: Some(scene), rounded: None, ..answer.clone() };
+        let mut outcome = Outcome::default();
+        judge::judge(written, asked, &over, &mut outcome)?;
+        Ok(Agreement::of_wholes(own, &outcome))
     }
 
     fn checks(&self) -> &'static [Check] {
