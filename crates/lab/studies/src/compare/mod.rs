@@ -13,6 +13,7 @@
 //! * [`Measure`]: a number with its interval, a row of `compare.csv`.
 //! * [`Standing`]: the results of one backend, independent of the others.
 //! * [`Tradeoff`]: errors against time, as data of a plot.
+//! * [`Sweep`]: the values of one parameter, and whether one of them can be the default.
 //! * [`part`]: the tables and sentences of a page with marks, made from the files of a folder.
 
 mod bits;
@@ -28,6 +29,7 @@ mod section;
 mod standing;
 mod study;
 mod survey;
+pub(crate) mod sweep;
 mod table;
 mod tradeoff;
 mod tree;
@@ -45,6 +47,7 @@ pub use standing::{
 };
 pub use study::{Compare, Compared, Promise};
 pub(crate) use survey::{Group, measures_of};
+pub use sweep::{Sweep, Value, Verdict, sweeps};
 pub(crate) use table::WRONG;
 pub use tradeoff::{Tradeoff, tradeoffs};
 pub use tree::{Node, decision, decision_tree};

@@ -50,7 +50,7 @@ impl Share {
         wilson(self.count, self.of)
     }
 
-    fn add(&mut self, other: Share) {
+    pub(super) fn add(&mut self, other: Share) {
         self.count += other.count;
         self.of += other.of;
     }

@@ -6,7 +6,7 @@ use predicament_report::{Cell, Table};
 
 use super::measure::FEATURES;
 use super::words::{short, times};
-use super::{Compared, Measure, Promise, REFERENCE, details, ranking, tradeoffs, words};
+use super::{Compared, Measure, Promise, REFERENCE, details, ranking, sweep, tradeoffs, words};
 
 /// The prefix of the measures of stages.
 const STAGE: &str = "stage: ";
@@ -27,6 +27,7 @@ pub(super) fn page(compared: &Compared) -> String {
         page += "\n## One parameter turned\n\nThe figures cover the inputs that all backends of a curve and the reference answered.\n\n";
         page += &format!("{curves}\n");
     }
+    page += &sweep::page(measures);
     let mut tasks: Vec<&str> = measures.iter().map(|row| row.task.as_str()).collect();
     tasks.dedup();
     for task in tasks.into_iter().filter(|task| *task != FEATURES) {

@@ -28,7 +28,7 @@ pub struct Tradeoff<'m> {
 const KNOBS: [&str; 2] = ["epsilon:", "exact:stages="];
 
 /// The parameter in a backend's name, if it is one that makes curves.
-fn knob_of(backend: &str) -> Option<&str> {
+pub(super) fn knob_of(backend: &str) -> Option<&str> {
     let parameter = backend.starts_with("engine:").then(|| backend.rfind('=')).flatten();
     let known = KNOBS.into_iter().find(|knob| backend.starts_with(knob)).map(str::len);
     Some(&backend[..parameter.map(|at| at + 1).or(known)?])

@@ -11,7 +11,7 @@ use super::breaks::{At, break_point};
 use super::limits::{Limit, limits};
 use super::scenes::Position;
 use super::{BreakPoint, Violations, laws, plots, suites, table};
-use crate::compare::{Group, Measure, compared, measures_of};
+use crate::compare::{Group, Measure, compared, measures_of, sweep};
 use crate::laws::Format;
 use crate::{Error, File, Host, Study};
 
@@ -110,7 +110,8 @@ with the smallest and the largest as an interval.
 Files in the folder: stress.csv (a row for each number, with its interval; `kind` is the knob, `family` its \
 position), breaks.csv (the break point of each backend, with the scenes at that position, and whether the knob rounds \
 the scene), limits.csv (knobs that do not fit a task), stress-laws.csv, stress.md (the printed tables), plots for \
-each knob as SVG and PDF: wrong scenes, and the time. With --suites it also writes a suite for each position of each \
+each knob as SVG and PDF: wrong scenes, and the time; for backends that differ in one parameter (such as \
+-b 'engine:NAME:key=*') wrong scenes over time, and in stress.md whether a value can be the default. With --suites it also writes a suite for each position of each \
 knob, with its points; with it `predicament run` keeps a break point as a regression test.
 
 Exit codes: 100 if a backend with a proved promise gives a wrong answer (sign_flip, missed_zero, overreach, nan, \
@@ -122,6 +123,7 @@ Examples:
   predicament study stress -k noise,translation -t orient2d,orient3d --scenes 50 --out target/noise
   predicament study stress -k size --samples 9 --out target/growth            times that are worth quoting
   predicament study stress --samples 0 --out target/breaks                    no times: the same bytes on every machine
+  predicament study stress -b exact,epsilon:1e-15,epsilon:1e-10 -t orient2d -k noise --out target/values
   predicament study stress -k scale -t incircle --suites target/scale --out target/stress
   predicament run target/scale/scale_-250.toml -b naive,exact           the scenes of one position";
 
@@ -191,7 +193,9 @@ Examples:
     }
 
     fn plots(&self, measured: &Stressed) -> Result<Vec<File>, Error> {
-        plots::all(measured)
+        let mut files = plots::all(measured)?;
+        files.extend(sweep::plot("stress-values", &measured.measures)?);
+        Ok(files)
     }
 
     fn suites(&self, measured: &Stressed) -> Result<Vec<File>, Error> {

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use predicament_tasks::Knob;
 
 use super::{Asked, BreakPoint, Stressed};
-use crate::compare::short;
+use crate::compare::{short, sweep};
 
 /// The page with all tables.
 pub(super) fn page(stressed: &Stressed) -> String {
@@ -42,6 +42,7 @@ pub(super) fn page(stressed: &Stressed) -> String {
         }
     }
     limits(&mut page, stressed);
+    page += &sweep::page(&stressed.measures);
     times(&mut page, stressed);
     laws(&mut page, stressed);
     page

@@ -3,7 +3,7 @@
 
 use predicament_predicates::Derived;
 use predicament_report::Block;
-use predicament_studies::compare::{Compare, Compared, inputs};
+use predicament_studies::compare::{Compare, Compared, Verdict, inputs};
 use predicament_studies::laws::Format;
 use predicament_studies::{Host, Study};
 use predicament_tasks::{Contestant, Kind};
@@ -166,10 +166,15 @@ fn fewer_stages_are_a_curve_that_ends_without_an_error() {
     let page = small.page(&of);
     let table = &page[page.find("## One parameter turned").unwrap()..];
     assert!(names[1..].iter().all(|name| table.contains(&format!("| `{name}` | "))), "{table}");
+    let verdict = predicament_studies::compare::sweeps(&of.measures)[0].verdict.clone();
+    let Verdict::Default(default) = verdict else { panic!("the last stages are right: {verdict:?}") };
+    assert_eq!(value(&of, Kind::Near, default, "sign_flip", "per 10^6 answers"), Some(0.0));
+    assert!(page.contains(&format!("`{default}` can be the default")), "{page}");
     // Without times there is no horizontal axis.
     of.measures.retain(|row| row.measure != "time");
     assert!(!small.page(&of).contains("One parameter turned"));
     assert!(small.plots(&of).unwrap().is_empty());
+    assert!(small.page(&of).contains("and it is the first of them"));
 }
 
 #[test]

@@ -251,3 +251,15 @@ fn a_folder_is_a_section_of_a_report() {
     assert!(why.contains("breaks.csv:2") && why.contains("predicament study stress"), "{why}");
     std::fs::remove_dir_all(&folder).unwrap();
 }
+
+#[test]
+fn values_of_a_parameter_are_compared_over_all_positions() {
+    let study = study(&["orient2d"], &[Knob::Noise]);
+    let found = stressed(&study, &["exact", "epsilon:1e-15", "epsilon:1e-5"]);
+    let page = study.page(&found);
+    let part = &page[page.find("## Values of parameters").expect("two values")..];
+    assert!(part.contains("| `epsilon:1e-5` | ") && part.contains("There is no default"), "{part}");
+    let plots = study.plots(&found).unwrap();
+    assert!(!plots.iter().any(|file| file.name.starts_with("stress-values")), "no times, no plot");
+    assert!(!study.page(&stressed(&study, &["exact", "epsilon:1e-5"])).contains("## Values of parameters"));
+}
