@@ -3,10 +3,13 @@ import { readFileSync } from 'node:fs';
 import { gunzipSync } from 'node:zlib';
 
 /** All rows. */
-export function vectors() {
-  const packed = readFileSync(new URL('vectors.json.gz', import.meta.url));
+export function vectors(name = 'vectors.json.gz') {
+  const packed = readFileSync(new URL(name, import.meta.url));
   return JSON.parse(gunzipSync(packed).toString('utf8')).rows;
 }
+
+/** Whole scenes of tasks. */
+export const tasks = () => vectors('tasks.json.gz');
 
 /** The arguments of the predicate, as arrays of doubles in order; null if a vertex is constructed. */
 export function points(row) {

@@ -1,5 +1,7 @@
 //! Test vectors: queries of scenes with everything that is known about them, as JSON, for tests without this tool.
 
+pub mod tasks;
+
 use std::collections::BTreeSet;
 
 use predicament_corpus::{LoadedScene, content_id};

@@ -53,4 +53,5 @@ mod studies;
 mod ten_writers;
 mod threads;
 mod tutorial;
+mod vectors;
 mod whole_tasks;

@@ -1,6 +1,9 @@
 //! 20,000 queries of geometric predicates with their exact signs; `docs/VECTORS.md` describes the rows.
 
-use serde::Deserialize;
+use std::collections::BTreeMap;
+
+use serde::{Deserialize, de::DeserializeOwned};
+use serde_json::Value;
 
 /// One query with everything that is known about it.
 #[derive(Clone, Debug, Deserialize)]
@@ -24,14 +27,34 @@ impl Vector {
     }
 }
 
+/// A whole scene of a task: arrays by name, coordinates as hex floats.
+#[derive(Clone, Debug, Deserialize)]
+pub struct Task {
+    pub id: String,
+    pub task: String,
+    pub question: BTreeMap<String, Value>,
+    pub doubles: BTreeMap<String, Value>,
+    pub decimals: Option<BTreeMap<String, Value>>,
+    pub flags: Vec<String>,
+}
+
 /// All rows.
 pub fn vectors() -> Vec<Vector> {
+    rows(include_bytes!("../vectors.json.gz"))
+}
+
+/// The whole scenes.
+pub fn tasks() -> Vec<Task> {
+    rows(include_bytes!("../tasks.json.gz"))
+}
+
+fn rows<Row: DeserializeOwned>(packed: &[u8]) -> Vec<Row> {
     #[derive(Deserialize)]
-    struct File {
-        rows: Vec<Vector>,
+    struct File<Row> {
+        rows: Vec<Row>,
     }
-    let packed = flate2::read::GzDecoder::new(&include_bytes!("../vectors.json.gz")[..]);
-    serde_json::from_reader::<_, File>(std::io::BufReader::new(packed)).expect("the file of the package").rows
+    let reader = std::io::BufReader::new(flate2::read::GzDecoder::new(packed));
+    serde_json::from_reader::<_, File<Row>>(reader).expect("the file of the package").rows
 }
 
 /// The double of a hex float as in C: at most 53 bits, so that no step rounds.

@@ -1,6 +1,6 @@
 //! The crate `robust` on all rows about input points: it is wrong only where its documentation excludes the input.
 
-use predicament_vectors::{double, vectors};
+use predicament_vectors::{double, tasks, vectors};
 use robust::{Coord, Coord3D};
 
 fn flat(point: &[f64]) -> Coord<f64> {
@@ -34,6 +34,37 @@ fn robust_is_right_within_its_range() {
     }
     println!("robust: {wrong} of {asked} wrong");
     assert!(asked > 15_000 && wrong > 0, "rows with underflow and overflow make it wrong: {wrong} of {asked}");
+}
+
+/// Each pair of edges that `robust` says to cross is one of the contacts.
+#[test]
+fn robust_finds_the_contacts_of_edges() {
+    let mut asked = 0;
+    for row in tasks().iter().filter(|row| row.task == "contacts2d") {
+        let array = |value: &serde_json::Value| value.as_array().expect("an array").clone();
+        let ids = |value| -> Vec<usize> { array(value).iter().map(|id| id.as_u64().unwrap() as usize).collect() };
+        let points: Vec<f64> = array(&row.question["points"]).iter().map(|x| double(x.as_str().unwrap())).collect();
+        let at = |v: usize| flat(&points[2 * v..][..2]);
+        let edges = |key| -> Vec<[usize; 2]> { ids(&row.question[key]).chunks(2).map(|ends| [ends[0], ends[1]]).collect() };
+        let side = |[a, b]: [usize; 2], v: usize| robust::orient2d(at(a), at(b), at(v));
+        let parts = |one: [usize; 2], [p, q]: [usize; 2]| side(one, p) * side(one, q) < 0.0;
+        let (starts, all) = (ids(&row.doubles["pairs.starts"]), ids(&row.doubles["pairs"]));
+        let pairs: Vec<Vec<usize>> = starts.windows(2).map(|at| sorted(&all[at[0]..at[1]])).collect();
+        for a in edges("a.edges") {
+            for b in edges("b.edges").into_iter().filter(|&b| parts(a, b) && parts(b, a)) {
+                assert!(pairs.contains(&sorted(&[a, b].concat())), "{}: {a:?} and {b:?}", row.id);
+                asked += 1;
+            }
+        }
+    }
+    println!("robust: {asked} crossings of edges");
+    assert!(asked > 50, "{asked}");
+}
+
+fn sorted(ids: &[usize]) -> Vec<usize> {
+    let mut ids = ids.to_vec();
+    ids.sort_unstable();
+    ids
 }
 
 #[test]

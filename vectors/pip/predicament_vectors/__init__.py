@@ -5,10 +5,15 @@ import json
 from pathlib import Path
 
 
-def vectors():
+def vectors(name="vectors.json.gz"):
     """All rows, as dictionaries."""
-    with gzip.open(Path(__file__).with_name("vectors.json.gz"), "rt") as file:
+    with gzip.open(Path(__file__).with_name(name), "rt") as file:
         return json.load(file)["rows"]
+
+
+def tasks():
+    """Whole scenes of tasks, as dictionaries."""
+    return vectors("tasks.json.gz")
 
 
 def points(row):

@@ -18,7 +18,7 @@ use crate::out::program;
 use crate::select::Selector;
 use crate::shared::tell_not_selected;
 use crate::tool::Tool;
-use crate::vectors::{SCHEMA, VERSION, Vectors};
+use crate::vectors::{SCHEMA, VERSION, Vectors, tasks};
 use crate::{interrupt, progress};
 
 const EXAMPLES: &str = "\
@@ -61,7 +61,8 @@ enum Command {
         /// Print the scenes written out, as a suite: points, and what is asked about them by their indices
         #[arg(long)]
         toml: bool,
-        /// Print the queries of scenes of the five predicates as test vectors: points and all truths (docs/VECTORS.md)
+        /// Print the queries of the five predicates, or scenes of tasks with one right answer, as test vectors: points
+        /// and all truths (docs/VECTORS.md)
         #[arg(long, conflicts_with = "toml")]
         json: bool,
     },
@@ -189,12 +190,19 @@ fn vectors(tool: &Tool, selector: &Selector) -> exit::Outcome {
     let mut vectors = Vectors::new(tool)?;
     let working = progress::working("");
     let mut rows = Vec::new();
+    // Rows of tasks have a schema of their own, so that a file is about either.
+    let is_of_tasks = tasks::TASKS.contains(&defs[0].task);
     for def in defs {
         working.now(format!("{}/{}", def.suite, def.name));
-        rows.extend(vectors.rows(&selection.load(def)?)?.iter().map(ToString::to_string));
+        let loaded = selection.load(def)?;
+        match is_of_tasks {
+            true => rows.push(tasks::row(tool, &loaded)?.to_string()),
+            false => rows.extend(vectors.rows(&loaded)?.iter().map(ToString::to_string)),
+        }
     }
     drop(working);
-    say!("{{\"schema\":\"{SCHEMA}\",\"version\":{VERSION},\"rows\":[\n{}\n]}}", rows.join(",\n"));
+    let schema = if is_of_tasks { tasks::SCHEMA } else { SCHEMA };
+    say!("{{\"schema\":\"{schema}\",\"version\":{VERSION},\"rows\":[\n{}\n]}}", rows.join(",\n"));
     Ok(exit::OK)
 }
 
