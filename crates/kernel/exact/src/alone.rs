@@ -4,6 +4,7 @@ use predicament_arithmetic::Sign;
 
 use crate::common_unit::{self, Short};
 use crate::predicate::Predicate;
+use crate::stage;
 
 /// The lowest bit of determinants for which the slack of [`anywhere`](crate::anywhere) is less than that bit, as an
 /// exponent.
@@ -15,18 +16,21 @@ use crate::predicate::Predicate;
 /// 360 + 378), less than 1.
 pub(crate) const SLACK_IS_LESS: i32 = -900;
 
-/// The sign of a query without a scene that its own filter has left open; `None` if a coordinate is not finite.
+/// The sign of a query without a scene that its own filter has left open, and its stage; `None` if a coordinate is not
+/// finite.
 ///
 /// The rungs before the last ones find no sign for numbers that are not finite, so only the last ones look for them.
 #[inline(always)]
-pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: &[[f64; D]; N]) -> Option<Sign> {
+pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(
+    points: &[[f64; D]; N],
+) -> Option<(Sign, usize)> {
     if let Some(sign) = P::products(*points) {
-        return Some(sign);
+        return Some((sign, stage::INTEGER));
     }
     // Two equal rows. (A point that is named twice is the most frequent tie of random queries.)
     for row in 1..N {
         if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
-            return Some(Sign::Zero);
+            return Some((Sign::Zero, stage::DOUBLE));
         }
     }
     if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
@@ -34,9 +38,10 @@ pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(points: 
         // If nothing overflows and the slack is less than a unit, the filter has bounded the determinant.
         let leaves_little = (form.degree * low >= SLACK_IS_LESS) & (form.degree * (low + bits) + form.growth <= 1023);
         let limbs = if leaves_little { determinant.limbs_left_open(bits) } else { determinant.limbs(bits) };
-        return Some(P::integer(rows, limbs));
+        return Some((P::integer(rows, limbs), stage::INTEGER));
     }
-    alone_at_length::<P, D, N>(points)
+    // (Integers in units of differences are counted with the last stage.)
+    alone_at_length::<P, D, N>(points).map(|sign| (sign, stage::DYADIC))
 }
 
 #[inline(never)]

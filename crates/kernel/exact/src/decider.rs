@@ -9,8 +9,8 @@
 
 use alloc::{boxed::Box, vec::Vec};
 
-mod batches;
-mod open;
+pub(crate) mod batches;
+pub(crate) mod open;
 
 use predicament_arithmetic::bound;
 use predicament_predicates::{

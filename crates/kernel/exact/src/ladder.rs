@@ -40,6 +40,11 @@ pub(crate) struct Prepared {
 
 impl Prepared {
     pub fn new<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>) -> Prepared {
+        Prepared::after::<P, D, N>(plan, true)
+    }
+
+    /// The consequences for queries that the query's own filter `has_left` open, or for all queries.
+    pub fn after<P: Predicate<D, N>, const D: usize, const N: usize>(plan: &Plan<D>, has_left: bool) -> Prepared {
         let form = P::DETERMINANT.form;
         let (arithmetic, allows_filters) = (plan.arithmetic(form), plan.allows_filters(form));
         let (static_bound, semi_static_bound, static_stage) = if arithmetic == Arithmetic::Double {
@@ -49,7 +54,7 @@ impl Prepared {
         } else {
             (f64::NAN, f64::NAN, stage::STATIC)
         };
-        let leaves_little = allows_filters && form.degree * plan.lowest() >= SLACK_IS_LESS;
+        let leaves_little = has_left && allows_filters && form.degree * plan.lowest() >= SLACK_IS_LESS;
         let determinant = P::DETERMINANT;
         let limbs =
             if leaves_little { determinant.limbs_left_open(plan.bits()) } else { determinant.limbs(plan.bits()) };

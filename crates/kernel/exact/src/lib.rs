@@ -15,7 +15,7 @@
 //!
 //! [`constructed`] vertices have a separate ladder of two rungs. [`raw`] predicates take coordinates and no scene.
 //!
-//! [`Partial`] is a control that uses the first rungs alone.
+//! [`Partial`] is a control that uses the first rungs alone, and [`without::Without`] one that leaves one device out.
 //!
 //! [`Session`] also decides without tallying (`decide_…`), for backends that build on this one and count their own
 //! stages.
@@ -68,6 +68,8 @@ mod session;
 pub mod side;
 pub mod stage;
 mod truncate;
+#[cfg(feature = "scenes")]
+pub mod without;
 
 #[cfg(feature = "scenes")]
 pub use backend::Exact;

@@ -57,7 +57,7 @@ macro_rules! predicate {
             #[inline(never)]
             #[allow(clippy::too_many_arguments)]
             pub fn climb($($($x: f64),+),+) -> Option<Sign> {
-                alone::<$predicate, $dimension, $arity>(&[$([$($x),+]),+])
+                alone::<$predicate, $dimension, $arity>(&[$([$($x),+]),+]).map(|(sign, _)| sign)
             }
 
             #[cold]
@@ -131,7 +131,7 @@ pub(crate) fn sign<P: Predicate<D, N>, const D: usize, const N: usize>(points: [
     #[cold]
     #[inline(never)]
     fn climb<P: Predicate<D, N>, const D: usize, const N: usize>(points: [[f64; D]; N]) -> Sign {
-        alone::<P, D, N>(&points).unwrap_or_else(|| panic!("{}", not_finite(&points)))
+        alone::<P, D, N>(&points).unwrap_or_else(|| panic!("{}", not_finite(&points))).0
     }
     P::anywhere(points).certain().unwrap_or_else(|| climb::<P, D, N>(points))
 }

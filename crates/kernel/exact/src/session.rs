@@ -15,7 +15,7 @@ use crate::decider::Decider;
 
 /// The exact backend's session, prepared for one scene.
 pub struct Session<'s, T> {
-    decider: Decider<'s>,
+    pub(crate) decider: Decider<'s>,
     /// The static bounds of formulas.
     #[cfg(feature = "formulas")]
     bounds: crate::derived::Bounds,

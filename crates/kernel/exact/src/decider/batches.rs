@@ -53,14 +53,14 @@ impl Decider<'_> {
         match (self.constructed.scene().dimension(), plane) {
             (Dimension::Two, _) => {
                 let side = Side::of_line([p, q], self.extent2);
-                self.beside::<Orient2d, Whole, 2, 2, 3>(bound, side, self.points2, asked, climb)
+                beside::<Orient2d, Whole, 2, 2, 3>(bound, side, self.points2, asked, climb)
             }
             (Dimension::Three, plane) => {
                 let side = Side::of_line([p, q], plane.axes().map(|axis| self.extent3[axis.index()]));
                 match plane {
-                    Plane::Xy => self.beside::<Orient2d, Xy, 3, 2, 3>(bound, side, self.points3, asked, climb),
-                    Plane::Yz => self.beside::<Orient2d, Yz, 3, 2, 3>(bound, side, self.points3, asked, climb),
-                    Plane::Zx => self.beside::<Orient2d, Zx, 3, 2, 3>(bound, side, self.points3, asked, climb),
+                    Plane::Xy => beside::<Orient2d, Xy, 3, 2, 3>(bound, side, self.points3, asked, climb),
+                    Plane::Yz => beside::<Orient2d, Yz, 3, 2, 3>(bound, side, self.points3, asked, climb),
+                    Plane::Zx => beside::<Orient2d, Zx, 3, 2, 3>(bound, side, self.points3, asked, climb),
                 }
             }
         }
@@ -73,7 +73,7 @@ impl Decider<'_> {
         };
         let climb = |d: Vertex| self.decide_orient3d(a, b, c, d);
         let side = Side::of_plane([*p, *q, *r], self.extent3);
-        self.beside::<Orient3d, Whole, 3, 3, 4>(self.orient3d, side, self.points3, (points, out), climb)
+        beside::<Orient3d, Whole, 3, 3, 4>(self.orient3d, side, self.points3, (points, out), climb)
     }
 
     pub fn orient3d_batch(&self, queries: &[[Vertex; 4]], out: &mut [Sign]) -> Settled {
@@ -108,32 +108,6 @@ impl Decider<'_> {
         batch::run::<P, V, E, D, N>(Batch { static_bound, points, queries, out, is_double, climb })
     }
 
-    /// Answers where points lie beside a line or plane; `static_bound` is the predicate's.
-    #[inline]
-    fn beside<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
-        &self,
-        static_bound: f64,
-        side: Side<D>,
-        points: &[[f64; E]],
-        (vertices, out): (&[Vertex], &mut [Sign]),
-        climb: impl Fn(Vertex) -> (Sign, usize),
-    ) -> Settled {
-        // If the scene has no bound, there is none here; if the bound is zero, all determinants are.
-        let bound = match static_bound {
-            0.0 => 0.0,
-            bound if bound.is_nan() => f64::NAN,
-            _ => first::beside(P::DETERMINANT.bound * side.permanent),
-        };
-        batch::sweep::<V, E, D, 1>(Sweep {
-            evaluate: move |[point]: [[f64; D]; 1]| (side.determinant(point), bound),
-            points,
-            queries: vertices.as_chunks::<1>().0,
-            out,
-            stage: stage::STATIC,
-            climb: |&[vertex]: &[Vertex; 1]| climb(vertex),
-        })
-    }
-
     /// The bound of the static filter for turns.
     fn turn_bound(&self, plane: Plane) -> f64 {
         let extent = match self.constructed.scene().dimension() {
@@ -164,9 +138,34 @@ impl Decider<'_> {
     }
 }
 
+/// Answers where points lie beside a line or plane; `static_bound` is the predicate's.
+#[inline]
+pub(crate) fn beside<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D: usize, const N: usize>(
+    static_bound: f64,
+    side: Side<D>,
+    points: &[[f64; E]],
+    (vertices, out): (&[Vertex], &mut [Sign]),
+    climb: impl Fn(Vertex) -> (Sign, usize),
+) -> Settled {
+    // If the scene has no bound, there is none here; if the bound is zero, all determinants are.
+    let bound = match static_bound {
+        0.0 => 0.0,
+        bound if bound.is_nan() => f64::NAN,
+        _ => first::beside(P::DETERMINANT.bound * side.permanent),
+    };
+    batch::sweep::<V, E, D, 1>(Sweep {
+        evaluate: move |[point]: [[f64; D]; 1]| (side.determinant(point), bound),
+        points,
+        queries: vertices.as_chunks::<1>().0,
+        out,
+        stage: stage::STATIC,
+        climb: |&[vertex]: &[Vertex; 1]| climb(vertex),
+    })
+}
+
 /// Answers queries one by one.
 #[inline]
-fn singly<Q>(queries: &[Q], out: &mut [Sign], decide: impl Fn(&Q) -> (Sign, usize)) -> Settled {
+pub(crate) fn singly<Q>(queries: &[Q], out: &mut [Sign], decide: impl Fn(&Q) -> (Sign, usize)) -> Settled {
     let mut settled = NONE;
     for (query, out) in queries.iter().zip(out) {
         let stage;

@@ -177,10 +177,11 @@ impl Decider<'_> {
 }
 
 /// A query that a filter has left open.
-struct Open {
+pub(crate) struct Open {
     /// The static filter's determinant; NaN if the query's own filter has run.
-    determinant: f64,
-    static_bound: f64,
+    pub determinant: f64,
+    /// The bound of the static filter.
+    pub static_bound: f64,
 }
 
 impl Open {
@@ -194,14 +195,7 @@ impl Open {
         vertices: [Vertex; N],
     ) -> Option<(Sign, usize)> {
         if self.determinant.is_nan() || self.determinant == 0.0 {
-            // Two equal rows, or a row of zeros.
-            let mut is_zero = points[..N - 1].contains(&points[N - 1]);
-            for i in 1..N - 1 {
-                for j in 0..i {
-                    is_zero |= vertices[i] == vertices[j];
-                }
-            }
-            return is_zero.then_some((Sign::Zero, stage::DOUBLE));
+            return coincide(points, vertices).then_some((Sign::Zero, stage::DOUBLE));
         }
         if self.is_small() { self.by_query::<P, D, N>(points) } else { None }
     }
@@ -232,16 +226,29 @@ impl Open {
     /// A small figure has equally small roundings. The alternative is a large determinant that has cancelled: its
     /// remainder is some hundred times smaller than the bound.
     #[inline(always)]
-    fn is_small(&self) -> bool {
+    pub fn is_small(&self) -> bool {
         const FRACTION: f64 = power_of_two(-20);
         self.determinant.abs() < FRACTION * self.static_bound
     }
+}
+
+/// Returns true if the last point is at the place of another one, or a vertex is named twice.
+#[inline(always)]
+pub(crate) fn coincide<const D: usize, const N: usize>(points: &[[f64; D]; N], vertices: [Vertex; N]) -> bool {
+    // Two equal rows, or a row of zeros.
+    let mut is_zero = points[..N - 1].contains(&points[N - 1]);
+    for i in 1..N - 1 {
+        for j in 0..i {
+            is_zero |= vertices[i] == vertices[j];
+        }
+    }
+    is_zero
 }
 
 /// Returns true if both products of `orient2d` have a factor of zero.
 ///
 /// A difference of doubles is zero only if they are equal: then its product is zero, and not rounded to zero.
 #[inline(always)]
-fn vanishes([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> bool {
+pub(crate) fn vanishes([[ax, ay], [bx, by], [cx, cy]]: [[f64; 2]; 3]) -> bool {
     ((ax == cx) | (by == cy)) & ((ay == cy) | (bx == cx))
 }

@@ -17,3 +17,4 @@ mod rational;
 mod session;
 mod toy;
 mod truth;
+mod without;
