@@ -130,6 +130,10 @@ impl<T: Tally> Predicates for NaiveSession<'_, T> {
         each!(self, session => session.moves_second_mesh())
     }
 
+    fn allows(&self, shortcut: &str) -> bool {
+        each!(self, session => session.allows(shortcut))
+    }
+
     fn band(&self, question: Question) -> Option<Band> {
         each!(self, session => session.band(question))
     }

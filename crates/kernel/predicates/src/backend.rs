@@ -210,6 +210,14 @@ pub trait Predicates: Send + Sync {
         false
     }
 
+    /// Returns true if algorithms may take this shortcut of theirs, which changes no answer.
+    ///
+    /// A control returns false for one shortcut, to measure what it saves. An algorithm asks once for a scene.
+    fn allows(&self, shortcut: &str) -> bool {
+        let _ = shortcut;
+        true
+    }
+
     /// The tolerance band of this question, for sessions whose zero is a band.
     ///
     /// In space each projection of `orient2d` can have its own band.

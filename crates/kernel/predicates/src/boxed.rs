@@ -72,6 +72,10 @@ impl<P: Predicates + ?Sized> Predicates for Box<P> {
         (**self).moves_second_mesh()
     }
 
+    fn allows(&self, shortcut: &str) -> bool {
+        (**self).allows(shortcut)
+    }
+
     fn band(&self, question: Question) -> Option<Band> {
         (**self).band(question)
     }

@@ -151,7 +151,11 @@ impl MeshIndex {
             }
         }
         let none = Labels { of_slot: Vec::new() };
+        let is_labelled = session.allows("empty-cells");
         let of_region = |region: usize| {
+            if !is_labelled {
+                return UNKNOWN;
+            }
             if self.empty.is_open(region) {
                 return OUTSIDE;
             }

@@ -8,10 +8,23 @@ use predicament_judge::Judged;
 use predicament_judge::solids::{Materials, Place};
 use predicament_mesh::MaterialMesh;
 use predicament_mesh_locate::algorithm::{Location, MeshIndex, Ray, Scratch, locate_all, question_all};
-use predicament_predicates::{Backend, Off, Predicates, Question, Scene, Sign, Vertex};
+use predicament_predicates::{Backend, Off, Predicates, Question, Scene, Sign, Vertex, forward_to};
 use predicament_sos::{PerMesh, Sos};
 use predicament_tolerance::Tolerance;
 use proptest::prelude::*;
+
+/// A session that forbids algorithms all shortcuts.
+struct Forbidding<P> {
+    session: P,
+}
+
+impl Predicates for Forbidding<&dyn Predicates> {
+    fn allows(&self, _: &str) -> bool {
+        false
+    }
+
+    forward_to!(session: scene, predicates);
+}
 
 /// Tetrahedra over points.
 #[derive(Clone, Default, Debug)]
@@ -206,12 +219,16 @@ fn boxes_in_each_other_have_labels_for_what_is_between() {
     let references = index.references();
     let with = Scene::from_points3(&[&points[..], &references[..]].concat()).unwrap();
     let session = Exact.prepare(&with, Off).unwrap();
-    let labels = index.labels(&session, &(points.len()..with.len()).map(Vertex::input).collect::<Vec<_>>());
+    let references: Vec<Vertex> = (points.len()..with.len()).map(Vertex::input).collect();
+    let labels = index.labels(&session, &references);
+    let without = index.labels(&Forbidding { session: &session as &dyn Predicates }, &references);
+    assert_ne!(labels, without, "a session can forbid labels");
     let mut scratch = Scratch::new();
     let mut regions: BTreeSet<usize> = BTreeSet::new();
     for (&q, expected) in queries.iter().zip(&expected) {
         let answer = index.locate(&session, &labels, q, &mut scratch);
         assert_eq!(answer, index.question(&session, q, Ray::UP, &mut scratch));
+        assert_eq!(answer, index.locate(&session, &without, q, &mut scratch));
         regions.extend(expected);
     }
     assert!(regions.len() > 5);

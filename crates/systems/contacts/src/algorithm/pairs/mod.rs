@@ -64,7 +64,7 @@ pub fn contacts3d<S: Predicates + ?Sized>(session: &S, a: &Complex, b: &Complex)
 }
 
 fn hierarchy<S: Predicates + ?Sized, const D: usize>(session: &S, complexes: [&Complex; 2]) -> Contacts {
-    let near = Near::<D>::new(session.scene(), complexes, session.reach());
+    let near = Near::<D>::new(session.scene(), complexes, session.reach(), session.allows("near-search"));
     let mut all = Contacts::default();
     let mut ended = Ended::default();
     let levels = levels(session.scene().dimension());

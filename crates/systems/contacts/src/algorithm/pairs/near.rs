@@ -58,13 +58,14 @@ struct Pairs {
 }
 
 impl<'a, const D: usize> Near<'a, D> {
-    pub(super) fn new(scene: &'a Scene, complexes: [&'a Complex; 2], reach: f64) -> Near<'a, D> {
+    /// Searches all pairs; `keeps` says whether pieces with few pairs keep them.
+    pub(super) fn new(scene: &'a Scene, complexes: [&'a Complex; 2], reach: f64, keeps: bool) -> Near<'a, D> {
         let boxes = complexes[1].maximal().par_iter().with_min_len(PIECE);
         let index = BoxIndex::new(boxes.map(|&t| bounds(scene, complexes[1].vertices_of(t))).collect());
         let owned = [Owned::default(), Owned::default()];
         let mut near = Near { scene, complexes, reach, index, owned, pieces: Vec::new() };
         let touched = complexes.map(|complex| complex.maximal().iter().map(|_| AtomicBool::new(false)).collect());
-        near.pieces = near.find(&touched);
+        near.pieces = near.find(&touched, if keeps { MOST_KEPT } else { 0 });
         let [a, b] = touched;
         let (a, b) = rayon::join(|| Owned::new(complexes[0], a), || Owned::new(complexes[1], b));
         near.owned = [a, b];
@@ -105,7 +106,7 @@ impl<'a, const D: usize> Near<'a, D> {
     }
 
     /// Searches all pairs of maximal simplices, and marks the simplices that are in a pair.
-    fn find(&self, touched: &[Vec<AtomicBool>; 2]) -> Vec<Piece> {
+    fn find(&self, touched: &[Vec<AtomicBool>; 2], most: usize) -> Vec<Piece> {
         let touch = |side: usize, place: u32| {
             // many threads find the same simplices: a set mark is not written again
             let is_touched = &touched[side][place as usize];
@@ -113,13 +114,13 @@ impl<'a, const D: usize> Near<'a, D> {
                 is_touched.store(true, Ordering::Relaxed);
             }
         };
-        let find = |piece: usize| Piece { maximal: self.search(piece, touch), below: Default::default() };
+        let find = |piece: usize| Piece { maximal: self.search(piece, most, touch), below: Default::default() };
         (0..touched[0].len().div_ceil(PIECE)).into_par_iter().map(find).collect()
     }
 
     /// The pairs of a piece of the first complex' maximal simplices; calls `touch` for both members. `None` if there
-    /// are too many pairs to keep.
-    fn search(&self, piece: usize, touch: impl Fn(usize, u32)) -> Option<Pairs> {
+    /// are more pairs than `most`.
+    fn search(&self, piece: usize, most: usize, touch: impl Fn(usize, u32)) -> Option<Pairs> {
         let mut pairs = Some(Pairs::default());
         let mut found = Vec::new();
         for place in self.places(piece) {
@@ -130,7 +131,7 @@ impl<'a, const D: usize> Near<'a, D> {
             }
             touch(0, number(place));
             found.iter().for_each(|&second| touch(1, second));
-            pairs = pairs.filter(|pairs| pairs.seconds.len() + found.len() <= MOST_KEPT);
+            pairs = pairs.filter(|pairs| pairs.seconds.len() + found.len() <= most);
             if let Some(pairs) = &mut pairs {
                 pairs.seconds.extend(&found);
                 pairs.firsts.push((number(place), number(pairs.seconds.len())));
@@ -269,4 +270,30 @@ fn bounds<const D: usize>(scene: &Scene, vertices: &[Vertex]) -> Bounds<D> {
 
 fn number(count: usize) -> u32 {
     u32::try_from(count).expect("fewer than 2^32 simplices")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use predicament_mesh::Simplices;
+
+    #[test]
+    fn pairs_are_the_same_whether_they_are_kept_or_searched_again() {
+        let scene = Scene::from_points2(&[[0., 0.], [2., 2.], [0., 2.], [2., 0.], [9., 9.], [8., 9.]]).unwrap();
+        let of = |edges: &[[usize; 2]]| Simplices {
+            edges: edges.iter().map(|edge| edge.map(Vertex::input)).collect(),
+            ..Simplices::default()
+        };
+        let complexes = [of(&[[0, 1], [4, 5]]), of(&[[2, 3]])].map(|given| Complex::new(&scene, &given).unwrap());
+        let near = |keeps| Near::<2>::new(&scene, [&complexes[0], &complexes[1]], 0.0, keeps);
+        let (kept, again) = (near(true), near(false));
+        assert!(kept.pieces[0].maximal.is_some() && again.pieces[0].maximal.is_none());
+        for ranks in [[0, 0], [0, 1], [1, 0], [1, 1]] {
+            let [mut first, mut second] = [Vec::new(), Vec::new()];
+            kept.each(0, ranks, &mut |pairs| first.extend_from_slice(pairs));
+            again.each(0, ranks, &mut |pairs| second.extend_from_slice(pairs));
+            assert_eq!(first, second, "{ranks:?}");
+            assert!(ranks != [1, 1] || first == [[0, 0]], "the edges that cross: {first:?}");
+        }
+    }
 }

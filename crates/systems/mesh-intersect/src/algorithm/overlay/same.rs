@@ -48,7 +48,7 @@ const MOST: usize = 512;
 pub(super) fn asked_about(session: &dyn Predicates, meshes: [&MaterialMesh; 2]) -> Option<[Vec<u32>; 2]> {
     let is_one_surface = |mesh: &MaterialMesh| mesh.sides().iter().all(|sides| sides == &mesh.sides()[0]);
     let is_large = meshes.iter().all(|mesh| mesh.triangles().len() >= FEWEST);
-    if !session.moves_second_mesh() || !is_large || !is_one_surface(meshes[0]) {
+    if !session.allows("set-aside") || !session.moves_second_mesh() || !is_large || !is_one_surface(meshes[0]) {
         return None;
     }
     let scene = session.scene();
