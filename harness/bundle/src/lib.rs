@@ -26,6 +26,7 @@ use predicament_predicates::Backend;
 use predicament_simplify::task::Simplify;
 use predicament_slice::task::Slice;
 use predicament_studies as studies;
+use predicament_studies::ablation::Ablation;
 use predicament_studies::audit::Audit;
 use predicament_studies::border::Borders;
 use predicament_studies::bounds::Bounds;
@@ -119,6 +120,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<Decimals>(),
     studies::Entry::of::<Repeat>(),
     studies::Entry::of::<Borders>(),
+    studies::Entry::of::<Ablation>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use predicament_records::{RunDir, replace};
 use predicament_report::{Section, against, ranking, sources, splice, write_pages};
-use predicament_studies::{compare, stress};
+use predicament_studies::{ablation, compare, stress};
 
 use crate::citing;
 use crate::details::details;
@@ -71,7 +71,7 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let runs: Vec<&Path> = folders.iter().chain(&args.baseline).map(|folder| &**folder).collect();
     apart(&[("--out", &args.out)], &[], &runs)?;
     for folder in &folders {
-        for place in [folder.clone(), folder.join(COMPARISON), folder.join(STRESS)] {
+        for place in [folder.clone(), folder.join(COMPARISON), folder.join(STRESS), folder.join(ABLATION)] {
             for section in studied(&place)? {
                 if compared.iter().all(|other: &Section| other.id != section.id) {
                     compared.push(section);
@@ -123,11 +123,13 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
 
 /// The sections that studies wrote into a folder.
 fn studied(folder: &Path) -> Result<Vec<Section>, Failure> {
-    let sections = [compare::section(folder), stress::section(folder)];
+    let sections = [compare::section(folder), stress::section(folder), ablation::section(folder)];
     sections.into_iter().filter_map(|section| section.map_err(Failure::usage).transpose()).collect()
 }
 
 /// The folder of a stress study inside a run's folder.
 const STRESS: &str = "stress";
+/// The folder of an ablation inside a run's folder.
+const ABLATION: &str = "ablation";
 /// The folder of a comparison inside a run's folder, and the name of its section.
 const COMPARISON: &str = "compare";

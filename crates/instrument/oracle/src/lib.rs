@@ -20,7 +20,9 @@ pub mod pattern;
 pub mod roster;
 
 mod boxed;
+mod lacking;
 mod program;
+mod shortcut;
 mod twice;
 mod visit;
 

@@ -18,6 +18,7 @@ use predicament_tasks::{Contestant, Entry, Task, TaskList};
 
 use crate::boxed::Boxed;
 use crate::faults;
+use crate::lacking;
 use crate::twice::Twice;
 pub use crate::visit::Visit;
 use crate::visit::hand;
@@ -32,11 +33,16 @@ pub const ON_TWO_MESHES: &[&str] = &["sos:per-mesh"];
 /// The parameterless backends of this workspace that do not run by default, in the order of the help.
 pub const MORE: &[&str] = &["sos:per-mesh", "exact:rational", "tolerance:f32", "naive:nalgebra"];
 
+/// The part of a name between a backend and the device that it lacks.
+pub const WITHOUT: &str = ":without=";
+
 /// The values for `-b`, for help texts.
 pub const HELP: &str = "\
 exact                   the sign of the real determinant
 exact:stages=K          the first K of its 6 stages, then the sign of the double determinant: a control
                         (and exact:twice computes each sign twice: a yardstick of times)
+exact:without=DEVICE    without one of plan, static, semi-static, doubles, integers, batch, near-search, empty-cells,
+                        or nothing: a control (and sos:without=leading, sos:per-mesh:without=set-aside)
 exact:rational          every predicate in rationals alone: what exactness costs without a ladder
 sos                     Simulation of Simplicity, x_i + eps^(2^i) (Franklin)
 sos:edelsbrunner-mucke  Simulation of Simplicity, last coordinate strongest
@@ -62,6 +68,11 @@ pub enum BackendError {
     },
     /// The name does not have a number of stages that `exact` has.
     Stages {
+        /// The name.
+        name: String,
+    },
+    /// The backend of the name has no such device, or has none that can be left out.
+    Device {
         /// The name.
         name: String,
     },
@@ -104,6 +115,10 @@ impl std::fmt::Display for BackendError {
             }
             BackendError::Stages { name } => {
                 write!(f, "`{name}`: write a number of stages from 1 to {}", Partial::STAGES)
+            }
+            BackendError::Device { name } => {
+                let (base, device) = name.split_once(WITHOUT).unwrap_or_default();
+                write!(f, "`{name}`: `{base}` lacks no such device; {}", use_one_of(device, &lacking::of(base)))
             }
             BackendError::NoNumber { name, text } => {
                 write!(f, "`{name}`: `{text}` is not a number; write e.g. epsilon:1e-10 or grid:0.01")
@@ -156,6 +171,11 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
                 let partial = partial.ok_or_else(|| BackendError::Stages { name: name.to_owned() })?;
                 return Ok(visitor.visit(Boxed::new(partial), None));
             }
+            if let Some((base, device)) = name.split_once(WITHOUT) {
+                let unknown = || BackendError::Device { name: name.to_owned() };
+                let judge = (base != "exact").then(|| tie_judge(base)).flatten();
+                return Ok(visitor.visit(lacking::boxed(base, device).ok_or_else(unknown)?, judge));
+            }
             if let Some(eps) = name.strip_prefix("epsilon:") {
                 let eps = parameter(name, eps)?;
                 let unfit = |why| BackendError::Epsilon { name: name.to_owned(), why };
@@ -174,6 +194,19 @@ pub fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, BackendError> {
             return Err(BackendError::Unknown { name: name.to_owned() });
         }
     })
+}
+
+/// The judge of the ties that a backend breaks, if it breaks any.
+fn tie_judge(name: &str) -> Option<Box<TieJudge>> {
+    struct Judge;
+    impl Visit for Judge {
+        type Out = Option<Box<TieJudge>>;
+
+        fn visit<B: Backend + 'static>(self, _: B, ties: Option<Box<TieJudge>>) -> Option<Box<TieJudge>> {
+            ties
+        }
+    }
+    visit(name, Judge).ok().flatten()
 }
 
 /// The number in the name of a backend.
@@ -229,6 +262,11 @@ pub fn backend<L: TaskList>(name: &str, tasks: &L) -> Result<Box<dyn Contestant>
     }
     if let Some(engine) = name.strip_prefix(predicament_engines::PREFIX) {
         return Ok(crate::program::contestant(Engine::find(engine).map_err(BackendError::Engine)?, tasks));
+    }
+    if let Some(("exact", device)) = name.split_once(WITHOUT)
+        && let Some(contestant) = lacking::contestant(device, tasks)
+    {
+        return Ok(contestant);
     }
     visit(name, Enter(tasks))
 }

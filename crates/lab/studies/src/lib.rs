@@ -19,6 +19,7 @@
 //! * [`cut`]: how good is a tetrahedral mesh that is cut by the contacts of a backend?
 //! * [`decimals`]: which backends are right about decimals as they were written?
 //! * [`repeat`]: does a backend give the same answer twice?
+//! * [`ablation`]: what does each device of `exact` save?
 //! * [`border`]: between which neighbouring doubles does a backend begin to be wrong?
 //! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
@@ -90,6 +91,7 @@
 //! assert!(report.holds);
 //! ```
 
+pub mod ablation;
 pub mod audit;
 pub mod border;
 pub mod bounds;

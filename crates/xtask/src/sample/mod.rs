@@ -24,7 +24,7 @@ const CURVES: &str = "exact,epsilon:1e-16,epsilon:1e-14,epsilon:1e-12,epsilon:1e
 const SWEPT: &str = "exact,sos,tolerance,epsilon:1e-12,epsilon:1e-10,epsilon:1e-8,epsilon:1e-6,epsilon:1e-2";
 
 /// The files of studies from which the figures of `docs/WHICH.md` are made, relative to the folder of the run.
-const STUDIED: [&str; 10] = [
+const STUDIED: [&str; 11] = [
     "compare/compare.csv",
     "compare/promises.csv",
     "compare/conditioning.csv",
@@ -35,6 +35,7 @@ const STUDIED: [&str; 10] = [
     "parity/parity.csv",
     "parity-space/parity-space.csv",
     "decimals/decimals.csv",
+    "ablation/ablation.csv",
 ];
 
 /// Measures that no figure of the page uses: the sample omits their rows.
@@ -83,6 +84,7 @@ pub fn make(resume: bool) -> Result<(), String> {
     tool("merge closed surfaces", &[&pairs[..], &surfaces].concat())?;
     let decimals = ["study", "decimals", "--quiet", "--digits", "0,1,2,3,4,6,8", "--samples", "0", "-b", SWEPT];
     tool("ask about decimals", &[&decimals[..], &["--out", &study("decimals")]].concat())?;
+    tool("leave out devices", &["study", "ablation", "--quiet", "--out", &study("ablation")])?;
     tool("turn the knobs", &["study", "stress", "--quiet", "--out", &study("stress")])?;
     let [readme, which] = ["README.md", "docs/WHICH.md"].map(|page| root().join(page).display().to_string());
     let spliced = ["--splice", &readme, "--splice", &which];

@@ -5,9 +5,11 @@ use predicament_predicates::{Construction, Dimension, Plane, Question, Scene, Si
 
 #[test]
 fn every_backend_has_the_name_it_is_picked_by() {
-    for name in
-        DEFAULT.iter().copied().chain(MORE.iter().copied()).chain(["exact:stages=3", "fault:tolerance-as-printed"])
-    {
+    for name in DEFAULT.iter().copied().chain(MORE.iter().copied()).chain([
+        "exact:stages=3",
+        "exact:without=semi-static",
+        "fault:tolerance-as-printed",
+    ]) {
         assert_eq!(backend(name, &()).unwrap().name(), name);
     }
 }
@@ -23,6 +25,7 @@ fn mistakes_are_answered_with_what_there_is() {
         let name = format!("exact:stages={stages}");
         assert!(error(&name).contains("from 1 to 6"), "{}", error(&name));
     }
+    assert!(error("exact:without=statics").contains("did you mean `static`?"));
     assert!(error("fault:none").contains("selftest --list"));
 }
 

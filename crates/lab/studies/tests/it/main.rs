@@ -1,5 +1,6 @@
 //! The studies, each with the results that it must find, and their common structure.
 
+mod ablation;
 mod audit;
 mod border;
 mod cascades;

@@ -26,7 +26,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 15] = [
+const SMALL: [(&str, &[&str]); 16] = [
     ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -114,6 +114,10 @@ const SMALL: [(&str, &[&str]); 15] = [
     ),
     ("repeat -b exact --task orient2d --size 10 --out x", &["repeat.csv", "repeat.md"]),
     ("border -b naive --family near --queries 20 --out x", &["border.csv", "border.md", "border.toml"]),
+    (
+        "ablation -b exact:without=static -t orient2d --samples 1 --size 10",
+        &["ablation.csv", "ablation.md", "ablation.svg", "ablation.pdf"],
+    ),
 ];
 
 #[test]

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde::de::DeserializeOwned;
 
+use crate::ablation;
 use crate::compare::section::{FILE, PROMISES};
 use crate::compare::{Conditioned, Measure, Promise};
 use crate::decimals::Answered;
@@ -69,6 +70,11 @@ impl Files {
     /// The answers about decimals.
     pub fn decimals(&self) -> Result<Vec<Answered>, FolderError> {
         self.rows("decimals", crate::decimals::FILE, "decimals")
+    }
+
+    /// The times of variants without a device.
+    pub fn ablation(&self) -> Result<Vec<ablation::Row>, FolderError> {
+        self.rows("ablation", ablation::FILE, "ablation")
     }
 
     /// The rows of closed surfaces.

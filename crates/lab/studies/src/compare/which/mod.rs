@@ -25,7 +25,7 @@ type Make = fn(&Files) -> Result<String, FolderError>;
 const PREFIX: &str = "which ";
 
 /// The parts, in the order of the page.
-const PARTS: [(&str, Make); 19] = [
+const PARTS: [(&str, Make); 20] = [
     ("tree", |_| Ok(format!("```text\n{}```", super::tree::text()))),
     ("scenes", words::scenes),
     ("words", words::backends),
@@ -44,13 +44,14 @@ const PARTS: [(&str, Make); 19] = [
     ("laws", breaks::laws),
     ("cut", pieces::cut),
     ("parity", pieces::parity),
+    ("ablation", |files| crate::ablation::saved(&files.ablation()?)),
     ("sources", |files| Ok(crate::decimals::sources(&files.decimals()?))),
 ];
 
 /// A part of the page, made from files that studies have written into the folder of a run; `None` for an unknown name.
 ///
 /// Studies have folders there: `compare`, `curves` (a comparison of backends that differ in one parameter), `stress`,
-/// `cut`, `parity`, `parity-space` and `decimals`.
+/// `cut`, `parity`, `parity-space`, `decimals` and `ablation`.
 ///
 /// # Errors
 /// [`FolderError`] with the file that is missing or wrong, or with the known names.
