@@ -23,7 +23,9 @@ fn libraries_stand_side_by_side_with_their_smallest_scenes() {
         let line = page.lines().find(|line| line.starts_with(&format!("| `{name}` |"))).unwrap();
         line.split('|').skip(2).take(8).map(|cell| cell.trim().parse::<usize>().unwrap()).collect::<Vec<_>>()
     };
-    let ([exact, naive], scenes) = (["exact", "naive"].map(row), 33);
+    let [exact, naive] = ["exact", "naive"].map(row);
+    let scenes = exact[0];
+    assert!(scenes > 30, "{page}");
     assert_eq!(exact, [scenes, scenes, 0, 0, 0, 0, 0, 0]);
     // Scenes, and then right, rounded, broken, failed, refused, accepted and declined ones.
     assert_eq!((naive[0], naive[1..].iter().sum::<usize>()), (scenes, scenes));
