@@ -24,7 +24,7 @@ fn made(page: &str, folder: &Path) -> Result<String, String> {
 /// A copy of the sample's files in a separate folder.
 fn copy(name: &str) -> PathBuf {
     let folder = std::env::temp_dir().join(format!("predicament-which-{name}-{}", std::process::id()));
-    for study in ["compare", "curves", "stress", "cut", "parity", "parity-space", "decimals"] {
+    for study in ["compare", "curves", "stress", "cut", "parity", "parity-space", "decimals", "ablation"] {
         std::fs::create_dir_all(folder.join(study)).unwrap();
         for file in std::fs::read_dir(root().join("reports/sample").join(study)).unwrap() {
             let file = file.unwrap();
@@ -100,6 +100,7 @@ fn a_figure_that_changes_and_a_file_that_is_missing_are_seen() {
         ("cut", "cut.csv"),
         ("parity", "parity.csv"),
         ("parity-space", "parity-space.csv"),
+        ("ablation", "ablation.csv"),
     ]
     .into_iter()
     .step_by(some_or_all(3, 1))
