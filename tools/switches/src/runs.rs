@@ -24,7 +24,7 @@ pub struct Suite {
     pub took: Duration,
 }
 
-/// What noticed a change.
+/// The step that noticed a change.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
 pub enum Notice {
     Run,
@@ -97,7 +97,7 @@ impl Tool {
         Ok(Suite { name: suite.to_owned(), reached: text.lines().filter_map(read).collect(), took: started.elapsed() })
     }
 
-    /// What of the quick run of these suites notices the change.
+    /// The first step that notices a change: the quick run of these suites, or the gate.
     pub fn notices(&self, change: &str, suites: &[&Suite]) -> Result<Notice, String> {
         let variable = ["PREDICAMENT_SWITCH", change];
         for suite in suites {

@@ -3,5 +3,7 @@
 mod common;
 mod judged;
 mod overlay;
+mod overlay_lies;
 mod overlay_near;
+mod overlay_parts;
 mod snap;

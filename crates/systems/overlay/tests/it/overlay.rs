@@ -4,13 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use predicament_exact::Exact;
 use predicament_overlay::algorithm::overlay::{
-    Arrangement, Edge, Method, Operation, Overlay, Polygon, Region, Regions, Rule, arrange, combine, operate, overlay,
+    Arrangement, Edge, Method, Operation, Overlay, Polygon, Region, Regions, Rule, arrange, overlay,
 };
-use predicament_predicates::{Axis, Backend, Construction, Off, Predicates, Refused, Scene, Sign, Vertex};
+use predicament_predicates::{Backend, Construction, Off, Predicates, Scene, Vertex};
 use predicament_sos::Sos;
 use rug::Rational;
 
-use crate::common::liar::Liar;
 use crate::common::winding::{Point, point};
 
 /// A generator of pseudorandom numbers.
@@ -22,7 +21,7 @@ impl Numbers {
         u32::try_from(self.0 >> 33).unwrap() % n
     }
 
-    fn points(&mut self, count: usize, side: u32) -> Vec<[f64; 2]> {
+    pub(crate) fn points(&mut self, count: usize, side: u32) -> Vec<[f64; 2]> {
         (0..count).map(|_| [f64::from(self.below(side)), f64::from(self.below(side))]).collect()
     }
 }
@@ -178,7 +177,7 @@ fn broken_ties_make_arrangements_by_either_method() {
 }
 
 /// Loops of random corners.
-fn polygon(numbers: &mut Numbers, points: usize, rule: Rule) -> Polygon {
+pub(crate) fn polygon(numbers: &mut Numbers, points: usize, rule: Rule) -> Polygon {
     let loops = 1 + numbers.below(3);
     let mut one = || -> Vec<Vertex> {
         let corners = 3 + numbers.below(5);
@@ -359,7 +358,7 @@ fn results_are_overlaid_again_without_deeper_vertices() {
 }
 
 /// The loops of regions as coordinates, each from its least corner on.
-fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
+pub(crate) fn by_place(scene: &Scene, regions: &[Region]) -> Vec<Vec<Vec<Point>>> {
     let loop_of = |one: &Vec<Edge>| {
         let mut corners: Vec<Point> = one.iter().map(|edge| at(scene, edge.from)).collect();
         let least = (0..corners.len()).min_by_key(|&i| &corners[i]).unwrap();
@@ -417,219 +416,6 @@ fn corners_of(regions: Vec<Vec<Vec<Point>>>) -> Vec<Vec<Vec<Point>>> {
     };
     let kept = |one: Vec<Point>| (0..one.len()).filter(|&i| turns(&one, i)).map(|i| one[i].clone()).collect();
     regions.into_iter().map(|region| region.into_iter().map(kept).collect()).collect()
-}
-
-/// Tests that parts far from the other operand do not change, and that leaving them out does not change the result.
-#[test]
-fn combined_results_are_those_of_whole_overlays() {
-    fn steps<B: Backend>(backend: &B, numbers: &mut Numbers, round: usize) -> [usize; 2] {
-        let side = [14, 30, 60][round % 3];
-        // Polygons of a few corners near each other.
-        let mut points = Vec::new();
-        let mut loops = Vec::new();
-        for _ in 0..24 {
-            let [x, y] = [numbers.below(side), numbers.below(side)];
-            let corners = 3 + numbers.below(4);
-            loops.push((0..corners).map(|i| Vertex::input(points.len() + i as usize)).collect::<Vec<_>>());
-            let reach = if numbers.below(5) == 0 { side } else { 8 };
-            points.extend(
-                (0..corners).map(|_| [f64::from(x + numbers.below(reach)), f64::from(y + numbers.below(reach))]),
-            );
-        }
-        let scene = Scene::from_points2(&points).unwrap();
-        let mut sessions = [backend.prepare(&scene, Off).unwrap(), backend.prepare(&scene, Off).unwrap()];
-        let mut current: Vec<Region> = Vec::new();
-        let [mut holes, mut most] = [0, 0];
-        for (step, one) in loops.iter().enumerate() {
-            let rule = [Rule::EvenOdd, Rule::NonZero][(round + step) % 2];
-            let second = Polygon::of_vertices(std::slice::from_ref(one), rule);
-            let after = Operation::ALL[if numbers.below(3) > 0 { 0 } else { numbers.below(4) as usize }];
-            // For overlapping lines no perturbed crossing is constructed.
-            let first = Polygon::from(current.as_slice());
-            let Ok(made) = overlay(&mut sessions[0], [&first, &second], Method::Grid) else { break };
-            let whole = made.regions(after);
-            let local = combine(&mut sessions[1], &current, &second, after, Method::Grid).unwrap();
-            assert_eq!((whole.broken, local.broken), (None, None), "round {round}, step {step}");
-            let [wanted, found] =
-                [by_place(sessions[0].scene(), &whole.regions), by_place(sessions[1].scene(), &local.regions)];
-            assert_eq!(found, wanted, "round {round}, step {step}, {}", after.name());
-            assert!(local.regions.is_sorted() && local.regions.iter().all(|region| region.holes.is_sorted()));
-            holes += local.regions.iter().map(|region| region.holes.len()).sum::<usize>();
-            most = most.max(local.regions.iter().flat_map(Region::loops).map(Vec::len).sum());
-            // The vertices belong to the session of the next step.
-            current = local.regions;
-            sessions[0] = backend.prepare(&scene, Off).unwrap();
-            let definitions = sessions[1].scene().constructions().to_vec();
-            if !definitions.is_empty() {
-                sessions[0].construct(&definitions).unwrap();
-            }
-        }
-        [holes, most]
-    }
-    let mut numbers = Numbers(11);
-    let mut seen = [0; 2];
-    let rounds = predicament_effort::some_or_all(12, 60);
-    for round in 0..rounds {
-        let found = steps(&Exact, &mut numbers, round);
-        let perturbed = steps(&Sos::default(), &mut numbers, round);
-        seen = [0, 1].map(|i: usize| seen[i] + found[i] + perturbed[i]);
-    }
-    assert!(seen[0] > 16 * rounds && seen[1] > 50 * rounds, "holes and edges: {seen:?}");
-}
-
-/// A loop of lattice points: between a few corners, steps that go neither back in x nor in y.
-fn staircase(numbers: &mut Numbers, side: u32) -> Vec<[f64; 2]> {
-    let corners: Vec<[i64; 2]> =
-        (0..3 + numbers.below(4)).map(|_| [numbers.below(side), numbers.below(side)].map(i64::from)).collect();
-    let mut points: Vec<[f64; 2]> = Vec::new();
-    for (at, &from) in corners.iter().enumerate() {
-        let to = corners[(at + 1) % corners.len()];
-        let mut here = from;
-        while here != to {
-            let push = |points: &mut Vec<[f64; 2]>, [x, y]: [i64; 2]| {
-                points.push([x, y].map(|x| f64::from(i32::try_from(x).unwrap())));
-            };
-            push(&mut points, here);
-            if numbers.below(60) == 0 {
-                // A spike that ends on itself.
-                let [x, y] = [0, 1].map(|_: usize| i64::from(numbers.below(5)) - 2);
-                push(&mut points, [here[0] + 2 * x, here[1] + 2 * y]);
-                push(&mut points, [here[0] + x, here[1] + y]);
-            }
-            let before = here;
-            for axis in 0..2 {
-                let most = (to[axis] - here[axis]).abs().min(i64::from(numbers.below(3)));
-                here[axis] += most * (to[axis] - here[axis]).signum();
-            }
-            if here == before && numbers.below(10) > 0 {
-                points.pop();
-            }
-        }
-    }
-    points
-}
-
-/// Tests that edges found to meet nothing, which are copied, do not change the result.
-#[test]
-fn results_in_which_most_edges_meet_nothing_are_those_of_whole_overlays() {
-    fn results<B: Backend>(backend: &B, scene: &Scene, operands: [&Polygon; 2], what: &str) -> usize {
-        let mut sessions = [backend.prepare(scene, Off).unwrap(), backend.prepare(scene, Off).unwrap()];
-        // For overlapping lines no perturbed crossing is constructed.
-        let Ok(made) = overlay(&mut sessions[0], operands, Method::Grid) else { return 0 };
-        let at = |v: Vertex| (!v.is_constructed()).then(|| scene.point(v)).ok_or(v);
-        let mut holes = 0;
-        for operation in Operation::ALL {
-            let whole = made.regions(operation);
-            let found = operate(&mut sessions[1], operands, operation, Method::Grid).unwrap();
-            assert_eq!((whole.broken, found.broken), (None, None), "{what}");
-            let [wanted, is] =
-                [by_place(sessions[0].scene(), &whole.regions), by_place(sessions[1].scene(), &found.regions)];
-            assert_eq!(is, wanted, "{what}, {}", operation.name());
-            holes += found.regions.iter().map(|region| region.holes.len()).sum::<usize>();
-            let has_length = |edge: &Edge| edge.from != edge.to && at(edge.from) != at(edge.to);
-            // A perturbation separates vertices at one place.
-            let is_perturbed = what.ends_with("perturbed");
-            assert!(is_perturbed || found.regions.iter().flat_map(Region::loops).flatten().all(has_length), "{what}");
-        }
-        holes
-    }
-    let mut numbers = Numbers(23);
-    let mut holes = 0;
-    let rounds = predicament_effort::some_or_all(32, 600);
-    for round in 0..rounds {
-        let side = [30, 60, 200, 500][round % 4];
-        let mut points: Vec<[f64; 2]> = Vec::new();
-        let is_shared = round % 3 == 0;
-        let mut polygon = |numbers: &mut Numbers| {
-            let mut vertex = |point: [f64; 2]| {
-                let known = is_shared.then(|| points.iter().position(|&other| other == point)).flatten();
-                Vertex::input(known.unwrap_or_else(|| {
-                    points.push(point);
-                    points.len() - 1
-                }))
-            };
-            let loops: Vec<Vec<Vertex>> = (0..1 + numbers.below(3))
-                .map(|_| staircase(numbers, side).into_iter().map(&mut vertex).collect())
-                .collect();
-            Polygon::of_vertices(&loops, [Rule::EvenOdd, Rule::NonZero][numbers.below(2) as usize])
-        };
-        let operands = [polygon(&mut numbers), polygon(&mut numbers)];
-        let scene = Scene::from_points2(&points).unwrap();
-        let operands = [&operands[0], &operands[1]];
-        holes += results(&Exact, &scene, operands, &format!("round {round}"));
-        holes += results(&Sos::default(), &scene, operands, &format!("round {round}, perturbed"));
-    }
-    assert!(holes > 8 * rounds, "{holes} holes");
-}
-
-/// A session with meaningless signs and arbitrary vertices.
-struct Lies<'s> {
-    liar: Liar<'s>,
-    own: Scene,
-}
-
-impl Predicates for Lies<'_> {
-    fn scene(&self) -> &Scene {
-        &self.own
-    }
-
-    fn construct(&mut self, definitions: &[Construction]) -> Result<Vec<Vertex>, Refused> {
-        self.own.construct_all(definitions, |_, _| Ok(()))
-    }
-
-    fn compare(&self, axis: Axis, a: Vertex, b: Vertex) -> Sign {
-        self.liar.compare(axis, a, b)
-    }
-
-    predicament_predicates::forward_to!(liar: orient2d, orient3d, incircle, insphere);
-}
-
-#[test]
-fn signs_that_mean_nothing_end() {
-    let mut broken = 0;
-    for seed in 0..60 {
-        let mut numbers = Numbers(seed);
-        let scene = Scene::from_points2(&numbers.points(30, 12)).unwrap();
-        let operands = [(); 2].map(|()| polygon(&mut numbers, scene.len(), Rule::EvenOdd));
-        for method in [Method::Grid, Method::Sweep] {
-            let liar = Liar { scene: &scene, seed, zeros: 3 + seed };
-            let mut session = Lies { liar, own: scene.clone() };
-            let made = overlay(&mut session, [&operands[0], &operands[1]], method).unwrap();
-            for operation in Operation::ALL {
-                let of_result = made.regions(operation).broken;
-                broken += usize::from(made.arrangement.broken.or(of_result).is_some());
-            }
-        }
-    }
-    assert!(broken > 200, "{broken}");
-}
-
-#[test]
-fn combining_by_signs_that_mean_nothing_ends_and_is_told() {
-    let (mut broken, mut of_arrangement) = (0, 0);
-    for seed in 0..60 {
-        let mut numbers = Numbers(seed);
-        let scene = Scene::from_points2(&numbers.points(30, 12)).unwrap();
-        let lies = || Lies { liar: Liar { scene: &scene, seed, zeros: 3 + seed }, own: scene.clone() };
-        let one = polygon(&mut numbers, scene.len(), Rule::EvenOdd);
-        let mut session = lies();
-        let made = overlay(&mut session, [&Polygon::default(), &one], Method::Grid).unwrap();
-        for operation in Operation::ALL {
-            let wanted = made.arrangement.broken.or(made.regions(operation).broken);
-            let found = combine(&mut lies(), &[], &one, operation, Method::Grid).unwrap();
-            assert_eq!(found.broken, wanted, "seed {seed}, {}", operation.name());
-        }
-        of_arrangement += usize::from(made.arrangement.broken.is_some());
-        let mut session = lies();
-        let mut current: Vec<Region> = Vec::new();
-        for step in 0..8 {
-            let second = polygon(&mut numbers, scene.len(), Rule::NonZero);
-            let made = combine(&mut session, &current, &second, Operation::ALL[step % 4], Method::Grid).unwrap();
-            broken += usize::from(made.broken.is_some());
-            current = made.regions;
-        }
-    }
-    assert!(of_arrangement > 20 && broken > 200, "{of_arrangement} and {broken}");
 }
 
 #[test]

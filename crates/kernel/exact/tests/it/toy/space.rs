@@ -1,8 +1,8 @@
 //! Filters of higher degree in tiny formats: every tetrahedron of two bits, and samples where filters can be certain.
 //!
-//! With so few bits as have every query tried, a filter of degree three or more is never certain: its constant exceeds
-//! one. So errors are tried there, and the filters themselves in formats of five to seven bits, at random places of all
-//! queries. Their constants are ((1 + u)ⁿ − 1) / (1 − u)ⁿ for n roundings a term, and two more.
+//! Every query can be tried in formats of two bits only. There a filter of degree three or more is never certain,
+//! because its constant exceeds one. So these formats try the errors. The filters are tried in formats of five to seven
+//! bits, at random places of all queries. Their constants are ((1 + u)ⁿ − 1) / (1 − u)ⁿ for n roundings a term, and two more.
 
 use predicament_exact::anywhere::Bounded;
 
