@@ -2,7 +2,8 @@
 //!
 //! Every query can be tried in formats of two bits only. There a filter of degree three or more is never certain,
 //! because its constant exceeds one. So these formats try the errors. The filters are tried in formats of five to seven
-//! bits, at random places of all queries. Their constants are ((1 + u)ⁿ − 1) / (1 − u)ⁿ for n roundings a term, and two more.
+//! bits, at random places of all queries. Their constants are ((1 + u)ⁿ − 1) / (1 − u)ⁿ for n roundings a term, and two
+//! more.
 
 use predicament_exact::anywhere::Bounded;
 
