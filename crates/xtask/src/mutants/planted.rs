@@ -297,6 +297,29 @@ mod tests {
         assert!(names.len() > 50, "{}", names.len());
     }
 
+    /// A fault whose test is not where it is looked for would never be noticed, and seem to be missed.
+    #[test]
+    fn every_test_of_a_fault_is_where_it_is_run() {
+        let folders = ["crates", "harness"].map(|folder| root().join(folder));
+        let manifests: Vec<PathBuf> =
+            folders.iter().flat_map(|folder| files_in(folder)).filter(|path| path.ends_with("Cargo.toml")).collect();
+        let is_of = |path: &&PathBuf, package: &str| {
+            let text = std::fs::read_to_string(path).unwrap();
+            text.contains(&format!("name = \"predicament-{package}\"\n"))
+        };
+        let mut seen = 0;
+        for fault in read::all(&root()).unwrap() {
+            let Seen::Test { package, name } = &fault.seen else { continue };
+            let manifest = manifests.iter().find(|path| is_of(path, package)).expect(package);
+            let place = manifest.with_file_name(if name.contains("tests::") { "src" } else { "tests" });
+            let function = format!("fn {}", name.rsplit("::").next().unwrap_or(name));
+            let has = |path: PathBuf| std::fs::read_to_string(path).is_ok_and(|text| text.contains(&function));
+            assert!(files_in(&place).into_iter().any(has), "{}: no `{function}` in {}", fault.name, place.display());
+            seen += 1;
+        }
+        assert!(seen > 40, "{seen}");
+    }
+
     #[test]
     fn a_text_that_is_not_there_once_is_an_error() {
         let change = |is: &str| Change { file: "a.rs".into(), is: is.to_owned(), becomes: "z".to_owned() };
