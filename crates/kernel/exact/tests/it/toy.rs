@@ -171,6 +171,11 @@ fn a_constant_that_is_too_small_is_found() {
     assert!(every_turn::<4, 20, 8>([8, 2], 1, 1.0 / 16.0).is_err());
 }
 
+/// The bound on an error: n + 1 roundings of the permanent, and what underflow loses, with n roundings after it.
+fn bound([permanent, lost]: [f64; 2], u: f64, n: i32) -> f64 {
+    ((1.0 + u).powi(n + 1) - 1.0) * permanent + lost * (1.0 + u).powi(n)
+}
+
 /// Tries the circles of the numbers in a range: errors are within `n` roundings before the last sum, and the loss by
 /// underflow.
 fn every_circle<const P: i32, const K: i32, const Q: i32>(range: [i32; 2], step: usize, n: i32) -> Result<u64, String> {
@@ -198,7 +203,7 @@ fn every_circle<const P: i32, const K: i32, const Q: i32>(range: [i32; 2], step:
             #[allow(clippy::cast_precision_loss)]
             let lost = quantum * 8.0 * (lifts as f64 * quantum.powi(2) + 1.0);
             // One more rounding than before the last sum, as d itself is compared.
-            let bound = ((1.0 + u).powi(n + 1) - 1.0) * permanent + lost * (1.0 + u).powi(n);
+            let bound = bound([permanent, lost], u, n);
             if (found.determinant.0 - exact).abs() > bound {
                 return Err(format!("{x:?}, {y:?}: {found:?}, and exactly {exact} of {permanent}"));
             }

@@ -134,7 +134,7 @@ fn every_tetrahedron<const P: i32, const K: i32, const Q: i32>(
                 let [exact, permanent] = [exact, permanent].map(|x| x as f64 * quantum.powi(3));
                 #[allow(clippy::cast_precision_loss)]
                 let lost = quantum * 2.0 * (heights as f64 * quantum + 1.0);
-                let bound = ((1.0 + u).powi(n + 1) - 1.0) * permanent + lost * (1.0 + u).powi(n);
+                let bound = bound([permanent, lost], u, n);
                 if (found.determinant.0 - exact).abs() > bound {
                     return Err(format!("{x:?}, {y:?}, {z:?}: {found:?}, and exactly {exact} of {permanent}"));
                 }
