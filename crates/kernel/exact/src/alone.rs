@@ -3,6 +3,7 @@
 use predicament_arithmetic::Sign;
 
 use crate::common_unit::{self, Short};
+use crate::few_bits::doubles_are_exact;
 use crate::predicate::Predicate;
 use crate::stage;
 
@@ -32,6 +33,9 @@ pub(crate) fn alone<P: Predicate<D, N>, const D: usize, const N: usize>(
         if points[..row].contains(&points[row]) && points.as_flattened().iter().all(|x| x.is_finite()) {
             return Some((Sign::Zero, stage::DOUBLE));
         }
+    }
+    if P::estimate(*points).determinant == 0.0 && doubles_are_exact::<P, D, N>(points) {
+        return Some((Sign::Zero, stage::DOUBLE));
     }
     if let Some(Short { rows, bits, low }) = common_unit::rows(points) {
         let (determinant, form) = (P::DETERMINANT, P::DETERMINANT.form);

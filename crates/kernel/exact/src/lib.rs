@@ -43,6 +43,7 @@ pub mod determinant;
 mod differences;
 pub mod dyadic;
 pub mod estimate;
+mod few_bits;
 #[cfg(feature = "scenes")]
 mod first;
 #[cfg(feature = "scenes")]

@@ -75,6 +75,10 @@ where
         let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            if lack_points(queries, points.len()) {
+                climb_all(queries, out, &mut settled, &climb);
+                continue;
+            }
             // SAFETY: the kernel runs wide only on processors with AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
             let Filtered { signs, open, zeros } =
@@ -112,6 +116,29 @@ where
             }
         }
         settled
+    }
+}
+
+/// Returns true if each query has a vertex without a point: no filter on points can settle one of them.
+///
+/// In other blocks the first query is usually the only one that is looked at.
+#[inline(always)]
+fn lack_points<const N: usize>(queries: &[[Vertex; N]], points: usize) -> bool {
+    queries.iter().all(|query| query.iter().any(|v| v.index() >= points))
+}
+
+/// Answers queries one by one.
+#[inline]
+pub(crate) fn climb_all<Q>(
+    queries: &[Q],
+    out: &mut [Sign],
+    settled: &mut Settled,
+    climb: impl Fn(&Q) -> (Sign, usize),
+) {
+    for (query, out) in queries.iter().zip(out) {
+        let stage;
+        (*out, stage) = climb(query);
+        settled[stage] += 1;
     }
 }
 

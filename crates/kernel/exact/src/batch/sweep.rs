@@ -7,7 +7,7 @@ use core::marker::PhantomData;
 use predicament_lanes::{BLOCK, Block, Kernel, View, dispatch};
 use predicament_predicates::{Sign, Vertex};
 
-use super::{Filtered, NONE, Settled, filter, ones};
+use super::{Filtered, NONE, Settled, climb_all, filter, lack_points, ones};
 
 /// Queries of `N` vertices each, with the formula and the function for open queries.
 pub(crate) struct Sweep<'a, F, C, const E: usize, const N: usize> {
@@ -53,6 +53,10 @@ where
         let mut settled = NONE;
         let mut block = Block::EMPTY;
         for (queries, out) in queries.chunks(BLOCK).zip(out.chunks_mut(BLOCK)) {
+            if lack_points(queries, points.len()) {
+                climb_all(queries, out, &mut settled, &climb);
+                continue;
+            }
             // SAFETY: the kernel runs wide only on processors with AVX-512F.
             unsafe { block.fetch::<V, E, WIDE>(points, queries) };
             let Filtered { signs, open, .. } = filter(&block, &evaluate);

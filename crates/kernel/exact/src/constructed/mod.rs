@@ -33,6 +33,7 @@ mod determinant;
 pub mod filter;
 mod points;
 mod rows;
+pub mod tight;
 mod whole;
 
 use predicament_arithmetic::dyadic::Space;
@@ -239,12 +240,20 @@ impl Constructed {
     #[cold]
     #[inline(never)]
     fn next_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> (Sign, usize) {
-        let (view, axes) = (self.view(), plane.axes());
-        let (a, b, c) = (view.find(a), view.find(b), view.find(c));
-        match filter::orient2d(a.rounded(axes), b.rounded(axes), c.rounded(axes), filter::ORIENT2D) {
+        match self.tight_orient2d(plane, [a, b, c]) {
             Some(sign) => (sign, FILTER),
-            None => (self.turn(plane, [a, b, c]), EXACT),
+            None => (self.turn(plane, [a, b, c].map(|v| self.view().find(v))), EXACT),
         }
+    }
+
+    /// The turn by the computed points, or else by the exact rows, rounded once.
+    #[inline(always)]
+    fn tight_orient2d(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> Option<Sign> {
+        let axes = plane.axes();
+        let computed = |v| self.computed(v, axes);
+        let rounded = |v| self.view().find(v).rounded(axes);
+        tight::orient2d(computed(a), computed(b), computed(c))
+            .or_else(|| tight::orient2d(rounded(a), rounded(b), rounded(c)))
     }
 
     #[inline(always)]
@@ -263,10 +272,7 @@ impl Constructed {
     #[inline]
     #[must_use]
     pub fn orient2d_by_filter(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
-        self.first_orient2d(plane, [a, b, c]).or_else(|| {
-            let [a, b, c] = [a, b, c].map(|v| self.view().find(v).rounded(plane.axes()));
-            filter::orient2d(a, b, c, filter::ORIENT2D)
-        })
+        self.first_orient2d(plane, [a, b, c]).or_else(|| self.tight_orient2d(plane, [a, b, c]))
     }
 
     /// The side of d on the plane of a, b, c, and the stage that settled it.
@@ -286,10 +292,14 @@ impl Constructed {
     #[cold]
     #[inline(never)]
     fn next_orient3d(&self, [a, b, c, d]: [Vertex; 4]) -> (Sign, usize) {
+        let computed = |v| self.computed(v, AXES);
+        if let Some(sign) = tight::orient3d(computed(a), computed(b), computed(c), computed(d)) {
+            return (sign, FILTER);
+        }
         let view = self.view();
         let (a, b, c, d) = (view.find(a), view.find(b), view.find(c), view.find(d));
-        let at = |found: Found| found.rounded(AXES);
-        match filter::orient3d(at(a), at(b), at(c), at(d), filter::ORIENT3D) {
+        let rounded = |found: Found| found.rounded(AXES);
+        match tight::orient3d(rounded(a), rounded(b), rounded(c), rounded(d)) {
             Some(sign) => (sign, FILTER),
             None => (self.side([a, b, c, d]), EXACT),
         }

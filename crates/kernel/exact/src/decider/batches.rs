@@ -167,10 +167,6 @@ pub(crate) fn beside<P: Predicate<D, N>, V: View<E, D>, const E: usize, const D:
 #[inline]
 pub(crate) fn singly<Q>(queries: &[Q], out: &mut [Sign], decide: impl Fn(&Q) -> (Sign, usize)) -> Settled {
     let mut settled = NONE;
-    for (query, out) in queries.iter().zip(out) {
-        let stage;
-        (*out, stage) = decide(query);
-        settled[stage] += 1;
-    }
+    batch::climb_all(queries, out, &mut settled, decide);
     settled
 }

@@ -7,6 +7,7 @@ use predicament_arithmetic::power_of_two;
 use predicament_predicates::{Axis, Dimension, Plane, Sign, Vertex};
 
 use super::Decider;
+use crate::few_bits::doubles_are_exact;
 use crate::predicate::{Incircle, Insphere, Orient2d, Orient3d, Predicate};
 use crate::scene_integers::scaled;
 use crate::stage;
@@ -69,39 +70,48 @@ impl Decider<'_> {
     #[inline(never)]
     pub(super) fn orient3d_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Orient3d::anywhere([*a, *b, *c, *d]).certain()
-        {
-            return (sign, stage::SEMI_STATIC);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
+            let bounded = Orient3d::anywhere([*a, *b, *c, *d]);
+            if let Some(sign) = bounded.certain() {
+                return (sign, stage::SEMI_STATIC);
+            }
+            determinant = zero_or_unknown(bounded.determinant);
         }
-        self.open_orient3d(f64::NAN, a, b, c, d)
+        self.open_orient3d(determinant, a, b, c, d)
     }
 
     #[inline(never)]
     pub(super) fn incircle_by_query(&self, a: Vertex, b: Vertex, c: Vertex, d: Vertex) -> (Sign, usize) {
         let at = |v: Vertex| self.points2.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d))
-            && let Some(sign) = Incircle::anywhere([*a, *b, *c, *d]).certain()
-        {
-            return (sign, stage::SEMI_STATIC);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d)) = (at(a), at(b), at(c), at(d)) {
+            let bounded = Incircle::anywhere([*a, *b, *c, *d]);
+            if let Some(sign) = bounded.certain() {
+                return (sign, stage::SEMI_STATIC);
+            }
+            determinant = zero_or_unknown(bounded.determinant);
         }
-        self.open_incircle(f64::NAN, a, b, c, d)
+        self.open_incircle(determinant, a, b, c, d)
     }
 
     #[inline(never)]
     pub(super) fn insphere_by_query(&self, [a, b, c, d, e]: [Vertex; 5]) -> (Sign, usize) {
         let at = |v: Vertex| self.points3.get(v.index());
-        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e))
-            && let Some(sign) = Insphere::anywhere([*a, *b, *c, *d, *e]).certain()
-        {
-            return (sign, stage::SEMI_STATIC);
+        let mut determinant = f64::NAN;
+        if let (Some(a), Some(b), Some(c), Some(d), Some(e)) = (at(a), at(b), at(c), at(d), at(e)) {
+            let bounded = Insphere::anywhere([*a, *b, *c, *d, *e]);
+            if let Some(sign) = bounded.certain() {
+                return (sign, stage::SEMI_STATIC);
+            }
+            determinant = zero_or_unknown(bounded.determinant);
         }
-        self.open_insphere(f64::NAN, [a, b, c, d, e])
+        self.open_insphere(determinant, [a, b, c, d, e])
     }
 
     // Answers a query that its filter leaves open.
     //
-    // `determinant` is the static filter's value, or NaN if the query's own filter left it open.
+    // `determinant` is the static filter's value; if the query's own filter left it open, zero or NaN.
 
     #[cold]
     #[inline(never)]
@@ -176,9 +186,17 @@ impl Decider<'_> {
     }
 }
 
+/// The determinant of a query's own filter, for the functions that answer what it leaves open.
+///
+/// Only a zero is passed on, because other values say that the query's own filter has not run.
+#[inline(always)]
+pub(crate) fn zero_or_unknown(determinant: f64) -> f64 {
+    if determinant == 0.0 { 0.0 } else { f64::NAN }
+}
+
 /// A query that a filter has left open.
 pub(crate) struct Open {
-    /// The static filter's determinant; NaN if the query's own filter has run.
+    /// The static filter's determinant; NaN or zero if the query's own filter has run.
     pub determinant: f64,
     /// The bound of the static filter.
     pub static_bound: f64,
@@ -200,17 +218,31 @@ impl Open {
         if self.is_small() { self.by_query::<P, D, N>(points) } else { None }
     }
 
-    /// The sign by the query's own filter, if it has not run and the scene's integers would not do as well.
+    /// The sign in doubles, if the scene's integers would not do as well: by the query's own filter, if it has not run.
     ///
-    /// It must run before integers in units of the query; for a determinant of zero it would decide nothing.
+    /// The filter must run before integers in units of the query. A determinant of zero it leaves open, and that is a
+    /// tie if doubles make no error.
     #[inline(always)]
     fn late<P: Predicate<D, N>, const D: usize, const N: usize>(
         &self,
         points: &[[f64; D]; N],
         has_integers: bool,
     ) -> Option<(Sign, usize)> {
+        if has_integers {
+            return None;
+        }
+        if self.is_exact_zero::<P, D, N>(points) {
+            return Some((Sign::Zero, stage::DOUBLE));
+        }
         let is_asked = self.determinant.is_nan() || self.determinant == 0.0 || self.is_small();
-        if has_integers || is_asked { None } else { self.by_query::<P, D, N>(points) }
+        if is_asked { None } else { self.by_query::<P, D, N>(points) }
+    }
+
+    /// Returns true if the determinant is zero in doubles that make no error.
+    #[inline(always)]
+    pub fn is_exact_zero<P: Predicate<D, N>, const D: usize, const N: usize>(&self, points: &[[f64; D]; N]) -> bool {
+        let is_zero = || self.determinant.is_nan() && P::estimate(*points).determinant == 0.0;
+        (self.determinant == 0.0 || is_zero()) && doubles_are_exact::<P, D, N>(points)
     }
 
     #[inline(always)]

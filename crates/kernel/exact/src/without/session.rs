@@ -10,7 +10,7 @@ use predicament_predicates::{
 use super::{BATCH, DOUBLES, INTEGERS, PLAN, SEMI_STATIC, STATIC, Without};
 use crate::alone::alone;
 use crate::batch::Settled;
-use crate::decider::open::{Open, coincide, vanishes};
+use crate::decider::open::{Open, coincide, vanishes, zero_or_unknown};
 use crate::first::{self, First, extents};
 use crate::ladder::{Flat, Prepared, Solid};
 use crate::once::Once;
@@ -229,7 +229,7 @@ impl<'s, T: Tally, const DEVICE: usize> WithoutSession<'s, T, DEVICE> {
         self.filtered::<Insphere, 3, 5>(self.insphere, &points, |determinant| self.open_insphere(determinant, vertices))
     }
 
-    /// The sign by the first filter, else by `open`, which takes the static filter's determinant, or NaN.
+    /// The sign by the first filter, else by `open`, which takes the static filter's determinant, or zero or NaN.
     #[inline(always)]
     fn filtered<P: Predicate<D, N>, const D: usize, const N: usize>(
         &self,
@@ -238,9 +238,10 @@ impl<'s, T: Tally, const DEVICE: usize> WithoutSession<'s, T, DEVICE> {
         open: impl Fn(f64) -> (Sign, usize),
     ) -> (Sign, usize) {
         if !Self::STATIC || (Self::SEMI_STATIC && filter.by_query) {
-            return match P::anywhere(*points).certain() {
+            let bounded = P::anywhere(*points);
+            return match bounded.certain() {
                 Some(sign) => (sign, stage::SEMI_STATIC),
-                None => open(f64::NAN),
+                None => open(zero_or_unknown(bounded.determinant)),
             };
         }
         let estimate = P::estimate(*points);
@@ -312,6 +313,9 @@ impl<'s, T: Tally, const DEVICE: usize> WithoutSession<'s, T, DEVICE> {
             return (sign, stage::SEMI_STATIC);
         }
         let (prepared, integers) = plan();
+        if Self::DOUBLES && prepared.scale == 0.0 && open.is_exact_zero::<P, D, N>(points) {
+            return (Sign::Zero, stage::DOUBLE);
+        }
         let is_late = !is_blank && !is_early && prepared.scale == 0.0;
         if Self::SEMI_STATIC
             && is_late

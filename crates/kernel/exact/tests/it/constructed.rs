@@ -5,6 +5,7 @@ mod faults;
 mod judge;
 mod near;
 mod scenes;
+mod tight;
 
 use crate::common::{Random, nudge};
 use judge::Judge;

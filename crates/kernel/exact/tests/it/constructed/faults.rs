@@ -3,6 +3,7 @@
 use predicament_exact::constructed::{
     Constructed, EXACT,
     filter::{self, Approximate},
+    tight,
 };
 use predicament_predicates::{Construction, Dimension, Plane, Scene, Sign, Vertex};
 
@@ -72,6 +73,7 @@ fn half_of_orient2d_is_caught() {
     let answer = |bound| filter::orient2d(at(v(0), 0.0), at(v(1), 0.0), at(pivot, ERRORS), bound);
     assert_eq!(answer(filter::ORIENT2D), None);
     assert_eq!(answer(filter::ORIENT2D / 2.0), Some(-truth));
+    assert_eq!(tight::orient2d(at(v(0), 0.0), at(v(1), 0.0), at(pivot, ERRORS)), None);
     assert_eq!(ours.orient2d(Plane::Xy, v(0), v(1), pivot), (truth, EXACT));
 }
 
@@ -89,6 +91,7 @@ fn half_of_orient3d_is_caught() {
     let [a, b, c, d] = points.map(|p| p.map(|x| Approximate::within(x, 0.0)));
     assert_eq!(filter::orient3d(a, b, c, d, filter::ORIENT3D), None);
     assert_eq!(filter::orient3d(a, b, c, d, filter::ORIENT3D / 2.0), Some(-truth));
+    assert_eq!(tight::orient3d(a, b, c, d), None);
 }
 
 /// The filter does not answer if something overflows, underflows or is unknown.
@@ -98,7 +101,9 @@ fn the_filter_does_not_answer_out_of_range() {
     let corner = |scale: f64| [[scale, 0.0, 0.0], [0.0, scale, 0.0], [0.0, 0.0, scale], [0.0; 3]].map(point);
     let side = |scale| {
         let [a, b, c, d] = corner(scale);
-        filter::orient3d(a, b, c, d, filter::ORIENT3D)
+        let answer = filter::orient3d(a, b, c, d, filter::ORIENT3D);
+        assert_eq!(tight::orient3d(a, b, c, d), answer);
+        answer
     };
     assert_eq!([1.0, 1e-80, 1e100].map(side), [Some(Sign::Positive); 3]);
     assert_eq!([1e-110, 5e-324, 0.0, 1e103, f64::MAX, f64::NAN, f64::INFINITY].map(side), [None; 7]);
