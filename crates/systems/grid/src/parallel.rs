@@ -20,3 +20,8 @@ pub fn pieces<T: Sync, R: Send>(items: &[T], piece: usize, work: &(dyn Fn(&[T]) 
 pub fn all<T: Sync, R: Send>(items: &[T], work: &(dyn Fn(&T) -> R + Sync)) -> Vec<R> {
     items.par_iter().with_min_len(8192).map(work).collect()
 }
+
+/// The results of two pieces of work.
+pub fn both<R: Send>(one: &(dyn Fn() -> R + Sync), other: &(dyn Fn() -> R + Sync)) -> [R; 2] {
+    rayon::join(one, other).into()
+}

@@ -13,6 +13,8 @@ contradiction! {
         Apex: "an edge of a hole has a vertex on its inner side", "an edge of a hole has no vertex on its inner side";
         Disc: "the triangles that a vertex replaces are a disc", "the triangles that a vertex replaces are not a disc";
         Face: "the vertices of a face are on its boundary", "a vertex of a face is not on its boundary";
+        Hull: "two hulls beside each other have common tangents", "two hulls beside each other have no common tangent";
+        Flips: "flips of edges end", "flips of edges do not end";
         Once: "two constraints cross in one point", "two constraints do not cross in one point";
     }
 }

@@ -181,6 +181,33 @@ impl Mesh {
         Edge::new(triangle, corner)
     }
 
+    /// Appends the triangles of another triangulation; returns the number to add to their indices.
+    pub fn append(&mut self, other: Mesh) -> u32 {
+        let offset = self.len();
+        self.triangles.extend(other.triangles.into_iter().map(|mut triangle| {
+            triangle.across = triangle.across.map(|edge| Edge(edge.0 + (offset << 2)));
+            triangle
+        }));
+        self.free.extend(other.free.into_iter().map(|triangle| triangle + offset));
+        self.mark = self.mark.max(other.mark);
+        offset
+    }
+
+    /// Replaces the edge of two finite triangles by the other diagonal; returns the four edges around both triangles.
+    pub fn flip(&mut self, edge: Edge) -> [Edge; 4] {
+        let outside = self.across(edge);
+        let [(a, b), (d, c)] = [edge, outside].map(|edge| (self.apex(edge), self.start(edge)));
+        // From a to b, to d, to c, and back to a.
+        let around = [edge.previous(), outside.next(), outside.previous(), edge.next()].map(|edge| self.across(edge));
+        let [one, other] = [self.set(edge.triangle(), a, b, d), self.set(outside.triangle(), a, d, c)];
+        self.link(one.next(), other.previous());
+        self.join(one.previous(), around[0]);
+        self.join(one, around[1]);
+        self.join(other, around[2]);
+        self.join(other.next(), around[3]);
+        around
+    }
+
     /// Frees a triangle.
     pub fn free(&mut self, triangle: u32) {
         self.triangles[triangle as usize].corners = [INFINITE; 3];

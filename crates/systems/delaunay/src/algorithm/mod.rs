@@ -1,5 +1,7 @@
 //! Delaunay triangulations of points of the plane, by insertion in random rounds along a space-filling curve.
 //!
+//! Large scenes are divided into vertical strips, which are triangulated in parallel and [joined](strips).
+//!
 //! # Meaning of a zero
 //! * Vertices that compare equal on both axes are one: the smallest index represents all, the others are its
 //!   [copies](Delaunay2::copies).
@@ -28,6 +30,7 @@ mod mesh;
 mod order;
 mod region;
 mod remove;
+mod strips;
 
 use predicament_predicates::{Construction, Predicates, Vertex};
 
@@ -38,11 +41,32 @@ pub use contradiction::Contradiction;
 use mesh::Mesh;
 use region::Region;
 
+/// The minimum number of points of a strip.
+const POINTS_OF_STRIP: usize = 1 << 17;
+/// The maximum number of strips.
+const STRIPS: usize = 16;
+
 /// The Delaunay triangulation of the scene's input vertices.
+///
+/// Scenes of many points are triangulated in strips, by several threads.
 #[must_use]
 pub fn delaunay2d<P: Predicates + ?Sized>(session: &P) -> Triangulation {
-    let points = session.scene().coordinates().as_chunks().0;
-    let mut triangulation = Triangulation::in_order(session, &order::insertion_order(points));
+    // A power of two, because strips are joined in pairs.
+    let strips = (session.scene().len() / POINTS_OF_STRIP).checked_ilog2().map_or(1, |exponent| 1 << exponent);
+    delaunay2d_in_strips(session, strips.min(STRIPS))
+}
+
+/// The Delaunay triangulation of the scene's input vertices, in this number of strips.
+///
+/// The number does not change the answer of a session whose signs do not contradict each other.
+#[must_use]
+pub fn delaunay2d_in_strips<P: Predicates + ?Sized>(session: &P, strips: usize) -> Triangulation {
+    let joined = if strips < 2 { None } else { strips::in_strips(session, strips) };
+    let mut triangulation = joined.unwrap_or_else(|| {
+        let points = session.scene().coordinates().as_chunks().0;
+        let all = points.iter().zip(0..).map(|(_, at)| at).collect();
+        Triangulation::in_order(session, &order::insertion_order(points, all))
+    });
     triangulation.cut_faces();
     triangulation
 }

@@ -21,11 +21,10 @@ const FIRST_ROUND: usize = 128;
 /// The bits of one pass of the sort.
 const DIGIT: u32 = 11;
 
-/// All points in the order of insertion.
-pub(super) fn insertion_order(points: &[[f64; 2]]) -> Vec<Vertex> {
-    let rounds = (1..8).take_while(|round| points.len() >> (SHARE * round) >= FIRST_ROUND).count();
+/// The points with these indices in the order of insertion; the indices ascend.
+pub(super) fn insertion_order(points: &[[f64; 2]], mut items: Vec<u64>) -> Vec<Vertex> {
+    let rounds = (1..8).take_while(|round| items.len() >> (SHARE * round) >= FIRST_ROUND).count();
     let last = u32::try_from(rounds).unwrap_or(0);
-    let mut items: Vec<u64> = points.iter().zip(0..).map(|(_, at)| at).collect();
     let mut scratch = Vec::new();
     along_curve(points, &mut items, &mut scratch, last);
     items.into_iter().map(|item| Vertex::input(index(item))).collect()

@@ -1,6 +1,8 @@
 //! Delaunay triangulations compared with the definition, in any order of insertion, and after removals.
 
-use predicament_delaunay::algorithm::{Delaunay2, Triangulation, delaunay2d, delaunay2d_in_order};
+use predicament_delaunay::algorithm::{
+    Delaunay2, Triangulation, delaunay2d, delaunay2d_in_order, delaunay2d_in_strips,
+};
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Counts, MAX_STAGES, Off, Plane, PredicateKind, Predicates, Scene, Sign, Vertex};
 use predicament_sos::Sos;
@@ -87,6 +89,9 @@ fn is_by_definition(points: &[[i64; 2]]) {
     for session in [&exact as &dyn Predicates, &sos] {
         let expected = by_definition(session);
         assert_eq!(delaunay2d(session).answer(), expected, "{points:?}");
+        for strips in 2..=4 {
+            assert_eq!(delaunay2d_in_strips(session, strips).answer(), expected, "{points:?} in {strips} strips");
+        }
         for order in orders(points.len()) {
             assert_eq!(delaunay2d_in_order(session, &order).answer(), expected, "{points:?} by {order:?}");
         }
@@ -138,8 +143,33 @@ fn any_order_gives_the_same_triangles() {
     for session in [&exact as &dyn Predicates, &sos] {
         let expected = delaunay2d(session).answer();
         assert!(expected.triangles.len() > 500 && expected.broken.is_none());
+        for strips in [2, 5, 16] {
+            assert_eq!(delaunay2d_in_strips(session, strips).answer(), expected, "{strips} strips");
+        }
         for order in orders(points.len()) {
             assert_eq!(delaunay2d_in_order(session, &order).answer(), expected);
+        }
+    }
+}
+
+/// Rings and random points: long hulls, and flips far into a strip.
+#[test]
+fn strips_of_uneven_points_are_joined() {
+    let ring = |i: i64, radius: i64| {
+        #[allow(clippy::cast_precision_loss, clippy::cast_possible_truncation)] // rounds to integers
+        [f64::cos, f64::sin].map(|of| (of(i as f64) * radius as f64) as i64)
+    };
+    for points in [
+        (0..400).map(|i| ring(i, 1000)).collect::<Vec<_>>(),
+        (0..400).map(|i| ring(i, i * i)).collect(),
+        (0..400).map(|i| [i % 7 * 100, i * 7919 % 1009]).collect(),
+        (0..400).map(|i| [i * i % 401, i * 7919 % 1009]).collect(),
+    ] {
+        let scene = scene(&points);
+        let exact = Exact.prepare(&scene, Off).unwrap();
+        let expected = delaunay2d_in_strips(&exact, 1).answer();
+        for strips in 2..8 {
+            assert_eq!(delaunay2d_in_strips(&exact, strips).answer(), expected, "{strips} strips");
         }
     }
 }

@@ -1,6 +1,6 @@
 //! Delaunay triangulations by contradictory signs: bounded steps, no panic.
 
-use predicament_delaunay::algorithm::{constrained_delaunay2d, delaunay2d, delaunay2d_in_order};
+use predicament_delaunay::algorithm::{constrained_delaunay2d, delaunay2d, delaunay2d_in_order, delaunay2d_in_strips};
 use predicament_exact::Exact;
 use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
 use proptest::prelude::*;
@@ -13,6 +13,8 @@ fn is_seen(session: &mut dyn Predicates) -> bool {
     let scene = session.scene().clone();
     let found = delaunay2d(&*session).answer();
     assert!(found.triangles.len() <= 2 * scene.len() && found.chain.len() <= scene.len());
+    let joined = delaunay2d_in_strips(&*session, 3).answer();
+    assert!(joined.triangles.len() <= 2 * scene.len());
     let half: Vec<Vertex> = scene.vertices().step_by(2).collect();
     let mut triangulation = delaunay2d_in_order(&*session, &half);
     for v in scene.vertices().step_by(3) {
