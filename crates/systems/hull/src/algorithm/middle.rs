@@ -5,15 +5,18 @@
 //! within the box by more than the session's reach is inside the hull, also under a perturbation by infinitesimals. So
 //! only the other points are asked about.
 
+use predicament_grid::parallel;
 use predicament_predicates::{Predicates, Scene, Vertex};
 
-use super::incremental;
 use super::scratch::Scratch;
+use super::{PIECE, incremental};
 
 /// The minimum number of points for which the filter saves time.
 const FEW: usize = 4096;
 /// The number of points that are compared together.
 const CHUNK: usize = 512;
+/// The value of no point.
+const NOTHING: (f64, usize) = (f64::NEG_INFINITY, 0);
 /// The directions, up to their signs.
 const DIRECTIONS: [[f64; 3]; 13] = [
     [1.0, 0.0, 0.0],
@@ -41,8 +44,12 @@ pub(super) fn outer(session: &dyn Predicates, scratch: &mut Scratch) -> Vec<Vert
     let is_inside = |[x, y, z]: [f64; 3]| {
         (low[0] < x) & (x < high[0]) & (low[1] < y) & (y < high[1]) & (low[2] < z) & (z < high[2])
     };
-    let points = scene.coordinates().as_chunks::<3>().0.iter().enumerate();
-    points.filter(|(_, point)| !is_inside(**point)).map(|(at, _)| Vertex::input(at)).collect()
+    let points = scene.coordinates().as_chunks::<3>().0;
+    let pieces = parallel::each(points.len().div_ceil(PIECE), &|piece| {
+        let piece = points.iter().zip(0..).skip(piece * PIECE).take(PIECE);
+        piece.filter(|(point, _)| !is_inside(**point)).map(|(_, at)| Vertex::input(at)).collect::<Vec<Vertex>>()
+    });
+    pieces.concat()
 }
 
 /// The lowest and the highest corner of a box whose open inside is inside the hull; `None` if none is found.
@@ -87,12 +94,31 @@ fn middle(session: &dyn Predicates, scratch: &mut Scratch) -> Option<[[f64; 3]; 
 
 /// The extreme vertices in all directions, by rounded coordinates, each once.
 fn extreme(scene: &Scene) -> Vec<Vertex> {
-    // The greatest value in each direction and in the opposite one, with its vertex.
-    let mut most = [[(f64::NEG_INFINITY, 0); 2]; DIRECTIONS.len()];
     let points = scene.coordinates().as_chunks::<3>().0;
+    let pieces = parallel::each(points.len().div_ceil(PIECE), &|piece| {
+        let from = piece * PIECE;
+        utmost(&points[from..points.len().min(from + PIECE)], from)
+    });
+    let mut most = [[NOTHING; 2]; DIRECTIONS.len()];
+    for piece in pieces {
+        for (most, other) in most.as_flattened_mut().iter_mut().zip(piece.as_flattened()) {
+            // Of equal values, the first one counts.
+            *most = if other.0 > most.0 { *other } else { *most };
+        }
+    }
+    let mut found: Vec<Vertex> = most.as_flattened().iter().map(|&(_, at)| Vertex::input(at)).collect();
+    found.sort_unstable();
+    found.dedup();
+    found
+}
+
+/// The greatest value in each direction and in the opposite one, with the index of its point; the first has index
+/// `from`.
+fn utmost(points: &[[f64; 3]], from: usize) -> [[(f64, usize); 2]; DIRECTIONS.len()] {
+    let mut most = [[NOTHING; 2]; DIRECTIONS.len()];
     let mut columns = [[0.0; CHUNK]; 3];
     let mut values = [0.0; CHUNK];
-    for (chunk, from) in points.chunks(CHUNK).zip((0..).step_by(CHUNK)) {
+    for (chunk, from) in points.chunks(CHUNK).zip((from..).step_by(CHUNK)) {
         for (at, point) in chunk.iter().enumerate() {
             (0..3).for_each(|axis| columns[axis][at] = point[axis]);
         }
@@ -116,10 +142,7 @@ fn extreme(scene: &Scene) -> Vec<Vertex> {
             }
         }
     }
-    let mut found: Vec<Vertex> = most.as_flattened().iter().map(|&(_, at)| Vertex::input(at)).collect();
-    found.sort_unstable();
-    found.dedup();
-    found
+    most
 }
 
 /// True if a point is certainly on the inner side of the plane through three points, which are counterclockwise as seen

@@ -28,6 +28,7 @@ mod incremental;
 mod interior;
 mod middle;
 mod order;
+mod parts;
 mod plane;
 mod scratch;
 mod space;
@@ -39,6 +40,9 @@ use predicament_predicates::Vertex;
 pub use contradiction::Contradiction;
 pub use plane::{PlaneMethod, hull2d};
 pub use space::{SpaceMethod, hull3d};
+
+/// The number of points of a piece of parallel work.
+const PIECE: usize = 1 << 15;
 
 /// The convex hull of points of the plane.
 #[derive(Clone, PartialEq, Eq, Default, Debug)]

@@ -2,18 +2,19 @@
 
 use std::collections::HashMap;
 
+use predicament_grid::parallel;
 use predicament_predicates::{Predicates, Scene, Sign, Vertex};
 
 use super::first::AXES;
 use super::order::lexicographic;
 use super::scratch::Scratch;
-use super::{Hull3, divide, incremental, middle};
+use super::{Hull3, PIECE, divide, incremental, middle, parts};
 
 /// The methods for hulls in space.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum SpaceMethod {
-    /// Drops points in a box in the middle, and inserts the others in a fixed random order; a conflict graph holds the
-    /// outside points.
+    /// Drops points in a box in the middle, and points that are not vertices of the hull of their part. Inserts the others
+    /// in a fixed random order; a conflict graph holds the outside points.
     #[default]
     Incremental,
     /// Divide and conquer: sorts the points, and stitches the half-edge meshes of both halves by the faces that touch
@@ -28,7 +29,7 @@ pub fn hull3d(session: &dyn Predicates, method: SpaceMethod) -> Hull3 {
     let mut scratch = Scratch::new(scene.len());
     let mut hull = match method {
         SpaceMethod::Incremental => {
-            let vertices = middle::outer(session, &mut scratch);
+            let vertices = parts::survivors(session, middle::outer(session, &mut scratch));
             let mut hull = incremental::hull(session, &mut scratch, &vertices);
             name_by_smallest(session, &mut hull);
             hull
@@ -61,7 +62,11 @@ fn name_by_smallest(session: &dyn Predicates, hull: &mut Hull3) {
     hull.vertices.iter().for_each(|v| is_vertex[v.index()] = true);
     let filter = Filter::of(hull.vertices.len(), hull.vertices.iter().map(|&v| place(scene, v)));
     let is_candidate = |v: &Vertex| !is_vertex[v.index()] && filter.may_have(place(scene, *v));
-    let candidates: Vec<Vertex> = scene.vertices().take(last.index()).filter(is_candidate).collect();
+    let candidates = parallel::each(last.index().div_ceil(PIECE), &|piece| {
+        let piece = (piece * PIECE..last.index().min((piece + 1) * PIECE)).map(Vertex::input);
+        piece.filter(is_candidate).collect::<Vec<Vertex>>()
+    })
+    .concat();
     if candidates.is_empty() {
         return;
     }
