@@ -56,6 +56,7 @@ mod judged;
 mod layout;
 mod ledger;
 mod line_ends;
+mod memory;
 mod names;
 mod one_scene;
 mod pixels;

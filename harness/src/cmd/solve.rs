@@ -10,7 +10,7 @@ use crate::exit::{self, Failure};
 use crate::one_scene::OneScene;
 use crate::told::cure;
 use crate::tool::Tool;
-use crate::{interrupt, progress};
+use crate::{interrupt, memory, progress};
 
 const EXAMPLES: &str = "\
 The input is a scene of a suite, selected with -f, or a task on your own files: `solve TASK FILE…` makes a scene of \
@@ -61,6 +61,10 @@ pub struct Args {
     #[arg(long = "only", value_name = "PART", value_delimiter = ',')]
     pub parts: Vec<String>,
 
+    /// The memory that the answer may take, in GiB [default: what the system has left]
+    #[arg(long, value_name = "GIB")]
+    pub memory: Option<f64>,
+
     /// A folder for the files; it is created if it does not exist
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -73,6 +77,9 @@ pub fn run(args: &Args, tool: &Tool) -> exit::Outcome {
     let backend = tool.backend(&args.backend).map_err(Failure::usage)?;
     let loaded = args.scene.load(tool)?;
     let task = tool.task(loaded.task);
+    if let Some(needed) = task.memory_of(&loaded) {
+        memory::check(needed, args.memory).map_err(|why| about(args, &loaded, &backend.name(), why))?;
+    }
     working.now(format!("solving {} with {}", task.name(), backend.name()));
     let choice = Choice { formats: args.formats.clone(), parts: args.parts.clone() };
     let mut written = Ok(Written::default());

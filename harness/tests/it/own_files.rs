@@ -179,3 +179,14 @@ fn a_file_whose_name_has_control_characters_is_no_suite() {
     let xml = std::fs::read_to_string(&junit).unwrap();
     assert!(xml.contains("name=\"\u{FFFD}\"") && !xml.contains('\u{FFFE}'), "{xml}");
 }
+
+#[test]
+fn a_scene_that_needs_more_memory_than_is_left_is_refused_before_it_is_solved() {
+    let folder = tempdir().unwrap();
+    let (points, out) = (write(&folder, "p.csv", "x,y\n0,0\n3,1\n1,3\n2,2\n"), at(&folder, "out"));
+    let told = expect(2, &["solve", "delaunay2d", &points, "--memory", "1e-9", "--out", &out]);
+    let parts = ["p.csv", "the answer needs about 0.000 GiB of memory, and 0.000 GiB may be used", "raise --memory"];
+    assert!(parts.iter().all(|part| told.stderr.contains(part)), "{}", told.stderr);
+    assert!(!std::path::Path::new(&out).exists());
+    expect(0, &["solve", "delaunay2d", &points, "--memory", "1", "--out", &out]);
+}

@@ -75,6 +75,9 @@ pub trait AnyTask: SceneFormat {
     /// Calls [`Task::size`] with the content of a scene of the task.
     fn size_of_content(&self, content: &dyn Content) -> usize;
 
+    /// The memory by [`Task::memory`] for a whole scene, in bytes.
+    fn memory_of(&self, loaded: &LoadedScene) -> Option<u64>;
+
     /// Calls [`Task::takes_threads`].
     fn is_threaded(&self) -> bool;
 
@@ -264,6 +267,10 @@ impl<T: Task> AnyTask for T {
 
     fn size_of_content(&self, content: &dyn Content) -> usize {
         self.size(typed_content::<T>(content))
+    }
+
+    fn memory_of(&self, loaded: &LoadedScene) -> Option<u64> {
+        self.memory().map(|of_vertex| of_vertex.saturating_mul(loaded.scene.len() as u64))
     }
 
     fn is_threaded(&self) -> bool {

@@ -205,6 +205,12 @@ pub trait Task: SceneFormat + Sized + 'static {
         content.count()
     }
 
+    /// The memory for an answer and for finding it, in bytes for each vertex of the scene, as measured; `None` if the
+    /// amount depends on more than their number. `solve` refuses scenes for which the memory does not suffice.
+    fn memory(&self) -> Option<u64> {
+        None
+    }
+
     /// True if solving uses all threads of the current pool: benches time it on each requested number of threads.
     fn takes_threads(&self) -> bool {
         false

@@ -47,10 +47,13 @@ fn query<const D: usize, const N: usize>(family: &str, random: &mut Random) -> [
     })
 }
 
+/// The answers of an engine to queries.
+type Answers<'a, const D: usize, const N: usize> = &'a dyn Fn(&[[[f64; D]; N]], &mut [Sign]);
+
 fn race<const D: usize, const N: usize>(
     predicate: &str,
     truth: impl Fn([[f64; D]; N]) -> Sign,
-    engines: [(&str, &dyn Fn(&[[[f64; D]; N]], &mut [Sign])); 5],
+    engines: [(&str, Answers<'_, D, N>); 5],
 ) {
     for family in FAMILIES {
         let mut random = Random(31);

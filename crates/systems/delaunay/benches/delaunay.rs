@@ -1,5 +1,5 @@
-//! A benchmark of Delaunay triangulations of a million points on one thread; with the feature `peers` against `spade`
-//! and `delaunator`.
+//! A benchmark of Delaunay triangulations of a million points on one thread, and once on all threads; with the feature
+//! `peers` against `spade` and `delaunator`.
 //!
 //! All contestants take turns; the medians and their ratios are printed. Our time ends at the last edge of the
 //! canonical rule. The task also lists the triangles sorted: that is timed separately.
@@ -119,10 +119,15 @@ fn family(name: &str, family: &str, n: usize) {
     let exact = exact.prepare(&scene, Off).expect("takes all");
     let sos = sos.prepare(&scene, Off).expect("takes all");
     let dynamic: &dyn Predicates = &exact;
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(all_threads()).build().expect("threads");
     let mut contestants: Vec<Contestant<'_>> = vec![
         ("exact".into(), Box::new(|| built(|| delaunay2d(&exact), |found| found.count()))),
         ("sos".into(), Box::new(|| built(|| delaunay2d(&sos), |found| found.count()))),
         ("exact, by dynamic calls".into(), Box::new(|| built(|| delaunay2d(dynamic), |found| found.count()))),
+        (
+            "exact, all threads".into(),
+            Box::new(|| threads.install(|| built(|| delaunay2d(&exact), |found| found.count()))),
+        ),
         ("exact, listed and sorted".into(), Box::new(|| timed(|| delaunay2d(&exact).answer().triangles.len()))),
     ];
     contestants.extend(peers(&scene));
@@ -135,7 +140,13 @@ fn family(name: &str, family: &str, n: usize) {
     }
 }
 
+/// The number of threads of the machine.
+fn all_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
 fn main() {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first use of threads");
     let wanted: Vec<String> = std::env::args().skip(1).filter(|argument| !argument.starts_with('-')).collect();
     for (name, of, n) in [
         ("uniform", "delaunay-uniform", 1_000_000),

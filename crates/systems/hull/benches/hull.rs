@@ -1,4 +1,4 @@
-//! A benchmark of convex hulls on one thread, against other libraries.
+//! A benchmark of convex hulls on one thread, and in space once on all threads, against other libraries.
 //!
 //! A million points of a square run against `geo`; 10^5 points on a sphere and 10^6 in a cube against `parry3d`, with
 //! the feature `peers`. All contestants take turns; the medians and their ratios are printed.
@@ -63,6 +63,8 @@ fn plane(n: usize) {
     let (sos, exact) = (Sos::default(), Exact);
     let exact = exact.prepare(&scene, Off).expect("takes all");
     let sos = sos.prepare(&scene, Off).expect("takes all");
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
     let of = |session: &'_ dyn Predicates, method| timed(|| hull2d(session, method).vertices.len());
     let contestants: [Contestant<'_>; 5] = [
         ("exact, chain".into(), Box::new(|| of(&exact, PlaneMethod::Chain))),
@@ -95,10 +97,13 @@ fn space(what: &str, coordinates: Vec<f64>) {
     let (sos, exact) = (Sos::default(), Exact);
     let exact = exact.prepare(&scene, Off).expect("takes all");
     let sos = sos.prepare(&scene, Off).expect("takes all");
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
     let of = |session: &'_ dyn Predicates, method| timed(|| hull3d(session, method).vertices.len());
     let mut contestants: Vec<Contestant<'_>> = vec![
         ("exact, incremental".into(), Box::new(|| of(&exact, SpaceMethod::Incremental))),
         ("sos, incremental".into(), Box::new(|| of(&sos, SpaceMethod::Incremental))),
+        ("exact, all threads".into(), Box::new(|| threads.install(|| of(&exact, SpaceMethod::Incremental)))),
         ("exact, divide".into(), Box::new(|| of(&exact, SpaceMethod::Divide))),
         ("sos, divide".into(), Box::new(|| of(&sos, SpaceMethod::Divide))),
     ];
@@ -124,6 +129,7 @@ fn space(what: &str, coordinates: Vec<f64>) {
 }
 
 fn main() {
+    rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first use of threads");
     plane(1_000_000);
     let mut random = Random::new("hull", "bench", 3);
     let on_sphere = (0..100_000).flat_map(|_| {
@@ -137,4 +143,13 @@ fn main() {
     });
     space("on a sphere", on_sphere.collect());
     space("in a cube", (0..3_000_000).map(|_| random.unit()).collect());
+    let in_ball = (0..1_000_000).flat_map(|_| {
+        loop {
+            let point = [(); 3].map(|()| random.between(-1.0, 1.0));
+            if point.iter().map(|x| x * x).sum::<f64>() <= 1.0 {
+                return point;
+            }
+        }
+    });
+    space("in a ball", in_ball.collect());
 }

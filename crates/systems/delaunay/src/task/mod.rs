@@ -108,6 +108,14 @@ impl Task for Delaunay2d {
         Turns::Everywhere
     }
 
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
+    fn memory(&self) -> Option<u64> {
+        Some(256)
+    }
+
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Incircle]
     }

@@ -85,6 +85,14 @@ impl Task for Hull3d {
         Turns::Everywhere
     }
 
+    fn takes_threads(&self) -> bool {
+        true
+    }
+
+    fn memory(&self) -> Option<u64> {
+        Some(512)
+    }
+
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]
     }
