@@ -63,8 +63,6 @@ fn plane(n: usize) {
     let (sos, exact) = (Sos::default(), Exact);
     let exact = exact.prepare(&scene, Off).expect("takes all");
     let sos = sos.prepare(&scene, Off).expect("takes all");
-    let all = std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
     let of = |session: &'_ dyn Predicates, method| timed(|| hull2d(session, method).vertices.len());
     let contestants: [Contestant<'_>; 5] = [
         ("exact, chain".into(), Box::new(|| of(&exact, PlaneMethod::Chain))),
