@@ -5,6 +5,9 @@
 //!
 //! Each with one constructed vertex and with all arguments constructed. `rational` computes the points from their
 //! definitions, as a query without preparation must; `rational, prepared` has them ready, in lowest terms.
+//!
+//! Before these, a line for each kind has the time of a query about constructed vertices of a new session, and the time
+//! when the same queries are asked again. The difference is the time of exact rows, which few queries need.
 
 #[path = "../tests/it/common.rs"]
 #[allow(dead_code)] // the tests use the rest
@@ -148,7 +151,43 @@ fn duel<const N: usize>(
     }
 }
 
+/// Prints the time of general queries about 10,000 constructed vertices, asked the first time and again.
+fn first_and_later(kind: Kind, name: &str) {
+    const VERTICES: usize = 10_000;
+    const QUERIES: usize = 100_000;
+    let mut random = Random(5);
+    let dimension = if kind == Kind::Ssi { Dimension::Two } else { Dimension::Three };
+    let inputs = VERTICES * kind.inputs();
+    let coordinates = (0..inputs * dimension.count()).map(|_| 2.0 * random.unit() - 1.0).collect();
+    let mut scene = Scene::new(dimension, coordinates).expect("finite");
+    for at in 0..VERTICES {
+        scene.construct(kind.construction(Shared::Flat, at * kind.inputs(), 0)).expect("input vertices");
+    }
+    let queries: Vec<[Vertex; 4]> =
+        (0..QUERIES).map(|_| [(); 4].map(|()| Vertex::constructed(random.below(VERTICES)))).collect();
+    let mut times: [Vec<std::time::Duration>; 2] = Default::default();
+    for _ in 0..5 {
+        let constructed = Constructed::new(&scene).expect("points");
+        for times in &mut times {
+            let start = std::time::Instant::now();
+            for &[a, b, c, d] in &queries {
+                black_box(match kind {
+                    Kind::Ssi => constructed.orient2d(Plane::Xy, a, b, c),
+                    _ => constructed.orient3d(a, b, c, d),
+                });
+            }
+            times.push(start.elapsed() / u32::try_from(QUERIES).expect("fewer than 2^32"));
+        }
+    }
+    let [first, later] = times.map(|mut times| {
+        times.sort_unstable();
+        times[times.len() / 2]
+    });
+    println!("general queries, {name}: {first:?} the first time, {later:?} again");
+}
+
 fn constructed(criterion: &mut Criterion) {
+    Kind::ALL.into_iter().for_each(|(kind, name)| first_and_later(kind, name));
     for (kind, name) in Kind::ALL {
         let [flat, upright, line] = [Shared::Flat, Shared::Upright, Shared::Line].map(|shared| scene(kind, shared));
         let mut group = criterion.benchmark_group("prepare");
