@@ -31,6 +31,7 @@ mod sample;
 mod scoreboard;
 mod spread;
 mod steps;
+mod vectors;
 
 use std::process::ExitCode;
 

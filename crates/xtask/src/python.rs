@@ -15,7 +15,7 @@ const LIBRARIES: [(&str, &str); 3] =
     [("lib_native.so", "_native.abi3.so"), ("lib_native.dylib", "_native.abi3.so"), ("_native.dll", "_native.pyd")];
 
 /// The interpreter: `PREDICAMENT_PYTHON`, or `python3`.
-fn interpreter() -> String {
+pub fn interpreter() -> String {
     std::env::var("PREDICAMENT_PYTHON").unwrap_or_else(|_| "python3".to_owned())
 }
 

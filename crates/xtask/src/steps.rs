@@ -57,6 +57,7 @@ pub fn test() -> Result<(), String> {
     let planted = selftest()?;
     let in_python = crate::python::start()?;
     engine_examples(&compiler)?;
+    crate::vectors::check()?;
     c_library::check()?;
     gate()?;
     planted.finish()?;
@@ -225,6 +226,7 @@ pub fn nightly() -> Result<(), String> {
         crate::browser::check(true, false),
         crate::data::check(),
         crate::python::wheel(),
+        crate::vectors::check_with_peers(),
         crate::spread::check(),
         minimum_version(),
         strangers(),

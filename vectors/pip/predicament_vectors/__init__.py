@@ -20,7 +20,7 @@ def points(row):
     """The arguments of the predicate, as tuples of doubles in order; None if a vertex is constructed."""
     if any(vertex.startswith("c") for vertex in row["vertices"]):
         return None
-    return [tuple(float.fromhex(x) for x in row["hex"][int(vertex)]) for vertex in row["vertices"]]
+    return [tuple(float(x) for x in row["decimal"][int(vertex)]) for vertex in row["vertices"]]
 
 
 def sign(row):
