@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use predicament_engines::PREFIX;
 use predicament_formats::use_one_of;
 use predicament_predicates::Class;
 use predicament_search::Wanted;
@@ -292,9 +293,7 @@ fn begun(
     let seeds = seeds_of(tool, task, &suites, all)?;
     let pinned = args.class.is_some() && args.check.is_some();
     // Check the names before the folder is made.
-    for name in each(&args.backends).chain(each(&args.not_by)).filter(|name| !tool.knows_backend(name)) {
-        tool.backend(name).map_err(Failure::usage)?;
-    }
+    let (shown_by, not_by) = (whole_names(tool, shown_by)?, whole_names(tool, not_by)?);
     possible(args, &shown_by, &not_by)?;
     let nothing = seeds.is_empty() && !(shapes && has_shapes(task));
     if nothing {
@@ -317,6 +316,17 @@ fn begun(
     };
     let finds = if pinned { 1 } else { 10 };
     Ok((Saved { order, evaluations: EVALUATIONS, finds, seconds: 0.0, state: State::default() }, seeds))
+}
+
+/// The names of backends with their parameters, as the state of a hunt has them: `epsilon` is `epsilon:1e-10`.
+///
+/// Engines keep the names that [`Programs::and_named`] gave them.
+fn whole_names(tool: &Tool, names: Vec<String>) -> Result<Vec<String>, Failure> {
+    let whole = |name: String| match name.starts_with(PREFIX) {
+        true => Ok(name),
+        false => tool.backend(&name).map(|backend| backend.name()),
+    };
+    names.into_iter().map(whole).collect::<Result<_, _>>().map_err(Failure::usage)
 }
 
 /// Refuses options with which no finding is possible.

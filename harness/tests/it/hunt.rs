@@ -86,10 +86,20 @@ fn what_cannot_be_hunted_is_refused_with_the_cure() {
         (vec!["hunt", "orient2d", "-b", "sos", "--class", "tie_broken"], "findings do not have this class"),
         (vec!["hunt", "orient2d", "-b", "naive,exact", "--not-by", "naive"], "-b names it, too"),
         (vec!["hunt", "orient2d", "-b", "naive", "--finds", "0"], "--finds"),
+        (vec!["hunt", "orient2d", "-b", "epsilon", "--not-by", "epsilon:1e-10"], "-b names it, too"),
     ] {
         let refused = expect(2, &args);
         assert!(refused.stderr.contains(told), "{args:?}: {}", refused.stderr);
     }
+}
+
+#[test]
+fn a_backend_is_hunted_by_its_short_name() {
+    let folder = tempdir().unwrap();
+    let out = at(&folder, "out");
+    expect(0, &["hunt", "orient2d", "-b", "epsilon", "--from", "shapes", "--evaluations", "50", "--out", &out]);
+    assert_eq!(state(&out)["shown_by"], serde_json::json!(["epsilon:1e-10"]));
+    expect(0, &["hunt", "--resume", &out, "--evaluations", "100"]);
 }
 
 /// Errors in `hunt.json` name it, because the scenes in it have no file of their own.
