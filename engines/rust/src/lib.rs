@@ -72,6 +72,8 @@ pub enum Predicate {
     Incircle,
     /// The position of a fifth point relative to the sphere of four.
     Insphere,
+    /// The turn of three directions, points of a sphere around the origin.
+    OrientOnSphere,
 }
 
 impl Predicate {
@@ -84,6 +86,7 @@ impl Predicate {
             Predicate::Orient3d => "orient3d",
             Predicate::Incircle => "incircle",
             Predicate::Insphere => "insphere",
+            Predicate::OrientOnSphere => "orient_on_sphere",
         }
     }
 }
@@ -326,6 +329,12 @@ pub trait Engine: Default {
     /// The position of the fifth point, positive if it is inside the sphere of the others, which have a positive
     /// orient3d.
     fn insphere(&self, points: [Vertex<3>; 5]) -> Answer {
+        let _ = points;
+        Answer::Declined
+    }
+
+    /// The turn of three directions from the origin, positive if it is counterclockwise from outside.
+    fn orient_on_sphere(&self, points: [Vertex<3>; 3]) -> Answer {
         let _ = points;
         Answer::Declined
     }

@@ -164,6 +164,10 @@ impl<E: Engine> Server<E> {
                 self.has(3, &batch)?;
                 batch.ask(&self.space, |points| self.engine.insphere(points))
             }
+            Predicate::OrientOnSphere => {
+                self.has(3, &batch)?;
+                batch.ask(&self.space, |points| self.engine.orient_on_sphere(points))
+            }
         }
     }
 
@@ -323,7 +327,8 @@ mod tests {
     impl Engine for Turns {
         const NAME: &'static str = "turns";
         const ZERO: Zero = Zero::Exact;
-        const PREDICATES: &'static [Predicate] = &[Predicate::Compare, Predicate::Orient2d, Predicate::Incircle];
+        const PREDICATES: &'static [Predicate] =
+            &[Predicate::Compare, Predicate::Orient2d, Predicate::Incircle, Predicate::OrientOnSphere];
         const IN_ORDER: bool = true;
 
         fn version() -> String {
@@ -344,6 +349,12 @@ mod tests {
             (a.at[0] - b.at[0]).into()
         }
 
+        fn orient_on_sphere(&self, [a, b, c]: [Vertex<3>; 3]) -> Answer {
+            let [u, v] = [b, c].map(|vertex| vertex.at);
+            let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+            a.at.iter().zip(cross).map(|(x, y)| x * y).sum::<f64>().into()
+        }
+
         fn orient2d(&self, [a, b, c]: [Vertex<2>; 3]) -> Answer {
             match (a.id, b.id, c.id) {
                 (0, 0, 0) => panic!("vertex {} thrice", a.id),
@@ -355,6 +366,16 @@ mod tests {
                 }
             }
         }
+    }
+
+    #[test]
+    fn directions_are_those_of_a_scene_in_space() {
+        let turn = || Reply::new("batch").with("predicate", "orient_on_sphere").with("ids", ids(&[0, 1, 2, 1, 0, 2]));
+        let space = Reply::new("scene").with("dimension", "3");
+        let space = space.with("points", doubles(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]));
+        assert_eq!(last(&[space, turn()]).bytes("signs"), Some(&[1, 255][..]));
+        let reason = last(&[plane(), turn()]).text("reason");
+        assert_eq!(reason.as_deref(), Some("orient_on_sphere is about points of dimension 3"));
     }
 
     fn doubles(coordinates: &[f64]) -> Vec<u8> {
@@ -399,7 +420,7 @@ mod tests {
             ("protocol", "1"),
             ("name", "turns"),
             ("version", "1.0"),
-            ("predicates", "compare orient2d incircle"),
+            ("predicates", "compare orient2d incircle orient_on_sphere"),
             ("zero", "exact"),
             ("precision", "f64"),
             ("id", "17"),

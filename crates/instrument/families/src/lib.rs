@@ -12,6 +12,7 @@
 //! * [`uniform`], [`grid`], [`near`], [`midpoint`], [`kettner`], [`degenerate`], [`decimal`], [`wide_scaled`],
 //!   [`wide_mixed`], [`far`]: one query at a time.
 //! * [`Typed`]: one query of decimals as people write them, or boxes that share sides, as integers over a power of ten.
+//! * [`Directions`]: one query of directions on the unit sphere.
 //! * [`scattered`], [`band`], [`PixelMap`], [`Arrangement`]: a whole scene, as a [`Cloud`].
 //! * [`place`]: the map from a family's plane to the plane of the question.
 
@@ -28,6 +29,7 @@ mod plain;
 mod random;
 mod scattered;
 mod shape;
+mod sphere;
 mod wide;
 
 pub use band::band;
@@ -42,6 +44,7 @@ pub use plain::{grid, uniform};
 pub use random::Random;
 pub use scattered::{POINTS as SCATTERED_POINTS, scattered};
 pub use shape::place;
+pub use sphere::Directions;
 pub use wide::{Ordinary, mixed as wide_mixed, scaled as wide_scaled, scaled_by as wide_scaled_by};
 
 use predicament_predicates::{Construction, PredicateKind, Vertex};

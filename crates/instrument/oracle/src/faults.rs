@@ -3,6 +3,7 @@
 //! A harness that has never found an error proves nothing. Each fault consists of the real backends' own parts with one
 //! part wrong, claims the real contract, and `selftest` must detect it on the embedded corpora.
 
+mod alone;
 mod area;
 mod boastful;
 mod catches;
@@ -60,6 +61,8 @@ pub enum Fault {
     /// SoS that breaks ties of comparisons cyclically: the first vertex before the second, the second before the third,
     /// and the third before the first.
     SosCircularTies,
+    /// SoS that breaks each tie of a determinant of directions by the order of its vertices alone.
+    SosAloneOnSphere,
     /// Exact, with the bound of the floating-point filter halved.
     ExactHalvedFilter,
     /// Exact, with the bound of the floating-point filter two percent too small.
@@ -111,7 +114,7 @@ impl Fault {
     }
 
     /// All faults except wrongly scaled tolerances.
-    const ALL: [Fault; 30] = [
+    const ALL: [Fault; 31] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
@@ -123,6 +126,7 @@ impl Fault {
         Fault::SosCollidingLift,
         Fault::SosMixedOrders,
         Fault::SosCircularTies,
+        Fault::SosAloneOnSphere,
         Fault::ExactHalvedFilter,
         Fault::ExactTightFilter,
         Fault::ExactRelativeFilter,
@@ -159,6 +163,7 @@ impl Fault {
             Fault::SosCollidingLift => "sos-colliding-lift",
             Fault::SosMixedOrders => "sos-mixed-orders",
             Fault::SosCircularTies => "sos-circular-ties",
+            Fault::SosAloneOnSphere => "sos-alone-on-sphere",
             Fault::ExactHalvedFilter => "exact-halved-filter",
             Fault::ExactTightFilter => "exact-tight-filter",
             Fault::ExactRelativeFilter => "exact-relative-filter",
@@ -207,6 +212,7 @@ impl Fault {
                 "circles and spheres perturb the coordinates in another order than the other predicates"
             }
             Fault::SosCircularTies => "ties of comparisons are broken cyclically over three vertices",
+            Fault::SosAloneOnSphere => "ties of turns on the sphere follow the order of the vertices",
             Fault::ExactHalvedFilter => "the bound of the floating-point filter is halved",
             Fault::ExactTightFilter => "the bound of the floating-point filter is two percent too small",
             Fault::ExactRelativeFilter => {
@@ -254,6 +260,7 @@ impl Fault {
             | Fault::SosCollidingLift
             | Fault::SosMixedOrders
             | Fault::SosCircularTies
+            | Fault::SosAloneOnSphere
             | Fault::CompareGreaterOnTies => Area::Sos,
             Fault::ExactHalvedFilter
             | Fault::ExactTightFilter
@@ -286,6 +293,7 @@ impl Fault {
             | Fault::SosCollidingLift
             | Fault::SosMixedOrders
             | Fault::SosCircularTies
+            | Fault::SosAloneOnSphere
             | Fault::CompareGreaterOnTies => ZeroMeaning::Never,
             Fault::ExactHalvedFilter
             | Fault::ExactTightFilter
@@ -315,6 +323,11 @@ impl Fault {
     }
 }
 
+/// The judge of ties by the scheme that the faults claim.
+fn ties_by_coordinate() -> Box<TieJudge> {
+    Box::new(|scene, question, args| infinitesimal::judge(Scheme::PerCoordinate, scene, question, args))
+}
+
 /// Finds the faulty backend with this name and passes it to the visitor; returns the visitor if there is none.
 pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
     if let Some(deadly) = Deadly::ALL.into_iter().find(|deadly| deadly.name() == name) {
@@ -337,13 +350,9 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
         Fault::ToleranceBoastfulFormula => visitor.visit(Boxed::new(boastful::Boastful), None),
         Fault::ToleranceAsPrinted => hand(visitor, Tolerance::<f64>::as_printed(), None),
         Fault::Misscaled(misscaled) => hand(visitor, Tolerance::<f64>::misscaled(misscaled), None),
+        Fault::SosAloneOnSphere => visitor.visit(Boxed::new(alone::Alone), Some(ties_by_coordinate())),
         _ => match fault.poses_as() {
-            ZeroMeaning::Never => {
-                let judge: Box<TieJudge> = Box::new(|scene, question, args| {
-                    infinitesimal::judge(Scheme::PerCoordinate, scene, question, args)
-                });
-                visitor.visit(Boxed::new(Faulty { fault, deadly: None }), Some(judge))
-            }
+            ZeroMeaning::Never => visitor.visit(Boxed::new(Faulty { fault, deadly: None }), Some(ties_by_coordinate())),
             ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Boxed::new(Faulty { fault, deadly: None }), None),
         },
     })
@@ -478,6 +487,7 @@ impl Session<'_> {
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight
             | Fault::ToleranceBoastfulFormula
+            | Fault::SosAloneOnSphere
             | Fault::Misscaled(_) => exact,
         }
     }

@@ -21,7 +21,7 @@ pub fn typed(fields: &Fields<'_, '_>) -> Result<Typed, CorpusError> {
 }
 
 /// Reads a key whose value is one of these words.
-fn word(
+pub(crate) fn word(
     fields: &Fields<'_, '_>,
     key: &'static str,
     known: &[&'static str],

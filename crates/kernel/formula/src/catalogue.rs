@@ -88,6 +88,13 @@ pub const CATALOGUE: &[Entry] = &[
         text: "sq(a - p) - sq(b - p)",
     },
     Entry {
+        name: "orient_on_sphere",
+        about: "the turn of three directions from the origin, points of a sphere: positive if counterclockwise from outside",
+        points: &["a", "b", "c"],
+        dimension: 3,
+        text: "det(a, b, c)",
+    },
+    Entry {
         name: "same_facing",
         about: "whether two triangles b c u and b c v face the same way: positive if their normals make an acute angle",
         points: &["u", "v", "b", "c"],

@@ -230,6 +230,22 @@ impl Formula {
         })
     }
 
+    /// Returns true if the value is a multiple of the determinant of the arguments, taken as vectors from the origin.
+    ///
+    /// Then there are as many arguments as coordinates, the value is linear in each argument, and a swap of two
+    /// arguments turns the sign. Only multiples of the determinant have these properties.
+    #[must_use]
+    pub fn is_determinant(&self) -> bool {
+        let count = self.coordinates();
+        let is_linear = |(exponents, _): (&[u8], i128)| {
+            exponents.chunks(count).all(|point| point.iter().copied().map(u32::from).sum::<u32>() == 1)
+        };
+        self.arity() == count
+            && self.polynomial.terms().all(is_linear)
+            && self.swaps().len() + 1 == permutations(count).len()
+            && self.swaps().iter().filter(|swap| swap.turns).count() == permutations(count).len() / 2
+    }
+
     /// The estimate in doubles, and the magnitude that it must exceed for its sign to be certain.
     #[must_use]
     pub fn estimate(&self, points: &[&[f64]]) -> [f64; 2] {

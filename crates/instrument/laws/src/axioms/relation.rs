@@ -8,6 +8,9 @@
 //! Three numbers that add up to zero are all zero, or two of them have opposite signs. This condition needs the signs
 //! only.
 //!
+//! The determinant of directions from the origin is a bracket as well, of vectors without a 1. With x for the vertex
+//! around which a, b, c, d lie, its relation says that their order around x is cyclic.
+//!
 //! # Points at infinity
 //! A vector need not be a vertex. The unit vector of a column, the point at infinity in that direction, removes its row
 //! and its column from a bracket. The remaining bracket belongs to a predicate of fewer dimensions:
@@ -83,7 +86,8 @@ enum Vector {
 
 /// All relations that contain brackets of this predicate, starting with the relation without points at infinity.
 ///
-/// Empty for a comparison, whose relations say that the order is transitive, and for predicates from formulas.
+/// Empty for a comparison, whose relations say that the order is transitive, and for formulas that are not
+/// determinants.
 #[must_use]
 pub fn relations(question: Question) -> Vec<Relation> {
     let directions = directions(question);
@@ -93,7 +97,11 @@ pub fn relations(question: Question) -> Vec<Relation> {
     });
     let mut all: Vec<Relation> = subsets.filter_map(|at_infinity| Relation::new(question, &at_infinity)).collect();
     all.sort_by_key(|relation| relation.at_infinity.len());
-    if let Question::Compare(_) | Question::Derived(_) = question { Vec::new() } else { all }
+    match question {
+        Question::Compare(_) => Vec::new(),
+        Question::Derived(derived) if !derived.formula().is_determinant() => Vec::new(),
+        _ => all,
+    }
 }
 
 impl Relation {
@@ -404,6 +412,8 @@ mod tests {
         assert_eq!(shape(Question::Incircle), [(0, 6, 1), (1, 5, 2)]);
         assert_eq!(shape(Question::Insphere), [(0, 7, 1), (1, 6, 2)]);
         assert_eq!(shape(Question::Compare(Axis::X)), []);
+        let formula = |name| shape(Question::Derived(predicament_predicates::Derived::named(name).unwrap()));
+        assert_eq!((formula("orient_on_sphere"), formula("same_facing")), (vec![(0, 5, 1)], Vec::new()));
         let up = Direction::Lift;
         assert_eq!(Relation::new(Question::Incircle, &[up, up]), None, "two equal vectors");
         assert_eq!(Relation::new(Question::Orient3d, &[up]), None, "no such column");

@@ -86,6 +86,9 @@ impl Fault {
                 (Class::Topology, "empty"),
             ],
             Fault::SosCircularTies => &[(Class::Inconsistent, "transitivity")],
+            Fault::SosAloneOnSphere => {
+                &[(Class::SignFlip, "perturbed sign"), (Class::Inconsistent, "grassmann-plucker")]
+            }
             Fault::ExactRelativeFilter => &[(Class::SignFlip, "sign"), (Class::MissedZero, "sign")],
             Fault::ExactStaleBound => &[(Class::SignFlip, "sign")],
             Fault::ExactNan => &[(Class::Nan, "sign")],
@@ -164,6 +167,7 @@ impl Fault {
                 task == "contacts3d" || symbol == "ξ" && task == "orient3d"
             }
             Fault::ToleranceBoastfulFormula => Derived::named(task).is_some(),
+            Fault::SosAloneOnSphere => Derived::named(task).is_some_and(|derived| derived.formula().is_determinant()),
             Fault::ContactsEndlessEdge
             | Fault::ContactsOneSided
             | Fault::ToleranceNarrowContacts

@@ -16,3 +16,4 @@ mod pattern;
 mod rational;
 mod roster;
 mod run;
+mod sphere;

@@ -17,6 +17,7 @@ mod replies;
 mod sign_scenes;
 mod sizes;
 mod spelled;
+mod sphere;
 mod tables;
 mod ties;
 mod timed;

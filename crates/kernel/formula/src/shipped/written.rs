@@ -18,6 +18,7 @@ pub(super) fn named(name: &str) -> Option<Compiled> {
         "side_of_power_circle" => Compiled { estimate: side_of_power_circle, bounded: bounded_side_of_power_circle },
         "circumcentre_side" => Compiled { estimate: circumcentre_side, bounded: bounded_circumcentre_side },
         "compare_distance3d" => Compiled { estimate: compare_distance3d, bounded: bounded_compare_distance3d },
+        "orient_on_sphere" => Compiled { estimate: orient_on_sphere, bounded: bounded_orient_on_sphere },
         "same_facing" => Compiled { estimate: same_facing, bounded: bounded_same_facing },
         "side_of_power_sphere" => Compiled { estimate: side_of_power_sphere, bounded: bounded_side_of_power_sphere },
         "orient4d" => Compiled { estimate: orient4d, bounded: bounded_orient4d },
@@ -440,6 +441,57 @@ fn bounded_compare_distance3d(points: &[&[f64]]) -> [f64; 2] {
     let v25 = v13 - v24;
     let m25 = v13 + v24;
     [v25, 5.551115123125792e-16 * m25 + SIGMA * 2.0]
+}
+
+fn orient_on_sphere(points: &[&[f64]]) -> f64 {
+    let &[&[ax, ay, az], &[bx, by, bz], &[cx, cy, cz]] = points else {
+        return f64::NAN;
+    };
+    let v9 = bx * cy;
+    let v10 = by * cx;
+    let v11 = v9 - v10;
+    let v12 = az * v11;
+    let v13 = ax * cy;
+    let v14 = ay * cx;
+    let v15 = v13 - v14;
+    let v16 = bz * v15;
+    let v17 = ax * by;
+    let v18 = ay * bx;
+    let v19 = v17 - v18;
+    let v20 = cz * v19;
+    let v21 = v12 - v16;
+    let v22 = v20 + v21;
+    v22
+}
+
+fn bounded_orient_on_sphere(points: &[&[f64]]) -> [f64; 2] {
+    let &[&[ax, ay, az], &[bx, by, bz], &[cx, cy, cz]] = points else {
+        return [0.0, f64::NAN];
+    };
+    let v9 = bx * cy;
+    let v10 = by * cx;
+    let v11 = v9 - v10;
+    let v12 = az * v11;
+    let v13 = ax * cy;
+    let v14 = ay * cx;
+    let v15 = v13 - v14;
+    let v16 = bz * v15;
+    let v17 = ax * by;
+    let v18 = ay * bx;
+    let v19 = v17 - v18;
+    let v20 = cz * v19;
+    let v21 = v12 - v16;
+    let v22 = v20 + v21;
+    let m11 = v9.abs() + v10.abs();
+    let m12 = az.abs() * m11;
+    let m15 = v13.abs() + v14.abs();
+    let m16 = bz.abs() * m15;
+    let m19 = v17.abs() + v18.abs();
+    let m20 = cz.abs() * m19;
+    let m21 = m12 + m16;
+    let m22 = m20 + m21;
+    let sum = (((ax.abs() + ay.abs()) + az.abs()) + (bx.abs() + by.abs())) + ((bz.abs() + cx.abs()) + (cy.abs() + cz.abs()));
+    [v22, 4.440892098500632e-16 * m22 + SIGMA * (1.0 + sum)]
 }
 
 fn same_facing(points: &[&[f64]]) -> f64 {

@@ -79,3 +79,19 @@ fn symmetries_of_determinants_are_found() {
     assert_eq!(distance.swaps().len(), 1);
     assert!(distance.swaps()[0].turns && distance.swaps()[0].to == [1, 0, 2]);
 }
+
+#[test]
+fn determinants_of_directions_are_known_as_such() {
+    for (text, is) in [
+        ("det(a, b, c)", true),
+        ("3 * det(b, a)", true),
+        ("dot(cross(a, b), c)", true),
+        ("det(a - d, b - d, c - d)", false),
+        ("det(a, b, c) * sq(a)", false),
+        ("det(a, b, c) + a.x * b.y * c.z", false),
+        ("a.x * b.x - a.y * b.y", false),
+        ("det([a, a.w], [b, b.w], [c, c.w], [d, d.w])", true),
+    ] {
+        assert_eq!(Formula::new(Definition::anonymous(text)).unwrap().is_determinant(), is, "{text}");
+    }
+}

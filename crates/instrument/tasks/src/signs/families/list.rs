@@ -12,12 +12,19 @@ use super::{by_query, read};
 const ALL: &[PredicateKind] = &PredicateKind::ALL;
 const FLAT: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d];
 const SOLID: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d];
+/// Formulas that are the determinant of directions in space, and none of the five predicates.
+const SPHERE: &[PredicateKind] = &[];
 
 /// The families that make queries for a predicate.
 pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
-    static FAMILIES: [OnceLock<Vec<Family>>; PredicateKind::COUNT] = [const { OnceLock::new() }; PredicateKind::COUNT];
-    FAMILIES[kind.index()].get_or_init(|| {
+    // All formulas have the same families, except for determinants of directions.
+    static FAMILIES: [OnceLock<Vec<Family>>; PredicateKind::COUNT + 1] =
+        [const { OnceLock::new() }; PredicateKind::COUNT + 1];
+    let is_of_directions = matches!(kind, PredicateKind::Derived(derived)
+        if derived.formula().is_determinant() && derived.formula().dimension() == 3);
+    FAMILIES[if is_of_directions { PredicateKind::COUNT } else { kind.index() }].get_or_init(|| {
         let fits = |kinds: &[PredicateKind], family: &Family| match kind {
+            PredicateKind::Derived(_) if kinds == SPHERE => is_of_directions,
             PredicateKind::Derived(_) => kinds == ALL && family.name != "kettner",
             _ => kinds.contains(&kind),
         };
@@ -154,6 +161,14 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
             &["p", "q", "r", "side", "step"],
             "a square of neighbours of p against fixed q and r (Kettner et al.)",
             read::pixels,
+        ),
+        family(
+            "sphere",
+            "sphere",
+            SPHERE,
+            &["figure"],
+            "directions of length 1 up to roundings, general or on a great circle, opposite, halfway, or close",
+            read::sphere,
         ),
         family(
             "ssi-uniform",

@@ -1,13 +1,15 @@
 //! The keys of families' tables, and the recipes that they give.
 
 use predicament_corpus::{Parts, Random, Recipe};
-use predicament_families::{self as families, Arrangement, Cloud, Kind, Ordinary, PixelError, PixelMap, Trouble};
+use predicament_families::{
+    self as families, Arrangement, Cloud, Directions, Kind, Ordinary, PixelError, PixelMap, Trouble,
+};
 use predicament_formats::bits::power_of_two;
 use predicament_formats::{CorpusError, Field, Fields, Written};
 use predicament_predicates::PredicateKind;
 
 use super::{Asked, by_query, formula};
-use crate::typed::typed as typed_of;
+use crate::typed::{typed as typed_of, word};
 
 /// Reads `ulps`.
 pub(super) fn near(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
@@ -58,6 +60,13 @@ pub(super) fn typed(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recip
             Parts { written: Some(written), ..asked.parts(cloud) }
         },
     ))
+}
+
+/// Reads `figure`.
+pub(super) fn sphere(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, CorpusError> {
+    let figures = Directions::ALL.map(Directions::name);
+    let directions = word(fields, "figure", &figures)?.and_then(Directions::named).unwrap_or(Directions::General);
+    by_query(task, fields, move |_, rng, out| directions.query(rng, out))
 }
 
 /// Reads a table of the family `band`, which has no parameters of its own.
