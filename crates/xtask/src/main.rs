@@ -72,7 +72,7 @@ Commands:
   memory
          the unsafe code of lanes and exact under AddressSanitizer and Miri, by a nightly toolchain; says what is missing
   prove  the constants of filters and the bounds of tolerances by Gappa, and one predicate by Coq too: each constant, the
-         least that is proved, and the slack (a minute). Says what is missing where there is no `gappa` or `coqc`
+         least that is proved, and the slack (half a minute). Says what is missing where there is no `gappa` or `coqc`
   sample [--resume]
          the sample report anew: embedded and fetched suites, times, comparison and knobs; `reports/sample` and the
          table of README (40 minutes). --resume keeps the steps that an earlier, stopped sample has done

@@ -377,8 +377,15 @@ pub fn dyadic(x: f64) -> Number {
 }
 
 /// The least double that `holds`, at most `constant`, which does.
+///
+/// Slacks are small, so the search goes down from the constant, by twice as many doubles each time.
 fn least(constant: f64, holds: impl Fn(f64) -> bool) -> f64 {
-    let (mut low, mut high) = ((constant / 2.0).to_bits(), constant.to_bits());
+    let (mut high, mut step) = (constant.to_bits(), 1);
+    while holds(f64::from_bits(high - step)) {
+        high -= step;
+        step *= 2;
+    }
+    let mut low = high - step;
     while high - low > 1 {
         let middle = low + (high - low) / 2;
         if holds(f64::from_bits(middle)) { high = middle } else { low = middle }

@@ -94,16 +94,29 @@ fn result(line: &str) -> Option<(&str, Number)> {
     Some((expression.trim(), last.to_owned()))
 }
 
-/// Checks a script once more by Coq: the proof that Gappa writes of it, with the library Flocq.
+/// The proofs that Gappa writes of scripts, as one file for Coq with the library Flocq.
+///
+/// Gappa assumes the equations of its hints. Here Coq proves them, and nothing else may be assumed.
 ///
 /// # Errors
-/// A message with Coq's words, or if the file is not a whole proof.
-pub fn coq(script: &str, folder: &Path, name: &str) -> Result<(), String> {
-    let (is_proved, proof) = run("gappa", &[PRECISION, "-Wno-unbound-variable", "-Bcoq"], script)?;
-    if !is_proved || !proof.contains("Qed.") {
-        return Err(format!("gappa writes no proof for Coq of\n{script}"));
+/// The script that Gappa does not prove, or whose proof assumes something.
+pub fn for_coq(scripts: &[String]) -> Result<String, String> {
+    let mut file = "Require Import Reals Gappa.Gappa_library.\n".to_owned();
+    for (index, script) in scripts.iter().enumerate() {
+        let (is_proved, proof) = run("gappa", &[PRECISION, "-Wno-unbound-variable", "-Bcoq"], script)?;
+        file += &format!("Module proof_{index}.\n");
+        for line in proof.lines().filter(|line| !line.starts_with("Require")) {
+            match line.strip_prefix("Hypothesis ") {
+                Some(equation) => file += &format!("Lemma {equation} Proof. unfold Float1; field. Qed.\n"),
+                None => file += &format!("{line}\n"),
+            }
+        }
+        if !is_proved || !proof.contains("Qed.") || file.contains("Hypothesis") {
+            return Err(format!("gappa writes no whole proof for Coq of\n{script}"));
+        }
+        file += &format!("End proof_{index}.\n");
     }
-    by_coq(&proof, folder, name).map(|_| ())
+    Ok(file)
 }
 
 /// Has Coq check a file, and returns what it prints.
