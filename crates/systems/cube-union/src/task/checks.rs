@@ -14,5 +14,6 @@ pub(super) const CHECKS: &[Check] = &[
         "euler characteristic",
         "the counts of vertices give a whole Euler characteristic; of closed cubes, that of the counted cells",
     ),
+    Check::topology("shortcut", "the sums by cells, which ask no session, are those of proved signs"),
     Check::topology("part", "the measures of a part of the cubes are as defined, if there are many cubes"),
 ];

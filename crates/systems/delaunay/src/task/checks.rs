@@ -24,5 +24,6 @@ pub(super) const CHECKS: &[Check] = &[
     Check::topology("empty circle", "the circle of a triangle does not contain the opposite vertex of a neighbour"),
     Check::topology("fan", "faces of vertices on one circle are fans from their smallest vertex"),
     Check::topology("empty", "the circle of a triangle does not contain any vertex"),
+    Check::topology("removal", "half of the vertices, removed and inserted again, leave no trace"),
     Check::invariants("adding points and constraints does not contradict itself", &[RULES]),
 ];

@@ -1,6 +1,6 @@
 //! The judgement of a triangulation by the checks.
 
-use crate::algorithm::Delaunay2;
+use crate::algorithm::{Delaunay2, delaunay2d, delaunay2d_in_order};
 use crate::checks::{Cut, Found, flaws};
 use crate::truth::PAIRS;
 use predicament_hull::checks::{Flaw, Signs};
@@ -9,6 +9,9 @@ use predicament_predicates::{PredicateKind, Predicates, Query, Scene, Vertex, Ze
 
 use super::Delaunay2d;
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome};
+
+/// The maximum number of points of which half are removed and inserted again.
+const MOVED: usize = 500;
 
 /// Judges a triangulation.
 pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Delaunay2, outcome: &mut Outcome) {
@@ -52,9 +55,38 @@ pub(super) fn judge(case: &Case<'_, Delaunay2d>, asked: &Asked<'_>, found: &Dela
         let what = "the algorithm stopped there".to_owned();
         flaws.insert(0, Flaw { check: broken.rule(), places: 1, vertices: Vec::new(), what });
     }
+    let contract = asked.contract(PredicateKind::Incircle);
+    let points = case.content.points;
+    // Proved signs are exact signs, or those of one perturbed scene.
+    if contract.proved && contract.zero != ZeroMeaning::Band && case.content.constraints.is_empty() && points <= MOVED {
+        flaws.extend(trace_of_removals(asked.session, found));
+    }
     flaws.iter().for_each(|flaw| note(outcome, flaw));
     if flaws.is_empty() {
         outcome.counts.add(Class::Agree, outcome.queries);
+    }
+}
+
+/// The difference, if every second vertex is removed and inserted again.
+fn trace_of_removals(session: &dyn Predicates, found: &Delaunay2) -> Option<Flaw> {
+    let (moved, kept): (Vec<Vertex>, Vec<Vertex>) = session.scene().vertices().partition(|v| v.index() % 2 == 0);
+    let flaw = |what: String| Some(Flaw { check: "removal", places: 1, vertices: Vec::new(), what });
+    let mut triangulation = delaunay2d(session);
+    if let Some((v, broken)) = moved.iter().find_map(|&v| triangulation.remove(session, v).err().map(|why| (v, why))) {
+        return flaw(format!("removing {v}: {broken}"));
+    }
+    triangulation.cut_faces();
+    if triangulation.answer() != delaunay2d_in_order(session, &kept).answer() {
+        return flaw("a vertex that was removed has left a trace".to_owned());
+    }
+    if let Some((v, broken)) = moved.iter().find_map(|&v| triangulation.insert(session, v).err().map(|why| (v, why))) {
+        return flaw(format!("inserting {v} again: {broken}"));
+    }
+    triangulation.cut_faces();
+    if triangulation.answer() == *found {
+        None
+    } else {
+        flaw("inserted again, vertices have other triangles".to_owned())
     }
 }
 

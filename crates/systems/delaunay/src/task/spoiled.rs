@@ -35,7 +35,7 @@ pub(super) fn all() -> Vec<Spoiled<Delaunay2d>> {
             "delaunay-repeats-a-triangle",
             "the first triangle is listed twice",
             "exact",
-            &[(Class::Topology, "edges")],
+            &[(Class::Topology, "edges"), (Class::Topology, "removal")],
             |_, _, answer: &mut Triangles| answer.0.triangles.extend(answer.0.triangles.first().copied()),
         ),
         Spoiled::new(

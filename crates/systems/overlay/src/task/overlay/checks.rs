@@ -33,6 +33,7 @@ pub(super) const CHECKS: &[Check] = &[
     law(Law::Membership),
     rounded(Law::OnSegment),
     rounded(Law::Area),
+    Check::topology("shortcut", "what meets nothing can be left out without a change of the result"),
     Check::topology("vertex not finite", "every node is a point"),
     Check::invariants("the sweep and the winding numbers do not contradict themselves", &[RULES]),
 ];

@@ -23,13 +23,14 @@ macro_rules! family {
 }
 
 /// The families of overlays.
-pub(super) static FAMILIES: [Family; 9] = [
+pub(super) static FAMILIES: [Family; 10] = [
     family!("overlay-segments", "short segments: each crosses about one other", lines, shapes::uniform),
     family!("overlay-grid", "vertical and horizontal lines of a grid that end on each other", lines, shapes::grid),
     family!("overlay-pencil", "segments through one point", lines, shapes::pencil),
     family!("overlay-bundles", "bundles of eight segments an ulp apart", lines, shapes::bundles),
     family!("overlay-stars", "two stars of n corners around one point", pairs, shapes::stars),
     family!("overlay-shifted", "a star of n corners and a copy of it, moved by an ulp", pairs, shapes::shifted),
+    family!("overlay-rings", "two rings with a disc inside, most edges of which meet nothing", pairs, shapes::rings),
     family!("overlay-combs", "two combs of about n corners across each other", pairs, shapes::combs),
     family!("overlay-squares", "squares on integers that share edges and parts of edges", pairs, shapes::squares),
     Family {

@@ -1,6 +1,6 @@
 //! Judging of arrangements and results by their laws, decided in rationals.
 
-use crate::algorithm::overlay::Contradiction;
+use crate::algorithm::overlay::{Contradiction, Edge, Region};
 use std::collections::BTreeMap;
 
 use crate::checks::overlay::{Expected, Flaw, Graph, Operands, Point, Results, Windings};
@@ -8,7 +8,7 @@ use predicament_judge::{Points, rational};
 use predicament_predicates::{PredicateKind, Scene, Vertex, ZeroMeaning};
 
 use super::content::Layers;
-use super::{Layered, Overlaid, Overlay2d};
+use super::{Layered, Overlaid, Overlay2d, Shortcut};
 use predicament_tasks::rounding::{Excuse, Rounding};
 use predicament_tasks::{Asked, Case, Class, Finding, Outcome, Stop};
 
@@ -63,6 +63,19 @@ pub(super) fn judge(
         let violated = violated.iter().filter(is_metric).map(|flaw| flaw.check).collect();
         excuse = Some(Excuse { rounding, violated });
     }
+    let contract = asked.contract(PredicateKind::Orient2d);
+    // Proved signs are exact signs, or those of one perturbed scene.
+    if contract.proved && contract.zero != ZeroMeaning::Band {
+        let points = answer.scene.as_ref().map(Points::of);
+        let place = |v: Vertex| points.as_ref()?.point(v).map(|point| point.into_owned());
+        for Shortcut { name, short, whole } in &answer.shortcuts {
+            let [got, wanted] = [short, whole].map(|made| by_place(&made.regions, &place));
+            if got != wanted || short.broken != whole.broken {
+                let got = format!("{name}: {} regions", got.len());
+                note(outcome, Class::Topology, "shortcut", got, &format!("{} regions", wanted.len()));
+            }
+        }
+    }
     for flaw in found {
         let told = format!("{} times, first: {}", flaw.count, flaw.what);
         let (class, got) = Excuse::judged(excuse.as_ref().filter(|_| is_metric(&&flaw)), &flaw.check, told);
@@ -111,6 +124,26 @@ fn flaws(
         flaws.extend(results.flaws(&operands, &probes(scene), expected, only));
     }
     Ok(flaws)
+}
+
+/// The loops of regions as points, each from its least corner on: the outer loop first, the holes sorted.
+fn by_place<P: Ord>(regions: &[Region], place: &impl Fn(Vertex) -> P) -> Vec<Vec<Vec<P>>> {
+    let loop_of = |one: &Vec<Edge>| {
+        let mut corners: Vec<P> = one.iter().map(|edge| place(edge.from)).collect();
+        // (A loop may pass its least corner twice.)
+        let turned = |at: usize| corners[at..].iter().chain(&corners[..at]);
+        let least = (0..corners.len()).min_by(|&a, &b| turned(a).cmp(turned(b))).unwrap_or(0);
+        corners.rotate_left(least);
+        corners
+    };
+    let region = |region: &Region| {
+        let mut loops: Vec<Vec<P>> = region.loops().map(loop_of).collect();
+        loops[1..].sort();
+        loops
+    };
+    let mut all: Vec<Vec<Vec<P>>> = regions.iter().map(region).collect();
+    all.sort();
+    all
 }
 
 fn note(outcome: &mut Outcome, class: Class, check: &str, got: String, law: &str) {

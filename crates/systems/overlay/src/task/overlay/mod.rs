@@ -11,7 +11,9 @@ mod replies;
 mod shapes;
 mod spoiled;
 
-use crate::algorithm::overlay::{Contradiction, Edge, Operation, Overlay, Regions, arrange, overlay};
+use crate::algorithm::overlay::{
+    Contradiction, Edge, Method, Operation, Overlay, Polygon, Regions, Rule, arrange, combine, operate, overlay,
+};
 use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
@@ -24,7 +26,7 @@ use predicament_tasks::output::{Canvas, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Agreement, Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome,
-    Spoiled, Stop, Task, Turns, Watch, digest, output,
+    Purpose, Spoiled, Stop, Task, Turns, Watch, digest, output,
 };
 
 /// The task `overlay2d`.
@@ -42,6 +44,39 @@ pub struct Overlaid {
     pub scene: Option<Scene>,
     /// The session's rounded position of each node's vertex; `None` if it rounds nothing.
     pub rounded: Option<Vec<[f64; 2]>>,
+    /// Results by a shortcut that leaves out what meets nothing; empty unless they are judged.
+    pub shortcuts: Vec<Shortcut>,
+}
+
+/// A result by a shortcut, and the same result by a whole overlay.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Shortcut {
+    /// The function and the operation.
+    pub name: &'static str,
+    /// The result by the shortcut.
+    pub short: Regions,
+    /// The result by a whole overlay.
+    pub whole: Regions,
+}
+
+/// The operations by [`operate`], and those of the union and the second operand by [`combine`].
+fn shortcuts(
+    session: &mut dyn Predicates,
+    [a, b]: [&Polygon; 2],
+    regions: &[Regions; 4],
+    method: Method,
+) -> Result<Vec<Shortcut>, Refused> {
+    let union = &regions[0].regions;
+    let first = Polygon { rule: Rule::NonZero, ..Polygon::from(union.as_slice()) };
+    let wholes = overlay(session, [&first, b], method)?;
+    let mut all = Vec::new();
+    for (operation, whole) in Operation::ALL.into_iter().zip(regions) {
+        let name = operation.name();
+        all.push(Shortcut { name, short: operate(session, [a, b], operation, method)?, whole: whole.clone() });
+        let short = combine(session, union, b, operation, method)?;
+        all.push(Shortcut { name, short, whole: wholes.regions(operation) });
+    }
+    Ok(all)
 }
 
 impl Overlaid {
@@ -49,24 +84,27 @@ impl Overlaid {
     ///
     /// # Errors
     /// [`Refused`] if the session does not construct a crossing.
-    fn of(session: &mut dyn Predicates, content: &Layered) -> Result<Overlaid, Refused> {
-        let (overlay, regions) = match content.operands() {
+    fn of(session: &mut dyn Predicates, content: &Layered, purpose: Purpose) -> Result<Overlaid, Refused> {
+        let (overlay, regions, shortcuts) = match content.operands() {
             None => {
                 let mut overlay = Overlay::default();
                 overlay.arrangement = arrange(session, &content.edges(), content.method)?;
-                (overlay, <[Regions; 4]>::default())
+                (overlay, <[Regions; 4]>::default(), Vec::new())
             }
             Some([a, b]) => {
                 let overlay = overlay(session, [&a, &b], content.method)?;
                 let regions = Operation::ALL.map(|operation| overlay.regions(operation));
-                (overlay, regions)
+                let is_judged = purpose == Purpose::Judge;
+                let shortcuts =
+                    is_judged.then(|| shortcuts(session, [&a, &b], &regions, content.method)).transpose()?;
+                (overlay, regions, shortcuts.unwrap_or_default())
             }
         };
         let rounded = |v: Vertex| session.rounded_point(v).and_then(|point| <[f64; 2]>::try_from(point).ok());
         let vertices = &overlay.arrangement.vertices;
         let rounds = vertices.iter().any(|&v| v.is_constructed() && rounded(v).is_some());
         let rounded = rounds.then(|| vertices.iter().map(|&v| rounded(v).unwrap_or_default()).collect());
-        Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded })
+        Ok(Overlaid { overlay, regions, scene: Some(session.scene().clone()), rounded, shortcuts })
     }
 
     /// A name of a vertex that does not depend on other constructions.
@@ -191,7 +229,7 @@ impl Task for Overlay2d {
         answer: &mut Overlaid,
     ) -> Result<(), Halt> {
         how.watch.done(0)?;
-        *answer = Overlaid::of(session, content)?;
+        *answer = Overlaid::of(session, content, how.purpose)?;
         how.watch.done(content.size() as u64)?;
         Ok(())
     }

@@ -127,6 +127,28 @@ pub(super) fn shifted(n: usize, rng: &mut Random) -> Pair {
     pair
 }
 
+/// Two round rings of n corners for each loop: between four crossings of borders, most edges meet nothing.
+pub(super) fn rings(n: usize, rng: &mut Random) -> Pair {
+    let mut pair = Pair::default();
+    for (operand, centre) in [[0.0, 0.0], [0.625, 0.25]].into_iter().enumerate() {
+        let outer = star(n, centre, 1.0, rng);
+        // A hole in the ring, and a disc in the hole, which begins at its top.
+        for by in [1.0, -0.75, 0.125] {
+            let scaled =
+                |p: &[f64; 2]| [0, 1].map(|axis: usize| centre[axis] + (p[axis] - centre[axis]) * f64::abs(by));
+            let mut corners: Vec<[f64; 2]> = outer.iter().map(scaled).collect();
+            if by < 0.0 {
+                corners.reverse();
+            }
+            if (0.0..0.5).contains(&by) {
+                corners.rotate_left(n / 2);
+            }
+            pair.push(operand, corners);
+        }
+    }
+    pair
+}
+
 /// A comb with vertical teeth and one with horizontal teeth: every tooth crosses every other, and edges overlap.
 pub(super) fn combs(n: usize, _: &mut Random) -> Pair {
     let teeth = small((n / 4).max(1));

@@ -138,6 +138,18 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
             },
         ),
         Spoiled::new(
+            "overlay-shortcut-loses-a-region",
+            "the results by the shortcut have no first region",
+            "exact",
+            &[(Class::Topology, "shortcut")],
+            |_, _, answer: &mut Overlaid| {
+                answer
+                    .shortcuts
+                    .iter_mut()
+                    .for_each(|shortcut| drop(shortcut.short.regions.drain(..1.min(shortcut.short.regions.len()))));
+            },
+        ),
+        Spoiled::new(
             "overlay-loses-the-union",
             "the union is empty",
             "exact",
