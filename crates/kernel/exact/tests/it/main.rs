@@ -8,6 +8,7 @@ mod common;
 mod constructed;
 mod dyadic;
 mod equality;
+mod every;
 mod exponents;
 mod formulas;
 mod left_open;

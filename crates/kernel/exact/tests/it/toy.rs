@@ -11,6 +11,8 @@
 
 mod space;
 
+pub(crate) use space::exact as determinant_of;
+
 use std::collections::BTreeSet;
 use std::ops::{Add, Mul, Sub};
 

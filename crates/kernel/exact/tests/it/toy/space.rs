@@ -26,7 +26,7 @@ fn determinant(rows: &[Vec<i128>]) -> i128 {
 }
 
 /// The exact determinant of differences to the last point, with their squared lengths if `lifted`.
-fn exact<const D: usize, const N: usize>(points: &[[i64; D]; N], lifted: bool) -> i128 {
+pub(crate) fn exact<const D: usize, const N: usize>(points: &[[i64; D]; N], lifted: bool) -> i128 {
     let last = points[N - 1];
     let row = |point: &[i64; D]| {
         let mut row: Vec<i128> = (0..D).map(|axis| i128::from(point[axis] - last[axis])).collect();
