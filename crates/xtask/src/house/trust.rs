@@ -24,7 +24,8 @@ const WORDS: [&str; 12] = [
 ];
 
 /// The labels of rows, the strongest first.
-const LABELS: [&str; 6] = ["proved by machine", "exhaustive", "proved on paper", "cited", "tested", "inspected"];
+const LABELS: [&str; 7] =
+    ["proved by machine", "computed exactly", "exhaustive", "proved on paper", "cited", "tested", "inspected"];
 
 /// A row of the table: one claim.
 struct Row<'t> {

@@ -17,7 +17,7 @@ struct Count {
     wrong: u64,
 }
 
-/// Asks every `step`-th of the queries with `N` points, whose coordinates are these times a power of two, in three sizes.
+/// Asks every `step`-th of the queries with `N` points of these coordinates, in three sizes.
 #[allow(clippy::cast_precision_loss)] // below 2^53, or a power of two
 fn every<const D: usize, const N: usize>(
     coordinates: &[i64],
@@ -65,7 +65,7 @@ fn ladder<const D: usize, const N: usize>(
     ask: fn([[f64; D]; N]) -> Sign,
     estimate: fn([[f64; D]; N]) -> f64,
 ) {
-    for found in every(coordinates, predicament_effort::some_or_all(199, 1), lifted, ask) {
+    for found in every(coordinates, predicament_effort::some_or_all(997, 1), lifted, ask) {
         println!("{N} points of {D} coordinates: {found:?}");
         assert!(found.all > 1000 && found.zeros > 0 && found.wrong == 0, "{found:?}");
     }

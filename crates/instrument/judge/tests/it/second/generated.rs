@@ -22,23 +22,24 @@ const FAMILIES: [(&str, Family); 8] = [
     ("far", families::far),
 ];
 
-#[test]
-fn both_judges_agree_on_generated_queries() {
+/// Generated queries of each predicate, and how many signs are zero and how many differ, if the second judge reads
+/// points as `read` does.
+fn signs(each: usize, read: fn(&[f64]) -> Vec<f64>) -> [usize; 3] {
     let kinds = [
         (PredicateKind::Orient2d, Question::Orient2d(Plane::Xy), false),
         (PredicateKind::Orient3d, Question::Orient3d, false),
         (PredicateKind::Incircle, Question::Incircle, true),
         (PredicateKind::Insphere, Question::Insphere, true),
     ];
-    let (mut asked, mut zeros) = (0, 0);
+    let [mut asked, mut zeros, mut different] = [0; 3];
     for (name, family) in FAMILIES {
         for (kind, question, is_lifted) in kinds {
             let mut rng = families::Random::new(name, &kind.to_string(), 11);
-            for _ in 0..predicament_effort::scaled(4000) {
+            for _ in 0..each {
                 let mut coordinates = Vec::new();
                 family(kind, &mut rng, &mut coordinates);
                 let dimension = families::native(kind);
-                let points: Vec<Vec<f64>> = coordinates.chunks(dimension).map(<[f64]>::to_vec).collect();
+                let points: Vec<Vec<f64>> = coordinates.chunks(dimension).map(read).collect();
                 let space = Dimension::of(dimension).expect("two or three");
                 let scene = Scene::new(space, coordinates).expect("finite");
                 let args: Vec<Vertex> = (0..points.len()).map(Vertex::input).collect();
@@ -46,14 +47,25 @@ fn both_judges_agree_on_generated_queries() {
                 let rows: Vec<Vec<BigInt>> =
                     if is_lifted { units.iter().map(|point| lifted(point)).collect() } else { units };
                 let second = volume(&rows.iter().map(Vec::as_slice).collect::<Vec<_>>());
-                assert_eq!(sign(&scene, question, &args), of(&second), "{name}: {points:?}");
                 asked += 1;
                 zeros += usize::from(second.sign() == Side::NoSign);
+                different += usize::from(sign(&scene, question, &args) != of(&second));
             }
         }
     }
-    println!("{asked} generated signs, {zeros} of them zero");
+    [asked, zeros, different]
+}
+
+#[test]
+fn both_judges_agree_on_generated_queries() {
+    let [asked, zeros, different] = signs(predicament_effort::scaled(4000), <[f64]>::to_vec);
+    println!("{asked} generated signs, {zeros} of them zero, {different} different");
+    assert_eq!(different, 0, "of {asked}");
     assert!(asked >= 6400 && zeros > asked / 20, "{asked} signs, {zeros} zero");
+    // A planted fault: the second judge loses the last bit of each coordinate.
+    let [asked, _, different] = signs(20, |point| point.iter().map(|x| f64::from_bits(x.to_bits() & !1)).collect());
+    println!("without the last bit, {different} of {asked} are different");
+    assert!(different > asked / 20, "without the last bit, {different} of {asked}");
 }
 
 /// The quadrant of a point around a probe; `None` at the probe itself.

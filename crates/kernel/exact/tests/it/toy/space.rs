@@ -15,27 +15,29 @@ fn constant_of(u: f64, roundings: i32) -> f64 {
     ((1.0 + u).powi(roundings) - 1.0) / (1.0 - u).powi(roundings + 2)
 }
 
-fn determinant(rows: &[Vec<i128>]) -> i128 {
+/// The determinant of the rows, in these columns, one bit each.
+fn determinant<const N: usize>(rows: &[[i128; N]], columns: u32) -> i128 {
     let Some((first, rest)) = rows.split_first() else { return 1 };
-    let minor = |column: usize| -> Vec<Vec<i128>> {
-        let without = |row: &Vec<i128>| (0..row.len()).filter(|&at| at != column).map(|at| row[at]).collect();
-        rest.iter().map(without).collect()
-    };
-    let signed = |at: usize| if at.is_multiple_of(2) { first[at] } else { -first[at] };
-    (0..first.len()).filter(|&at| first[at] != 0).map(|at| signed(at) * determinant(&minor(at))).sum()
+    let kept = (0..N).filter(|column| columns >> column & 1 == 1).zip([1, -1].into_iter().cycle());
+    kept.filter(|&(column, _)| first[column] != 0)
+        .map(|(column, sign)| sign * first[column] * determinant(rest, columns & !(1 << column)))
+        .sum()
 }
 
 /// The exact determinant of differences to the last point, with their squared lengths if `lifted`.
 pub(crate) fn exact<const D: usize, const N: usize>(points: &[[i64; D]; N], lifted: bool) -> i128 {
     let last = points[N - 1];
+    // (Four columns at most.)
     let row = |point: &[i64; D]| {
-        let mut row: Vec<i128> = (0..D).map(|axis| i128::from(point[axis] - last[axis])).collect();
+        let mut row = [0; 4];
+        (0..D).for_each(|axis| row[axis] = i128::from(point[axis] - last[axis]));
         if lifted {
-            row.push(row.iter().map(|x| x * x).sum());
+            row[D] = row.iter().map(|x| x * x).sum();
         }
         row
     };
-    determinant(&points[..N - 1].iter().map(row).collect::<Vec<_>>())
+    let rows: [[i128; 4]; N] = std::array::from_fn(|at| row(&points[at]));
+    determinant(&rows[..N - 1], (1 << (N - 1)) - 1)
 }
 
 /// Asks a filter about points at random, with coordinates in a range; returns the number that it decides.

@@ -246,6 +246,7 @@ impl Task for Overlay2d {
     }
 
     /// The arrangement over the written points: constructed vertices keep their definitions, and no vertex is rounded.
+    /// Shortcuts are judged with the doubles, which they look at.
     fn agreement(
         &self,
         _: &Case<'_, Overlay2d>,
@@ -259,7 +260,7 @@ impl Task for Overlay2d {
             // A definition without a point is a violation, which the judge finds.
             let _ = scene.construct(*definition);
         }
-        let over = Overlaid { scene: Some(scene), rounded: None, ..answer.clone() };
+        let over = Overlaid { scene: Some(scene), rounded: None, shortcuts: Vec::new(), ..answer.clone() };
         let mut outcome = Outcome::default();
         judge::judge(written, asked, &over, &mut outcome)?;
         Ok(Agreement::of_wholes(own, &outcome))
