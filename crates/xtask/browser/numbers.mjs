@@ -3,7 +3,7 @@
 import { readFileSync } from "node:fs";
 
 // Heads of columns whose numbers are sums of a column of summary.csv.
-const CLASSES = ["agree", "tie_broken", "in_band", "overreach", "missed_zero", "sign_flip", "inconsistent", "nan", "topology", "panic", "timeout", "declined", "refused", "accepted"];
+const CLASSES = ["agree", "tie_broken", "in_band", "overreach", "missed_zero", "sign_flip", "inconsistent", "nan", "topology", "panic", "timeout", "declined", "refused", "accepted", "unstable"];
 
 const lines = new Map();
 const line = (path, number) => {

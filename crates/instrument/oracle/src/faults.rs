@@ -103,6 +103,8 @@ pub enum Fault {
     ToleranceAsPrinted,
     /// Tolerance, right about the registered pairs, with the printed sign of an edge's weight.
     ToleranceMirroredWeight,
+    /// Exact, but it reverses some answers to queries that it has answered before.
+    UnsteadyAgain,
     /// Tolerance, with one of its tolerances twice or half the published value, in its claims too.
     Misscaled(Misscaled),
 }
@@ -146,6 +148,7 @@ impl Fault {
         Fault::ToleranceWideContacts,
         Fault::ToleranceAsPrinted,
         Fault::ToleranceMirroredWeight,
+        Fault::UnsteadyAgain,
     ];
 
     /// The fault's name after `fault:`.
@@ -183,6 +186,7 @@ impl Fault {
             Fault::ToleranceWideContacts => "tolerance-wide-contacts",
             Fault::ToleranceAsPrinted => "tolerance-as-printed",
             Fault::ToleranceMirroredWeight => "tolerance-mirrored-weight",
+            Fault::UnsteadyAgain => Unsteady::Again.name(),
             Fault::Misscaled(misscaled) => misscaled.fault,
         }
     }
@@ -241,6 +245,7 @@ impl Fault {
             Fault::ToleranceMirroredWeight => {
                 "only the weight has the sign that the paper prints; the registered pairs are right"
             }
+            Fault::UnsteadyAgain => "one query in seven has the opposite answer when it is asked again",
             Fault::Misscaled(misscaled) => misscaled.what,
         }
     }
@@ -268,7 +273,7 @@ impl Fault {
             | Fault::ExactStaleBound
             | Fault::ExactUnguarded => Area::Filters,
             Fault::ExactNan | Fault::ExactOneLimb | Fault::ExactFlushed | Fault::ExactRoundedVertex => Area::Arithmetic,
-            Fault::ContactsEndlessEdge | Fault::ContactsOneSided => Area::Answers,
+            Fault::ContactsEndlessEdge | Fault::ContactsOneSided | Fault::UnsteadyAgain => Area::Answers,
             Fault::ToleranceNarrow
             | Fault::ToleranceWide
             | Fault::ToleranceBoastfulFormula
@@ -305,7 +310,8 @@ impl Fault {
             | Fault::ExactFlushed
             | Fault::ExactRoundedVertex
             | Fault::ContactsEndlessEdge
-            | Fault::ContactsOneSided => ZeroMeaning::Exact,
+            | Fault::ContactsOneSided
+            | Fault::UnsteadyAgain => ZeroMeaning::Exact,
             Fault::ToleranceNarrow
             | Fault::ToleranceWide
             | Fault::ToleranceBoastfulFormula
@@ -488,6 +494,7 @@ impl Session<'_> {
             | Fault::ToleranceMirroredWeight
             | Fault::ToleranceBoastfulFormula
             | Fault::SosAloneOnSphere
+            | Fault::UnsteadyAgain
             | Fault::Misscaled(_) => exact,
         }
     }

@@ -26,6 +26,9 @@ pub trait Row: Serialize + DeserializeOwned {
     /// columns as text.
     const SCHEMA: &'static [Column] = &[];
 
+    /// The counts that files of earlier versions lack; they are read as 0.
+    const LATER: &'static [&'static str] = &[];
+
     /// Checks the values beyond their types.
     ///
     /// # Errors
@@ -43,8 +46,8 @@ pub(crate) const NO_COUNT: &str = "the count is larger than any run can reach; r
 crate::table! {
     /// `summary.csv`: one scene on one backend.
     ///
-    /// The first eight counts are numbers of answers to queries or of registered contacts. The last five are about the
-    /// whole scene: 0, or the number of failed checks.
+    /// The counts from `agree` to `nan`, and `unstable`, are numbers of answers to queries or of registered contacts.
+    /// The others are about the whole scene: 0, or the number of failed checks.
     pub struct SummaryRow [Clone, PartialEq, Eq, Debug] in "summary.csv" {
         /// The suite's name.
         pub suite: String,
@@ -90,9 +93,13 @@ crate::table! {
         pub refused: u64,
         /// Answers to invalid input: class `accepted`.
         pub accepted: u64,
+        /// Queries that got another answer when they were asked again: class `unstable`.
+        pub unstable: u64,
         /// The verdict of the gate: `ok`, `expected`, `unexpected`, `unexpected_pass`.
         pub status: Status,
     }
+
+    const LATER: &'static [&'static str] = &["unstable"];
 
     fn check(&self) -> Result<(), RowError> {
         let counts = Class::ALL.into_iter().map(|class| self.count(class)).chain([self.queries]);
@@ -127,6 +134,7 @@ impl SummaryRow {
             declined: 0,
             refused: 0,
             accepted: 0,
+            unstable: 0,
             status,
         }
     }
@@ -150,6 +158,7 @@ impl SummaryRow {
             Class::Declined => self.declined,
             Class::Refused => self.refused,
             Class::Accepted => self.accepted,
+            Class::Unstable => self.unstable,
         }
     }
 
@@ -171,6 +180,7 @@ impl SummaryRow {
             Class::Declined => &mut self.declined,
             Class::Refused => &mut self.refused,
             Class::Accepted => &mut self.accepted,
+            Class::Unstable => &mut self.unstable,
         }
     }
 

@@ -1,4 +1,4 @@
-//! The fifteen classes of answers, their severities, and the gate's status of a scene.
+//! The sixteen classes of answers, their severities, and the gate's status of a scene.
 //!
 //! They live in the lowest crate because the oracle assigns them and the report prints them, and neither depends on the
 //! other.
@@ -39,11 +39,13 @@ pub enum Class {
     Refused,
     /// A library gave an answer for invalid input.
     Accepted,
+    /// The same query, asked again, got another answer.
+    Unstable,
 }
 
 impl Class {
-    /// All fifteen classes, in the order of the columns of `summary.csv`.
-    pub const ALL: [Class; 15] = [
+    /// All sixteen classes, in the order of the columns of `summary.csv`.
+    pub const ALL: [Class; 16] = [
         Class::Agree,
         Class::TieBroken,
         Class::InBand,
@@ -59,6 +61,7 @@ impl Class {
         Class::Declined,
         Class::Refused,
         Class::Accepted,
+        Class::Unstable,
     ];
 
     /// The class's name in every file.
@@ -80,6 +83,7 @@ impl Class {
             Class::Declined => "declined",
             Class::Refused => "refused",
             Class::Accepted => "accepted",
+            Class::Unstable => "unstable",
         }
     }
 
@@ -97,7 +101,10 @@ impl Class {
     /// Reports count such answers per million queries and plot them against time.
     #[must_use]
     pub const fn is_wrong_answer(self) -> bool {
-        matches!(self, Class::Overreach | Class::MissedZero | Class::SignFlip | Class::Inconsistent | Class::Nan)
+        matches!(
+            self,
+            Class::Overreach | Class::MissedZero | Class::SignFlip | Class::Inconsistent | Class::Nan | Class::Unstable
+        )
     }
 
     /// Returns true if the class describes single answers, not a whole scene.
@@ -130,7 +137,8 @@ impl Class {
             | Class::SignFlip
             | Class::Inconsistent
             | Class::Nan
-            | Class::Topology => Severity::Broken,
+            | Class::Topology
+            | Class::Unstable => Severity::Broken,
         }
     }
 }
@@ -279,7 +287,7 @@ mod tests {
     #[test]
     fn wrong_answers_are_answers() {
         let wrong: Vec<&str> = Class::ALL.into_iter().filter(|c| c.is_wrong_answer()).map(Class::name).collect();
-        assert_eq!(wrong, ["overreach", "missed_zero", "sign_flip", "inconsistent", "nan"]);
+        assert_eq!(wrong, ["overreach", "missed_zero", "sign_flip", "inconsistent", "nan", "unstable"]);
         assert!(Class::ALL.into_iter().all(|c| c.is_answer() || !c.is_wrong_answer()));
     }
 

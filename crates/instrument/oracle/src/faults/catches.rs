@@ -139,6 +139,7 @@ impl Fault {
                 (Class::Topology, "crossing parity"),
             ],
             Fault::ToleranceMirroredWeight => &[(Class::Inconsistent, "weights"), (Class::Topology, "crossing parity")],
+            Fault::UnsteadyAgain => &[(Class::Unstable, "repeat")],
             Fault::Misscaled(misscaled) => misscaled_caught_by(misscaled),
         }
     }
@@ -174,6 +175,7 @@ impl Fault {
             | Fault::ToleranceWideContacts
             | Fault::ToleranceAsPrinted
             | Fault::ToleranceMirroredWeight => task.starts_with("contacts"),
+            Fault::UnsteadyAgain => task == "orient2d",
             _ => Derived::named(task).is_none(),
         }
     }

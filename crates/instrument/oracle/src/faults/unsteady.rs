@@ -1,10 +1,12 @@
 //! Backends that do not give the same answer twice: tests for the law `repeat`.
 //!
-//! They are not part of `selftest`, whose checks ask each question once.
+//! `selftest` plants one of them, [`Unsteady::Again`]: it depends on nothing but the questions, so that a scorecard is
+//! reproducible.
 
+use std::collections::HashSet;
 use std::hash::{BuildHasher, RandomState};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::{Mutex, OnceLock};
 use std::time::SystemTime;
 
 use predicament_exact::Exact;
@@ -23,6 +25,8 @@ pub enum Unsteady {
     Threads,
     /// The question that the session was asked before.
     Order,
+    /// The question's own past: the session has been asked before.
+    Again,
     /// A random number of the process.
     Process,
     /// The numbers of the vertices.
@@ -31,8 +35,15 @@ pub enum Unsteady {
 
 impl Unsteady {
     /// All kinds.
-    pub const ALL: [Unsteady; 6] =
-        [Unsteady::Global, Unsteady::Time, Unsteady::Threads, Unsteady::Order, Unsteady::Process, Unsteady::Ids];
+    pub const ALL: [Unsteady; 7] = [
+        Unsteady::Global,
+        Unsteady::Time,
+        Unsteady::Threads,
+        Unsteady::Order,
+        Unsteady::Again,
+        Unsteady::Process,
+        Unsteady::Ids,
+    ];
 
     /// The fault's name after `fault:`.
     #[must_use]
@@ -42,13 +53,14 @@ impl Unsteady {
             Unsteady::Time => "unsteady-time",
             Unsteady::Threads => "unsteady-threads",
             Unsteady::Order => "unsteady-order",
+            Unsteady::Again => "unsteady-again",
             Unsteady::Process => "unsteady-process",
             Unsteady::Ids => "unsteady-ids",
         }
     }
 
-    /// True if the answer to a question is reversed. `before` is the hash of the session's previous question.
-    fn reverses(self, args: &[Vertex], before: u64) -> bool {
+    /// True if the session reverses its answer to a question.
+    fn reverses(self, args: &[Vertex], session: &Session<'_>) -> bool {
         static ASKED: AtomicU64 = AtomicU64::new(0);
         static SEED: OnceLock<u64> = OnceLock::new();
         let one_in = |n: u64, of: u64| of.is_multiple_of(n);
@@ -59,7 +71,11 @@ impl Unsteady {
                 one_in(7, since.map_or(0, |since| u64::from(since.subsec_nanos() / 16)))
             }
             Unsteady::Threads => rayon::current_num_threads() > 1 && one_in(61, sum(args)),
-            Unsteady::Order => one_in(61, before),
+            Unsteady::Order => one_in(61, session.before.swap(sum(args), Relaxed)),
+            Unsteady::Again => {
+                let is_new = session.asked.lock().is_ok_and(|mut asked| asked.insert(args.to_vec()));
+                !is_new && one_in(7, sum(args))
+            }
             Unsteady::Process => {
                 let seed = SEED.get_or_init(|| RandomState::new().hash_one(0));
                 one_in(7, sum(args).wrapping_mul(*seed | 1) >> 32)
@@ -90,7 +106,12 @@ impl Backend for Unsteady {
     }
 
     fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Session<'s>, Declined> {
-        Ok(Session { kind: *self, exact: Exact.prepare(scene, Off)?, before: AtomicU64::new(1) })
+        Ok(Session {
+            kind: *self,
+            exact: Exact.prepare(scene, Off)?,
+            before: AtomicU64::new(1),
+            asked: Mutex::default(),
+        })
     }
 }
 
@@ -98,14 +119,16 @@ impl Backend for Unsteady {
 pub struct Session<'s> {
     kind: Unsteady,
     exact: predicament_exact::Session<'s, Off>,
+    /// A hash of the previous question.
     before: AtomicU64,
+    /// The vertices of all questions.
+    asked: Mutex<HashSet<Vec<Vertex>>>,
 }
 
 impl Session<'_> {
     fn answer<const N: usize>(&self, question: Question, args: [Vertex; N]) -> Sign {
         let exact = question.ask(&self.exact, &args);
-        let before = self.before.swap(sum(&args), Relaxed);
-        if self.kind.reverses(&args, before) { -exact } else { exact }
+        if self.kind.reverses(&args, self) { -exact } else { exact }
     }
 }
 

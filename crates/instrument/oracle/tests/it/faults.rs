@@ -73,3 +73,16 @@ fn a_term_that_is_wrong_about_late_ties_only_is_caught() {
         assert!(checks(&outcome).contains(&(Class::SignFlip, "perturbed sign")), "{scene}: {:?}", checks(&outcome));
     }
 }
+
+#[test]
+fn an_answer_that_changes_when_it_is_asked_again_is_unstable() {
+    let outcome = judged_by_name(&load("grid-4x4-orient2d"), "fault:unsteady-again");
+    let unstable: Vec<_> = outcome.findings.iter().filter(|finding| finding.class == Class::Unstable).collect();
+    assert!(!unstable.is_empty() && outcome.counts.get(Class::Unstable) >= unstable.len() as u64);
+    for finding in unstable {
+        let both: Vec<String> = finding.got.chars().map(String::from).collect();
+        assert!(finding.check == "repeat" && both.len() == 2 && both[0] != both[1], "{finding:?}");
+        assert_eq!(both[0], finding.truth, "the first answer is right, and only the second is not");
+    }
+    assert_eq!(outcome.counts.get(Class::SignFlip), 0);
+}

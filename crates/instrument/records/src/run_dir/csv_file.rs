@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use csv::{ReaderBuilder, StringRecord, WriterBuilder};
 
 use super::hashed::{Hashed, digest};
-use super::regular::read_regular;
+use super::regular::{header_length, read_regular};
 use super::state::{Outcome, State};
 use super::tables::{Record, TableSpec};
 use crate::error::with_cure;
@@ -29,7 +29,7 @@ impl CsvFile {
     }
 
     /// An existing table, cut back to its committed length; refused if its bytes differ from the committed ones.
-    pub fn reopen(path: PathBuf, length: u64, written: Option<&String>) -> Result<CsvFile, Error> {
+    pub fn reopen(path: PathBuf, columns: &[&str], length: u64, written: Option<&String>) -> Result<CsvFile, Error> {
         let mut bytes = read_regular(&path)?;
         if (bytes.len() as u64) < length {
             return Err(shortened(&path, bytes.len() as u64, length));
@@ -38,6 +38,7 @@ impl CsvFile {
         if written.is_some_and(|written| *written != digest(&bytes)) {
             return Err(Error::new(&path, CHANGED));
         }
+        check_columns(&path, &bytes, columns)?;
         let file = OpenOptions::new().append(true).open(&path).map_err(Error::io(&path))?;
         file.set_len(length).map_err(Error::io(&path))?;
         Ok(CsvFile::over(path, Hashed::after(file, &bytes)))
@@ -96,6 +97,16 @@ impl CsvFile {
     }
 }
 
+/// Refuses to add rows to a table that another version of the tool began: its rows have fewer fields.
+pub(super) fn check_columns(path: &Path, bytes: &[u8], columns: &[&str]) -> Result<(), Error> {
+    let length = usize::try_from(header_length(bytes)).unwrap_or(bytes.len());
+    if bytes[..length].trim_ascii_end() == columns.join(",").as_bytes() {
+        return Ok(());
+    }
+    let message = "another version of the tool wrote this table, with other columns; only that version can add rows";
+    Err(Error::at(path, 1, message))
+}
+
 /// The message about a file that is not as the run has left it.
 pub(super) const CHANGED: &str = "its content differs from what the run wrote, according to state.json; \
      restore both files from a copy, or start a new run";
@@ -126,12 +137,17 @@ impl Text {
     /// The rows, parsed into their type.
     pub fn typed<R: Row>(&self) -> Result<Rows<R>, Error> {
         let Text { path, header, rows, is_part } = self;
-        if *header != *R::COLUMNS {
+        let is_later = |column: &&str| R::LATER.contains(column) && *header != *R::COLUMNS;
+        let (later, written): (Vec<&str>, Vec<&str>) = R::COLUMNS.iter().partition(|column| is_later(column));
+        if *header != *written {
             let expected = R::COLUMNS.join(",");
             return Err(Error::at(path, 1, format!("the columns must be {expected}")));
         }
+        let whole: StringRecord = written.iter().chain(&later).collect();
         let typed = rows.iter().map(|(line, record)| {
-            let row: R = record.deserialize(Some(header)).map_err(|e| failed(path, &e))?;
+            let mut record = record.clone();
+            later.iter().for_each(|_| record.push_field("0"));
+            let row: R = record.deserialize(Some(&whole)).map_err(|e| failed(path, &e))?;
             row.check().map_err(|error| Error::at(path, *line, error.to_string()))?;
             Ok((*line, row))
         });

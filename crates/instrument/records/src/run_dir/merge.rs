@@ -8,11 +8,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::costs::CostRow;
+use super::csv_file::check_columns;
 use super::lock::{FILE as LOCK, Lock};
 use super::regular::header_length;
 use super::segments::{Piece, SegmentRow, pieces};
 use super::state::State;
-use super::{RunDir, RunWriter, TableSpec};
+use super::{RunDir, RunWriter, TABLES, TableSpec};
 use crate::replace::{folder_of, sync_folder};
 use crate::{Env, Error, ExpectedFile, Outcome, Plan, PlannedScene, Row, Shard};
 
@@ -117,6 +118,7 @@ fn copied(run: &RunDir, out: &Path, tables: &[TableSpec], env: &Env) -> Result<R
     for file in State::read(&run.path)?.committed.keys() {
         let path = run.path.join(file);
         let bytes = fs::read(&path).map_err(Error::io(&path))?;
+        check_table(file, &path, &bytes)?;
         let from = usize::try_from(header_length(&bytes)).unwrap_or(bytes.len());
         writer.append_bytes(file, &bytes[from..])?;
     }
@@ -183,6 +185,7 @@ impl Part {
         for file in state.committed.keys().filter(|file| *file != SegmentRow::FILE) {
             let path = run.path.join(file);
             let bytes = fs::read(&path).map_err(Error::io(&path))?;
+            check_table(file, &path, &bytes)?;
             headers.insert(file.clone(), header_length(&bytes));
             tables.insert(file.clone(), bytes);
         }
@@ -192,6 +195,12 @@ impl Part {
         let costs = CostRow::read(&run.path)?;
         Ok(Part { run, pieces, tables, costs })
     }
+}
+
+/// Refuses a table of every run whose columns differ from those of this version of the tool.
+fn check_table(file: &str, path: &Path, bytes: &[u8]) -> Result<(), Error> {
+    let table = TABLES.iter().find(|table| table.file == file);
+    table.map_or(Ok(()), |table| check_columns(path, bytes, table.columns))
 }
 
 /// The maximum number of missing parts that the message names.

@@ -107,7 +107,7 @@ impl RunWriter {
         for TableSpec { file, columns, .. } in TABLES.iter().chain(more).copied() {
             let path = folder.join(file);
             let table = match state.committed.get(file) {
-                Some(&length) => CsvFile::reopen(path, length, state.digests.get(file))?,
+                Some(&length) => CsvFile::reopen(path, columns, length, state.digests.get(file))?,
                 None if path.exists() => {
                     let message = format!(
                         "state.json doesn't say how much of {file} was written; restore both from a copy, or start a new run"

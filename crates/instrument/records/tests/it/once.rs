@@ -164,7 +164,7 @@ fn stages_that_are_partly_repeated_are_left_out_with_a_warning() {
     "#;
     let row = "near,near-7,a1b2c3d4,orient2d,exact,100000,";
     let rows_of_both =
-        format!("near,near-8,a1b2c3d5,orient2d,exact,100000,100000,0,0,0,0,0,0,0,0,0,0,0,0,0,0,ok\n{row}");
+        format!("near,near-8,a1b2c3d5,orient2d,exact,100000,100000,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,ok\n{row}");
     let more = [("plan.json", scene, &*format!("{another}{scene}")), ("summary.csv", row, &*rows_of_both)];
     let two = copy(&folder, "two", &more);
     let runs = open(&[&one, &two]).unwrap();

@@ -34,7 +34,7 @@ impl Row for PairRow {
 }
 
 /// The tables besides the tables that every run has.
-const MORE: [TableSpec; 1] = [TableSpec::of::<PairRow>()];
+pub const MORE: [TableSpec; 1] = [TableSpec::of::<PairRow>()];
 
 pub fn create(folder: &Path, plan: &Plan, env: &Env) -> Result<RunWriter, predicament_records::Error> {
     RunWriter::create(folder, plan, env, &MORE)
@@ -185,7 +185,7 @@ pub fn append(folder: &Path, file: &str, text: &str) {
 }
 
 /// Appends to a table as the writer does, and updates the state.
-fn append_known(folder: &Path, file: &str, text: &str) {
+pub fn append_known(folder: &Path, file: &str, text: &str) {
     append(folder, file, text);
     let path = folder.join("state.json");
     let mut state: serde_json::Value = serde_json::from_slice(&fs::read(&path).unwrap()).unwrap();
@@ -428,7 +428,7 @@ fn errors_name_file_and_line() {
         ("throughput.csv", "t,f,b,single,v,1,0,NaN\n", "throughput.csv:2: ns_per_query is NaN, which is not a time"),
         ("throughput.csv", "t,f,b,single,v,1,0,0\n", "which is not a time"),
         ("precision.csv", "s,n,i,0,-1,double,,,\n", "precision.csv:2: bits is -1, which is not a number of bits"),
-        ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
+        ("summary.csv", "s,n,i,t,b,1,1,0,0,0,0,0,0,0,0,0,0,0,0,0,0,0,fine\n", "summary.csv:3: "),
     ];
     for (file, lines, message) in bad {
         let folder = tempfile::tempdir().unwrap();

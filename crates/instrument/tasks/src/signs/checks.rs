@@ -9,6 +9,7 @@ pub(super) const CHECKS: &[Check] = &[
     Check::new(Class::Overreach, "sign", "the answer is zero only where the backend's promise allows zero"),
     Check::new(Class::MissedZero, "sign", "the answer is zero wherever the backend's promise requires zero"),
     Check::new(Class::Nan, "sign", "a NaN is not answered as zero"),
+    Check::new(Class::Unstable, "repeat", "a query that is asked again gets the same answer"),
     Check::new(Class::Inconsistent, "never zero", "a backend that breaks ties never answers zero"),
     Check::new(Class::SignFlip, "perturbed sign", "a broken tie has the sign of the perturbed determinant"),
     Check::new(Class::Inconsistent, Law::Antisymmetry.name(), "the sign changes if two arguments are exchanged"),

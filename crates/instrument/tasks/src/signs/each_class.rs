@@ -27,7 +27,16 @@ pub fn classes(
     let mut classes = Vec::new();
     let asked = backend.with_session(scene, &mut |session| {
         let band = published::band(&*session, queries.question());
-        let given = Given { scene, queries, truth, answers: &answers, session: &*session, contract, band };
+        let given = Given {
+            scene,
+            queries,
+            truth,
+            answers: &answers,
+            session: &*session,
+            contract,
+            band,
+            unstable: Vec::new(),
+        };
         let of = |query| (given.answers[query], class(&given, backend.tie_judge(), query));
         classes = (0..queries.len()).into_par_iter().map(of).collect();
     });

@@ -23,7 +23,8 @@ pub(super) fn judge(
     let contract = asked.contract(queries.kind());
     let (scene, truth, session) = (case.scene(), case.truth.as_slice(), asked.session);
     let band = published::band(session, queries.question());
-    let given = Given { scene, queries, truth, answers, session, contract, band };
+    let mut given = Given { scene, queries, truth, answers, session, contract, band, unstable: Vec::new() };
+    given.ask_again(asked.budget, asked.watch)?;
     let ties = asked.backend.tie_judge();
     if asked.budget.answers {
         outcome.answers = class::lines(&given, ties, asked.backend);
@@ -89,7 +90,11 @@ fn judge_chunk(given: &Given<'_>, ties: Option<&TieJudge>, budget: Budget, range
             chunk.ties.push(u32::try_from(query).expect("a scene has fewer than 2^32 queries"));
         }
         if !class.is_legal() && chunk.counts.get(class) <= budget.findings_per_class as u64 {
-            let check = if class == Class::Inconsistent { "never zero" } else { "sign" };
+            let check = match class {
+                Class::Inconsistent => "never zero",
+                Class::Unstable => "repeat",
+                _ => "sign",
+            };
             chunk.raw.push(Raw { class, check, query, got: given.answers[query], truth: given.truth[query] });
         }
     }
@@ -140,7 +145,7 @@ fn in_words(given: &Given<'_>, backend: &dyn Contestant, raw: &[Raw]) -> Vec<Fin
             class: raw.class,
             check: raw.check.to_owned(),
             queries: vec![question.query(args)],
-            got: symbol(raw.got),
+            got: [Some(raw.got), given.second(raw.query)].into_iter().flatten().map(Sign::symbol).collect(),
             truth: symbol(raw.truth),
             log2_relative_det: judge::log2_relative(&verdict),
             distance_over_l: distance_over_l(given.scene, question, args, nearest, l),

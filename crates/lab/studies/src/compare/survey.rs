@@ -207,7 +207,8 @@ fn answers(about: &About<'_>, seen: &Seen, has_laws: bool) -> Vec<Measure> {
         let wrong: u64 = wrong.map(|class| seen.counts.get(class)).sum();
         all.push(about.share("wrong answers", "per 10^6 answers", 1e6, wrong, judged));
     }
-    let of_queries = [Class::SignFlip, Class::MissedZero, Class::Overreach, Class::Nan, Class::Inconsistent];
+    use Class::{Inconsistent, MissedZero, Nan, Overreach, SignFlip, Unstable};
+    let of_queries = [SignFlip, MissedZero, Overreach, Nan, Inconsistent, Unstable];
     for class in of_queries.into_iter().chain([Class::TieBroken, Class::InBand]) {
         let count = seen.counts.get(class);
         if count > 0 || (judged > 0 && of_queries[..3].contains(&class)) {

@@ -1,7 +1,7 @@
 //! The answers of a backend to a scene, to be compared.
 
 use predicament_corpus::{LoadedScene, Random};
-use predicament_predicates::{QuerySet, Scene, Sign, Vertex};
+use predicament_predicates::{Class, QuerySet, Scene, Sign, Vertex};
 use predicament_tasks::signs::{Answers, SignQueries};
 use predicament_tasks::{AnyTask, Contestant, Purpose, caught};
 
@@ -18,7 +18,7 @@ pub(super) enum Given {
     /// The digest of a whole answer.
     Whole(u64),
     /// No answer, and why.
-    None { class: &'static str, why: String },
+    None { class: Class, why: String },
 }
 
 impl Given {
@@ -73,8 +73,8 @@ fn asked(
     });
     match answered {
         Ok(Ok(())) => given,
-        Ok(Err(why)) => Given::None { class: "declined", why: why.to_string() },
-        Err(broken) => Given::None { class: broken.class.name(), why: broken.message },
+        Ok(Err(why)) => Given::None { class: Class::Declined, why: why.to_string() },
+        Err(broken) => Given::None { class: broken.class, why: broken.message },
     }
 }
 

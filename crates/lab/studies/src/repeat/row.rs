@@ -1,5 +1,6 @@
 //! The rows of the study's file.
 
+use predicament_predicates::Class;
 use serde::Serialize;
 
 /// One scene asked again in one way.
@@ -13,8 +14,8 @@ pub struct Row {
     pub scene: String,
     /// The way.
     pub way: String,
-    /// `agree`, `unstable`, `declined`, or `panic`.
-    pub class: &'static str,
+    /// `agree`, `unstable`, or the class of both failures.
+    pub class: Class,
     /// The number of compared answers: queries, or one whole answer.
     pub answers: u64,
     /// The number of answers that differ.

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use predicament_corpus::LoadedScene;
-use predicament_predicates::{PredicateKind, Sign, ZeroMeaning};
+use predicament_predicates::{Class, PredicateKind, Sign, ZeroMeaning};
 use predicament_tasks::signs::SignQueries;
 use predicament_tasks::{Compared, Contestant};
 use serde::Serialize;
@@ -133,7 +133,7 @@ Examples:
     }
 
     fn holds(&self, measured: &Measured) -> bool {
-        measured.rows.iter().all(|row| row.class != "unstable")
+        measured.rows.iter().all(|row| row.class != Class::Unstable)
     }
 
     fn prints_rows(&self) -> bool {
@@ -176,8 +176,7 @@ fn parsed(text: &str) -> Given {
         (_, Ok(digest)) => Given::Whole(digest),
         _ => {
             let (class, why) = text.split_once(": ").unwrap_or((text, ""));
-            let class = if class == "declined" { "declined" } else { "panic" };
-            Given::None { class, why: why.to_owned() }
+            Given::None { class: class.parse().unwrap_or(Class::Panic), why: why.to_owned() }
         }
     }
 }
@@ -192,9 +191,9 @@ fn is_by_place(backend: &dyn Contestant, loaded: &LoadedScene) -> bool {
 fn row(backend: &dyn Contestant, loaded: &LoadedScene, way: Way, first: &Given, second: &Given) -> Row {
     let (answers, unstable, at) = first.differences(second);
     let class = match (unstable, first) {
-        (0, Given::None { class, .. }) => class,
-        (0, _) => "agree",
-        _ => "unstable",
+        (0, Given::None { class, .. }) => *class,
+        (0, _) => Class::Agree,
+        _ => Class::Unstable,
     };
     let query = |at: usize| {
         let queries = loaded.content::<SignQueries>().map(|content| &content.queries);

@@ -2,6 +2,8 @@
 
 use std::fmt::Write as _;
 
+use predicament_predicates::Class;
+
 use super::{Row, Way};
 
 /// The page.
@@ -12,7 +14,7 @@ pub(super) fn page(rows: &[Row]) -> String {
     // Writing to a String cannot fail.
     let mut page = format!("| backend | scenes | {} |\n|---|---:|{}\n", ways.join(" | "), "---|".repeat(ways.len()));
     for backend in backends {
-        let of = |row: &&Row| row.backend == backend && row.class != "declined";
+        let of = |row: &&Row| row.backend == backend && row.class != Class::Declined;
         let scenes = rows.iter().filter(of).filter(|row| row.way == ways[0]).count();
         let cells = ways.iter().map(|way| {
             let here: Vec<&Row> = rows.iter().filter(of).filter(|row| row.way == *way).collect();
@@ -25,7 +27,7 @@ pub(super) fn page(rows: &[Row]) -> String {
         });
         let _ = writeln!(page, "| `{backend}` | {scenes} | {} |", cells.collect::<Vec<_>>().join(" | "));
     }
-    let mut unstable = rows.iter().filter(|row| row.class == "unstable").peekable();
+    let mut unstable = rows.iter().filter(|row| row.class == Class::Unstable).peekable();
     if unstable.peek().is_some() {
         page += "\n| unstable | task | scene | way | query | first | second |\n|---|---|---|---|---|---|---|\n";
     }

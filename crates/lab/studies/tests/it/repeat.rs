@@ -1,6 +1,7 @@
 //! The law `repeat`: our backends keep it, and each planted fault breaks it in the ways in which it must.
 
 use predicament_oracle::faults::Unsteady;
+use predicament_predicates::Class;
 use predicament_studies::repeat::{Repeat, Row, Way};
 use predicament_studies::{Common, Study};
 
@@ -21,7 +22,10 @@ fn unstable(rows: &[Row], way: Way) -> u64 {
 fn what_depends_on_the_question_alone_is_stable() {
     for name in ["exact", "sos", "tolerance", "naive"] {
         let rows = rows(name, &["orient2d", "insphere", "hull2d"], 60);
-        assert!(rows.iter().all(|row| row.unstable == 0 && ["agree", "declined"].contains(&row.class)), "{rows:?}");
+        assert!(
+            rows.iter().all(|row| row.unstable == 0 && [Class::Agree, Class::Declined].contains(&row.class)),
+            "{rows:?}"
+        );
         let has_ids = rows.iter().any(|row| row.way == Way::Ids.to_string());
         assert_eq!(has_ids, name != "sos", "{name}: who breaks ties by number is not asked with others");
         assert!(rows.iter().all(|row| row.way != Way::Process.to_string()), "this host starts no process");
@@ -44,7 +48,7 @@ fn each_planted_dependence_is_found() {
         for way in ways {
             assert!(unstable(&rows, way) > 0, "{name}: {way}: {rows:?}");
         }
-        let first = rows.iter().find(|row| row.class == "unstable").unwrap();
+        let first = rows.iter().find(|row| row.class == Class::Unstable).unwrap();
         assert!(first.first != first.second && first.query.starts_with("orient2d"), "both answers: {first:?}");
     }
 }

@@ -261,17 +261,17 @@ fn count(outcome: &Outcome, classes: &[Class]) -> u64 {
     classes.iter().map(|&class| outcome.counts.get(class)).sum()
 }
 
-const WRONG: [Class; 5] = [Class::Overreach, Class::MissedZero, Class::SignFlip, Class::Inconsistent, Class::Nan];
 const CRASHES: [Class; 2] = [Class::Panic, Class::Timeout];
 
 impl Cell {
     fn of(own: &[Outcome], found: &[Outcome]) -> Cell {
-        let bad = |outcome: &Outcome| count(outcome, &WRONG) + count(outcome, &CRASHES) > 0;
+        let wrong: Vec<Class> = Class::ALL.into_iter().filter(|class| class.is_wrong_answer()).collect();
+        let bad = |outcome: &Outcome| count(outcome, &wrong) + count(outcome, &CRASHES) > 0;
         let sum = |classes: &[Class]| found.iter().map(|outcome| count(outcome, classes)).sum();
         let broken = found.iter().zip(own).enumerate().filter(|(_, (found, own))| bad(found) && !bad(own));
         Cell {
             queries: found.iter().map(|outcome| outcome.queries).sum(),
-            wrong: sum(&WRONG),
+            wrong: sum(&wrong),
             declined: sum(&[Class::Declined]),
             crashes: sum(&CRASHES),
             broken: broken.map(|(at, _)| at).collect(),
@@ -306,7 +306,7 @@ fn smallest(
         let (family, query) = (FAMILIES[at].0, finding.query_text());
         format!("{query} of {family}: answer {}, truth {}{how}", finding.got, finding.truth)
     };
-    let Some(finding) = found.findings.iter().find(|finding| WRONG.contains(&finding.class)) else {
+    let Some(finding) = found.findings.iter().find(|finding| finding.class.is_wrong_answer()) else {
         // A crash: the scene is not shrunk.
         return Ok(found
             .findings
