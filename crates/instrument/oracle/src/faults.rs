@@ -116,7 +116,7 @@ impl Fault {
     }
 
     /// All faults except wrongly scaled tolerances.
-    const ALL: [Fault; 31] = [
+    const ALL: [Fault; 32] = [
         Fault::SosSwappedTerm,
         Fault::SosBatchFlipped,
         Fault::SosLateSwappedTerm,
