@@ -11,7 +11,7 @@
 //!
 //! The floating-point value is fl(x + y), and x + y comes after k roundings of terms whose magnitudes add up to v: k is
 //! 1 for a turn, and 4 for a volume. Rounding is monotone, so the value has the sign of x + y. Therefore **the sign is
-//! certain if the value exceeds u·(k·v + m)**. The constant [`ROOM`] covers the following.
+//! certain if the value exceeds u·(k·v + m)**. The constant `ROOM` covers the following.
 //!
 //! **Roundings of the bound,** the last rounding of the value, and second powers of u: fewer than 100 of them, relative
 //! to the bound, which is a sum of positive terms. `ROOM` covers 2^13.

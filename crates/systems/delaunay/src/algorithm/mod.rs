@@ -1,6 +1,6 @@
 //! Delaunay triangulations of points of the plane, by insertion in random rounds along a space-filling curve.
 //!
-//! Large scenes are divided into vertical strips, which are triangulated in parallel and [joined](strips).
+//! Large scenes are divided into vertical strips, which are triangulated in parallel and joined.
 //!
 //! # Meaning of a zero
 //! * Vertices that compare equal on both axes are one: the smallest index represents all, the others are its
