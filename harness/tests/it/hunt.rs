@@ -98,7 +98,7 @@ fn a_backend_is_hunted_by_its_short_name() {
     let folder = tempdir().unwrap();
     let out = at(&folder, "out");
     expect(0, &["hunt", "orient2d", "-b", "epsilon", "--from", "shapes", "--evaluations", "50", "--out", &out]);
-    assert_eq!(state(&out)["shown_by"], serde_json::json!(["epsilon:1e-10"]));
+    assert_eq!(state(&out)["order"]["shown_by"], serde_json::json!(["epsilon:1e-10"]));
     expect(0, &["hunt", "--resume", &out, "--evaluations", "100"]);
 }
 

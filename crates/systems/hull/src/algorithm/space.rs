@@ -13,8 +13,8 @@ use super::{Hull3, PIECE, divide, incremental, middle, parts};
 /// The methods for hulls in space.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Default, Debug)]
 pub enum SpaceMethod {
-    /// Drops points in a box in the middle, and points that are not vertices of the hull of their part. Inserts the others
-    /// in a fixed random order; a conflict graph holds the outside points.
+    /// Drops points in a box in the middle, and points that are not vertices of the hull of their part. Inserts the
+    /// others in a fixed random order; a conflict graph holds the outside points.
     #[default]
     Incremental,
     /// Divide and conquer: sorts the points, and stitches the half-edge meshes of both halves by the faces that touch

@@ -127,11 +127,12 @@ pub(super) fn shifted(n: usize, rng: &mut Random) -> Pair {
     pair
 }
 
-/// Two round rings of n corners for each loop: between four crossings of borders, most edges meet nothing.
+/// Two round rings of about n corners each: between four crossings of borders, most edges meet nothing.
 pub(super) fn rings(n: usize, rng: &mut Random) -> Pair {
+    let corners_of_loop = (n / 3).max(3);
     let mut pair = Pair::default();
     for (operand, centre) in [[0.0, 0.0], [0.625, 0.25]].into_iter().enumerate() {
-        let outer = star(n, centre, 1.0, rng);
+        let outer = star(corners_of_loop, centre, 1.0, rng);
         // A hole in the ring, and a disc in the hole, which begins at its top.
         for by in [1.0, -0.75, 0.125] {
             let scaled =
@@ -141,7 +142,7 @@ pub(super) fn rings(n: usize, rng: &mut Random) -> Pair {
                 corners.reverse();
             }
             if (0.0..0.5).contains(&by) {
-                corners.rotate_left(n / 2);
+                corners.rotate_left(corners_of_loop / 2);
             }
             pair.push(operand, corners);
         }
