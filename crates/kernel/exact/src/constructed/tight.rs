@@ -5,9 +5,10 @@
 //! difference and the bound of its error apart. It costs about twice as much, and runs where the other filter fails.
 //!
 //! # Proof
-//! As in [`filter`], d = fl(x − y) is within u·m of the true difference D, m = |d| + e_x + e_y. Let v be |d|. A product
-//! d₁d₂ is within u·m of D₁D₂ for m = v₁m₂ + m₁(v₂ + u·m₂), because (v₁ + u·m₁)(v₂ + u·m₂) = v₁v₂ + u·m. For a sum or
-//! a difference, m₁ + m₂ suffices. Hence the determinant of the d, in real numbers, is within u·m of the true one.
+//! The computed difference d = fl(x − y) is within u·m of the true difference D, m = |d| + e_x + e_y, as [`filter`]
+//! proves. Let v be |d|. A product d₁d₂ is within u·m of D₁D₂ for m = v₁m₂ + m₁(v₂ + u·m₂), because (v₁ + u·m₁)(v₂ +
+//! u·m₂) = v₁v₂ + u·m. For a sum or a difference, m₁ + m₂ suffices. Hence the determinant of the d, in real numbers, is
+//! within u·m of the true one.
 //!
 //! The floating-point value is fl(x + y), and x + y comes after k roundings of terms whose magnitudes add up to v: k is
 //! 1 for a turn, and 4 for a volume. Rounding is monotone, so the value has the sign of x + y. Therefore **the sign is
