@@ -2,15 +2,28 @@
 
 use std::fs;
 
+/// The names of units, each 1024 times the one before.
+const UNITS: [&str; 4] = ["B", "KiB", "MiB", "GiB"];
 const GIB: f64 = 1_073_741_824.0;
 
-/// Refuses work that needs more bytes than `limit` GiB, or than the system has left.
+/// Reads a limit in GiB, as bytes.
 ///
 /// # Errors
 /// The message for the user.
+pub fn limit(text: &str) -> Result<f64, String> {
+    let gib = text.parse::<f64>().ok().filter(|gib| *gib > 0.0 && gib.is_finite());
+    gib.map(|gib| gib * GIB)
+        .ok_or_else(|| "the limit is a number of GiB greater than zero, such as 8 or 0.5".to_owned())
+}
+
+/// Refuses work that needs more bytes than `limit`, or than the system has left.
+///
+/// # Errors
+/// The message for the user.
+#[allow(clippy::cast_precision_loss)] // approximate amounts
 pub fn check(needed: u64, limit: Option<f64>) -> Result<(), String> {
-    let Some(left) = limit.or_else(|| available().map(gib)) else { return Ok(()) };
-    let needed = gib(needed);
+    let Some(left) = limit.or_else(|| available().map(|bytes| bytes as f64)) else { return Ok(()) };
+    let needed = needed as f64;
     if needed <= left {
         return Ok(());
     }
@@ -18,12 +31,18 @@ pub fn check(needed: u64, limit: Option<f64>) -> Result<(), String> {
         Some(_) => "raise --memory, or take fewer vertices",
         None => "take fewer vertices, or a machine with more memory; --memory GIB sets the limit",
     };
-    Err(format!("the answer needs about {needed:.3} GiB of memory, and {left:.3} GiB may be used: {cure}"))
+    let [needed, left] = [needed, left].map(amount);
+    Err(format!("the answer needs about {needed} of memory, and {left} may be used: {cure}"))
 }
 
-#[allow(clippy::cast_precision_loss)] // an approximate amount
-fn gib(bytes: u64) -> f64 {
-    bytes as f64 / GIB
+/// Bytes in the largest unit of which there is at least one.
+fn amount(mut bytes: f64) -> String {
+    let mut unit = 0;
+    while bytes >= 1024.0 && unit + 1 < UNITS.len() {
+        bytes /= 1024.0;
+        unit += 1;
+    }
+    format!("{bytes:.1} {}", UNITS[unit])
 }
 
 /// The bytes that processes can still take, by the kernel and by the control group; `None` if it is not known.
@@ -49,9 +68,18 @@ mod tests {
 
     #[test]
     fn more_than_is_left_is_refused_with_both_amounts() {
-        assert_eq!(check(1 << 30, Some(1.0)), Ok(()));
-        let refused = check(3 << 29, Some(1.0)).expect_err("too much");
-        assert!(refused.contains("1.500 GiB") && refused.contains("1.000 GiB") && refused.contains("--memory"));
+        assert_eq!(check(1 << 30, Some(GIB)), Ok(()));
+        let refused = check(3 << 29, Some(GIB)).expect_err("too much");
+        assert!(refused.contains("1.5 GiB") && refused.contains("1.0 GiB") && refused.contains("--memory"));
+        assert_eq!([0.0, 1023.0, 1024.0, 5e6].map(amount), ["0.0 B", "1023.0 B", "1.0 KiB", "4.8 MiB"]);
+    }
+
+    #[test]
+    fn a_limit_is_a_number_above_zero() {
+        assert_eq!(limit("0.5"), Ok(GIB / 2.0));
+        for text in ["0", "-1", "nan", "inf", "1e999", "", "8 GiB"] {
+            assert!(limit(text).is_err(), "{text}");
+        }
     }
 
     #[test]

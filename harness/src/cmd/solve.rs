@@ -62,7 +62,7 @@ pub struct Args {
     pub parts: Vec<String>,
 
     /// The memory that the answer may take, in GiB [default: what the system has left]
-    #[arg(long, value_name = "GIB")]
+    #[arg(long, value_name = "GIB", allow_hyphen_values = true, value_parser = memory::limit)]
     pub memory: Option<f64>,
 
     /// A folder for the files; it is created if it does not exist

@@ -185,8 +185,12 @@ fn a_scene_that_needs_more_memory_than_is_left_is_refused_before_it_is_solved() 
     let folder = tempdir().unwrap();
     let (points, out) = (write(&folder, "p.csv", "x,y\n0,0\n3,1\n1,3\n2,2\n"), at(&folder, "out"));
     let told = expect(2, &["solve", "delaunay2d", &points, "--memory", "1e-9", "--out", &out]);
-    let parts = ["p.csv", "the answer needs about 0.000 GiB of memory, and 0.000 GiB may be used", "raise --memory"];
+    let parts = ["p.csv", "the answer needs about 1.0 KiB of memory, and 1.1 B may be used", "raise --memory"];
     assert!(parts.iter().all(|part| told.stderr.contains(part)), "{}", told.stderr);
+    for limit in ["0", "-1", "nan", "much"] {
+        let told = expect(2, &["solve", "delaunay2d", &points, "--memory", limit, "--out", &out]);
+        assert!(told.stderr.contains("a number of GiB greater than zero"), "{}", told.stderr);
+    }
     assert!(!std::path::Path::new(&out).exists());
     expect(0, &["solve", "delaunay2d", &points, "--memory", "1", "--out", &out]);
 }
