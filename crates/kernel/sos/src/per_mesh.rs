@@ -15,7 +15,7 @@ use predicament_predicates::{
     Question, Refused, Scene, Sessions, Sign, Tally, Vertex, ZeroMeaning,
 };
 
-use crate::constructed::{self, fixed, rigid};
+use crate::constructed::{self, corner, fixed, rigid};
 #[cfg(feature = "formulas")]
 use crate::derived;
 use crate::shift::{self, PlaneTies};
@@ -132,13 +132,21 @@ impl<T: Tally> Session<'_, T> {
 
     #[inline(never)]
     fn orient2d_constructed(&self, plane: Plane, [a, b, c]: [Vertex; 3]) -> Sign {
-        if let Some(sign) = self.exact.constructed().orient2d_by_filter(plane, a, b, c) {
+        let (constructed, args) = (self.exact.constructed(), [a, b, c]);
+        if let Some(sign) = constructed.orient2d_by_first_filter(plane, a, b, c) {
             self.tally.settled(PredicateKind::Orient2d, FILTER);
             return sign;
         }
-        let decided = fixed::orient2d(self.exact.scene(), self.second(), plane, [a, b, c]);
-        let exact = || (self.exact.constructed().orient2d_exactly(plane, [a, b, c]), CONSTRUCTED);
-        self.settle_constructed(Question::Orient2d(plane), [a, b, c], decided, exact)
+        let mut decided = corner::orient2d(&self.exact, self.second(), plane, args).map(Some);
+        if decided.is_none() {
+            if let Some(sign) = constructed.orient2d_by_filter(plane, a, b, c) {
+                self.tally.settled(PredicateKind::Orient2d, FILTER);
+                return sign;
+            }
+            decided = fixed::orient2d(self.exact.scene(), self.second(), plane, args);
+        }
+        let exact = || (constructed.orient2d_exactly(plane, args), CONSTRUCTED);
+        self.settle_constructed(Question::Orient2d(plane), args, decided, exact)
     }
 
     #[cold]

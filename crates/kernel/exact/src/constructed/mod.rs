@@ -265,6 +265,16 @@ impl Constructed {
         determinant::orient2d(&[row(a), row(b), row(c)])
     }
 
+    /// The sign of [`Constructed::orient2d`]; `None` if the first of its filters leaves it open.
+    ///
+    /// # Panics
+    /// As [`Constructed::orient2d`].
+    #[inline]
+    #[must_use]
+    pub fn orient2d_by_first_filter(&self, plane: Plane, a: Vertex, b: Vertex, c: Vertex) -> Option<Sign> {
+        self.first_orient2d(plane, [a, b, c])
+    }
+
     /// The sign of [`Constructed::orient2d`]; `None` if its filters leave it open.
     ///
     /// # Panics

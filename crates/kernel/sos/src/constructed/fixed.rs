@@ -86,7 +86,7 @@ impl<const N: usize> Named<N> {
         for (at, &v) in args.iter().enumerate() {
             vertices[at] = match v.construction().map(|index| &scene.constructions()[index]) {
                 None => [v; 5],
-                Some(&Construction::Lpi { line: [p, q], plane: [a, b, c] }) => [p, q, a, b, c],
+                Some(&Construction::Lpi { line, plane }) => from_common_vertex(scene, line, plane),
                 Some(_) => return None,
             };
             let [p, q, a, b, c] = vertices[at].map(|v| second[v.index()]);
@@ -126,6 +126,21 @@ impl<const N: usize> Named<N> {
             }
         })
     }
+}
+
+/// A line and a plane, from a vertex at one position if they have one: half of the products are zero then.
+#[inline]
+fn from_common_vertex(scene: &Scene, line: [Vertex; 2], plane: [Vertex; 3]) -> [Vertex; 5] {
+    let points = scene.coordinates().as_chunks::<3>().0;
+    let ([p, q], [a, b, c]) = (line, plane);
+    for [p, q] in [[p, q], [q, p]] {
+        for [a, b, c] in [[a, b, c], [b, c, a], [c, a, b]] {
+            if points[p.index()] == points[a.index()] {
+                return [p, q, a, b, c];
+            }
+        }
+    }
+    [p, q, a, b, c]
 }
 
 /// Differences to the last point in units of some power of two, and B; `None` if they take more than a limb.

@@ -25,6 +25,7 @@
 
 mod certain;
 mod common_line;
+pub(crate) mod corner;
 mod first;
 pub(crate) mod fixed;
 mod limit;
