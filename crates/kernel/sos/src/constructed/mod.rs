@@ -26,6 +26,7 @@
 mod certain;
 mod common_line;
 pub(crate) mod corner;
+mod factors;
 mod first;
 pub(crate) mod fixed;
 mod limit;
@@ -96,7 +97,9 @@ fn decide<const N: usize>(scene: &Scene, rows: &Rows, question: Question, args: 
     match first::decide(scene, rows, question, args) {
         Known::Broken(sign, degree) => Some((sign, degree)),
         Known::Identity => None,
-        Known::Open => search_all(scene, question, &args),
+        Known::Open => {
+            factors::decide(scene, rows, question, &args).unwrap_or_else(|| search_all(scene, question, &args))
+        }
     }
 }
 

@@ -38,7 +38,7 @@ impl Place {
     }
 
     /// Returns true if the place is on the plane of three vertices by definition.
-    fn on_plane(&self, on: &[Vertex; 3]) -> bool {
+    pub(super) fn on_plane(&self, on: &[Vertex; 3]) -> bool {
         match self {
             Place::Input(v) => on.contains(v),
             Place::Meet(Construction::Lpi { line, plane }) => plane == on || common(line, on).len() == 2,

@@ -7,7 +7,7 @@ use predicament_predicates::Vertex;
 
 use super::cutter::Cutter;
 use super::{Contradiction, Part, Sliced, Source};
-use predicament_triangulate::algorithm::{Method, projection, triangulate};
+use predicament_triangulate::algorithm::{Method, projection, triangulate, triangulate_few};
 
 /// The parts while triangles are added.
 #[derive(Default)]
@@ -73,6 +73,13 @@ impl Cutter<'_> {
             out.broken.get_or_insert(Contradiction::NoArea);
             return;
         };
+        // A short loop needs turns alone: an order of constructed vertices costs more, most of all where it is a tie.
+        if let [around] = loops
+            && let Some(made) = triangulate_few(&*self.session, plane, reversed, around, |_, _, _| false)
+        {
+            out.push(part, source, made);
+            return;
+        }
         let made = triangulate(&*self.session, plane, reversed, loops, Method::Monotone);
         if let Some(what) = made.broken {
             out.broken.get_or_insert(what.into());
