@@ -57,20 +57,23 @@ pub(crate) fn orient2d(exact: &Exact, plane: Plane, args: [Vertex; 3]) -> Shifte
     // Rotated until the odd one comes last.
     let [a, b] = [args[(at + 1) % 3], args[(at + 2) % 3]];
     let [i, j] = plane.axes();
+    let scene = exact.scene();
     let order = |axis: Axis, u: Vertex, v: Vertex| {
-        let [u, v] = [u, v].map(|v| exact.scene().coordinate(axis, v));
-        if u > v {
-            Sign::Positive
-        } else if u < v {
-            Sign::Negative
-        } else {
-            Sign::Zero
+        let [u, v] = [u, v].map(|v| scene.coordinate(axis, v));
+        match (u > v, u < v) {
+            (true, _) => Sign::Positive,
+            (_, true) => Sign::Negative,
+            _ => Sign::Zero,
         }
     };
-    let mut derivatives = [(i, order(j, a, b)), (j, order(i, b, a))];
-    derivatives.sort_unstable_by_key(|(axis, _)| axis.index());
-    let first = derivatives.into_iter().find(|(_, sign)| !sign.is_zero());
-    Some(first.map(|(axis, sign)| (sign * moves, axis.index() + 1)))
+    // A move along the first axis counts more, and turns by the distance along the other.
+    let derivative = |axis: Axis| if axis == i { order(j, a, b) } else { order(i, b, a) };
+    let [first, second] = if i.index() < j.index() { [i, j] } else { [j, i] };
+    let decided = [first, second].into_iter().find_map(|axis| {
+        let sign = derivative(axis);
+        (!sign.is_zero()).then_some((sign * moves, axis.index() + 1))
+    });
+    Some(decided)
 }
 
 /// Returns true if two input vertices of a scene in space coincide: two of different meshes, if they are distinct
