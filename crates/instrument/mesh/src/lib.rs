@@ -16,4 +16,4 @@ pub use faces::{FaceFinder, Faces};
 pub use half_edge::HalfEdgeMesh;
 pub use materials::{MaterialError, MaterialMesh, OUTSIDE};
 pub use polygon::{MapError, PolygonMap, Region, Ring};
-pub use subdivision::{Nesting, Subdivision, SubdivisionFace};
+pub use subdivision::{Nesting, Sort, Subdivision};

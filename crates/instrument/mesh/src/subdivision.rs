@@ -8,17 +8,15 @@
 //!
 //! A [half-edge mesh](crate::HalfEdgeMesh) is not enough here: its faces have one cycle each.
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
+
+use rayon::prelude::*;
+
 /// The number that identifies nothing.
 const NONE: u32 = u32::MAX;
-
-/// A face, as its cycles.
-#[derive(Clone, PartialEq, Eq, Default, Debug)]
-pub struct SubdivisionFace {
-    /// The cycle around the face; `None` for the unbounded face.
-    pub outer: Option<u32>,
-    /// The cycles around components in the face.
-    pub inner: Vec<u32>,
-}
+/// The number of edges below which one thread does everything.
+const ALONE: usize = 1 << 14;
 
 /// The location of a component.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -48,91 +46,102 @@ pub struct Subdivision {
     components: usize,
     /// The face of each cycle.
     face: Vec<u32>,
-    faces: Vec<SubdivisionFace>,
+    /// The cycle around each face; `NONE` for the unbounded face.
+    outer: Vec<u32>,
+    /// The other cycles, around components: each with its face.
+    inner: Vec<[u32; 2]>,
 }
 
+/// Puts half-edges in counterclockwise order around each of several consecutive nodes. It gets the first node, the place
+/// of each node's first half-edge in a list, with the length of the list, and the list.
+pub type Sort<'a> = &'a (dyn Fn(usize, &[u32], &mut [u32]) + Sync);
+
 impl Subdivision {
-    /// A subdivision with these edges between nodes, not yet with faces. `sort` puts the half-edges that leave a node
-    /// in counterclockwise order.
+    /// A subdivision with these edges between nodes, not yet with faces. `sort` orders the half-edges that leave a node,
+    /// where there are more than two; it may be called on several threads.
     ///
     /// # Panics
     /// If an edge has a node that does not exist, or there are 2^31 edges or more.
     #[must_use]
-    pub fn new(nodes: usize, ends: Vec<[u32; 2]>, mut sort: impl FnMut(u32, &mut [u32])) -> Subdivision {
-        let halves = u32::try_from(2 * ends.len()).expect("fewer than 2^31 edges");
-        let mut first = vec![0_u32; nodes + 1];
-        ends.as_flattened().iter().for_each(|&node| first[node as usize] += 1);
-        let mut end = 0;
-        for start in &mut first {
-            end += *start;
-            *start = end;
-        }
-        let mut around = vec![0; ends.len() * 2];
-        for (half, &node) in (0..halves).zip(ends.as_flattened()).rev() {
-            let start = &mut first[node as usize];
-            *start -= 1;
-            around[*start as usize] = half;
-        }
-        let mut next = vec![NONE; around.len()];
-        for (node, range) in (0..).zip(first.windows(2)) {
-            let own = &mut around[range[0] as usize..range[1] as usize];
-            // Up to two half-edges are in cyclic order anyway.
-            if own.len() > 2 {
-                sort(node, own);
+    pub fn new(nodes: usize, ends: Vec<[u32; 2]>, sort: Sort<'_>) -> Subdivision {
+        u32::try_from(2 * ends.len()).expect("fewer than 2^31 edges");
+        let threads = if ends.len() < ALONE { 1 } else { rayon::current_num_threads() };
+        // Each thread has nodes of its own.
+        let parts = threads.min(nodes).max(1);
+        let part = |part: usize| leaving(&ends, nodes * part / parts..nodes * (part + 1) / parts);
+        let lists: Vec<(Vec<u32>, Vec<u32>)> =
+            if parts == 1 { vec![part(0)] } else { (0..parts).into_par_iter().map(part).collect() };
+        let next: Vec<AtomicU32> = std::iter::repeat_with(|| AtomicU32::new(NONE)).take(2 * ends.len()).collect();
+        let sorted = |(part, (first, mut around)): (usize, (Vec<u32>, Vec<u32>))| {
+            sort(nodes * part / parts, &first, &mut around);
+            for range in first.windows(2) {
+                let own = &around[range[0] as usize..range[1] as usize];
+                // A cycle that arrives along a half-edge continues along the one before it: the next clockwise.
+                if let Some(&last) = own.last() {
+                    own.iter().fold(last, |before, &half| {
+                        next[(half ^ 1) as usize].store(before, Relaxed);
+                        half
+                    });
+                }
             }
-            // A cycle that arrives along a half-edge continues along the one before it: the next clockwise.
-            if let Some(&last) = own.last() {
-                own.iter().fold(last, |before, &half| {
-                    next[(half ^ 1) as usize] = before;
-                    half
-                });
-            }
-        }
+            (first, around)
+        };
+        let lists: Vec<(Vec<u32>, Vec<u32>)> = if parts == 1 {
+            lists.into_iter().enumerate().map(sorted).collect()
+        } else {
+            lists.into_par_iter().enumerate().map(sorted).collect()
+        };
+        let (first, around) = joined(lists);
+        let next = next.into_iter().map(AtomicU32::into_inner).collect();
         let mut subdivision = Subdivision { ends, first, around, next, ..Subdivision::default() };
-        subdivision.walk();
-        subdivision.connect(nodes);
+        let [walk, connect]: [&(dyn Fn() -> (Vec<u32>, Vec<u32>) + Sync); 2] =
+            [&|| subdivision.walk(), &|| subdivision.connect(nodes)];
+        let (walked, connected) = if threads == 1 { (walk(), connect()) } else { rayon::join(walk, connect) };
+        (subdivision.cycle, subdivision.cycles) = walked;
+        subdivision.component = connected.0;
+        subdivision.components = connected.1.len();
         subdivision
     }
 
-    /// Numbers the cycles.
-    fn walk(&mut self) {
-        self.cycle = vec![NONE; self.next.len()];
+    /// The cycle of each half-edge, and a half-edge of each cycle, the lowest.
+    fn walk(&self) -> (Vec<u32>, Vec<u32>) {
+        let mut cycle = vec![NONE; self.next.len()];
+        let mut cycles = Vec::new();
         for (half, start) in (0..).zip(0..self.next.len()) {
-            if self.cycle[start] != NONE {
+            if cycle[start] != NONE {
                 continue;
             }
-            let number = u32::try_from(self.cycles.len()).unwrap_or(NONE);
-            self.cycles.push(half);
+            let number = u32::try_from(cycles.len()).unwrap_or(NONE);
+            cycles.push(half);
             let mut at = start;
-            while self.cycle[at] == NONE {
-                self.cycle[at] = number;
+            while cycle[at] == NONE {
+                cycle[at] = number;
                 at = self.next[at] as usize;
             }
         }
+        (cycle, cycles)
     }
 
-    /// Numbers the components, components of lower nodes first.
-    fn connect(&mut self, nodes: usize) {
-        self.component = vec![NONE; nodes];
-        let mut open = Vec::new();
-        for start in 0..nodes {
-            if self.component[start] != NONE {
-                continue;
-            }
-            let number = u32::try_from(self.components).unwrap_or(NONE);
-            self.components += 1;
-            self.component[start] = number;
-            open.push(start);
-            while let Some(node) = open.pop() {
-                for at in self.first[node]..self.first[node + 1] {
-                    let other = self.target(self.around[at as usize]) as usize;
-                    if self.component[other] == NONE {
-                        self.component[other] = number;
-                        open.push(other);
-                    }
-                }
-            }
+    /// The component of each node, and the lowest node of each component, ascending.
+    fn connect(&self, nodes: usize) -> (Vec<u32>, Vec<u32>) {
+        // For each node a lower one of its component, or itself.
+        let mut lower: Vec<u32> = (0..).take(nodes).collect();
+        for &[a, b] in &self.ends {
+            let [a, b] = [root(&mut lower, a), root(&mut lower, b)];
+            lower[a.max(b) as usize] = a.min(b);
         }
+        let mut roots = Vec::new();
+        for node in 0..nodes {
+            lower[node] = match lower[node] as usize {
+                own if own == node => {
+                    roots.push(lower[node]);
+                    u32::try_from(roots.len() - 1).unwrap_or(NONE)
+                }
+                // A lower node, whose component is known.
+                other => lower[other],
+            };
+        }
+        (lower, roots)
     }
 
     /// Adds faces to the subdivision; each cycle gets one inside of it, except for the outer cycles of components in
@@ -146,11 +155,13 @@ impl Subdivision {
         for nesting in nestings {
             self.face[self.cycle[nesting.outside as usize] as usize] = NONE;
         }
-        self.faces = vec![SubdivisionFace::default()];
+        self.outer = vec![NONE];
+        self.outer.reserve(self.face.len());
+        self.inner = Vec::with_capacity(nestings.len());
         for (cycle, face) in (0..).zip(&mut self.face) {
             if *face != NONE {
-                *face = u32::try_from(self.faces.len()).unwrap_or(NONE);
-                self.faces.push(SubdivisionFace { outer: Some(cycle), inner: Vec::new() });
+                *face = u32::try_from(self.outer.len()).unwrap_or(NONE);
+                self.outer.push(cycle);
             }
         }
         let mut all_known = true;
@@ -162,7 +173,7 @@ impl Subdivision {
                 face = 0;
             }
             self.face[cycle as usize] = face;
-            self.faces[face as usize].inner.push(cycle);
+            self.inner.push([face, cycle]);
         }
         (self, all_known)
     }
@@ -191,10 +202,22 @@ impl Subdivision {
         self.component[node as usize]
     }
 
-    /// The faces, the unbounded one first.
+    /// The number of faces; face 0 is the unbounded one.
     #[must_use]
-    pub fn faces(&self) -> &[SubdivisionFace] {
-        &self.faces
+    pub fn faces(&self) -> usize {
+        self.outer.len()
+    }
+
+    /// The cycle around a face; `None` for the unbounded face.
+    #[must_use]
+    pub fn outer(&self, face: u32) -> Option<u32> {
+        Some(self.outer[face as usize]).filter(|&cycle| cycle != NONE)
+    }
+
+    /// The outer cycles of components, each after the face that contains the component.
+    #[must_use]
+    pub fn inner(&self) -> &[[u32; 2]] {
+        &self.inner
     }
 
     /// A half-edge of each cycle.
@@ -257,6 +280,54 @@ impl Subdivision {
     }
 }
 
+/// The lowest known node of a node's component.
+fn root(lower: &mut [u32], mut node: u32) -> u32 {
+    while lower[node as usize] != node {
+        lower[node as usize] = lower[lower[node as usize] as usize];
+        node = lower[node as usize];
+    }
+    node
+}
+
+/// The half-edges that leave some nodes, ascending for each node; before them the first place of each node, and the
+/// number of half-edges.
+fn leaving(ends: &[[u32; 2]], nodes: Range<usize>) -> (Vec<u32>, Vec<u32>) {
+    let place = |node: u32| Some((node as usize).wrapping_sub(nodes.start)).filter(|&at| at < nodes.len());
+    let mut first = vec![0_u32; nodes.len() + 1];
+    ends.as_flattened().iter().filter_map(|&node| place(node)).for_each(|at| first[at] += 1);
+    let mut end = 0;
+    for start in &mut first {
+        end += *start;
+        *start = end;
+    }
+    let mut around = vec![0; end as usize];
+    let halves = u32::try_from(2 * ends.len()).unwrap_or(NONE);
+    for (half, &node) in (0..halves).zip(ends.as_flattened()).rev() {
+        if let Some(at) = place(node) {
+            first[at] -= 1;
+            around[first[at] as usize] = half;
+        }
+    }
+    (first, around)
+}
+
+/// The lists of consecutive nodes as one.
+fn joined(mut lists: Vec<(Vec<u32>, Vec<u32>)>) -> (Vec<u32>, Vec<u32>) {
+    if let [one] = &mut *lists {
+        return std::mem::take(one);
+    }
+    let count = lists.iter().map(|(first, _)| first.len() - 1).sum::<usize>();
+    let mut first = Vec::with_capacity(count + 1);
+    let mut around = Vec::with_capacity(lists.iter().map(|(_, around)| around.len()).sum());
+    first.push(0);
+    for (own, halves) in lists {
+        let before = u32::try_from(around.len()).unwrap_or(NONE);
+        first.extend(own[1..].iter().map(|end| before + end));
+        around.extend(halves);
+    }
+    (first, around)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -265,10 +336,10 @@ mod tests {
     fn sample() -> Subdivision {
         let ends = vec![[0, 1], [1, 2], [2, 0], [0, 3], [3, 4], [4, 0], [5, 6]];
         // Around node 0: to 1, 2, 3, 4 in this order.
-        let order = [0, 5, 6, 11];
-        Subdivision::new(8, ends, |node, halves| {
-            assert_eq!((node, halves.len()), (0, 4));
-            halves.copy_from_slice(&order);
+        Subdivision::new(8, ends, &|node, first, halves| {
+            assert_eq!(node, 0);
+            assert_eq!(first, [0, 4, 6, 8, 10, 12, 13, 14, 14]);
+            halves[..4].copy_from_slice(&[0, 5, 6, 11]);
         })
     }
 
@@ -289,12 +360,13 @@ mod tests {
         let (subdivision, all_known) = sample().with_faces(&nestings);
         assert!(all_known);
         // The unbounded face, and one face for each triangle.
-        assert_eq!(subdivision.faces().len(), 3);
+        assert_eq!(subdivision.faces(), 3);
         assert_eq!(subdivision.face(1), 0);
         assert_eq!(subdivision.face(12), subdivision.face(6));
-        assert_eq!(subdivision.faces()[subdivision.face(6) as usize].inner, [subdivision.cycle(12)]);
+        let [inner, outer] = [12, 1].map(|half| [subdivision.face(half), subdivision.cycle(half)]);
+        assert_eq!((subdivision.inner(), inner[0]), (&[outer, inner][..], subdivision.face(6)));
         let [vertices, edges, components] = [8, 7, 3];
-        assert_eq!(vertices + subdivision.faces().len(), edges + 1 + components, "Euler");
+        assert_eq!(vertices + subdivision.faces(), edges + 1 + components, "Euler");
         // In the outside of a component that comes later.
         let wrong = [Nesting { outside: 1, within: Some(12) }, Nesting { outside: 12, within: None }];
         assert!(!sample().with_faces(&wrong).1);

@@ -4,7 +4,14 @@
 //! backend, with all its dependencies. Here the work on a piece is behind a pointer: one indirect call for a piece of
 //! many items.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
+
+/// The number of items below which one thread processes them all.
+const ALONE: usize = 1 << 13;
+/// Pieces of work per thread, if pieces take different times.
+const UNEVEN: usize = 8;
 
 /// The results of `work` for each of `0..count`, in this order.
 pub fn each<R: Send>(count: usize, work: &(dyn Fn(usize) -> R + Sync)) -> Vec<R> {
@@ -24,4 +31,59 @@ pub fn all<T: Sync, R: Send>(items: &[T], work: &(dyn Fn(&T) -> R + Sync)) -> Ve
 /// The results of two pieces of work.
 pub fn both<R: Send>(one: &(dyn Fn() -> R + Sync), other: &(dyn Fn() -> R + Sync)) -> [R; 2] {
     rayon::join(one, other).into()
+}
+
+/// The results of two pieces of work on this many items, in parallel if there are many.
+pub fn two<A: Send, B: Send>(items: usize, one: impl FnOnce() -> A + Send, other: impl FnOnce() -> B + Send) -> (A, B) {
+    if threads(items) == 1 { (one(), other()) } else { rayon::join(one, other) }
+}
+
+/// The number of threads for work on this many items: one, if there are few.
+#[must_use]
+pub fn threads(items: usize) -> usize {
+    if items < 2 * ALONE { 1 } else { rayon::current_num_threads().min(items / ALONE) }
+}
+
+/// The results of `work` for ranges that cover `0..count`, in order. One thread processes a single range.
+///
+/// The number of threads decides where ranges end, so the joined results must not depend on that.
+pub fn ranges<R: Send>(count: usize, work: &(dyn Fn(Range<usize>) -> R + Sync)) -> Vec<R> {
+    in_parts(count, threads(count), work)
+}
+
+/// As [`ranges`], for items that take different times.
+pub fn uneven<R: Send>(count: usize, items: usize, work: &(dyn Fn(Range<usize>) -> R + Sync)) -> Vec<R> {
+    let threads = threads(items);
+    in_parts(count, if threads == 1 { 1 } else { UNEVEN * threads }, work)
+}
+
+/// The results of `work` for this many ranges of about equal length that cover `0..count`, in order.
+pub fn in_parts<R: Send>(count: usize, parts: usize, work: &(dyn Fn(Range<usize>) -> R + Sync)) -> Vec<R> {
+    match parts.min(count) {
+        0 | 1 => vec![work(0..count)],
+        parts => each(parts, &|part| work(count * part / parts..count * (part + 1) / parts)),
+    }
+}
+
+/// The lists one after the other.
+#[must_use]
+pub fn joined<T>(lists: Vec<Vec<T>>) -> Vec<T> {
+    let mut lists = lists.into_iter();
+    let mut all = lists.next().unwrap_or_default();
+    all.reserve_exact(lists.as_slice().iter().map(Vec::len).sum());
+    lists.for_each(|mut list| all.append(&mut list));
+    all
+}
+
+/// As [`joined`], or the first error.
+///
+/// # Errors
+/// The first error of the list.
+pub fn all_joined<T, E>(lists: Vec<Result<Vec<T>, E>>) -> Result<Vec<T>, E> {
+    Ok(joined(lists.into_iter().collect::<Result<_, E>>()?))
+}
+
+/// Sorts items by a key, on all threads if there are many. Items with equal keys have to be equal.
+pub fn sort_by_key<T: Send, K: Ord>(items: &mut [T], key: impl Fn(&T) -> K + Sync) {
+    if threads(items.len()) == 1 { items.sort_unstable_by_key(key) } else { items.par_sort_unstable_by_key(key) }
 }

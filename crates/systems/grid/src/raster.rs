@@ -14,6 +14,9 @@
 //! # How many cells
 //! About two for each segment. If segments are long, there are fewer: at most about four entries per segment.
 
+use std::ops::Range;
+
+use crate::parallel;
 use crate::steps::extent;
 
 /// A segment by its ends.
@@ -82,10 +85,32 @@ impl Raster {
     pub fn new(segments: &[Segment]) -> Raster {
         assert!(segments.len() < 1 << 30, "a raster holds fewer than 2^30 segments");
         let [columns, rows] = axes(segments);
-        let mut raster = Raster { columns, rows, starts: vec![0; columns.count * rows.count + 1], entries: Vec::new() };
-        let mut starts = std::mem::take(&mut raster.starts);
+        let mut raster = Raster { columns, rows, starts: Vec::new(), entries: Vec::new() };
+        // Each thread enters all segments in rows of its own.
+        let bands =
+            parallel::in_parts(rows.count, parallel::threads(segments.len()), &|rows| raster.band(segments, &rows));
+        let (mut starts, mut entries) = (Vec::with_capacity(bands.len()), Vec::with_capacity(bands.len()));
+        let mut before = 0;
+        for (mut own, band) in bands {
+            own.iter_mut().filter(|_| before > 0).for_each(|start| *start += before);
+            before += u32::try_from(band.len()).expect("fewer than 2^32 entries");
+            starts.push(own);
+            entries.push(band);
+        }
+        (raster.starts, raster.entries) = (parallel::joined(starts), parallel::joined(entries));
+        raster.starts.push(before);
+        raster
+    }
+
+    /// The index of the first entry of each cell in some rows, and the entries.
+    fn band(&self, segments: &[Segment], rows: &Range<usize>) -> (Vec<u32>, Vec<u32>) {
+        let base = rows.start * self.columns.count;
+        let mut starts = Vec::with_capacity(rows.len() * self.columns.count + 1);
+        starts.resize(rows.len() * self.columns.count, 0_u32);
         for segment in segments {
-            raster.pass(segment, |first, last| starts[first..=last].iter_mut().for_each(|count| *count += 1));
+            self.pass(segment, rows, |first, last| {
+                starts[first - base..=last - base].iter_mut().for_each(|count| *count += 1);
+            });
         }
         // From counts to ends; filled from the last entry back, they become starts.
         let mut end = 0;
@@ -96,15 +121,14 @@ impl Raster {
         let mut entries = vec![0; end as usize];
         let count = u32::try_from(segments.len()).unwrap_or(u32::MAX);
         for (number, segment) in (0..count).zip(segments).rev() {
-            raster.pass(segment, |first, last| {
-                for start in &mut starts[first..=last] {
+            self.pass(segment, rows, |first, last| {
+                for start in &mut starts[first - base..=last - base] {
                     *start -= 1;
                     entries[*start as usize] = number;
                 }
             });
         }
-        (raster.starts, raster.entries) = (starts, entries);
-        raster
+        (starts, entries)
     }
 
     /// The number of cells.
@@ -156,20 +180,24 @@ impl Raster {
         self.rows.cells(self.rows.place(y), self.rows.place(y))[1]
     }
 
-    /// Visits for each row the first and the last cell that a segment passes through.
+    /// Visits for each of some rows the first and the last cell that a segment passes through.
     #[inline]
     #[allow(clippy::cast_precision_loss)] // fewer than 2^12 rows
-    fn pass(&self, segment: &Segment, mut visit: impl FnMut(usize, usize)) {
+    fn pass(&self, segment: &Segment, rows: &Range<usize>, mut visit: impl FnMut(usize, usize)) {
         let [[mut ax, mut ay], [mut bx, mut by]] = segment.map(|[x, y]| [self.columns.place(x), self.rows.place(y)]);
         if by < ay {
             ([ax, ay], [bx, by]) = ([bx, by], [ax, ay]);
         }
         let [bottom, top] = self.rows.cells(ay, by);
+        let [lowest, end] = [bottom.max(rows.start), (top + 1).min(rows.end)];
+        if lowest >= end {
+            return;
+        }
         let [left, right] = [ax.min(bx), ax.max(bx)];
         let rise = by - ay;
         if bottom == top || rise < 0.25 {
             let [first, last] = self.columns.cells(left, right);
-            for row in bottom..=top {
+            for row in lowest..end {
                 let start = row * self.columns.count;
                 visit(start + first, start + last);
             }
@@ -177,7 +205,7 @@ impl Raster {
         }
         let slope = (bx - ax) / rise;
         let at = |y: f64| (ax + (y - ay) * slope).clamp(left, right);
-        for row in bottom..=top {
+        for row in lowest..end {
             let [low, high] = [row as f64 - MARGIN, row as f64 + 1.0 + MARGIN];
             let [x, z] = [at(low.max(ay)), at(high.min(by))];
             let [first, last] = self.columns.cells(x.min(z), x.max(z));

@@ -10,9 +10,12 @@ use predicament_predicates::Sign;
 ///
 /// At most n·(1 + ⌈log₂ n⌉) comparisons, and n − 1 where the items are in order.
 pub fn sort_by_sign<T: Copy>(items: &mut [T], mut compare: impl FnMut(T, T) -> Sign) {
-    // The ends of the runs; each is the start of the next run.
-    let mut ends: Vec<usize> =
-        (1..items.len()).filter(|&i| compare(items[i], items[i - 1]) == Sign::Negative).collect();
+    let ends = (1..items.len()).filter(|&i| compare(items[i], items[i - 1]) == Sign::Negative).collect();
+    merge_runs(items, ends, compare);
+}
+
+/// The second part of [`sort_by_sign`]: merges runs that end before these places, and at the end of the list.
+pub fn merge_runs<T: Copy>(items: &mut [T], mut ends: Vec<usize>, mut compare: impl FnMut(T, T) -> Sign) {
     if ends.is_empty() {
         return;
     }

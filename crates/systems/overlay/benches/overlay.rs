@@ -1,4 +1,5 @@
-//! Benchmark: unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep.
+//! Benchmark: unions of large polygons on one thread, under exact and perturbed predicates, by a grid and by a sweep;
+//! and once on all threads.
 //!
 //! The feature `peers` adds `i_overlay` and `geo`: they run on the same coordinates in the same run, in turns. The aim:
 //! two stars of 10^5 edges each within twice the time of `i_overlay`, which rounds to a grid of integers, and faster
@@ -54,7 +55,7 @@ fn smooth(n: usize) -> (Scene, Layers) {
 }
 
 /// A method with its name; the function returns the number of corners of the result, or of edges of the arrangement.
-type Way<'a> = (&'static str, Box<dyn Fn() -> (usize, Option<Duration>) + 'a>);
+type Way<'a> = (&'static str, Box<dyn Fn() -> (usize, Option<Duration>) + Sync + 'a>);
 
 fn ours<'a, B: Backend>(
     name: &'static str,
@@ -149,13 +150,17 @@ fn main() {
         ("combs", [400, 2_000]),
         ("segments", [10_000, 1_000_000]),
     ];
+    let all = std::thread::available_parallelism().map_or(1, usize::from);
+    let threads = rayon::ThreadPoolBuilder::new().num_threads(all).build().expect("threads");
     for (name, sizes) in sizes.into_iter().filter(|(name, _)| wanted.is_empty() || wanted.iter().any(|w| w == name)) {
         for n in sizes {
             let (scene, layers) = if name == "smooth" { smooth(n) } else { scene(name, n) };
             let rings = rings(&scene, &layers);
             let sos = Sos::default();
-            let mut ways = vec![
+            let (_, on_one) = ours("exact, grid", &Exact, &scene, &layers, Method::Grid);
+            let mut ways: Vec<Way<'_>> = vec![
                 ours("exact, grid", &Exact, &scene, &layers, Method::Grid),
+                ("exact, all threads", Box::new(|| threads.install(&on_one))),
                 ours("sos, grid", &sos, &scene, &layers, Method::Grid),
             ];
             if n <= 100_000 {
@@ -182,7 +187,7 @@ fn main() {
             let first = median(&mut times[0]);
             for (((way, _), times), corners) in ways.iter().zip(&mut times).zip(&corners) {
                 let time = median(times);
-                println!("  {way:16} {time:10.2} ms   {:6.2} × ours   {corners} corners", time / first);
+                println!("  {way:18} {time:10.2} ms   {:6.2} × ours   {corners} corners", time / first);
             }
         }
     }

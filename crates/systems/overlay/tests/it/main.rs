@@ -7,3 +7,4 @@ mod overlay_lies;
 mod overlay_near;
 mod overlay_parts;
 mod snap;
+mod threads;

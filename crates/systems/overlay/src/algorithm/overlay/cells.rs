@@ -10,11 +10,13 @@
 //! chords through it form one *bundle*: an entry for each chord, not for each pair.
 
 use std::mem;
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
 
-use predicament_grid::Raster;
+use predicament_grid::{Raster, parallel};
 use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Sign, Vertex};
 
-use super::meet::Asker;
+use super::meet::{Asker, Meetings};
 use super::reach::{Extent, Reach};
 use super::view::View;
 
@@ -33,12 +35,29 @@ const BUNDLE: usize = 16;
 /// The maximum number of pairs tested in crowded cells.
 const MOST_PAIRS: u64 = 1 << 34;
 
-/// Finds candidate pairs and tests them.
+/// The number of crossings, some of them found several times, above which one thread finds them all: it removes
+/// duplicates on the way.
+const MOST_FOUND: usize = 1 << 26;
+
+/// The number of crossings that are counted together.
+const COUNTED: usize = 1 << 16;
+
+/// Finds candidate pairs in some cells and tests them.
 pub(super) struct Cells<'a> {
+    raster: &'a Raster,
     reach: &'a Reach,
     ends: &'a [[Vertex; 2]],
     asker: Asker<'a>,
-    asked: u64,
+    /// Cells with chords that may be a bundle.
+    tangles: Vec<usize>,
+    budget: &'a Budget,
+}
+
+/// The work of all threads so far.
+#[derive(Default)]
+struct Budget {
+    asked: AtomicU64,
+    found: AtomicUsize,
 }
 
 /// Finds all intersections of segments.
@@ -50,34 +69,74 @@ pub(super) fn meetings(
     raster: &Raster,
     reach: &Reach,
     ends: &[[Vertex; 2]],
-) -> Result<super::meet::Meetings, Refused> {
-    let mut cells = Cells { reach, ends, asker: Asker::new(ends), asked: 0 };
-    let mut boxes = Vec::new();
-    for cell in 0..raster.count() {
-        let members = raster.cell(cell);
-        if members.len() > CROWD {
-            cells.crowded(session, raster, cell, members)?;
-        } else if members.len() > 1 {
-            boxes.clear();
-            boxes.extend(members.iter().map(|&at| reach.boxes[at as usize]));
-            for (i, a) in boxes.iter().enumerate().skip(1) {
-                for (j, b) in boxes[..i].iter().enumerate() {
-                    if cells.meets(a, b) {
-                        cells.ask(&*session, members[j], members[i]);
-                    }
-                }
-            }
+) -> Result<Meetings, Refused> {
+    let mut budget = Budget::default();
+    let all = raster.count();
+    let some = |budget: &Budget, range: Range<usize>| {
+        let most = if range.len() == all { usize::MAX } else { MOST_FOUND };
+        let mut cells = Cells { raster, reach, ends, asker: Asker::new(ends), tangles: Vec::new(), budget };
+        cells.some(&*session, range, most);
+        (cells.asker.found, cells.tangles)
+    };
+    let mut parts = parallel::uneven(all, raster.entries(), &|range| some(&budget, range));
+    if parts.len() > 1 && budget.found.load(Relaxed) > MOST_FOUND {
+        drop(parts);
+        budget = Budget::default();
+        parts = vec![some(&budget, 0..all)];
+    }
+    let mut cells = Cells { raster, reach, ends, asker: Asker::new(ends), tangles: Vec::new(), budget: &budget };
+    for (found, tangles) in parts {
+        cells.asker.found.append(found);
+        cells.tangles.extend(tangles);
+    }
+    for cell in std::mem::take(&mut cells.tangles) {
+        if cells.is_too_much() {
+            break;
         }
-        if cells.asker.found.too_many || cells.asked > MOST_PAIRS {
-            return Err(cells.too_many());
-        }
+        cells.tangle(session, cell)?;
     }
     cells.asker.flush(&*session);
-    cells.asker.found.settle();
-    if cells.asker.found.too_many { Err(cells.too_many()) } else { Ok(cells.asker.found) }
+    cells.asker.found.settle(ends.len());
+    if cells.is_too_much() { Err(cells.too_many()) } else { Ok(cells.asker.found) }
 }
 
 impl Cells<'_> {
+    /// Tests the segments in a range of cells, until more than `most` crossings are found.
+    fn some(&mut self, session: &dyn Predicates, range: Range<usize>, most: usize) {
+        let mut boxes = Vec::new();
+        let mut counted = 0;
+        for cell in range {
+            let members = self.raster.cell(cell);
+            if members.len() > CROWD {
+                self.crowded(session, cell);
+            } else if members.len() > 1 {
+                boxes.clear();
+                boxes.extend(members.iter().map(|&at| self.reach.boxes[at as usize]));
+                for (i, a) in boxes.iter().enumerate().skip(1) {
+                    for (j, b) in boxes[..i].iter().enumerate() {
+                        if self.meets(a, b) {
+                            self.ask(session, members[j], members[i]);
+                        }
+                    }
+                }
+            }
+            let found = self.asker.found.crossings.len();
+            if members.len() > CROWD || found > counted + COUNTED {
+                let before = self.budget.found.fetch_add(found.saturating_sub(counted), Relaxed);
+                counted = found;
+                if self.is_too_much() || before > most {
+                    return;
+                }
+            }
+        }
+        self.asker.flush(session);
+    }
+
+    /// True if there are more pairs or crossings than allowed.
+    fn is_too_much(&self) -> bool {
+        self.asker.found.too_many || self.budget.asked.load(Relaxed) > MOST_PAIRS
+    }
+
     #[inline]
     fn meets(&self, a: &Extent, b: &Extent) -> bool {
         (a[0] <= b[2]) & (b[0] <= a[2]) & (a[1] <= b[3]) & (b[1] <= a[3])
@@ -112,36 +171,47 @@ impl Cells<'_> {
         })
     }
 
-    fn crowded(
-        &mut self,
-        session: &mut dyn Predicates,
-        raster: &Raster,
-        cell: usize,
-        members: &[u32],
-    ) -> Result<(), Refused> {
+    /// The segments of a cell that are long in it, as chords, and the others.
+    fn chords(&self, cell: usize) -> (Vec<Chord>, Vec<u32>) {
+        let members = self.raster.cell(cell);
         let mut chords = Vec::with_capacity(members.len());
         let mut short = Vec::new();
         for &at in members {
-            match chord(raster.seen_from(cell, &self.reach.raw[at as usize])) {
-                Some(border) => chords.push((at, border)),
+            match chord(self.raster.seen_from(cell, &self.reach.raw[at as usize])) {
+                Some(ends) => chords.push((at, ends)),
                 None => short.push(at),
             }
         }
+        (chords, short)
+    }
+
+    /// Tests the segments of a crowded cell, except for chords that may be a bundle.
+    fn crowded(&mut self, session: &dyn Predicates, cell: usize) {
+        let (chords, short) = self.chords(cell);
         if !short.is_empty() {
-            self.short(&*session, members, &short);
+            self.short(session, self.raster.cell(cell), &short);
         }
+        match crossing_chords(&chords, TANGLE * chords.len()) {
+            Some(pairs) => self.pairs(session, &pairs),
+            None => self.tangles.push(cell),
+        }
+    }
+
+    /// Tests the chords of a cell after it has been searched for bundles.
+    fn tangle(&mut self, session: &mut dyn Predicates, cell: usize) -> Result<(), Refused> {
+        let (mut chords, _) = self.chords(cell);
         while chords.len() > 1 {
             let Some(pairs) = crossing_chords(&chords, TANGLE * chords.len()) else {
                 let Some(bundle) = self.bundle(session, &chords)? else {
                     let most = usize::try_from(MOST_PAIRS).unwrap_or(usize::MAX);
                     let Some(pairs) = crossing_chords(&chords, most) else {
-                        self.asked = u64::MAX;
+                        self.budget.asked.store(MOST_PAIRS + 1, Relaxed);
                         return Ok(());
                     };
                     self.pairs(&*session, &pairs);
                     return Ok(());
                 };
-                let in_bundle = |(at, _): &(u32, [f64; 2])| bundle.binary_search(at).is_ok();
+                let in_bundle = |(at, _): &Chord| bundle.binary_search(at).is_ok();
                 let together: Vec<_> = chords.iter().copied().filter(in_bundle).collect();
                 self.in_line(&*session, &together);
                 chords.retain(|chord| !in_bundle(chord));
@@ -152,8 +222,8 @@ impl Cells<'_> {
                             self.ask(&*session, at, other);
                         }
                     }
-                    self.asked = self.asked.saturating_add(bundle.len() as u64);
-                    if self.asked > MOST_PAIRS || self.asker.found.too_many {
+                    self.count(bundle.len());
+                    if self.is_too_much() {
                         return Ok(());
                     }
                 }
@@ -166,8 +236,13 @@ impl Cells<'_> {
         Ok(())
     }
 
+    /// Counts pairs of segments.
+    fn count(&self, pairs: usize) {
+        self.budget.asked.fetch_add(pairs as u64, Relaxed);
+    }
+
     /// Tests the pairs of a bundle that are on one line: they have more than its point in common.
-    fn in_line(&mut self, session: &dyn Predicates, bundle: &[(u32, [f64; 2])]) {
+    fn in_line(&mut self, session: &dyn Predicates, bundle: &[Chord]) {
         let mut pairs = Vec::new();
         near_ends(bundle, &border_ends(bundle), usize::MAX, &mut pairs);
         let view = View::new(session);
@@ -180,7 +255,7 @@ impl Cells<'_> {
     }
 
     fn pairs(&mut self, session: &dyn Predicates, pairs: &[[u32; 2]]) {
-        self.asked = self.asked.saturating_add(pairs.len() as u64);
+        self.count(pairs.len());
         for &[i, j] in pairs {
             if self.meets(&self.reach.boxes[i as usize], &self.reach.boxes[j as usize]) {
                 self.ask(session, i, j);
@@ -195,10 +270,11 @@ impl Cells<'_> {
         sorted.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]).then(a.1.cmp(&b.1)));
         // Long and short segments separately: two long ones are never compared.
         let mut open: [Vec<(Extent, u32)>; 2] = [Vec::new(), Vec::new()];
+        let mut pairs = 0;
         for (own, at, is_short) in sorted {
             for list in if is_short { &mut open[..] } else { &mut open[1..] } {
                 list.retain(|(other, _)| other[2] >= own[0]);
-                self.asked = self.asked.saturating_add(list.len() as u64);
+                pairs += list.len();
                 for (other, number) in &*list {
                     if self.meets(&own, other) {
                         self.ask(session, *number, at);
@@ -207,14 +283,11 @@ impl Cells<'_> {
             }
             open[usize::from(is_short)].push((own, at));
         }
+        self.count(pairs);
     }
 
     /// The segments through one point of a tangle, ascending; `None` if no point has enough of them.
-    fn bundle(
-        &mut self,
-        session: &mut dyn Predicates,
-        chords: &[(u32, [f64; 2])],
-    ) -> Result<Option<Vec<u32>>, Refused> {
+    fn bundle(&mut self, session: &mut dyn Predicates, chords: &[Chord]) -> Result<Option<Vec<u32>>, Refused> {
         // A few pairs of neighbours around the border: in a bundle most of these cross in its point.
         for part in 1..8 {
             let at = chords.len() * part / 8;
@@ -225,7 +298,7 @@ impl Cells<'_> {
             }
             let point = session.construct(&[Construction::Ssi(lines)])?[0];
             let session = &*session;
-            let passes = |&&(at, _): &&(u32, [f64; 2])| {
+            let passes = |&&(at, _): &&Chord| {
                 let [a, b] = self.ends_of(at);
                 session.orient2d(Plane::Xy, a, b, point) == Sign::Zero && is_within(session, [a, b], point)
             };
@@ -238,6 +311,9 @@ impl Cells<'_> {
         Ok(None)
     }
 }
+
+/// A segment, and the positions of its ends on the border of a cell.
+type Chord = (u32, [f64; 2]);
 
 /// True if two segments cross between their ends.
 fn crosses(session: &dyn Predicates, [[a, b], [c, d]]: [[Vertex; 2]; 2]) -> bool {
@@ -289,7 +365,7 @@ fn chord([a, b]: [[f64; 2]; 2]) -> Option<[f64; 2]> {
 }
 
 /// The ends of chords on the border with the chords' indices, in the order around it.
-fn border_ends(chords: &[(u32, [f64; 2])]) -> Vec<(f64, u32)> {
+fn border_ends(chords: &[Chord]) -> Vec<(f64, u32)> {
     let mut ends: Vec<(f64, u32)> =
         chords.iter().zip(0_u32..).flat_map(|(&(_, [s, t]), at)| [(s, at), (t, at)]).collect();
     ends.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -298,7 +374,7 @@ fn border_ends(chords: &[(u32, [f64; 2])]) -> Vec<(f64, u32)> {
 
 /// The pairs of chords whose ends alternate around the border, or are too near to decide; `None` if there are more than
 /// `most`.
-fn crossing_chords(chords: &[(u32, [f64; 2])], most: usize) -> Option<Vec<[u32; 2]>> {
+fn crossing_chords(chords: &[Chord], most: usize) -> Option<Vec<[u32; 2]>> {
     let ends = border_ends(chords);
     let number = |at: u32| chords[at as usize].0;
     let mut pairs = Vec::new();
@@ -322,7 +398,7 @@ fn crossing_chords(chords: &[(u32, [f64; 2])], most: usize) -> Option<Vec<[u32; 
 
 /// Adds the pairs of chords with ends near each other, also across the corner where positions begin; returns true if
 /// there are at most `most` pairs.
-fn near_ends(chords: &[(u32, [f64; 2])], ends: &[(f64, u32)], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
+fn near_ends(chords: &[Chord], ends: &[(f64, u32)], most: usize, pairs: &mut Vec<[u32; 2]>) -> bool {
     let number = |at: u32| chords[at as usize].0;
     for (place, &(s, at)) in ends.iter().enumerate() {
         let around = ends[place + 1..].iter().copied();

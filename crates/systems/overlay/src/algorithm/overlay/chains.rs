@@ -1,13 +1,16 @@
 //! The vertices on each segment in order, and the pieces between them.
 
-use predicament_predicates::{Axis, Construction, Plane, Predicates, Refused, Scene, Sign, Vertex};
+use std::ops::Range;
 
+use predicament_grid::parallel;
+use predicament_predicates::{Predicates, Refused, Scene, Vertex};
+
+use super::along::{OnSegments, Order};
 use super::far::Run;
 use super::meet::{Meetings, Pair};
 use super::supports::{Label, Supports};
 use super::view::View;
-use super::{Contradiction, NONE, number, partial};
-use predicament_grid::sort::sort_by_sign;
+use super::{Contradiction, NONE, number};
 
 /// A part of a segment between two consecutive vertices.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -38,6 +41,8 @@ pub(super) struct Chains {
     pub pieces: Vec<Piece>,
     /// The runs; the last pieces stand for them, in the same order.
     pub runs: Vec<Run>,
+    /// The two segments of each constructed node, if each is a crossing of two segments and nothing else.
+    pub crossings: Vec<Pair>,
     /// The first rule that signs break.
     pub broken: Option<Contradiction>,
 }
@@ -59,11 +64,21 @@ impl Slots {
     }
 }
 
-/// Vertices at one position, by union-find; the root of a class is its lowest slot.
+/// Vertices at one position, by union-find; the root of a class is its lowest slot. Empty if all are apart.
 struct Places(Vec<u32>);
 
 impl Places {
+    fn new(slots: Slots, scene: &Scene, same: &[[Vertex; 2]]) -> Places {
+        let count = if same.is_empty() { 0 } else { number(slots.inputs + scene.constructions().len()) };
+        let mut places = Places((0..count).collect());
+        same.iter().for_each(|pair| places.unite(pair.map(|v| slots.of(v))));
+        places
+    }
+
     fn root(&mut self, mut slot: u32) -> u32 {
+        if self.0.is_empty() {
+            return slot;
+        }
         while self.0[slot as usize] != slot {
             self.0[slot as usize] = self.0[self.0[slot as usize] as usize];
             slot = self.0[slot as usize];
@@ -71,7 +86,7 @@ impl Places {
         slot
     }
 
-    fn unite(&mut self, a: u32, b: u32) {
+    fn unite(&mut self, [a, b]: [u32; 2]) {
         let (a, b) = (self.root(a), self.root(b));
         self.0[a.max(b) as usize] = a.min(b);
     }
@@ -88,55 +103,39 @@ impl Chains {
         meetings: Meetings,
         runs: Vec<Run>,
     ) -> Result<Chains, Refused> {
-        let on_segments = constructed(session, supports, meetings)?;
+        let on_segments = OnSegments::new(session, supports, meetings)?;
         let view = View::new(session);
         let scene = session.scene();
         let slots = Slots { inputs: scene.len() };
-        let mut places = Places((0..number(scene.len() + scene.constructions().len())).collect());
-        for [a, b] in &on_segments.same {
-            places.unite(slots.of(*a), slots.of(*b));
-        }
-        // A segment without length is a point.
-        for [a, b] in supports.ends.iter().filter(|[a, b]| scene.point(*a) == scene.point(*b)) {
-            if view.is_same_place(*a, *b) {
-                places.unite(slots.of(*a), slots.of(*b));
-            }
-        }
+        let count = supports.ends.len();
+        let sort = |range: Range<usize>| Sorted::new(view, supports, &on_segments, range);
         let mut chains = Chains::default();
-        chains.first.reserve(supports.ends.len() + 1);
-        chains.along.reserve(2 * supports.ends.len() + on_segments.vertices.len());
-        let mut about = About::new(scene);
-        let mut inner: Vec<Vertex> = Vec::new();
-        for (segment, &ends) in supports.ends.iter().enumerate() {
-            chains.first.push(number(chains.along.len()));
-            inner.clear();
-            inner.extend_from_slice(on_segments.of(segment));
-            if !supports.are_whole {
-                inner.extend(supports.spans(segment).iter().flat_map(|span| [span.from, span.to]));
-            } else if inner.is_empty() {
-                chains.along.extend(ends.map(|v| slots.of(v)));
-                continue;
-            } else if on_segments.may_be_ends {
-                inner.extend(ends);
+        chains.first.reserve(count + 1);
+        let mut same = on_segments.same.clone();
+        for mut sorted in parallel::uneven(count, count + on_segments.vertices.len(), &sort) {
+            let before = number(chains.along.len());
+            chains.first.extend(sorted.first.iter().map(|first| before + first));
+            if chains.along.is_empty() {
+                chains.along = sorted.along;
+            } else {
+                chains.along.append(&mut sorted.along);
             }
-            let has_ties = sort_along(view, ends, &mut inner, &mut about);
-            let is_open = supports.are_whole && !on_segments.may_be_ends;
-            if has_ties {
-                let along = view.along(ends);
-                for pair in inner.windows(2) {
-                    if pair[0] != pair[1] && along.order(pair[0], pair[1]) == Sign::Zero {
-                        places.unite(slots.of(pair[0]), slots.of(pair[1]));
-                    }
-                }
-            }
-            chains.along.extend(is_open.then(|| slots.of(ends[0])));
-            chains.along.extend(inner.iter().map(|&v| slots.of(v)));
-            chains.along.extend(is_open.then(|| slots.of(ends[1])));
+            same.append(&mut sorted.same);
         }
         chains.first.push(number(chains.along.len()));
-        let node = chains.number_nodes(scene, slots, &mut places);
+        let mut places = Places::new(slots, scene, &same);
+        let node = chains.number_nodes(scene, slots, &mut places, on_segments.are_ascending);
+        // Crossings and touches of a segment are different vertices, and not its ends.
+        let are_apart = supports.are_whole && same.is_empty() && !on_segments.may_be_ends;
+        if !are_apart {
+            chains.join_repeats();
+        }
         let mut node_of = |v: Vertex| node[places.root(slots.of(v)) as usize];
         chains.cut(supports, &mut node_of, on_segments.has_overlaps);
+        let is_simple = are_apart && !on_segments.has_overlaps && on_segments.are_ascending;
+        if is_simple && chains.nodes.len() - chains.inputs == on_segments.crossings.len() {
+            chains.crossings = on_segments.crossings;
+        }
         for run in runs {
             let ends = run.ends().map(&mut node_of);
             if ends.contains(&NONE) || ends[0] == ends[1] {
@@ -157,8 +156,8 @@ impl Chains {
     }
 
     /// Converts slots to nodes, one for each position on a segment; returns the node of each representative slot.
-    fn number_nodes(&mut self, scene: &Scene, slots: Slots, places: &mut Places) -> Vec<u32> {
-        let mut node = vec![NONE; places.0.len()];
+    fn number_nodes(&mut self, scene: &Scene, slots: Slots, places: &mut Places, are_ascending: bool) -> Vec<u32> {
+        let mut node = vec![NONE; slots.inputs + scene.constructions().len()];
         for slot in &mut self.along {
             *slot = places.root(*slot);
             node[*slot as usize] = 0;
@@ -172,7 +171,7 @@ impl Chains {
         self.inputs = self.nodes.len();
         let mut constructed = used(constructed, slots.inputs);
         // Vertices constructed in one call are in this order already.
-        if !constructed.is_sorted_by_key(|&v| scene.construction(v)) {
+        if !are_ascending && !constructed.is_sorted_by_key(|&v| scene.construction(v)) {
             constructed.sort_by_key(|&v| scene.construction(v));
         }
         self.nodes.append(&mut constructed);
@@ -180,7 +179,6 @@ impl Chains {
             node[slots.of(v) as usize] = number(at);
         }
         self.along.iter_mut().for_each(|slot| *slot = node[*slot as usize]);
-        self.join_repeats();
         node
     }
 
@@ -206,41 +204,57 @@ impl Chains {
     }
 
     /// Makes the pieces between the nodes, each once.
-    fn cut(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool) {
-        self.piece = vec![NONE; self.along.len()];
+    fn cut(&mut self, supports: &Supports, node_of: impl FnMut(Vertex) -> u32, has_overlaps: bool) {
         self.pieces.reserve(self.along.len());
+        if supports.are_whole {
+            self.piece.reserve(self.along.len());
+            for segment in 0..supports.ends.len() {
+                let along = &self.along[self.first[segment] as usize..self.first[segment + 1] as usize];
+                let label = supports.spans(segment)[0].label;
+                let before = number(self.pieces.len());
+                let piece = |ends: &[u32]| Piece { ends: [ends[0], ends[1]], segment: number(segment), label };
+                self.pieces.extend(along.windows(2).map(piece));
+                self.piece.extend(before..number(self.pieces.len()));
+                self.piece.extend((!along.is_empty()).then_some(NONE));
+            }
+        } else {
+            self.cut_parts(supports, node_of);
+        }
+        if has_overlaps {
+            self.join_pieces();
+        }
+    }
+
+    /// Makes the pieces where edges pass their segments in parts.
+    fn cut_parts(&mut self, supports: &Supports, mut node_of: impl FnMut(Vertex) -> u32) {
+        self.piece = vec![NONE; self.along.len()];
         let mut sums: Vec<(Label, i32)> = Vec::new();
         for segment in 0..supports.ends.len() {
             let range = self.of(segment);
             let spans = supports.spans(segment);
-            if !supports.are_whole {
-                sums.clear();
-                sums.resize(range.len(), ([0; 2], 0));
-                for span in spans {
-                    let [from, to] = [span.from, span.to].map(&mut node_of);
-                    let place = |node| self.along[range.clone()].iter().position(|&other| other == node);
-                    let between = place(from).zip(place(to)).filter(|(from, to)| from <= to);
-                    let Some((from, to)) = between else {
-                        self.broken.get_or_insert(Contradiction::Ends);
-                        continue;
-                    };
-                    for (sum, covers) in &mut sums[from..to] {
-                        *covers += 1;
-                        sum.iter_mut().zip(span.label).for_each(|(sum, more)| *sum = sum.saturating_add(more));
-                    }
+            sums.clear();
+            sums.resize(range.len(), ([0; 2], 0));
+            for span in spans {
+                let [from, to] = [span.from, span.to].map(&mut node_of);
+                let place = |node| self.along[range.clone()].iter().position(|&other| other == node);
+                let between = place(from).zip(place(to)).filter(|(from, to)| from <= to);
+                let Some((from, to)) = between else {
+                    self.broken.get_or_insert(Contradiction::Ends);
+                    continue;
+                };
+                for (sum, covers) in &mut sums[from..to] {
+                    *covers += 1;
+                    sum.iter_mut().zip(span.label).for_each(|(sum, more)| *sum = sum.saturating_add(more));
                 }
             }
             for at in range.clone().skip(1) {
                 let ends = [self.along[at - 1], self.along[at]];
-                let (label, covers) = if supports.are_whole { (spans[0].label, 1) } else { sums[at - 1 - range.start] };
+                let (label, covers) = sums[at - 1 - range.start];
                 if ends[0] != ends[1] && covers > 0 {
                     self.piece[at - 1] = number(self.pieces.len());
                     self.pieces.push(Piece { ends, segment: number(segment), label });
                 }
             }
-        }
-        if has_overlaps {
-            self.join_pieces();
         }
     }
 
@@ -278,122 +292,52 @@ impl Chains {
     }
 }
 
-/// The inner vertices of each segment, unsorted.
-struct OnSegments {
+/// The chains of some segments.
+#[derive(Default)]
+struct Sorted {
+    /// The index of each segment's first vertex.
     first: Vec<u32>,
-    vertices: Vec<Vertex>,
+    /// The slots of the vertices on each segment in order, segment after segment.
+    along: Vec<u32>,
+    /// Pairs of vertices at one position.
     same: Vec<[Vertex; 2]>,
-    has_overlaps: bool,
-    /// True if some of the vertices can coincide with an end of their segment.
-    may_be_ends: bool,
 }
 
-impl OnSegments {
-    fn of(&self, segment: usize) -> &[Vertex] {
-        &self.vertices[self.first[segment] as usize..self.first[segment + 1] as usize]
-    }
-}
-
-/// Constructs the crossings, in the order of the segments.
-fn constructed(session: &mut dyn Predicates, supports: &Supports, meetings: Meetings) -> Result<OnSegments, Refused> {
-    let Meetings { crossings, mut touches, same, overlaps, bundles, .. } = meetings;
-    // A bundle's point is defined by its first segment and the first that crosses it.
-    let mut defined: Vec<(Pair, Option<&[u32]>)> = crossings.iter().map(|&pair| (pair, None)).collect();
-    for bundle in &bundles {
-        let view = View::new(&*session);
-        let [a, b] = supports.ends[bundle[0] as usize];
-        let leaves = |&&other: &&u32| supports.ends[other as usize].iter().any(|&v| view.turn(a, b, v) != Sign::Zero);
-        if let Some(&other) = bundle[1..].iter().find(leaves) {
-            defined.push(([bundle[0], other], Some(bundle)));
+impl Sorted {
+    /// Sorts the vertices on some segments.
+    fn new(view: View<'_>, supports: &Supports, on_segments: &OnSegments, segments: Range<usize>) -> Sorted {
+        let scene = view.session.scene();
+        let slots = Slots { inputs: scene.len() };
+        let mut sorted = Sorted::default();
+        sorted.first.reserve(segments.len() + 1);
+        let inner = on_segments.first[segments.end] - on_segments.first[segments.start];
+        sorted.along.reserve(2 * segments.len() + inner as usize);
+        let mut order = Order::new(view, supports);
+        let mut inner = Vec::new();
+        for segment in segments {
+            sorted.first.push(number(sorted.along.len()));
+            let ends = supports.ends[segment];
+            // A segment without length is a point.
+            if scene.point(ends[0]) == scene.point(ends[1]) && view.is_same_place(ends[0], ends[1]) {
+                sorted.same.push(ends);
+            }
+            inner.clear();
+            inner.extend_from_slice(on_segments.of(segment));
+            if !supports.are_whole {
+                let spans = supports.spans(segment).iter();
+                inner.extend(spans.flat_map(|span| [(span.from, NONE), (span.to, NONE)]));
+            } else if inner.is_empty() {
+                sorted.along.extend(ends.map(|v| slots.of(v)));
+                continue;
+            } else if on_segments.may_be_ends {
+                inner.extend(ends.map(|v| (v, NONE)));
+            }
+            order.sort(segment, &inner, &mut sorted.same);
+            let is_open = supports.are_whole && !on_segments.may_be_ends;
+            sorted.along.extend(is_open.then(|| slots.of(ends[0])));
+            sorted.along.extend(order.vertices.iter().map(|&v| slots.of(v)));
+            sorted.along.extend(is_open.then(|| slots.of(ends[1])));
         }
-    }
-    if !bundles.is_empty() {
-        defined.sort();
-    }
-    let definition = |&(pair, _): &(Pair, _)| Construction::Ssi(pair.map(|at| supports.ends[at as usize]));
-    // If nothing crosses, a session without constructions suffices.
-    let definitions: Vec<Construction> = defined.iter().map(definition).collect();
-    let points = if definitions.is_empty() { Vec::new() } else { session.construct(&definitions)? };
-    let mut on: Vec<(u32, Vertex)> = Vec::with_capacity(2 * points.len() + touches.len());
-    for ((pair, bundle), &point) in defined.iter().zip(&points) {
-        match bundle {
-            None => on.extend(pair.map(|at| (at, point))),
-            Some(bundle) => on.extend(bundle.iter().map(|&at| (at, point))),
-        }
-    }
-    on.append(&mut touches);
-    if !supports.are_whole {
-        partial::keep_what_edges_reach(&*session, supports, &overlaps, &mut on);
-    }
-    let mut first = vec![0_u32; supports.ends.len() + 1];
-    on.iter().for_each(|(segment, _)| first[*segment as usize] += 1);
-    let mut end = 0;
-    for start in &mut first {
-        end += *start;
-        *start = end;
-    }
-    let mut vertices = vec![Vertex::input(0); on.len()];
-    for &(segment, v) in on.iter().rev() {
-        let start = &mut first[segment as usize];
-        *start -= 1;
-        vertices[*start as usize] = v;
-    }
-    let (has_overlaps, may_be_ends) = (!overlaps.is_empty(), !bundles.is_empty());
-    Ok(OnSegments { first, vertices, same, has_overlaps, may_be_ends })
-}
-
-/// Sorts vertices along a segment: by rounded coordinates first, then by signs, which change little. False if the sort
-/// has shown that all are apart: it compares all neighbours of the result.
-fn sort_along(view: View<'_>, ends: [Vertex; 2], inner: &mut [Vertex], about: &mut About<'_>) -> bool {
-    if inner.len() < 2 {
-        return false;
-    }
-    let along = view.along(ends);
-    let axis = if along.axis == Axis::X { 0 } else { 1 };
-    about.sort(inner, axis, along.is_rising());
-    let mut has_ties = false;
-    sort_by_sign(inner, |a, b| {
-        let sign = along.order(a, b);
-        has_ties |= sign == Sign::Zero;
-        sign
-    });
-    has_ties
-}
-
-/// Approximate positions of vertices: they give the order before signs do.
-struct About<'s> {
-    scene: &'s Scene,
-    keys: Vec<(f64, Vertex)>,
-}
-
-impl<'s> About<'s> {
-    fn new(scene: &'s Scene) -> About<'s> {
-        About { scene, keys: Vec::new() }
-    }
-
-    fn sort(&mut self, vertices: &mut [Vertex], axis: usize, is_rising: bool) {
-        self.keys.clear();
-        let scene = self.scene;
-        self.keys.extend(vertices.iter().map(|&v| (about(scene, v)[axis], v)));
-        self.keys.sort_unstable_by(|a, b| {
-            let order = a.0.total_cmp(&b.0).then(a.1.cmp(&b.1));
-            if is_rising { order } else { order.reverse() }
-        });
-        vertices.iter_mut().zip(&self.keys).for_each(|(v, key)| *v = key.1);
-    }
-}
-
-fn about(scene: &Scene, v: Vertex) -> [f64; 2] {
-    let at = |v: Vertex| if v.is_constructed() { [f64::NAN; 2] } else { scene.point2(Plane::Xy, v) };
-    match scene.construction(v) {
-        None => at(v),
-        Some(Construction::Ssi(lines)) => {
-            let [[a, b], [c, d]] = lines.map(|line| line.map(at));
-            let minus = |p: [f64; 2], q: [f64; 2]| [p[0] - q[0], p[1] - q[1]];
-            let [u, v, way] = [minus(b, a), minus(d, c), minus(c, a)];
-            let part = (way[0] * v[1] - way[1] * v[0]) / (u[0] * v[1] - u[1] * v[0]);
-            [a[0] + part * u[0], a[1] + part * u[1]]
-        }
-        Some(_) => [f64::NAN; 2],
+        sorted
     }
 }

@@ -12,8 +12,12 @@
 //!
 //! A session that never returns zero finds only crossings, and segments with a common vertex have only that in common.
 
+use std::ops::Range;
+
+use predicament_grid::parallel;
 use predicament_predicates::{Plane, Predicates, Sign, Vertex};
 
+use super::groups::grouped;
 use super::view::View;
 
 /// The number of pairs in a batch.
@@ -43,10 +47,19 @@ pub(super) struct Meetings {
 }
 
 impl Meetings {
-    /// Sorts the lists and removes duplicates.
-    pub fn settle(&mut self) {
-        self.crossings.sort_unstable();
-        self.crossings.dedup();
+    /// Adds the intersections of another list.
+    pub fn append(&mut self, mut other: Meetings) {
+        self.crossings.append(&mut other.crossings);
+        self.touches.append(&mut other.touches);
+        self.same.append(&mut other.same);
+        self.overlaps.append(&mut other.overlaps);
+        self.bundles.append(&mut other.bundles);
+        self.too_many |= other.too_many;
+    }
+
+    /// Sorts the lists and removes duplicates. All lists are about this many segments.
+    pub fn settle(&mut self, segments: usize) {
+        self.crossings = sorted_pairs(std::mem::take(&mut self.crossings), segments);
         self.too_many |= self.crossings.len() > MOST_CROSSINGS;
         self.touches.sort_unstable();
         self.touches.dedup();
@@ -204,6 +217,32 @@ fn in_line(found: &mut Meetings, view: View<'_>, pair: Pair, segments: [[Vertex;
     if have_length && inner + same / 2 > 1 {
         found.overlaps.push(pair);
     }
+}
+
+/// Sorts pairs and removes duplicates.
+fn sorted_pairs(mut pairs: Vec<Pair>, segments: usize) -> Vec<Pair> {
+    if pairs.len() < segments {
+        parallel::sort_by_key(&mut pairs, |&[i, j]| u64::from(i) << 32 | u64::from(j));
+        pairs.dedup();
+        return pairs;
+    }
+    let (first, second) = grouped(segments, 0, pairs.iter().map(|&[i, j]| (i, j)));
+    let count = pairs.len();
+    drop(pairs);
+    let group = |range: Range<usize>| {
+        let place = |segment: usize| first[segment] as usize;
+        let mut sorted = Vec::with_capacity(place(range.end) - place(range.start));
+        let mut others = Vec::new();
+        for segment in range {
+            others.clear();
+            others.extend_from_slice(&second[place(segment)..place(segment + 1)]);
+            others.sort_unstable();
+            others.dedup();
+            sorted.extend(others.iter().map(|&other| [super::number(segment), other]));
+        }
+        sorted
+    };
+    parallel::joined(parallel::uneven(segments, count, &group))
 }
 
 fn sorted([a, b]: [Vertex; 2]) -> [Vertex; 2] {

@@ -22,14 +22,21 @@
 //! Memory is linear in segments and crossings. Segments through one point are entries of that point, not pairs, if the
 //! session sees that it is one point. More than 2^24 crossings are refused.
 //!
+//! # Threads
+//! Large scenes use all threads. Each thread works on cells, segments, nodes or loops of its own, and their lists are
+//! joined in order: results do not depend on the number of threads. One thread groups edges, constructs crossings, cuts
+//! segments at nodes, numbers cycles, and passes winding numbers on.
+//!
 //! # Wrong signs
 //! Each loop of the program ends after a number of steps that follows from the input. `broken` names the first rule
 //! that signs break.
 
+mod along;
 mod cells;
 mod chains;
 mod contradiction;
 mod far;
+mod groups;
 mod heap;
 mod lonely;
 mod meet;
@@ -263,6 +270,7 @@ fn arranged(
 }
 
 /// An index as it is stored: all counts here are below 2^32.
+#[inline]
 fn number(place: usize) -> u32 {
     u32::try_from(place).expect("fewer than 2^32 of anything")
 }

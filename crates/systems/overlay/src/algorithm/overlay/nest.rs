@@ -6,7 +6,7 @@
 //! A component lies completely to the right of its leftmost node (the lowest of these). A vertical line a little left
 //! of the node meets pieces above it. The face just left of the node is the face below the lowest of these pieces.
 
-use predicament_grid::Raster;
+use predicament_grid::{Raster, parallel};
 use predicament_mesh::{Nesting, Subdivision};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
 
@@ -18,6 +18,9 @@ use super::supports::Supports;
 use super::view::View;
 use super::{NONE, number};
 use predicament_grid::sort::sort_by_sign;
+
+/// The number of nodes whose half-edges are sorted together.
+const BATCH: usize = 256;
 
 /// The pieces in the plane.
 pub(super) struct Pieces<'a> {
@@ -47,7 +50,10 @@ struct Above {
 impl<'a> Pieces<'a> {
     pub fn new(session: &'a dyn Predicates, supports: &'a Supports, chains: &'a Chains) -> Pieces<'a> {
         let view = View::new(session);
-        let is_ahead = supports.ends.iter().map(|&[a, b]| view.is_ahead(a, b)).collect();
+        let is_ahead = |range: std::ops::Range<usize>| -> Vec<bool> {
+            supports.ends[range].iter().map(|&[a, b]| view.is_ahead(a, b)).collect()
+        };
+        let is_ahead = parallel::joined(parallel::ranges(supports.ends.len(), &is_ahead));
         let along = |from: Vertex, to: Vertex, [a, b]: [Vertex; 2]| {
             let [a, b] = if view.along([a, b]).order(from, to) == Sign::Positive { [b, a] } else { [a, b] };
             ([a, b], view.is_ahead(a, b))
@@ -87,39 +93,67 @@ impl<'a> Pieces<'a> {
     /// Builds the subdivision: nodes, pieces and their order around nodes.
     pub fn subdivision(&self) -> Subdivision {
         let ends = self.chains.pieces.iter().map(|piece| piece.ends).collect();
-        Subdivision::new(self.chains.nodes.len(), ends, |_, halves| match self.around_crossing(halves) {
-            Some(sorted) => halves.copy_from_slice(&sorted),
-            None => sort_by_sign(halves, |a, b| self.order_around(a, b)),
-        })
+        Subdivision::new(self.chains.nodes.len(), ends, &|node, first, halves| self.sort_around(node, first, halves))
     }
 
-    /// The counterclockwise order of the half-edges around a crossing of two segments, by one turn; `None` if they are
-    /// something else.
-    fn around_crossing(&self, halves: &[u32]) -> Option<[u32; 4]> {
-        let halves = <[u32; 4]>::try_from(halves).ok()?;
-        let segment = |half: u32| self.chains.pieces[half as usize / 2].segment;
-        let first = segment(halves[0]);
-        // The half-edges ahead, then those back; of the first segment, then of the other.
-        let mut sorted = [NONE; 4];
-        let mut other = NONE;
-        for half in halves {
-            let own = segment(half);
-            if own == NONE || own != first && other != NONE && own != other {
-                return None;
+    /// Sorts the half-edges around nodes: around crossings of two segments by one turn each, in batches.
+    fn sort_around(&self, node: usize, first: &[u32], halves: &mut [u32]) {
+        let mut signs = [Sign::Zero; BATCH];
+        let (mut queries, mut crossings) = (Vec::new(), Vec::new());
+        for start in (0..first.len() - 1).step_by(BATCH) {
+            queries.clear();
+            crossings.clear();
+            for (at, ends) in first[start..first.len().min(start + BATCH + 1)].windows(2).enumerate() {
+                let own = &mut halves[ends[0] as usize..ends[1] as usize];
+                if own.len() < 3 {
+                    continue;
+                }
+                if let Some((sorted, query)) = self.crossing(node + start + at, own) {
+                    queries.push(query);
+                    crossings.push((ends[0] as usize, sorted));
+                } else {
+                    sort_by_sign(own, |a, b| self.order_around(a, b));
+                }
             }
-            let is_ahead = self.is_ahead[own as usize] == half.is_multiple_of(2);
-            other = if own == first { other } else { own };
-            sorted[2 * usize::from(!is_ahead) + usize::from(own != first)] = half;
+            self.view.session.orient2d_batch(Plane::Xy, &queries, &mut signs[..queries.len()]);
+            for (&(at, sorted), sign) in crossings.iter().zip(signs) {
+                let own = &mut halves[at..at + 4];
+                let [a, b, back, also] = sorted;
+                match sign {
+                    Sign::Positive => own.copy_from_slice(&sorted),
+                    Sign::Negative => own.copy_from_slice(&[b, a, also, back]),
+                    Sign::Zero => sort_by_sign(own, |a, b| self.order_around(a, b)),
+                }
+            }
         }
-        if sorted.contains(&NONE) {
-            return None;
-        }
-        let [a, b, back, also] = sorted;
-        match self.order_around(a, b) {
-            Sign::Negative => Some(sorted),
-            Sign::Positive => Some([b, a, also, back]),
-            Sign::Zero => None,
-        }
+    }
+
+    /// The half-edges around a crossing of two segments: those ahead, then those back; of the first segment, then of
+    /// the other. And the turn from the first to the second, by which these are or are not in counterclockwise order.
+    /// `None` if they are something else.
+    fn crossing(&self, node: usize, halves: &[u32]) -> Option<([u32; 4], [Vertex; 3])> {
+        let &[a, b, c, d] = halves else { return None };
+        let [first, second] = match self.chains.crossings.get(node.wrapping_sub(self.chains.inputs)) {
+            Some(&pair) => pair,
+            None => {
+                let segment = |half: u32| self.chains.pieces[half as usize / 2].segment;
+                let [first, second] = [segment(a), segment(c)];
+                // On each segment, back and forth.
+                let is_through = |[back, forth]: [u32; 2]| back % 2 == 1 && forth.is_multiple_of(2);
+                let are_through = is_through([a, b]) && is_through([c, d]);
+                let are_two = first != second && segment(b) == first && segment(d) == second;
+                if !are_through || !are_two || first == NONE || second == NONE {
+                    return None;
+                }
+                [first, second]
+            }
+        };
+        let [from, to] = self.supports.ends[first as usize];
+        let ends = self.supports.ends[second as usize];
+        let (back, ahead, from, to) = if self.is_ahead[first as usize] { (a, b, from, to) } else { (b, a, to, from) };
+        let (also_back, also_ahead, other) =
+            if self.is_ahead[second as usize] { (c, d, ends[1]) } else { (d, c, ends[0]) };
+        (other != from && other != to).then_some(([ahead, also_ahead, back, also_back], [from, to, other]))
     }
 
     fn vertex(&self, node: u32) -> Vertex {

@@ -9,6 +9,9 @@
 //! edges is within the bound of the part. If a bound is not far below the grid's tolerance ([`MOST`]), the estimate is
 //! not used: then the part is the whole segment.
 
+use std::ops::Range;
+
+use predicament_grid::parallel;
 use predicament_predicates::{Construction, Plane, Predicates, Vertex};
 
 use super::polygon::Edge;
@@ -34,14 +37,30 @@ pub(super) struct Reach {
 impl Reach {
     /// Finds the parts that edges pass.
     pub fn new(session: &dyn Predicates, supports: &Supports) -> Reach {
+        let parts = parallel::ranges(supports.ends.len(), &|range| Reach::some(session, supports, range));
+        let mut reach = Reach { raw: Vec::new(), boxes: Vec::new(), segments: Vec::new() };
+        for mut part in parts {
+            if reach.raw.is_empty() {
+                reach = part;
+            } else {
+                reach.raw.append(&mut part.raw);
+                reach.boxes.append(&mut part.boxes);
+                reach.segments.append(&mut part.segments);
+            }
+        }
+        reach
+    }
+
+    /// Finds the parts of some segments.
+    fn some(session: &dyn Predicates, supports: &Supports, segments: Range<usize>) -> Reach {
         let scene = session.scene();
-        let count = supports.ends.len();
+        let count = segments.len();
         let mut reach = Reach {
             raw: Vec::with_capacity(count),
             boxes: Vec::with_capacity(count),
             segments: Vec::with_capacity(count),
         };
-        for (segment, ends) in (0..).zip(&supports.ends) {
+        for (segment, ends) in (super::number(segments.start)..).zip(&supports.ends[segments]) {
             let whole = ends.map(|v| scene.point2(Plane::Xy, v));
             if !supports.are_whole {
                 let before = reach.raw.len();

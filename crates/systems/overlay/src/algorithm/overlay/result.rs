@@ -10,6 +10,10 @@
 //! each loop. Two loops have no edge in common and do not cross, so all components at another loop are on one side of
 //! this one. So the components on the side away from the unbounded face are only reached through the loop itself.
 
+use std::collections::HashMap;
+use std::ops::Range;
+
+use predicament_grid::parallel;
 use predicament_mesh::Subdivision;
 use predicament_predicates::Scene;
 
@@ -19,43 +23,106 @@ use super::polygon::{Edge, Region, Rule};
 use super::{Arrangement, Contradiction, NONE};
 use crate::answer::Operation;
 
+/// The number of passes over all pieces, before faces are visited one by one.
+const PASSES: u32 = 8;
+
 /// The winding numbers of both operands in each face, starting at the unbounded face; and true if they agree around
 /// every piece. With an even-odd rule they are 0 and 1, because edges that the operand passes an even number of times
 /// are absent.
 pub(super) fn windings(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
-    let mut windings = vec![[0; 2]; subdivision.faces().len()];
+    let agree = |windings: &[[i32; 2]]| {
+        let agree = |range: Range<usize>| {
+            range.map(super::number).all(|piece| {
+                let [left, right] = sides(subdivision, 2 * piece);
+                across(windings[left], pieces, 2 * piece, rules) == windings[right]
+            })
+        };
+        parallel::ranges(pieces.len(), &agree).into_iter().all(|agree| agree)
+    };
+    if let Some(windings) = in_order(subdivision, pieces, rules).filter(|windings| agree(windings)) {
+        return (windings, true);
+    }
+    let (windings, are_known) = one_by_one(subdivision, pieces, rules);
+    let agree = are_known && agree(&windings);
+    (windings, agree)
+}
+
+/// Winding numbers by a few passes over the pieces, in the order of memory: most pieces are next to pieces of which one
+/// side is known. `None` if that does not reach all faces.
+fn in_order(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> Option<Vec<[i32; 2]>> {
+    let mut windings = vec![[0; 2]; subdivision.faces()];
     let mut is_known = vec![false; windings.len()];
     is_known[0] = true;
+    let mut unknown = windings.len() - 1;
+    let count = super::number(pieces.len());
+    for pass in 0..PASSES {
+        let before = unknown;
+        // Forth and back.
+        for piece in 0..count {
+            let half = 2 * if pass % 2 == 0 { piece } else { count - 1 - piece };
+            let [left, right] = sides(subdivision, half);
+            let (own, other, half) = match (is_known[left], is_known[right]) {
+                (true, false) => (left, right, half),
+                (false, true) => (right, left, half + 1),
+                _ => continue,
+            };
+            is_known[other] = true;
+            windings[other] = across(windings[own], pieces, half, rules);
+            unknown -= 1;
+        }
+        if unknown == 0 {
+            return Some(windings);
+        }
+        if unknown == before {
+            break;
+        }
+    }
+    None
+}
+
+/// Winding numbers from face to face; and true if all faces are reached.
+fn one_by_one(subdivision: &Subdivision, pieces: &[Piece], rules: [Rule; 2]) -> (Vec<[i32; 2]>, bool) {
+    let mut windings = vec![[0; 2]; subdivision.faces()];
+    let mut is_known = vec![false; windings.len()];
+    is_known[0] = true;
+    let mut inner = subdivision.inner().to_vec();
+    inner.sort_by_key(|&[face, _]| face);
     let mut open = vec![0_u32];
     while let Some(face) = open.pop() {
         let own = windings[face as usize];
-        let cycles = &subdivision.faces()[face as usize];
-        for &cycle in cycles.outer.iter().chain(&cycles.inner) {
+        let from = inner.partition_point(|&[other, _]| other < face);
+        let within = inner[from..].iter().take_while(|&&[other, _]| other == face).map(|&[_, cycle]| cycle);
+        for cycle in subdivision.outer(face).into_iter().chain(within) {
             for half in subdivision.walk_from(subdivision.cycles()[cycle as usize]) {
                 let other = subdivision.face(half ^ 1) as usize;
                 if !is_known[other] {
                     is_known[other] = true;
                     windings[other] = across(own, pieces, half, rules);
-                    open.push(u32::try_from(other).unwrap_or(NONE));
+                    open.push(super::number(other));
                 }
             }
         }
     }
-    let agrees = (0..).step_by(2).zip(pieces).all(|(half, _)| {
-        let [left, right] = [half, half ^ 1].map(|half| windings[subdivision.face(half) as usize]);
-        across(left, pieces, half, rules) == right
-    });
-    (windings, agrees && is_known.iter().all(|is| *is))
+    let are_known = is_known.iter().all(|is| *is);
+    (windings, are_known)
+}
+
+/// The faces on the left and on the right of a half-edge.
+#[inline]
+fn sides(subdivision: &Subdivision, half: u32) -> [usize; 2] {
+    [subdivision.face(half) as usize, subdivision.face(half ^ 1) as usize]
 }
 
 /// The winding numbers on the right of a half-edge, from those on its left.
+#[inline]
 fn across(left: [i32; 2], pieces: &[Piece], half: u32, rules: [Rule; 2]) -> [i32; 2] {
     let label = pieces[half as usize / 2].label;
     let sign = if half.is_multiple_of(2) { 1 } else { -1 };
-    [0, 1].map(|operand: usize| {
-        let winding = left[operand].wrapping_sub(sign * label[operand]);
-        if rules[operand] == Rule::EvenOdd { winding.rem_euclid(2) } else { winding }
-    })
+    let one = |left: i32, label: i32, rule: Rule| {
+        let winding = left.wrapping_sub(sign * label);
+        if rule == Rule::EvenOdd { winding.rem_euclid(2) } else { winding }
+    };
+    [one(left[0], label[0], rules[0]), one(left[1], label[1], rules[1])]
 }
 
 /// The regions of a result, as far as they could be made, and the broken rule.
@@ -83,112 +150,147 @@ struct Bound {
     edges: Vec<Edge>,
 }
 
+/// Closed walks along the half-edges between the inside and the outside.
+#[derive(Default)]
+struct Walks {
+    /// The half-edges of all walks, in order.
+    halves: Vec<u32>,
+    /// The index of each walk's first half-edge, then the number of half-edges.
+    starts: Vec<u32>,
+    /// The number of bounds from each node, up to 255. Where several loops meet, each has a vertex.
+    at: Vec<u8>,
+}
+
 impl Extraction<'_> {
     pub fn regions(&self, operation: Operation) -> Regions {
         let subdivision = &self.arrangement.subdivision;
-        let is_inside: Vec<bool> = self
-            .windings
-            .iter()
-            .map(|winding| operation.holds([0, 1].map(|at| self.rules[at].is_inside(winding[at]))))
-            .collect();
-        let halves = 2 * subdivision.edges().len();
-        let mut is_bound = vec![false; halves];
-        // Where several loops meet, each has a vertex.
-        let mut bounds_at = vec![0_u32; subdivision.nodes()];
-        // For each face, a face of its component; the lowest is the representative.
-        let mut region: Vec<u32> = (0..super::number(is_inside.len())).collect();
-        for (half, ends) in (0..).step_by(2).zip(subdivision.edges()) {
-            let faces = [half, half + 1].map(|half| subdivision.face(half));
-            match faces.map(|face| is_inside[face as usize]) {
-                [left, right] if left == right => unite(&mut region, faces),
-                [left, _] => {
-                    let at = usize::from(!left);
-                    is_bound[half as usize + at] = true;
-                    bounds_at[ends[at] as usize] += 1;
-                }
+        let holds = |winding: &[i32; 2]| operation.holds([0, 1].map(|at| self.rules[at].is_inside(winding[at])));
+        let is_inside: Vec<bool> = self.windings.iter().map(holds).collect();
+        let count = subdivision.edges().len();
+        let is_bound = |edges: Range<usize>| {
+            let mut is_bound = Vec::with_capacity(2 * edges.len());
+            for edge in edges {
+                let [left, right] = sides(subdivision, super::number(2 * edge));
+                let [left, right] = [is_inside[left], is_inside[right]];
+                is_bound.extend_from_slice(&[left & !right, !left & right]);
+            }
+            is_bound
+        };
+        let is_bound = parallel::joined(parallel::ranges(count, &is_bound));
+        let (walks, component) = parallel::two(count, || self.walks(&is_bound), || self.components(&is_inside));
+        // The loops of some walks, with the components on their sides.
+        let loops = |range: Range<usize>| {
+            let (mut loops, mut sides) = (Vec::new(), Sides::default());
+            for ends in walks.starts[range.start..=range.end].windows(2) {
+                let walk = &walks.halves[ends[0] as usize..ends[1] as usize];
+                let left = component[subdivision.face(walk[0]) as usize];
+                self.simple_loops(walk, &walks.at, &mut |simple| {
+                    loops.push(self.bound(simple, left, &walks.at));
+                    sides.push(left, simple.iter().map(|half| component[subdivision.face(half ^ 1) as usize]));
+                });
+            }
+            (loops, sides)
+        };
+        let (mut bounds, mut sides) = (Vec::new(), Sides::default());
+        for (loops, own) in parallel::uneven(walks.starts.len() - 1, walks.halves.len(), &loops) {
+            if bounds.is_empty() {
+                (bounds, sides) = (loops, own);
+            } else {
+                bounds.extend(loops);
+                sides.append(&own);
             }
         }
-        if let Some((scene, apart)) = self.apart.filter(|(_, apart)| !apart.is_empty()) {
-            let apart = Touched::new(scene, apart);
-            for (bounds, v) in bounds_at.iter_mut().zip(&self.arrangement.vertices) {
-                *bounds += u32::from(apart.times(*v));
+        drop(walks);
+        sides.reach(component[0], component.len(), |at, from| bounds[at].is_hole = bounds[at].region == from);
+        regions_of(bounds)
+    }
+
+    /// The lowest face of each face's component, of the inside or of the outside.
+    fn components(&self, is_inside: &[bool]) -> Vec<u32> {
+        let subdivision = &self.arrangement.subdivision;
+        let mut component: Vec<u32> = (0..super::number(is_inside.len())).collect();
+        for half in (0..super::number(2 * subdivision.edges().len())).step_by(2) {
+            let faces = sides(subdivision, half);
+            if is_inside[faces[0]] == is_inside[faces[1]] {
+                unite(&mut component, faces);
             }
         }
-        let mut result = Regions::default();
-        let mut bounds: Vec<Bound> = Vec::new();
-        let mut sides = Sides::default();
-        let mut is_done = vec![false; halves];
-        let mut place = vec![NONE; subdivision.nodes()];
-        let mut walk = Vec::new();
-        for start in (0..halves).filter(|&half| is_bound[half]) {
+        // Lower faces first, so their components are known.
+        for face in 0..component.len() {
+            component[face] = component[component[face] as usize];
+        }
+        component
+    }
+
+    /// Finds the closed walks along the bounds, each with one part of the inside on its left.
+    fn walks(&self, is_bound: &[bool]) -> Walks {
+        let subdivision = &self.arrangement.subdivision;
+        let mut walks = Walks { halves: Vec::new(), starts: vec![0], at: vec![0; subdivision.nodes()] };
+        let mut is_done = vec![false; is_bound.len()];
+        for (start, _) in is_bound.iter().enumerate().filter(|(_, is)| **is) {
             if is_done[start] {
                 continue;
             }
-            self.walk(start, &is_bound, &mut is_done, &mut walk);
-            let left = root(&mut region, subdivision.face(super::number(start)));
-            let mut push = |simple: &[u32]| {
-                bounds.push(self.bound(simple, left, &bounds_at));
-                sides.push(left, simple.iter().map(|half| root(&mut region, subdivision.face(half ^ 1))));
-            };
-            if is_simple(subdivision, &walk, &mut place) {
-                push(&walk);
-            } else {
-                simple_loops(subdivision, &walk, &mut place).iter().for_each(|simple| push(simple));
+            let mut at = super::number(start);
+            while !std::mem::replace(&mut is_done[at as usize], true) {
+                walks.halves.push(at);
+                let bounds = &mut walks.at[self.arrangement.origin(at) as usize];
+                *bounds = bounds.saturating_add(1);
+                // Clockwise through the inside, to the next bound. This ends at the latest at the incoming half-edge:
+                // its other side is outside, so the half-edge before is a bound.
+                at = subdivision.next(at);
+                while !is_bound[at as usize] {
+                    at = subdivision.next(at ^ 1);
+                }
+            }
+            walks.starts.push(super::number(walks.halves.len()));
+        }
+        if let Some((scene, apart)) = self.apart.filter(|(_, apart)| !apart.is_empty()) {
+            let apart = Touched::new(scene, apart);
+            for (at, v) in walks.at.iter_mut().zip(&self.arrangement.vertices) {
+                *at = at.saturating_add(apart.times(*v));
             }
         }
-        let outside = root(&mut region, 0);
-        sides.reach(outside, region.len(), |at, from| bounds[at].is_hole = bounds[at].region == from);
-        // A region's outer loop comes before its holes. A loop begins at its first vertex.
-        let key = |bound: &Bound| (bound.region, bound.is_hole, bound.edges.first().map(|edge| edge.from));
-        bounds.sort_unstable_by(|a, b| key(a).cmp(&key(b)).then_with(|| a.edges.cmp(&b.edges)));
-        let mut bounds = bounds.into_iter().peekable();
-        while let Some(first) = bounds.next() {
-            let (mut outer, mut holes) = (usize::from(!first.is_hole), Vec::new());
-            while let Some(bound) = bounds.next_if(|bound| bound.region == first.region) {
-                outer += usize::from(!bound.is_hole);
-                holes.push(bound.edges);
-            }
-            if outer == 1 {
-                result.regions.push(Region { outer: first.edges, holes });
-            } else {
-                result.broken.get_or_insert(Contradiction::Outer);
-            }
-        }
-        result.regions.sort_unstable();
-        result
+        walks
     }
 
-    /// Finds the half-edges of a bound in order, with the same part of the inside on their left.
-    fn walk(&self, start: usize, is_bound: &[bool], is_done: &mut [bool], walk: &mut Vec<u32>) {
-        let subdivision = &self.arrangement.subdivision;
-        walk.clear();
-        let mut at = super::number(start);
-        while !std::mem::replace(&mut is_done[at as usize], true) {
-            walk.push(at);
-            // Clockwise through the inside, to the next bound. This ends at the latest at the incoming half-edge: its
-            // other side is outside, so the half-edge before is a bound.
-            at = subdivision.next(at);
-            while !is_bound[at as usize] {
-                at = subdivision.next(at ^ 1);
-            }
+    /// Divides a closed walk into simple loops, at nodes that it visits again.
+    fn simple_loops(&self, walk: &[u32], bounds_at: &[u8], found: &mut dyn FnMut(&[u32])) {
+        let node = |half: &u32| self.arrangement.origin(*half);
+        // A node of one bound is visited once.
+        let is_shared = |half: &u32| bounds_at[node(half) as usize] > 1;
+        if !walk.iter().any(is_shared) {
+            return found(walk);
         }
+        // The place of each shared node on the path.
+        let mut place: HashMap<u32, usize> = HashMap::new();
+        let mut path: Vec<u32> = Vec::with_capacity(walk.len());
+        for half in walk {
+            if is_shared(half)
+                && let Some(from) = place.insert(node(half), path.len())
+            {
+                // The walk since then is a loop.
+                found(&path[from..]);
+                path[from + 1..].iter().filter(|half| is_shared(half)).for_each(|half| {
+                    place.remove(&node(half));
+                });
+                path.truncate(from);
+                place.insert(node(half), from);
+            }
+            path.push(*half);
+        }
+        found(&path);
     }
 
     /// A simple loop in its final form.
-    fn bound(&self, halves: &[u32], region: u32, bounds_at: &[u32]) -> Bound {
+    fn bound(&self, halves: &[u32], region: u32, bounds_at: &[u8]) -> Bound {
         let arrangement = self.arrangement;
         let mut edges: Vec<Edge> = Vec::with_capacity(halves.len());
-        let edge = |half: u32| {
-            let [from, to] =
-                [half, half ^ 1].map(|half| arrangement.vertices[arrangement.subdivision.origin(half) as usize]);
-            let segment = arrangement.subdivision_segment(half);
-            Edge { from, to, support: segment }
-        };
         let mut last = NONE;
         let same = |a: u32, b: u32| {
-            let is_touched = bounds_at[arrangement.subdivision.origin(b) as usize] > 1;
             let line = |half: u32| (arrangement.pieces[half as usize / 2].segment, half % 2);
-            !is_touched && a != NONE && line(a) == line(b) && line(a).0 != NONE
+            let is_same = a != NONE && line(a) == line(b) && line(a).0 != NONE;
+            is_same && bounds_at[arrangement.origin(b) as usize] <= 1
         };
         for &half in halves {
             if let Some(run) = arrangement.run(half) {
@@ -198,9 +300,13 @@ impl Extraction<'_> {
                     edges.extend(run.edges.iter().rev().map(|edge| edge.reversed()));
                 }
             } else {
+                let piece = &arrangement.pieces[half as usize / 2];
+                let at = half as usize % 2;
+                let vertex = |node: u32| arrangement.vertices[node as usize];
+                let (from, to) = (vertex(piece.ends[at]), vertex(piece.ends[1 - at]));
                 match edges.last_mut() {
-                    Some(before) if same(last, half) => before.to = edge(half).to,
-                    _ => edges.push(edge(half)),
+                    Some(before) if same(last, half) => before.to = to,
+                    _ => edges.push(Edge { from, to, support: arrangement.segments[piece.segment as usize] }),
                 }
             }
             last = half;
@@ -214,6 +320,35 @@ impl Extraction<'_> {
         edges.rotate_left(first);
         Bound { region, is_hole: false, edges }
     }
+}
+
+/// The regions that loops bound.
+fn regions_of(mut bounds: Vec<Bound>) -> Regions {
+    let mut result = Regions::default();
+    // A region's outer loop comes before its holes. A loop begins at its first vertex.
+    let key = |(at, bound): (usize, &Bound)| {
+        (bound.region, bound.is_hole, bound.edges.first().map(|edge| edge.from), super::number(at))
+    };
+    let mut order: Vec<_> = bounds.iter().enumerate().map(key).collect();
+    order.sort_unstable_by(|a, b| {
+        let edges = |at: u32| &bounds[at as usize].edges;
+        (a.0, a.1, a.2).cmp(&(b.0, b.1, b.2)).then_with(|| edges(a.3).cmp(edges(b.3)))
+    });
+    for group in order.chunk_by(|a, b| a.0 == b.0) {
+        let mut loops = group.iter().map(|(.., at)| std::mem::take(&mut bounds[*at as usize].edges));
+        if group.iter().filter(|(_, is_hole, ..)| !is_hole).count() == 1 {
+            let outer = loops.next().unwrap_or_default();
+            result.regions.push(Region { outer, holes: loops.collect() });
+        } else {
+            result.broken.get_or_insert(Contradiction::Outer);
+        }
+    }
+    // By first edges, unless these are equal, which needs wrong signs.
+    result.regions.sort_by_cached_key(|region| region.outer.first().copied());
+    if !result.regions.is_sorted() {
+        result.regions.sort_unstable();
+    }
+    result
 }
 
 /// The components on both sides of each loop.
@@ -235,6 +370,13 @@ impl Sides {
                 self.components.push(component);
             }
         }
+    }
+
+    /// Adds the loops of another list.
+    fn append(&mut self, other: &Sides) {
+        let before = super::number(self.components.len());
+        self.first.extend(other.first.iter().map(|first| before + first));
+        self.components.extend_from_slice(&other.components);
     }
 
     fn of(&self, at: usize) -> &[u32] {
@@ -283,46 +425,20 @@ impl Sides {
 }
 
 /// The representative of a face's component.
-fn root(region: &mut [u32], mut face: u32) -> u32 {
-    while region[face as usize] != face {
-        region[face as usize] = region[region[face as usize] as usize];
-        face = region[face as usize];
+#[inline]
+fn root(component: &mut [u32], mut face: usize) -> usize {
+    while component[face] as usize != face {
+        component[face] = component[component[face] as usize];
+        face = component[face] as usize;
     }
     face
 }
 
 /// Joins the components of two faces.
-fn unite(region: &mut [u32], faces: [u32; 2]) {
-    let [a, b] = faces.map(|face| root(region, face));
-    region[a.max(b) as usize] = a.min(b);
-}
-
-/// True if a closed walk visits each node once.
-fn is_simple(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> bool {
-    let node = |half: &u32| subdivision.origin(*half) as usize;
-    let seen = walk.iter().position(|half| std::mem::replace(&mut place[node(half)], 0) != NONE);
-    walk[..seen.unwrap_or(walk.len())].iter().for_each(|half| place[node(half)] = NONE);
-    seen.is_none()
-}
-
-/// Divides a closed walk into simple loops, at nodes that it visits again.
-fn simple_loops(subdivision: &Subdivision, walk: &[u32], place: &mut [u32]) -> Vec<Vec<u32>> {
-    let mut loops = Vec::new();
-    let mut path: Vec<u32> = Vec::with_capacity(walk.len());
-    for &half in walk {
-        let node = subdivision.origin(half) as usize;
-        if place[node] != NONE {
-            // The walk since then is a loop.
-            let rest = path.split_off(place[node] as usize);
-            rest.iter().for_each(|&half| place[subdivision.origin(half) as usize] = NONE);
-            loops.push(rest);
-        }
-        place[node] = super::number(path.len());
-        path.push(half);
-    }
-    path.iter().for_each(|&half| place[subdivision.origin(half) as usize] = NONE);
-    loops.push(path);
-    loops
+#[inline]
+fn unite(component: &mut [u32], [a, b]: [usize; 2]) {
+    let (a, b) = (root(component, a), root(component, b));
+    component[a.max(b)] = super::number(a.min(b));
 }
 
 impl Arrangement {
@@ -331,9 +447,9 @@ impl Arrangement {
         self.runs.get((half as usize / 2).checked_sub(self.pieces.len() - self.runs.len())?)
     }
 
-    /// The ends of the segment of a half-edge.
-    fn subdivision_segment(&self, half: u32) -> [predicament_predicates::Vertex; 2] {
-        self.segments[self.pieces[half as usize / 2].segment as usize]
+    /// The node where a half-edge begins.
+    fn origin(&self, half: u32) -> u32 {
+        self.pieces[half as usize / 2].ends[half as usize % 2]
     }
 
     /// Prepares the extraction of the regions of results.

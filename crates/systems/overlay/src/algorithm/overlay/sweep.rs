@@ -107,7 +107,7 @@ pub(super) fn meetings(
         sweep.event(&group, &starting)?;
     }
     let Sweep { mut found, broken, .. } = sweep;
-    found.settle();
+    found.settle(ends.len());
     Ok((found, broken))
 }
 

@@ -70,7 +70,13 @@ impl Along<'_> {
     /// The order of two points of the segment.
     #[inline]
     pub fn order(&self, a: Vertex, b: Vertex) -> Sign {
-        self.view.compare(self.axis, a, b) * self.forward
+        self.directed(self.view.compare(self.axis, a, b))
+    }
+
+    /// The order of two points of the segment, from their order along the axis.
+    #[inline]
+    pub fn directed(&self, sign: Sign) -> Sign {
+        sign * self.forward
     }
 
     /// True if the segment has no length.

@@ -17,6 +17,9 @@
 //!   end there, but a chain may be farther from its segment. [`Snapped::drift`] measures how far.
 //! * Rounding ends: an edge is divided at pixels within its own box, and each part has a smaller box.
 //!
+//! # Threads
+//! Crossings, parts of the tree of pixels, and chains are independent of each other: large drawings use all threads.
+//!
 //! # Pixels
 //! A pixel is half-open: its left and its lower side belong to it. Coordinates are in units of pixels; those from 2^50
 //! on are refused. All decisions are exact: doubles with an error bound, otherwise integers.
@@ -25,6 +28,10 @@ mod chain;
 mod pixel;
 mod plane;
 mod tree;
+
+use std::ops::Range;
+
+use predicament_grid::parallel;
 
 use pixel::{meets, pixel_of_crossing, pixel_of_point};
 use tree::Tree;
@@ -116,52 +123,52 @@ pub fn snap(drawing: Drawing<'_>, exponent: i32, method: Method) -> Result<Snapp
         return Err(SnapError::Segment(number(at)));
     }
     let of_points: Vec<Pixel> = scaled.iter().map(|&point| pixel_of_point(point)).collect();
-    let crossing = |(at, [s, t]): (usize, &[u32; 2])| {
-        let pair = segment(*s).zip(segment(*t)).ok_or(SnapError::Crossing(at))?;
+    let crossing = |at: usize| {
+        let [s, t] = drawing.crossings[at];
+        let pair = segment(s).zip(segment(t)).ok_or(SnapError::Crossing(at))?;
         pixel_of_crossing(pair.0, pair.1).ok_or(SnapError::Crossing(at))
     };
-    let of_crossings = drawing.crossings.iter().enumerate().map(crossing).collect::<Result<Vec<Pixel>, _>>()?;
+    let crossings = |range: Range<usize>| range.map(crossing).collect::<Result<Vec<Pixel>, _>>();
+    let of_crossings = parallel::all_joined(parallel::ranges(drawing.crossings.len(), &crossings))?;
     let mut pixels = [of_points.as_slice(), &of_crossings].concat();
-    pixels.sort_unstable();
+    parallel::sort_by_key(&mut pixels, |&pixel| pixel);
     pixels.dedup();
     let place = |pixel: &Pixel| number(pixels.binary_search(pixel).expect("a hot pixel"));
-    let ends: Vec<u32> = of_points.iter().map(place).collect();
+    let places =
+        |of: &[Pixel]| parallel::joined(parallel::ranges(of.len(), &|range| of[range].iter().map(place).collect()));
+    let ends: Vec<u32> = places(&of_points);
     let merged = of_points.len() + of_crossings.len() - pixels.len();
-    let mut chains: Vec<Vec<u32>> = match method {
-        Method::Naive => {
-            let mut chains: Vec<Vec<u32>> =
-                drawing.segments.iter().map(|s| s.map(|v| ends[v as usize]).to_vec()).collect();
-            for (pixel, pair) in of_crossings.iter().map(place).zip(drawing.crossings) {
-                pair.iter().for_each(|&s| chains[s as usize].push(pixel));
-            }
-            for &[s, v] in drawing.touching {
-                chains[s as usize].push(ends[v as usize]);
-            }
-            chains
+    let tree = (method != Method::Naive).then(|| Tree::new(&pixels));
+    // The pixels of crossings and touches on each segment, which other methods find again.
+    let mut known: Vec<Vec<u32>> = Vec::new();
+    if method == Method::Naive {
+        known.resize(drawing.segments.len(), Vec::new());
+        for (pixel, pair) in places(&of_crossings).into_iter().zip(drawing.crossings) {
+            pair.iter().for_each(|&s| known[s as usize].push(pixel));
         }
-        Method::Snap | Method::Iterated => {
-            let tree = Tree::new(&pixels);
-            let hot = |at: usize| {
-                let [a, b] = segment(number(at)).expect("looked at above");
-                let mut met = Vec::new();
-                tree.near([a, b], &mut |pixel| {
-                    if meets([a, b], pixels[pixel as usize]) {
-                        met.push(pixel);
-                    }
-                });
-                met
-            };
-            (0..drawing.segments.len()).map(hot).collect()
+        for &[s, v] in drawing.touching {
+            known[s as usize].push(ends[v as usize]);
+        }
+    }
+    let chain = |at: usize| {
+        let mut chain = known.get(at).cloned().unwrap_or_default();
+        if let Some(tree) = &tree {
+            let [a, b] = segment(number(at)).expect("looked at above");
+            tree.near([a, b], &mut |pixel| {
+                if meets([a, b], pixels[pixel as usize]) {
+                    chain.push(pixel);
+                }
+            });
+        }
+        chain::sort(&mut chain, drawing.segments[at].map(|v| ends[v as usize]), &pixels);
+        match &tree {
+            Some(tree) if method == Method::Iterated => chain::iterated(&chain, &pixels, tree),
+            _ => chain,
         }
     };
-    for (chain, &[a, b]) in chains.iter_mut().zip(drawing.segments) {
-        let [a, b] = [a, b].map(|v| ends[v as usize]);
-        chain::sort(chain, [a, b], &pixels);
-    }
-    if method == Method::Iterated {
-        let tree = Tree::new(&pixels);
-        chains.iter_mut().for_each(|chain| *chain = chain::iterated(chain, &pixels, &tree));
-    }
+    let chains = |range: Range<usize>| range.map(chain).collect();
+    let work = drawing.segments.len() + pixels.len();
+    let chains = parallel::joined(parallel::uneven(drawing.segments.len(), work, &chains));
     Ok(Snapped { pixels, ends, chains, merged })
 }
 
@@ -204,11 +211,12 @@ impl Snapped {
 
 /// Points in units of pixels.
 fn scaled(points: &[[f64; 2]], exponent: i32) -> Result<Vec<[f64; 2]>, SnapError> {
-    let scaled = |(at, point): (usize, &[f64; 2])| {
+    let scaled = |at: usize| {
+        let point = &points[at];
         let scaled = point.map(|x| plane::scale(x, -exponent));
         // If scaling rounds, scaling back gives another value.
         let is_exact = scaled.iter().zip(point).all(|(&u, &x)| u.abs() < SIDES && plane::scale(u, exponent) == x);
         is_exact.then_some(scaled).ok_or(SnapError::Point(u32::try_from(at).expect("fewer than 2^32 points")))
     };
-    points.iter().enumerate().map(scaled).collect()
+    parallel::all_joined(parallel::ranges(points.len(), &|range| range.map(scaled).collect()))
 }

@@ -1,5 +1,7 @@
 //! The pixels near a segment: a k-d tree in one array, without pointers.
 
+use predicament_grid::parallel;
+
 use super::pixel::Pixel;
 use super::plane::double;
 
@@ -18,8 +20,7 @@ impl Tree {
     pub fn new(pixels: &[Pixel]) -> Tree {
         let mut order: Vec<u32> =
             (0..pixels.len()).map(|at| u32::try_from(at).expect("fewer than 2^32 pixels")).collect();
-        let mut boxes = Vec::new();
-        build(pixels, &mut order, &mut boxes, 0);
+        let boxes = built(pixels, &mut order);
         Tree { order, boxes }
     }
 
@@ -67,26 +68,56 @@ fn beside([a, b]: [[f64; 2]; 2], low: [f64; 2], high: [f64; 2]) -> bool {
     sum == 4 || sum == -4
 }
 
+/// Orders indices of pixels, and returns the boxes of the nodes: the parts of large trees in parallel.
+fn built(pixels: &[Pixel], range: &mut [u32]) -> Vec<[Pixel; 2]> {
+    let mut boxes = Vec::new();
+    if parallel::threads(range.len()) == 1 {
+        build(pixels, range, &mut boxes, 0);
+        return boxes;
+    }
+    boxes.push(divide(pixels, range));
+    let count = range.len();
+    let (lower, upper) = range.split_at_mut(count / 2);
+    let (lower, upper) = parallel::two(count, || built(pixels, lower), || built(pixels, upper));
+    // In heap order, level by level.
+    let mut level = 0..1;
+    while level.start < lower.len().max(upper.len()) {
+        for part in [&lower, &upper] {
+            boxes.extend(level.clone().map(|node| part.get(node).copied().unwrap_or_default()));
+        }
+        level = level.end..2 * level.end + 1;
+    }
+    boxes
+}
+
 fn build(pixels: &[Pixel], range: &mut [u32], boxes: &mut Vec<[Pixel; 2]>, node: usize) {
-    let Some(&first) = range.first() else { return };
-    let mut around = [pixels[first as usize]; 2];
+    if range.is_empty() {
+        return;
+    }
+    if boxes.len() <= node {
+        boxes.resize(node + 1, [[0; 2]; 2]);
+    }
+    boxes[node] = divide(pixels, range);
+    if range.len() > LEAF {
+        let (lower, upper) = range.split_at_mut(range.len() / 2);
+        build(pixels, lower, boxes, 2 * node + 1);
+        build(pixels, upper, boxes, 2 * node + 2);
+    }
+}
+
+/// Returns the box of some pixels, and divides them at their middle, unless they are few.
+fn divide(pixels: &[Pixel], range: &mut [u32]) -> [Pixel; 2] {
+    let mut around = [[i64::MAX; 2], [i64::MIN; 2]];
     for pixel in range.iter().map(|&at| pixels[at as usize]) {
         for axis in 0..2 {
             around[0][axis] = around[0][axis].min(pixel[axis]);
             around[1][axis] = around[1][axis].max(pixel[axis]);
         }
     }
-    if boxes.len() <= node {
-        boxes.resize(node + 1, [[0; 2]; 2]);
+    if range.len() > LEAF {
+        let axis = usize::from(around[1][1] - around[0][1] > around[1][0] - around[0][0]);
+        let middle = range.len() / 2;
+        range.select_nth_unstable_by_key(middle, |&at| (pixels[at as usize][axis], pixels[at as usize], at));
     }
-    boxes[node] = around;
-    if range.len() <= LEAF {
-        return;
-    }
-    let axis = usize::from(around[1][1] - around[0][1] > around[1][0] - around[0][0]);
-    let middle = range.len() / 2;
-    range.select_nth_unstable_by_key(middle, |&at| (pixels[at as usize][axis], pixels[at as usize], at));
-    let (lower, upper) = range.split_at_mut(middle);
-    build(pixels, lower, boxes, 2 * node + 1);
-    build(pixels, upper, boxes, 2 * node + 2);
+    around
 }

@@ -214,7 +214,7 @@ fn graph(scene: &Scene, wanted: &BTreeMap<[Vertex; 2], [i64; 2]>, answer: &Overl
         edges: arrangement.pieces.iter().map(|piece| piece.ends).collect(),
         next: halves.clone().map(|half| subdivision.next(half)).collect(),
         face: halves.map(|half| subdivision.face(half)).collect(),
-        faces: subdivision.faces().len(),
+        faces: subdivision.faces(),
     }
 }
 

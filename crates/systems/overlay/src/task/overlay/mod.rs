@@ -323,7 +323,7 @@ impl Task for Overlay2d {
             };
             serde_json::json!({
                 "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
-                "faces": subdivision.faces().len(),
+                "faces": subdivision.faces(),
                 "windings": answer.overlay.windings,
                 "broken": arrangement.broken.map(Contradiction::rule),
             })
@@ -388,8 +388,7 @@ fn shown<'a>(scene: &Scene, answer: &'a Overlaid) -> std::io::Result<(Scene, imp
 
 fn told(found: &Overlaid) -> String {
     let arrangement = &found.overlay.arrangement;
-    let [nodes, edges, faces] =
-        [arrangement.vertices.len(), arrangement.pieces.len(), arrangement.subdivision.faces().len()];
+    let [nodes, edges, faces] = [arrangement.vertices.len(), arrangement.pieces.len(), arrangement.subdivision.faces()];
     let regions: Vec<String> = Operation::ALL
         .into_iter()
         .zip(&found.regions)

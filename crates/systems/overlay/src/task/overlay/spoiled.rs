@@ -120,8 +120,7 @@ pub(super) fn all() -> Vec<Spoiled<Overlay2d>> {
             &[(Class::Topology, "nesting")],
             |_, _, answer: &mut Overlaid| {
                 let subdivision = &mut answer.overlay.arrangement.subdivision;
-                let inner = subdivision.faces().iter().flat_map(|face| &face.inner);
-                let outside = inner.map(|&cycle| subdivision.cycles()[cycle as usize]);
+                let outside = subdivision.inner().iter().map(|&[_, cycle]| subdivision.cycles()[cycle as usize]);
                 let nestings: Vec<Nesting> = outside.map(|outside| Nesting { outside, within: None }).collect();
                 (*subdivision, _) = std::mem::take(subdivision).with_faces(&nestings);
             },
