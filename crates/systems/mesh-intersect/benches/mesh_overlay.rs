@@ -16,6 +16,9 @@
 //! (without reading), the number of its triangles, and its volume. They choose their number of threads.
 //! `mesh_overlay.py` beside this file is such a program for Manifold, libigl and trueform.
 
+#[path = "closed.rs"]
+mod closed;
+
 use std::collections::HashMap;
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -27,8 +30,10 @@ use predicament_exact::Exact;
 use predicament_mesh::MaterialMesh;
 use predicament_mesh_intersect::algorithm::overlay::{Zeros, mesh_overlay};
 use predicament_overlay::algorithm::overlay::Operation;
-use predicament_predicates::{Backend, Construction, Off, Predicates, Scene, Vertex};
+use predicament_predicates::{Backend, Off, Predicates, Scene, Vertex};
 use predicament_sos::{PerMesh, Sos};
+
+use self::closed::{Closed, index, place, sixth};
 
 /// Pairs of a maximum number of triangles in a mesh and the number of rounds.
 const ROUNDS: [(usize, usize); 2] = [(100_000, 5), (usize::MAX, 3)];
@@ -47,13 +52,6 @@ struct Run {
 }
 
 type Contestant<'a> = (String, Box<dyn Fn() -> Run + Sync + 'a>);
-
-/// A closed mesh.
-#[derive(Clone)]
-struct Closed {
-    points: Vec<[f64; 3]>,
-    triangles: Vec<[u32; 3]>,
-}
 
 impl Closed {
     /// An icosahedron, with each face subdivided into four `levels` times, projected to a sphere around the origin.
@@ -128,54 +126,6 @@ impl Closed {
         }
         all
     }
-
-    fn moved(&self, by: [f64; 3]) -> Closed {
-        let points = self.points.iter().map(|p| [0, 1, 2].map(|i: usize| p[i] + by[i])).collect();
-        Closed { points, triangles: self.triangles.clone() }
-    }
-
-    fn volume(&self) -> f64 {
-        self.triangles.iter().map(|triangle| sixth(triangle.map(|at| self.points[at as usize]))).sum()
-    }
-
-    fn bytes(&self) -> Vec<u8> {
-        let mut bytes = [self.points.len(), self.triangles.len()].map(|count| (count as u64).to_le_bytes()).concat();
-        bytes.extend(self.points.as_flattened().iter().flat_map(|x| x.to_le_bytes()));
-        bytes.extend(self.triangles.as_flattened().iter().flat_map(|at| at.to_le_bytes()));
-        bytes
-    }
-}
-
-fn index(place: usize) -> u32 {
-    u32::try_from(place).expect("fewer than 2^32 points")
-}
-
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [0, 1, 2].map(|i: usize| a[i] - b[i])
-}
-
-fn determinant([a, b, c]: [[f64; 3]; 3]) -> f64 {
-    a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0])
-}
-
-/// Six times the volume between a triangle and the origin.
-fn sixth(triangle: [[f64; 3]; 3]) -> f64 {
-    determinant(triangle) / 6.0
-}
-
-/// The approximate position of a vertex.
-fn place(scene: &Scene, v: Vertex) -> [f64; 3] {
-    match scene.construction(v) {
-        Some(Construction::Lpi { line, plane }) => {
-            let [p, q] = line.map(|v| scene.point3(v));
-            let [a, b, c] = plane.map(|v| scene.point3(v));
-            let height = |x: [f64; 3]| determinant([minus(b, a), minus(c, a), minus(x, a)]);
-            let fraction = height(p) / (height(p) - height(q));
-            [0, 1, 2].map(|i: usize| p[i] + fraction * (q[i] - p[i]))
-        }
-        Some(_) => unreachable!("an overlay of meshes constructs points of lines and planes"),
-        None => scene.point3(v),
-    }
 }
 
 /// Two meshes in one scene.
@@ -187,15 +137,7 @@ struct Pair {
 
 impl Pair {
     fn new(closed: [Closed; 2]) -> Pair {
-        let points = [&closed[0].points[..], &closed[1].points].concat();
-        let first = closed[0].points.len();
-        let scene = Scene::from_points3(&points).expect("finite");
-        let scene = scene.with_second_mesh((first..points.len()).map(Vertex::input));
-        let from = |mesh: usize| {
-            let vertex = |at: u32| Vertex::input(at as usize + mesh * first);
-            closed[mesh].triangles.iter().map(|triangle| triangle.map(vertex)).collect()
-        };
-        let corners = [from(0), from(1)];
+        let (scene, corners) = closed::scene(closed.each_ref());
         Pair { closed, scene, corners }
     }
 
