@@ -45,7 +45,8 @@ FEWEST, MOST = 12, 1_000_000  # triangles
 CLIENTS = {
     "pip": lambda name, version: [
         *[sys.executable, "-m", "pip", "download", "--quiet", "--no-deps", "--only-binary=:all:"],
-        *["--python-version=3.11", "--implementation=cp", "--platform=manylinux_2_35_x86_64", f"{name}=={version}"],
+        *["--python-version=3.11", "--implementation=cp"],
+        *["--platform=manylinux_2_24_x86_64", "--platform=manylinux_2_35_x86_64", f"{name}=={version}"],
     ],
     "npm": lambda name, version: ["npm", "pack", "--silent", f"{name}@{version}"],
     "apt": lambda name, version: ["apt-get", "download", "--quiet", f"{name}={version}"],
