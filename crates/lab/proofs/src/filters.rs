@@ -10,7 +10,7 @@ use crate::overflow::dominated;
 use crate::polynomial::{Polynomial, determinant, exact};
 use crate::rules::{Claim, Rules};
 use crate::trace::{Node, Traced};
-use crate::underflow::{Underflow, covered, divides, extent_of, is_bound, with_slacks};
+use crate::underflow::{Underflow, covered, divides, extent_of, is_bound, over_three_slacks, with_slacks};
 
 /// The bits of a double's significand.
 const PRECISION: u32 = 53;
@@ -85,12 +85,14 @@ enum Near {
 pub struct Proved {
     /// The predicate.
     pub name: &'static str,
-    /// The use of the constant.
-    pub kind: Kind,
+    /// The kind of filters that uses the constant.
+    pub kind: &'static str,
     /// The constant in the code.
     pub constant: f64,
     /// The least double for which Gappa proves the filter.
     pub least: f64,
+    /// The script for the double below, which has to be refused.
+    pub below: String,
 }
 
 /// All filters of `exact`.
@@ -222,7 +224,9 @@ impl Filter {
                     kind.name()
                 ));
             }
-            proved.push(Proved { name: self.name, kind, constant: self.constant, least: least(self.constant, holds) });
+            let least = least(self.constant, holds);
+            let below = needed.script(self.name, kind, least.next_down());
+            proved.push(Proved { name: self.name, kind: kind.name(), constant: self.constant, least, below });
         }
         Ok(proved)
     }
@@ -358,9 +362,8 @@ impl Needed {
             Kind::Beside => {
                 format!("B * (1 - {e}) * (1 - {u}) * (1 + 8b-53) * (1 - {u}) * (1 - {u}) - (1 + {u}) * {k} >= {MORE}")
             }
-            // Every factor of a permanent is 2^-299 or more: an η is below 2^-170 of it.
             Kind::Constructed => {
-                let lost = format!("{}b-178", under.terms);
+                let lost = format!("{}b{}", under.terms, over_three_slacks());
                 format!("B * (1 - {e}) * (1 - {u}) - (1 + {u}) * ({k} * (1 + {lost}) + {lost}) >= {MORE}")
             }
         };
@@ -379,7 +382,7 @@ pub fn dyadic(x: f64) -> Number {
 /// The least double that `holds`, at most `constant`, which does.
 ///
 /// Slacks are small, so the search goes down from the constant, by twice as many doubles each time.
-fn least(constant: f64, holds: impl Fn(f64) -> bool) -> f64 {
+pub(crate) fn least(constant: f64, holds: impl Fn(f64) -> bool) -> f64 {
     let (mut high, mut step) = (constant.to_bits(), 1);
     while holds(f64::from_bits(high - step)) {
         high -= step;

@@ -5,6 +5,7 @@
 //! ([`rules`], [`chain`]). Code and proof share one definition of each formula.
 //!
 //! * [`filters`]: the constants of `exact`, for static, semi-static, constructed filters and for any doubles.
+//! * [`linear`]: the filter of constructed vertices whose bound is linear in the slacks.
 //! * [`approximations`]: the errors of constructed vertices.
 //! * [`tolerances`]: the errors that the tolerances have to exceed.
 //! * [`overflow`]: what Gappa's numbers don't have. [`underflow`]: what products lose where they are subnormal.
@@ -17,6 +18,7 @@ pub mod approximations;
 pub mod chain;
 pub mod filters;
 pub mod gappa;
+pub mod linear;
 mod near;
 pub mod overflow;
 pub mod polynomial;

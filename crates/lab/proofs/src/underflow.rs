@@ -2,6 +2,8 @@
 //!
 //! Losses are polynomials, and are compared with the slack of a filter by their coefficients.
 
+use predicament_exact::constructed::filter::FLOOR;
+
 use crate::chain::{ETA, magnitude};
 use crate::polynomial::Polynomial;
 use crate::trace::{Node, Traced};
@@ -45,6 +47,19 @@ pub fn with_slacks(difference: Traced) -> Polynomial {
     let Node::Sub(x, y) = difference.node() else { return magnitude(difference) };
     let slack = |x: Traced| Polynomial::symbol(&format!("slack of {}", x.text(1)));
     magnitude(difference).plus(&slack(x), 1).plus(&slack(y), 1)
+}
+
+/// The power of two that bounds η over three factors of a permanent of constructed vertices.
+///
+/// Each factor has the slacks of two coordinates, of at least [`FLOOR`].
+pub fn over_three_slacks() -> i32 {
+    let exponent = i32::try_from((2.0 * FLOOR).to_bits() >> 52).expect("11 bits");
+    over_three(exponent - 1023)
+}
+
+/// The power of two that bounds η over three factors of at least 2 to this power.
+pub fn over_three(least: i32) -> i32 {
+    -1075 - 3 * least
 }
 
 /// A symbol with the extent of the scene in place of a difference that is not larger, along the same axis.

@@ -45,7 +45,7 @@
 //! intermediate of w and n is below 2^430. A division by w may overflow, and then s is not finite, which is checked. A
 //! product that underflows is wrong by 2^-1075, times other factors: components of normals are below 2^121, their
 //! products' below 2^243. That is less than 2^-820 for w, while u·E is more than 2^-402, and less than 2^-760 for n. As
-//! |w| ≥ 2^10·u·E ≥ 2^-392, it moves n/w by 2^-368 at most (`Ssi` and `Lpi`: by 2^-619, times u); `FLOOR`·u = 2^-353
+//! |w| ≥ 2^10·u·E ≥ 2^-392, it moves n/w by 2^-368 at most (`Ssi` and `Lpi`: by 2^-619, times u); `FLOOR`·u = 2^-333
 //! is more than that and the later losses of products and quotients. A C may lose 2^-1074, which is negligible beside
 //! one of 2^-600, and the other factors leave it more. Differences underflow exactly.
 

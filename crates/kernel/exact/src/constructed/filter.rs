@@ -2,16 +2,16 @@
 //!
 //! # What is proved
 //! A constructed vertex is given by doubles, each within e·u of the true coordinate; u = 2^-53, and e is the
-//! coordinate's *slack*, 2^-300 or more. For doubles computed in floating point the slack is proved in `approximate`.
+//! coordinate's *slack*, 2^-280 or more. For doubles computed in floating point the slack is proved in `approximate`.
 //! For rounded exact coordinates, which are within κu relative to themselves or within 2^-400, κ = 65/64, it is κ|x| +
-//! 2^-300, and for coordinates of input vertices 2^-300. The difference of two is computed as d = fl(x − y), with |d −
+//! 2^-280, and for coordinates of input vertices 2^-280. The difference of two is computed as d = fl(x − y), with |d −
 //! D| ≤ u|d| + u·e_x + u·e_y = u·M for **M = |d| + e_x + e_y**, and |d| ≤ M. (Subtraction underflows exactly.)
 //! [`bound`](predicament_arithmetic::bound) assumes the same of a difference: one rounding, relative to M. So its proof
 //! holds with the permanent P of M in place of |d|, and n as counted there: 3 for orient2d, 7 for orient3d. In p each M
 //! has four roundings, so m is 2·4 + 2 and 3·4 + 5.
 //!
-//! **Underflow.** Each M is at least 2^-299, so a product that underflows, and is wrong by 2^-1075 then, is wrong by
-//! less than 2^-170·P for the whole determinant. The constants exceed the requirement by more than that, which a test
+//! **Underflow.** Each M is at least 2^-279, so a product that underflows, and is wrong by 2^-1075 then, is wrong by
+//! less than 2^-230·P for the whole determinant. The constants exceed the requirement by more than that, which a test
 //! checks. P and B·P never underflow.
 //!
 //! **Overflow.** Rounding is monotone, so no intermediate of d exceeds that of p at the same place. If p is finite,
@@ -28,8 +28,8 @@ pub const ORIENT2D: f64 = semi_static(3, 10);
 /// The constant for det(a − d, b − d, c − d), expanded along one column.
 pub const ORIENT3D: f64 = semi_static(7, 17);
 
-/// The minimum slack of every coordinate, so that no permanent underflows: 2^-300.
-pub(super) const FLOOR: f64 = power_of_two(-300);
+/// The minimum slack of every coordinate, so that no permanent underflows: 2^-280.
+pub const FLOOR: f64 = power_of_two(-280);
 
 /// A number and a bound of its error, in units of u.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ pub struct Approximate<T = f64> {
 }
 
 impl<T: Number> Approximate<T> {
-    /// A coordinate that is within `slack`·u of the true one; the slack is 2^-300 at least.
+    /// A coordinate that is within `slack`·u of the true one; the slack is 2^-280 at least.
     #[inline(always)]
     #[must_use]
     pub fn near(value: T, slack: T) -> Approximate<T> {
@@ -168,7 +168,7 @@ mod tests {
         let u = Rational::from(1) >> 53;
         let [up, down] = [Rational::from(1 + &u), Rational::from(1 - &u)];
         for (n, m, constant) in [(1_u32, 4_u32, COMPARE), (3, 10, ORIENT2D), (7, 17, ORIENT3D)] {
-            let needed = (Rational::from((&up).pow(n)) - 1 + (Rational::from(1) >> 170)) * &up
+            let needed = (Rational::from((&up).pow(n)) - 1 + (Rational::from(1) >> 230)) * &up
                 / Rational::from((&down).pow(m + 1));
             let constant = Rational::from_f64(constant).expect("finite");
             assert!(constant > needed && constant.clone() / 2 < needed);

@@ -17,57 +17,75 @@
 //! **Roundings of the bound,** the last rounding of the value, and second powers of u: fewer than 100 of them, relative
 //! to the bound, which is a sum of positive terms. `ROOM` covers 2^13.
 //!
-//! **Underflow.** Every m of a difference is at least v and at least 2^-299. A product that underflows is wrong by
-//! 2^-1075. If it is a product of two differences, at most m₃ + u·m₃ multiplies the error, and the bound has a term
-//! u²·m₁m₂m₃ ≥ 2^-704·m₃ for the same product. A product of three is wrong by 2^-1075 too, and the bound is at least
-//! u²·2^-897. So all errors of underflow together are less than 2^-60 of the bound. The value is compared in units of
-//! u, so the product with u does not underflow.
+//! **Underflow.** Every m of a difference is at least v and at least 2^-279. A product that underflows is wrong by
+//! 2^-1075, times other factors of its term, each at most an m. The bound has u³·m₁m₂m₃ for the same term, at least
+//! 2^-159 times the factors that multiply the error, and 2^-279 for each of the others, of which there are three at
+//! most: an error is less than 2^-79 of the bound. The value is compared in units of u, so the product with u does not
+//! underflow.
 //!
 //! **Overflow.** Rounding is monotone, so no intermediate of the value exceeds the one of v at the same place. If the
 //! bound is infinite or NaN, the filter does not answer.
 //!
 //! If the slacks are zero, the bound is the one of [`filter`]: k and the factors of the product make 3 and 7.
+//!
+//! `cargo xtask prove` proves [`ROOM`] by Gappa, from [`turn`] and [`volume`]. It compares the m of a determinant with
+//! the formula above as polynomials, and the terms that underflow loses with those of the bound.
 
-use predicament_arithmetic::bound::UNIT_ROUNDOFF;
+use predicament_arithmetic::{Number, bound::UNIT_ROUNDOFF};
 use predicament_predicates::Sign;
 
 use super::filter::{self, Approximate};
 
 /// The factor for roundings of the bound: 1 + 2^-40.
-const ROOM: f64 = 1.0 + 8192.0 * UNIT_ROUNDOFF;
+pub const ROOM: f64 = 1.0 + 8192.0 * UNIT_ROUNDOFF;
 /// The roundings of a turn of differences before its last sum.
-const TURN: f64 = 1.0;
+pub const TURN: f64 = 1.0;
 /// The roundings of a volume of differences before its last sum.
-const VOLUME: f64 = 4.0;
+pub const VOLUME: f64 = 4.0;
 
 /// A value, the magnitude of its terms, and the bound of what the differences contribute to its error.
 #[derive(Clone, Copy, Debug)]
-struct Bounded {
-    value: f64,
-    size: f64,
-    /// In units of u.
-    error: f64,
+pub struct Bounded<T = f64> {
+    /// The determinant of the differences.
+    pub value: T,
+    /// The sum of its terms' magnitudes.
+    pub size: T,
+    /// The bound of the error, in units of u.
+    pub error: T,
 }
 
 /// The turn a, b, c; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn orient2d(a: [Approximate; 2], b: [Approximate; 2], c: [Approximate; 2]) -> Option<Sign> {
-    let ([ax, ay], [bx, by]) = (minus(a, c), minus(b, c));
-    minor([ax, ay], [bx, by]).certain(TURN)
+    turn([a, b, c], UNIT_ROUNDOFF).certain(TURN)
 }
 
 /// The side of d on the plane of a, b, c; `None` if the errors may have changed it.
 #[inline(always)]
 #[must_use]
 pub fn orient3d(a: [Approximate; 3], b: [Approximate; 3], c: [Approximate; 3], d: [Approximate; 3]) -> Option<Sign> {
+    volume([a, b, c, d], UNIT_ROUNDOFF).certain(VOLUME)
+}
+
+/// The determinant of the turn a, b, c in any numbers, with u as an argument.
+#[inline(always)]
+#[must_use]
+pub fn turn<T: Number>([a, b, c]: [[Approximate<T>; 2]; 3], u: T) -> Bounded<T> {
+    minor(minus(a, c), minus(b, c), u)
+}
+
+/// The determinant of a, b, c and d in any numbers, with u as an argument.
+#[inline(always)]
+#[must_use]
+pub fn volume<T: Number>([a, b, c, d]: [[Approximate<T>; 3]; 4], u: T) -> Bounded<T> {
     let [[ax, ay, az], [bx, by, bz], [cx, cy, cz]] = [minus(a, d), minus(b, d), minus(c, d)];
-    let [bc, ca, ab] = [minor([bx, by], [cx, cy]), minor([cx, cy], [ax, ay]), minor([ax, ay], [bx, by])];
-    az.times(bc).plus(bz.times(ca)).plus(cz.times(ab)).certain(VOLUME)
+    let [bc, ca, ab] = [minor([bx, by], [cx, cy], u), minor([cx, cy], [ax, ay], u), minor([ax, ay], [bx, by], u)];
+    az.times(bc, u).plus(bz.times(ca, u)).plus(cz.times(ab, u))
 }
 
 #[inline(always)]
-fn minus<const D: usize>(p: [Approximate; D], q: [Approximate; D]) -> [Bounded; D] {
+fn minus<T: Number, const D: usize>(p: [Approximate<T>; D], q: [Approximate<T>; D]) -> [Bounded<T>; D] {
     core::array::from_fn(|i| {
         let [value, error] = filter::difference(p[i], q[i]).parts();
         Bounded { value, size: value.abs(), error }
@@ -76,30 +94,39 @@ fn minus<const D: usize>(p: [Approximate; D], q: [Approximate; D]) -> [Bounded; 
 
 /// The minor ad − bc.
 #[inline(always)]
-fn minor([a, b]: [Bounded; 2], [c, d]: [Bounded; 2]) -> Bounded {
-    let (ad, bc) = (a.times(d), b.times(c));
+fn minor<T: Number>([a, b]: [Bounded<T>; 2], [c, d]: [Bounded<T>; 2], u: T) -> Bounded<T> {
+    let (ad, bc) = (a.times(d, u), b.times(c, u));
     Bounded { value: ad.value - bc.value, size: ad.size + bc.size, error: ad.error + bc.error }
 }
 
-impl Bounded {
+impl<T: Number> Bounded<T> {
     #[inline(always)]
-    fn times(self, other: Bounded) -> Bounded {
+    fn times(self, other: Bounded<T>, u: T) -> Bounded<T> {
         Bounded {
             value: self.value * other.value,
             size: self.size * other.size,
-            error: self.size * other.error + self.error * (other.size + UNIT_ROUNDOFF * other.error),
+            error: self.size * other.error + self.error * (other.size + u * other.error),
         }
     }
 
     #[inline(always)]
-    fn plus(self, other: Bounded) -> Bounded {
+    fn plus(self, other: Bounded<T>) -> Bounded<T> {
         Bounded { value: self.value + other.value, size: self.size + other.size, error: self.error + other.error }
     }
 
+    /// The magnitude in units of u beyond which the sign is certain.
+    #[inline(always)]
+    #[must_use]
+    pub fn bound(self, room: T, roundings: T) -> T {
+        room * (roundings * self.size + self.error)
+    }
+}
+
+impl Bounded {
     #[inline(always)]
     fn certain(self, roundings: f64) -> Option<Sign> {
         // (An infinite value is beyond every finite bound, and truly so.)
         let in_units = self.value.abs() / UNIT_ROUNDOFF;
-        (in_units > ROOM * (roundings * self.size + self.error)).then(|| Sign::of(self.value))
+        (in_units > self.bound(ROOM, roundings)).then(|| Sign::of(self.value))
     }
 }

@@ -45,7 +45,7 @@ fn with(inputs: &Scene, construction: Construction) -> Option<(Constructed, Judg
 /// Then the slack is that of rounded coordinates.
 fn was_exact(ours: &Constructed) -> bool {
     let (point, slack) = ours.near(Vertex::constructed(0));
-    slack == 65.0 / 64.0 * point.iter().fold(0.0, |most: f64, x| most.max(x.abs())) + 2f64.powi(-300)
+    slack == 65.0 / 64.0 * point.iter().fold(0.0, |most: f64, x| most.max(x.abs())) + 2f64.powi(-280)
 }
 
 /// Lines and planes that differ by 2^-k of their size, for every k: all have points, and no slack is too small.
