@@ -11,6 +11,7 @@ mod colliding;
 mod contacts;
 mod deadly;
 mod filters;
+mod over;
 mod ties;
 mod unsteady;
 
@@ -27,6 +28,7 @@ use predicament_judge::TieJudge;
 
 use crate::boxed::Boxed;
 use crate::visit::{Visit, hand};
+use over::Over;
 
 pub use area::Area;
 pub use deadly::Deadly;
@@ -348,15 +350,20 @@ pub(crate) fn visit<V: Visit>(name: &str, visitor: V) -> Result<V::Out, V> {
     let Some(fault) = all.find(|fault| fault.name() == name) else { return Err(visitor) };
     Ok(match fault {
         Fault::ContactsEndlessEdge | Fault::ContactsOneSided => {
-            visitor.visit(Boxed::new(contacts::Faulty::exact(fault)), None)
+            visitor.visit(Boxed::new(Over::new(fault, Exact, contacts::Contacts)), None)
         }
         Fault::ToleranceNarrowContacts | Fault::ToleranceWideContacts | Fault::ToleranceMirroredWeight => {
-            visitor.visit(Boxed::new(contacts::Faulty::tolerance(fault)), None)
+            visitor.visit(Boxed::new(Over::new(fault, Tolerance, contacts::Contacts)), None)
         }
-        Fault::ToleranceBoastfulFormula => visitor.visit(Boxed::new(boastful::Boastful), None),
+        Fault::ToleranceBoastfulFormula => {
+            visitor.visit(Boxed::new(Over::new(fault, Tolerance, boastful::Boastful)), None)
+        }
         Fault::ToleranceAsPrinted => hand(visitor, Tolerance::<f64>::as_printed(), None),
         Fault::Misscaled(misscaled) => hand(visitor, Tolerance::<f64>::misscaled(misscaled), None),
-        Fault::SosAloneOnSphere => visitor.visit(Boxed::new(alone::Alone), Some(ties_by_coordinate())),
+        Fault::SosAloneOnSphere => {
+            let honest = Sos { scheme: Scheme::PerCoordinate };
+            visitor.visit(Boxed::new(Over::new(fault, honest, alone::Alone)), Some(ties_by_coordinate()))
+        }
         _ => match fault.poses_as() {
             ZeroMeaning::Never => visitor.visit(Boxed::new(Faulty { fault, deadly: None }), Some(ties_by_coordinate())),
             ZeroMeaning::Exact | ZeroMeaning::Band => visitor.visit(Boxed::new(Faulty { fault, deadly: None }), None),

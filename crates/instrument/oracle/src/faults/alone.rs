@@ -1,33 +1,18 @@
 //! A fault of ties on the sphere: each is broken by the order of its own vertices, not as part of one perturbed scene.
 
-use predicament_predicates::{
-    Backend, Contract, Declined, Derived, Off, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, forward_to,
-};
-use predicament_sos::Sos;
+use predicament_predicates::{Declined, Derived, PredicateKind, Predicates, Sign, Vertex, forward_to};
 
 use super::Fault;
+use super::over::Part;
 
 /// SoS, right except for determinants of directions: never zero and antisymmetric, but not consistent.
 pub(super) struct Alone;
 
-impl Backend for Alone {
-    type Session<'s, T: Tally + 's> = Session<<Sos as Backend>::Session<'s, Off>>;
+impl Part for Alone {
+    type Session<'s, P: Predicates + 's> = Session<P>;
 
-    fn name(&self) -> String {
-        format!("fault:{}", Fault::SosAloneOnSphere.name())
-    }
-
-    fn contract(&self, kind: PredicateKind) -> Contract {
-        Contract { proved: false, ..Sos::default().contract(kind) }
-    }
-
-    fn stages(&self) -> &'static [&'static str] {
-        &["faulty"]
-    }
-
-    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Self::Session<'s, T>, Declined> {
-        const HONEST: &Sos = &Sos { scheme: predicament_sos::Scheme::PerCoordinate };
-        HONEST.prepare(scene, Off).map(Session)
+    fn around<'s, P: Predicates + 's>(_: Fault, honest: P) -> Session<P> {
+        Session(honest)
     }
 }
 

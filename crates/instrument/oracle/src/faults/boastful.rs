@@ -1,12 +1,9 @@
 //! A fault in claims: the band of every formula is far wider than the calculus allows, and the session says so itself.
 
-use predicament_predicates::{
-    Backend, Band, Contract, Declined, Derived, Off, PredicateKind, Predicates, Question, Scene, Sign, Tally, Vertex,
-    forward_to,
-};
-use predicament_tolerance::Tolerance;
+use predicament_predicates::{Band, Declined, Derived, PredicateKind, Predicates, Question, Sign, Vertex, forward_to};
 
 use super::Fault;
+use super::over::Part;
 
 /// The factor of the claimed bands.
 const FACTOR: f64 = 1_073_741_824.0;
@@ -14,23 +11,11 @@ const FACTOR: f64 = 1_073_741_824.0;
 /// The tolerances, right except for formulas.
 pub(super) struct Boastful;
 
-impl Backend for Boastful {
-    type Session<'s, T: Tally + 's> = Session<<Tolerance as Backend>::Session<'s, Off>>;
+impl Part for Boastful {
+    type Session<'s, P: Predicates + 's> = Session<P>;
 
-    fn name(&self) -> String {
-        format!("fault:{}", Fault::ToleranceBoastfulFormula.name())
-    }
-
-    fn contract(&self, kind: PredicateKind) -> Contract {
-        Contract { proved: false, ..Tolerance.contract(kind) }
-    }
-
-    fn stages(&self) -> &'static [&'static str] {
-        &["faulty"]
-    }
-
-    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Self::Session<'s, T>, Declined> {
-        Tolerance.prepare(scene, Off).map(Session)
+    fn around<'s, P: Predicates + 's>(_: Fault, honest: P) -> Session<P> {
+        Session(honest)
     }
 }
 

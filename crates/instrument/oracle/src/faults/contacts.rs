@@ -1,51 +1,18 @@
 //! Faults in the queries of the contact hierarchy; the signs are right.
 
-use predicament_exact::Exact;
-use predicament_predicates::{
-    Backend, Band, Contract, Declined, Off, Plane, PredicateKind, Predicates, Scene, Sign, Tally, Vertex, forward_to,
-};
-use predicament_tolerance::Tolerance;
+use predicament_predicates::{Band, Declined, Plane, PredicateKind, Predicates, Sign, Vertex, forward_to};
 
 use super::Fault;
+use super::over::Part;
 
-/// A backend with correct signs, and with correct contacts except for one kind.
-pub(super) struct Faulty<B> {
-    pub(super) fault: Fault,
-    pub(super) honest: B,
-}
+/// Contacts, right except for one kind.
+pub(super) struct Contacts;
 
-impl Faulty<Exact> {
-    pub(super) fn exact(fault: Fault) -> Self {
-        Faulty { fault, honest: Exact }
-    }
-}
+impl Part for Contacts {
+    type Session<'s, P: Predicates + 's> = Session<P>;
 
-impl Faulty<Tolerance> {
-    pub(super) fn tolerance(fault: Fault) -> Self {
-        Faulty { fault, honest: Tolerance }
-    }
-}
-
-impl<B: Backend> Backend for Faulty<B> {
-    type Session<'s, T: Tally + 's>
-        = Session<B::Session<'s, Off>>
-    where
-        B: 's;
-
-    fn name(&self) -> String {
-        format!("fault:{}", self.fault.name())
-    }
-
-    fn contract(&self, kind: PredicateKind) -> Contract {
-        Contract { proved: false, ..self.honest.contract(kind) }
-    }
-
-    fn stages(&self) -> &'static [&'static str] {
-        &["faulty"]
-    }
-
-    fn prepare<'s, T: Tally + 's>(&'s self, scene: &'s Scene, _: T) -> Result<Self::Session<'s, T>, Declined> {
-        Ok(Session { fault: self.fault, honest: self.honest.prepare(scene, Off)? })
+    fn around<'s, P: Predicates + 's>(fault: Fault, honest: P) -> Session<P> {
+        Session { fault, honest }
     }
 }
 

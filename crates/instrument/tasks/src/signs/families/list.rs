@@ -9,11 +9,21 @@ use predicament_predicates::PredicateKind;
 
 use super::{by_query, read};
 
-const ALL: &[PredicateKind] = &PredicateKind::ALL;
-const FLAT: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d];
-const SOLID: &[PredicateKind] = &[PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d];
-/// Formulas that are the determinant of directions in space, and none of the five predicates.
-const SPHERE: &[PredicateKind] = &[];
+/// The predicates for which a family makes queries.
+#[derive(Clone, Copy)]
+enum For {
+    /// The five predicates and all formulas.
+    All,
+    /// The five predicates.
+    Five,
+    /// These of the five predicates.
+    These(&'static [PredicateKind]),
+    /// Formulas that are the determinant of directions in space.
+    Directions,
+}
+
+const FLAT: For = For::These(&[PredicateKind::Compare, PredicateKind::Orient2d]);
+const SOLID: For = For::These(&[PredicateKind::Compare, PredicateKind::Orient2d, PredicateKind::Orient3d]);
 
 /// The families that make queries for a predicate.
 pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
@@ -23,13 +33,14 @@ pub(in crate::signs) fn of(kind: PredicateKind) -> &'static [Family] {
     let is_of_directions = matches!(kind, PredicateKind::Derived(derived)
         if derived.formula().is_determinant() && derived.formula().dimension() == 3);
     FAMILIES[if is_of_directions { PredicateKind::COUNT } else { kind.index() }].get_or_init(|| {
-        let fits = |kinds: &[PredicateKind], family: &Family| match kind {
-            PredicateKind::Derived(_) if kinds == SPHERE => is_of_directions,
-            PredicateKind::Derived(_) => kinds == ALL && family.name != "kettner",
-            _ => kinds.contains(&kind),
+        let is_formula = matches!(kind, PredicateKind::Derived(_));
+        let fits = |kinds: For| match kinds {
+            For::All => true,
+            For::Five => !is_formula,
+            For::These(these) => these.contains(&kind),
+            For::Directions => is_of_directions,
         };
-        let all = list().into_iter();
-        all.filter(|(kinds, family)| fits(kinds, family)).map(|(_, family)| family).collect()
+        list().into_iter().filter(|(kinds, _)| fits(*kinds)).map(|(_, family)| family).collect()
     })
 }
 
@@ -38,35 +49,47 @@ type Read = fn(task: &'static str, fields: &Fields<'_, '_>) -> Result<Recipe, Co
 fn family(
     name: &'static str,
     reported_as: &'static str,
-    kinds: &'static [PredicateKind],
+    kinds: For,
     parameters: &'static [&'static str],
     about: &'static str,
     read: Read,
-) -> (&'static [PredicateKind], Family) {
+) -> (For, Family) {
     (kinds, Family { name, reported_as: Some(reported_as), parameters, about, read })
 }
 
-fn list() -> Vec<(&'static [PredicateKind], Family)> {
+fn list() -> Vec<(For, Family)> {
     vec![
-        family("uniform", "uniform", ALL, &[], "multiples of 2^-53, uniform in [0, 1)", |task, fields| {
+        family("uniform", "uniform", For::All, &[], "multiples of 2^-53, uniform in [0, 1)", |task, fields| {
             by_query(task, fields, families::uniform)
         }),
         family(
             "scattered",
             "scattered",
-            &[PredicateKind::Orient2d, PredicateKind::Orient3d, PredicateKind::Incircle, PredicateKind::Insphere],
+            For::These(&[
+                PredicateKind::Orient2d,
+                PredicateKind::Orient3d,
+                PredicateKind::Incircle,
+                PredicateKind::Insphere,
+            ]),
             &[],
             "random vertices among five times as many uniform points as queries",
             read::scattered,
         ),
-        family("grid", "grid", ALL, &[], "integers from 0 to 15: many ties, few bits", |task, fields| {
+        family("grid", "grid", For::All, &[], "integers from 0 to 15: many ties, few bits", |task, fields| {
             by_query(task, fields, families::grid)
         }),
-        family("near", "near", ALL, &["ulps"], "at most `ulps` ulps off a line, plane, circle or sphere", read::near),
+        family(
+            "near",
+            "near",
+            For::All,
+            &["ulps"],
+            "at most `ulps` ulps off a line, plane, circle or sphere",
+            read::near,
+        ),
         family(
             "kettner",
             "kettner",
-            ALL,
+            For::Five,
             &[],
             "0.5 + k·2^-53, k < 256, against a line, plane, circle or sphere through 0.5",
             |task, fields| by_query(task, fields, families::kettner),
@@ -74,7 +97,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "degen",
             "degen",
-            ALL,
+            For::All,
             &[],
             "exactly degenerate in general position: every answer is 0",
             |task, fields| by_query(task, fields, read::degenerate),
@@ -82,7 +105,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "decimal-collinear",
             "decimal-collinear",
-            &[PredicateKind::Orient2d],
+            For::These(&[PredicateKind::Orient2d]),
             &["digits"],
             "collinear decimals, rounded to doubles",
             read::decimal,
@@ -90,7 +113,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "decimal-coplanar",
             "decimal-coplanar",
-            &[PredicateKind::Orient3d],
+            For::These(&[PredicateKind::Orient3d]),
             &["digits"],
             "coplanar decimals, rounded to doubles",
             read::decimal,
@@ -98,7 +121,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "decimal-cocircular",
             "decimal-cocircular",
-            &[PredicateKind::Incircle],
+            For::These(&[PredicateKind::Incircle]),
             &["digits"],
             "cocircular decimals, rounded to doubles",
             read::decimal,
@@ -106,7 +129,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "decimal-cospherical",
             "decimal-cospherical",
-            &[PredicateKind::Insphere],
+            For::These(&[PredicateKind::Insphere]),
             &["digits"],
             "cospherical decimals, rounded to doubles",
             read::decimal,
@@ -114,7 +137,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "decimals",
             "decimals",
-            families::Typed::KINDS,
+            For::These(families::Typed::KINDS),
             &["digits", "figure", "place"],
             "numbers as people write them, on a figure or one step beside it",
             read::typed,
@@ -122,7 +145,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "midpoint-collinear",
             "midpoint-collinear",
-            &[PredicateKind::Orient2d, PredicateKind::Orient3d],
+            For::These(&[PredicateKind::Orient2d, PredicateKind::Orient3d]),
             &[],
             "two points and their rounded midpoint; in 3D with any fourth",
             |task, fields| by_query(task, fields, families::midpoint),
@@ -130,7 +153,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "wide-scaled",
             "wide",
-            ALL,
+            For::All,
             &[],
             "uniform, near and degen queries scaled by 2^k, subnormal to 2^1023",
             |task, fields| by_query(task, fields, read::wide_scaled),
@@ -138,18 +161,18 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "wide-mixed",
             "wide",
-            ALL,
+            For::All,
             &[],
             "every coordinate with its own exponent, subnormal to 2^1023",
             |task, fields| by_query(task, fields, families::wide_mixed),
         ),
-        family("far", "far", ALL, &[], "unit clusters 2^20 to 2^45 away from the origin", |task, fields| {
+        family("far", "far", For::All, &[], "unit clusters 2^20 to 2^45 away from the origin", |task, fields| {
             by_query(task, fields, families::far)
         }),
         family(
             "band",
             "band",
-            &[PredicateKind::Orient2d, PredicateKind::Orient3d],
+            For::These(&[PredicateKind::Orient2d, PredicateKind::Orient3d]),
             &[],
             "determinants around the tolerance scheme's thresholds",
             read::band,
@@ -157,7 +180,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "pixel-map",
             "pixel-map",
-            &[PredicateKind::Orient2d],
+            For::These(&[PredicateKind::Orient2d]),
             &["p", "q", "r", "side", "step"],
             "a square of neighbours of p against fixed q and r (Kettner et al.)",
             read::pixels,
@@ -165,7 +188,7 @@ fn list() -> Vec<(&'static [PredicateKind], Family)> {
         family(
             "sphere",
             "sphere",
-            SPHERE,
+            For::Directions,
             &["figure"],
             "directions of length 1 up to roundings, general or on a great circle, opposite, halfway, or close",
             read::sphere,
