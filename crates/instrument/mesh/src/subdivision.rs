@@ -54,13 +54,13 @@ pub struct Subdivision {
 
 /// Puts half-edges in counterclockwise order around each of several consecutive nodes.
 ///
-/// The arguments are the first node, the place of each node's first half-edge in a list, with the length of the list,
-/// and the list.
+/// It gets the first node, the place of each node's first half-edge in a list, with the list's length, and the list.
 pub type Sort<'a> = &'a (dyn Fn(usize, &[u32], &mut [u32]) + Sync);
 
 impl Subdivision {
-    /// A subdivision with these edges between nodes, not yet with faces. `sort` orders the half-edges that leave a
-    /// node, where there are more than two; it may be called on several threads.
+    /// A subdivision with these edges between nodes, not yet with faces.
+    ///
+    /// `sort` orders the half-edges that leave a node, if there are more than two. Several threads may call it.
     ///
     /// # Panics
     /// If an edge has a node that does not exist, or there are 2^31 edges or more.

@@ -1,6 +1,7 @@
-//! Benchmark: snap rounding of segments with a million crossings, on one thread and on all; each time is listed beside
-//! the number of crossings. The time should grow at most as n·log n with that number. The crossings are found beforehand,
-//! in the overlay's time.
+//! Benchmark: snap rounding of segments with a million crossings, on one thread and on all.
+//!
+//! Each time is listed beside the number of crossings. The time should grow at most as n·log n with that number. The
+//! crossings are found beforehand, in the overlay's time.
 
 use std::hint::black_box;
 use std::time::Instant;
