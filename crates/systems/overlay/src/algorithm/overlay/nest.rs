@@ -6,6 +6,8 @@
 //! A component lies completely to the right of its leftmost node (the lowest of these). A vertical line a little left
 //! of the node meets pieces above it. The face just left of the node is the face below the lowest of these pieces.
 
+use std::ops::Range;
+
 use predicament_grid::{Raster, parallel};
 use predicament_mesh::{Nesting, Subdivision};
 use predicament_predicates::{Axis, Plane, Predicates, Sign, Vertex};
@@ -50,7 +52,7 @@ struct Above {
 impl<'a> Pieces<'a> {
     pub fn new(session: &'a dyn Predicates, supports: &'a Supports, chains: &'a Chains) -> Pieces<'a> {
         let view = View::new(session);
-        let is_ahead = |range: std::ops::Range<usize>| -> Vec<bool> {
+        let is_ahead = |range: Range<usize>| -> Vec<bool> {
             supports.ends[range].iter().map(|&[a, b]| view.is_ahead(a, b)).collect()
         };
         let is_ahead = parallel::joined(parallel::ranges(supports.ends.len(), &is_ahead));
@@ -189,13 +191,16 @@ impl<'a> Pieces<'a> {
             let far = runs.iter().map(|&(_, edge)| edge_raw(self.view.session, edge));
             Raster::new(&reach.raw.iter().copied().chain(far).collect::<Vec<_>>())
         });
-        let seen = vec![NONE; self.supports.ends.len() + runs.len()];
-        let mut rays = Rays { pieces: self, reach, runs, seen, sorted: Vec::new() };
-        let nesting = |&node: &u32| {
-            let outside = outside(node)?;
-            Some(Nesting { outside, within: rays.above(&raster, node) })
+        let nestings = |range: Range<usize>| -> Vec<Nesting> {
+            let seen = vec![NONE; self.supports.ends.len() + runs.len()];
+            let mut rays = Rays { pieces: self, reach, runs: &runs, seen, sorted: Vec::new() };
+            let nesting = |&node: &u32| {
+                let outside = outside(node)?;
+                Some(Nesting { outside, within: rays.above(&raster, node) })
+            };
+            leftmost[range].iter().filter_map(nesting).collect()
         };
-        leftmost.iter().filter_map(nesting).collect()
+        parallel::joined(parallel::ranges(leftmost.len(), &nestings))
     }
 
     /// The part of a segment that a vertical line, a little left of a vertex, meets above the vertex.
@@ -261,7 +266,7 @@ struct Rays<'a> {
     pieces: &'a Pieces<'a>,
     reach: &'a Reach,
     /// The edges of runs, each with the index of its run.
-    runs: Vec<(usize, Edge)>,
+    runs: &'a [(usize, Edge)],
     /// For each segment and each edge of a run, the last node for which it was tested.
     seen: Vec<u32>,
     /// Ends of segments from left to right, computed on demand.
