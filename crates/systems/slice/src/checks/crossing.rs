@@ -5,6 +5,7 @@ use std::cmp::Ordering;
 use predicament_judge::boxes::{Boxes, Extent, extent};
 
 use super::exact::{Plane, area, side};
+use super::rounded::Rounded;
 use super::{Check, Expected, Flaws, Part, Piece, Slices};
 
 impl Slices {
@@ -13,22 +14,22 @@ impl Slices {
     pub(super) fn crossings(&self, expected: Expected, flaws: &mut Flaws) {
         let step = self.triangles().div_ceil(expected.triangles_crossed.max(1)).max(1);
         let mut number = 0;
+        let near = Near { slices: self, rounded: Rounded::of(&self.points) };
         for (at, part) in self.parts.iter().enumerate() {
             let Some((index, reach)) = self.index(part) else { continue };
-            let mut near = Vec::new();
+            let mut others = Vec::new();
             for (place, &triangle) in part.triangles.iter().enumerate() {
                 number += 1;
                 if number % step != 0 || part.pieces[place] == Piece::Cover {
                     continue;
                 }
-                index.near(&index.all()[place], reach, &mut near);
-                let plane = Plane::of(self.points(triangle));
-                for other in near.iter().map(|&other| other as usize) {
+                index.near(&index.all()[place], reach, &mut others);
+                for other in others.iter().map(|&other| other as usize) {
                     if other == place || part.pieces[other] == Piece::Cover {
                         continue;
                     }
                     let other = part.triangles[other];
-                    if self.pass(&plane, triangle, other, expected) {
+                    if near.pass(triangle, other, expected) {
                         flaws.add(Check::SelfIntersection, &[triangle, other].concat(), || {
                             format!("two triangles of part {at} pass through each other")
                         });
@@ -50,23 +51,30 @@ impl Slices {
         // The relative rounding error of coordinates is below 2^-52.
         (!boxes.is_empty()).then(|| (Boxes::new(boxes), largest * 2.0_f64.powi(-50)))
     }
+}
 
+/// Triangles near each other, with their points rounded too.
+struct Near<'a> {
+    slices: &'a Slices,
+    rounded: Rounded,
+}
+
+impl Near<'_> {
     /// True if an edge of one triangle passes through the inside of the other, or edges of both cross in a common
-    /// plane. Faces of a part without volume may lie on each other; breaking ties makes such parts. `plane` is the
-    /// plane of the first triangle.
-    fn pass(&self, plane: &Plane, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
+    /// plane. Faces of a part without volume may lie on each other; breaking ties makes such parts.
+    fn pass(&self, first: [u32; 3], second: [u32; 3], expected: Expected) -> bool {
         if first.iter().all(|p| second.contains(p)) {
             return false;
         }
-        let of_second = self.sides_of(plane, first, second);
+        let of_second = self.sides_of(first, second);
         if of_second == [Ordering::Equal; 3] {
-            return expected.has_areas && self.overlap(plane, first, second);
+            return expected.has_areas && self.overlap(first, second);
         }
         // A triangle on one side of the plane has no inner point in the plane.
         if !(of_second.contains(&Ordering::Less) && of_second.contains(&Ordering::Greater)) {
             return false;
         }
-        let of_first = self.sides_of(&Plane::of(self.points(second)), second, first);
+        let of_first = self.sides_of(second, first);
         let pierces = |edges: [u32; 3], sides: [Ordering; 3], triangle: [u32; 3]| {
             (0..3).any(|i| {
                 let j = (i + 1) % 3;
@@ -77,38 +85,46 @@ impl Slices {
         pierces(second, of_second, first) || pierces(first, of_first, second)
     }
 
+    /// The side of a point on the plane of a triangle.
+    fn side(&self, triangle: [u32; 3], p: u32) -> Ordering {
+        let exact = || side(self.slices.points(triangle), &self.slices.points[p as usize]);
+        self.rounded.side(triangle, p).unwrap_or_else(exact)
+    }
+
     /// The sides of points on the plane of a triangle; the triangle's own corners are on it.
-    fn sides_of(&self, plane: &Plane, corners: [u32; 3], points: [u32; 3]) -> [Ordering; 3] {
-        points.map(|p| if corners.contains(&p) { Ordering::Equal } else { plane.side(&self.points[p as usize]) })
+    fn sides_of(&self, corners: [u32; 3], points: [u32; 3]) -> [Ordering; 3] {
+        points.map(|p| if corners.contains(&p) { Ordering::Equal } else { self.side(corners, p) })
     }
 
     /// True if the line through an edge meets the inside of a triangle.
     fn is_inside(&self, [p, q]: [u32; 2], [a, b, c]: [u32; 3]) -> bool {
-        let turn = |x: u32, y: u32| {
-            let [p, q, x, y] = self.points([p, q, x, y]);
-            side([p, q, x], y)
-        };
-        let turns = [turn(a, b), turn(b, c), turn(c, a)];
+        let turns = [[a, b], [b, c], [c, a]].map(|[x, y]| self.side([p, q, x], y));
         turns[0] != Ordering::Equal && turns == [turns[0]; 3]
     }
 
     /// True if edges of two triangles in one plane cross, or a corner of one is inside the other.
-    fn overlap(&self, plane: &Plane, first: [u32; 3], second: [u32; 3]) -> bool {
-        let Some(axis) = plane.axis() else { return false };
-        let turn = |a: u32, b: u32, c: u32| area(self.points([a, b, c]), axis).cmp0();
+    fn overlap(&self, first: [u32; 3], second: [u32; 3]) -> bool {
+        let Some(axis) = Plane::of(self.slices.points(first)).axis() else { return false };
+        let turn = |[a, b]: [u32; 2], c: u32| {
+            let exact = || area(self.slices.points([a, b, c]), axis).cmp0();
+            if c == a || c == b { Ordering::Equal } else { self.rounded.area([a, b, c], axis).unwrap_or_else(exact) }
+        };
         let opposite = |x: Ordering, y: Ordering| x != Ordering::Equal && x == y.reverse();
         let edges = |[a, b, c]: [u32; 3]| [[a, b], [b, c], [c, a]];
-        let is_in = |p: u32, triangle: [u32; 3]| {
-            let turns = edges(triangle).map(|[a, b]| turn(a, b, p));
-            turns[0] != Ordering::Equal && turns == [turns[0]; 3]
+        // The turns of one triangle's corners by each edge of the other.
+        let of = |triangle: [u32; 3], points: [u32; 3]| edges(triangle).map(|edge| points.map(|p| turn(edge, p)));
+        let (by_first, by_second) = (of(first, second), of(second, first));
+        let is_in = |turns: &[[Ordering; 3]; 3], at: usize| {
+            let of_point = turns.map(|by_edge| by_edge[at]);
+            of_point[0] != Ordering::Equal && of_point == [of_point[0]; 3]
         };
-        if first.into_iter().any(|p| is_in(p, second)) || second.into_iter().any(|p| is_in(p, first)) {
+        if (0..3).any(|at| is_in(&by_first, at) || is_in(&by_second, at)) {
             return true;
         }
-        edges(first).into_iter().any(|[a, b]| {
-            edges(second)
-                .into_iter()
-                .any(|[p, q]| opposite(turn(a, b, p), turn(a, b, q)) && opposite(turn(p, q, a), turn(p, q, b)))
+        let pairs = (0..3).flat_map(|i| (0..3).map(move |j| (i, j)));
+        let next = |i: usize| (i + 1) % 3;
+        pairs.into_iter().any(|(i, j)| {
+            opposite(by_first[i][j], by_first[i][next(j)]) && opposite(by_second[j][i], by_second[j][next(i)])
         })
     }
 }

@@ -17,6 +17,7 @@ mod flat;
 pub mod given;
 mod pieces;
 pub mod replies;
+mod rounded;
 mod volume;
 
 use exact::Point;
