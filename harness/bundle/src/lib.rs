@@ -39,6 +39,7 @@ use predicament_studies::mesh_cascades::MeshCascades;
 use predicament_studies::parity::Parity;
 use predicament_studies::repeat::Repeat;
 use predicament_studies::resolution::Resolution;
+use predicament_studies::scale::Scale;
 use predicament_studies::stress::Stress;
 use predicament_studies::touching::Touching;
 use predicament_studies::worst::Worst;
@@ -121,6 +122,7 @@ pub const STUDIES: &[studies::Entry] = &[
     studies::Entry::of::<Repeat>(),
     studies::Entry::of::<Borders>(),
     studies::Entry::of::<Ablation>(),
+    studies::Entry::of::<Scale>(),
 ];
 
 /// The tasks that ask for signs, and the systems.

@@ -75,8 +75,11 @@ pub trait AnyTask: SceneFormat {
     /// Calls [`Task::size`] with the content of a scene of the task.
     fn size_of_content(&self, content: &dyn Content) -> usize;
 
-    /// The memory by [`Task::memory`] for a whole scene, in bytes.
+    /// Calls [`Task::memory`].
     fn memory_of(&self, loaded: &LoadedScene) -> Option<u64>;
+
+    /// Calls [`Task::scaled`].
+    fn scaled_on(&self) -> Option<Compared>;
 
     /// Calls [`Task::takes_threads`].
     fn is_threaded(&self) -> bool;
@@ -270,7 +273,11 @@ impl<T: Task> AnyTask for T {
     }
 
     fn memory_of(&self, loaded: &LoadedScene) -> Option<u64> {
-        self.memory().map(|of_vertex| of_vertex.saturating_mul(loaded.scene.len() as u64))
+        self.memory(&loaded.scene, content(self, loaded))
+    }
+
+    fn scaled_on(&self) -> Option<Compared> {
+        self.scaled()
     }
 
     fn is_threaded(&self) -> bool {

@@ -205,9 +205,15 @@ pub trait Task: SceneFormat + Sized + 'static {
         content.count()
     }
 
-    /// The memory for an answer and for finding it, in bytes for each vertex of the scene, as measured; `None` if the
-    /// amount depends on more than their number. `solve` refuses scenes for which the memory does not suffice.
-    fn memory(&self) -> Option<u64> {
+    /// The approximate memory for finding an answer and writing its files, in bytes; `None` if it is not known. `solve`
+    /// refuses scenes for which the memory does not suffice.
+    fn memory(&self, scene: &Scene, content: &Self::Content) -> Option<u64> {
+        let _ = (scene, content);
+        None
+    }
+
+    /// Scenes of any size whose answers grow like the scenes, for the study of scale; `None` if the task is not in it.
+    fn scaled(&self) -> Option<Compared> {
         None
     }
 

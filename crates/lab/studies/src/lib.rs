@@ -20,6 +20,7 @@
 //! * [`decimals`]: which backends are right about decimals as they were written?
 //! * [`repeat`]: does a backend give the same answer twice?
 //! * [`ablation`]: what does each device of `exact` save?
+//! * [`scale`]: how do time and memory grow with the scene?
 //! * [`border`]: between which neighbouring doubles does a backend begin to be wrong?
 //! * [`Study`]: the interface of all studies; [`Entry`]: a study with a hidden type.
 //! * [`shrink`]: the smallest scene that still shows a finding.
@@ -104,6 +105,7 @@ pub mod mesh_cascades;
 pub mod parity;
 pub mod repeat;
 pub mod resolution;
+pub mod scale;
 pub mod shrink;
 pub mod stress;
 pub mod touching;

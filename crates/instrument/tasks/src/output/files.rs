@@ -4,6 +4,7 @@ use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 use predicament_records::{Beside, make_folder};
+use serde::Serialize;
 
 use super::choice::{Choice, Offer, When};
 use super::{Error, Wanted};
@@ -83,7 +84,7 @@ impl Files {
     ///
     /// # Errors
     /// As [`write`](Files::write).
-    pub fn json(&mut self, name: &str, make: impl FnOnce() -> serde_json::Value) -> Result<(), Error> {
+    pub fn json<T: Serialize>(&mut self, name: &str, make: impl FnOnce() -> T) -> Result<(), Error> {
         self.write(name, |out| {
             serde_json::to_writer(&mut *out, &make())?;
             writeln!(out)

@@ -6,6 +6,7 @@
 
 mod canvas;
 mod choice;
+mod each;
 mod error;
 mod files;
 mod placed;
@@ -15,6 +16,7 @@ mod vertices;
 
 pub use canvas::Canvas;
 pub use choice::Choice;
+pub use each::Each;
 pub use error::Error;
 pub use files::{Files, Written, write};
 pub use placed::{Placed, rounded_points};

@@ -4,7 +4,7 @@
 ///
 /// `None` if the system does not report it. (Linux: writing 5 to `clear_refs` resets the largest resident size to the
 /// present one.) It includes the memory of other threads.
-pub(super) fn peak(work: impl FnOnce()) -> Option<u64> {
+pub(crate) fn peak(work: impl FnOnce()) -> Option<u64> {
     std::fs::write("/proc/self/clear_refs", "5").ok()?;
     let before = resident("VmRSS:")?;
     work();

@@ -40,6 +40,7 @@ pub use conditioning::{Conditioned, conditioning};
 pub(crate) use inputs::compared;
 pub use inputs::{Input, inputs};
 pub use measure::Measure;
+pub(crate) use memory::peak;
 pub use section::{missing, section};
 pub use standing::{
     ASKED_TWICE, BARELY, InputKey, REFERENCE, Ratio, Scenes, Share, Standing, inputs_of, left_out, standings,

@@ -14,6 +14,7 @@ mod mesh_cascades;
 mod parity;
 mod parity_space;
 mod repeat;
+mod scale;
 mod shape;
 mod standing;
 mod stress;

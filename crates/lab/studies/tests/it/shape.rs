@@ -26,7 +26,7 @@ fn report(study: &dyn Ready, host: &dyn Host) -> Result<Report, Error> {
 }
 
 /// Each study with a small amount of work, and its files.
-const SMALL: [(&str, &[&str]); 16] = [
+const SMALL: [(&str, &[&str]); 17] = [
     ("bounds", &["bounds.csv", "bounds.md"]),
     (
         "compare -b exact,tolerance -t orient2d --scenes 1 --samples 1 --out x",
@@ -117,6 +117,10 @@ const SMALL: [(&str, &[&str]); 16] = [
     (
         "ablation -b exact:without=static -t orient2d --samples 1 --size 10",
         &["ablation.csv", "ablation.md", "ablation.svg", "ablation.pdf"],
+    ),
+    (
+        "scale -t crossings --min 10 --max 100 --out x",
+        &["scale.csv", "scale.md", "scale-time.svg", "scale-time.pdf", "scale-memory.svg", "scale-memory.pdf"],
     ),
 ];
 

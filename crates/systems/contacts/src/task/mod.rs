@@ -35,7 +35,7 @@ pub use generate::thresholds;
 pub use section::ContactRow;
 
 use pairs::closure;
-use predicament_tasks::output::{self, Canvas, Files};
+use predicament_tasks::output::{self, Canvas, Each, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Agreement, Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome,
@@ -286,7 +286,7 @@ impl Task for Contacts {
     ) -> Result<(), output::Error> {
         files.json("contacts.json", || {
             let ids = |vertices: &[Vertex]| vertices.iter().map(ToString::to_string).collect::<Vec<_>>();
-            let pair = |contact: &Contact| {
+            let pair = move |contact: &Contact| {
                 let [s, t] = vertices_of(content, [contact.a, contact.b]);
                 serde_json::json!({
                     "a": ids(s),
@@ -295,7 +295,7 @@ impl Task for Contacts {
                     "on_b": &contact.on_b[..t.len()],
                 })
             };
-            answer.registered.iter().map(pair).collect()
+            Each(move || answer.registered.iter().map(pair))
         })?;
         files.write("complexes.obj", |out| out.write_all(object_file(scene, content).as_bytes()))
     }

@@ -21,7 +21,7 @@ use predicament_report::drawing::Role;
 
 pub use content::HoleScene;
 
-use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::output::{Canvas, Each, Files};
 use predicament_tasks::{
     Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob, Outcome,
     Spoiled, Stop, Task, Turns, Watch, digest, output,
@@ -189,14 +189,14 @@ impl Task for CoverTask {
         output::mesh(files, scene, "covered", all.into_iter())?;
         files.json("covers.json", || {
             let ids = |vertices: &[Vertex]| vertices.iter().map(|v| v.index()).collect::<Vec<_>>();
-            let one = |(around, cover): (&Vec<Vertex>, &Cover)| match cover {
+            let one = move |(around, cover): (&Vec<Vertex>, &Cover)| match cover {
                 Cover::Triangles(all) => {
                     let triangles: Vec<_> = all.iter().map(|corners| ids(corners)).collect();
                     serde_json::json!({ "loop": ids(around), "triangles": triangles })
                 }
                 Cover::Uncovered(reason) => serde_json::json!({ "loop": ids(around), "uncovered": reason.name() }),
             };
-            content.loops.iter().zip(&answer.0).map(one).collect()
+            Each(move || content.loops.iter().zip(&answer.0).map(one))
         })
     }
 

@@ -54,13 +54,20 @@ impl Elsewhere for Asked {
 }
 
 /// The families of segments.
-pub(super) static FAMILIES: [Family; 3] = [
+pub(super) static FAMILIES: [Family; 4] = [
     Family {
         name: "segments-uniform",
         reported_as: Some("segments-uniform"),
         parameters: &[],
         about: "segments between points uniform in the unit square",
         read: |_, _| Ok(recipe(uniform)),
+    },
+    Family {
+        name: "segments-short",
+        reported_as: Some("segments-short"),
+        parameters: &[],
+        about: "short segments, uniform in the unit square: each crosses about one other",
+        read: |_, _| Ok(recipe(short)),
     },
     Family {
         name: "segments-lattice",
@@ -92,6 +99,17 @@ fn recipe(points: fn(usize, &mut Random) -> Vec<[f64; 2]>) -> Recipe {
 /// Segments between points uniform in the unit square.
 pub fn uniform(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
     (0..2 * n).map(|_| [rng.unit(), rng.unit()]).collect()
+}
+
+/// Short segments, uniform in the unit square: each crosses about one other.
+pub fn short(n: usize, rng: &mut Random) -> Vec<[f64; 2]> {
+    let side = i64::try_from(n.isqrt().max(1)).expect("scenes are smaller than memory");
+    let length = 1.5 / integer(side);
+    let segment = |_| {
+        let a = [rng.unit(), rng.unit()];
+        [a, a.map(|x| x + rng.between(-length, length))]
+    };
+    (0..n).flat_map(segment).collect()
 }
 
 /// Segments of the lines x = i, y = i, x + y = i and x − y = i in turn, through a square and half a unit beyond it.

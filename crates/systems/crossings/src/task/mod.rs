@@ -7,6 +7,7 @@
 mod checks;
 pub mod content;
 mod judge;
+pub mod memory;
 mod replies;
 mod spoiled;
 
@@ -22,7 +23,7 @@ use predicament_report::drawing::Role;
 
 pub use content::Segments;
 
-use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::output::{Canvas, Each, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
@@ -106,6 +107,14 @@ impl Task for Crossings {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]
     }
 
+    fn memory(&self, scene: &Scene, content: &Segments) -> Option<u64> {
+        Some(memory::estimate(scene, &content.0, memory::Bytes { segment: 2_000, crossing: 1_500 }))
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("segments-short", 1))
+    }
+
     fn constructs(&self) -> bool {
         true
     }
@@ -182,6 +191,7 @@ impl Task for Crossings {
             let mut group = |group: &Vec<u32>| group.iter().map(&mut crossing).collect::<Result<Vec<_>, _>>();
             crossings.push(along.iter().map(&mut group).collect::<Result<_, _>>().map_err(std::io::Error::other)?);
         }
+        let listed = &crossings;
         files.json("crossings.json", || {
             let segment = |((ends, along), crossings): ((&[Vertex; 2], &Along), &Vec<Vec<Vertex>>)| {
                 let ids = |group: &Vec<Vertex>| group.iter().map(ToString::to_string).collect::<Vec<_>>();
@@ -191,7 +201,7 @@ impl Task for Crossings {
                     "crossed_at": crossings.iter().map(ids).collect::<Vec<_>>(),
                 })
             };
-            content.0.iter().zip(&answer.0).zip(&crossings).map(segment).collect()
+            Each(move || content.0.iter().zip(&answer.0).zip(listed).map(segment))
         })?;
         // Each crossing once, with its segments. Segments that cross only by wrong signs may be parallel: their lines
         // do not meet in a point.

@@ -85,6 +85,9 @@ impl SceneFormat for Delaunay2d {
     }
 }
 
+/// The bytes of memory for each point.
+const POINT: u64 = 256;
+
 impl Task for Delaunay2d {
     type Content = Sites;
     type Truth = Truth;
@@ -112,8 +115,12 @@ impl Task for Delaunay2d {
         true
     }
 
-    fn memory(&self) -> Option<u64> {
-        Some(256)
+    fn memory(&self, scene: &Scene, _: &Sites) -> Option<u64> {
+        Some(scene.len() as u64 * POINT)
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("delaunay-uniform", 1))
     }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {

@@ -62,6 +62,9 @@ impl SceneFormat for Hull3d {
     }
 }
 
+/// The bytes of memory for each point.
+const POINT: u64 = 512;
+
 impl Task for Hull3d {
     type Content = Cloud<SpaceMethod>;
     type Truth = Truth;
@@ -89,8 +92,12 @@ impl Task for Hull3d {
         true
     }
 
-    fn memory(&self) -> Option<u64> {
-        Some(512)
+    fn memory(&self, scene: &Scene, _: &Cloud<SpaceMethod>) -> Option<u64> {
+        Some(scene.len() as u64 * POINT)
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("hull-ball", 1))
     }
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {

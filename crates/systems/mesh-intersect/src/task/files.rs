@@ -1,11 +1,19 @@
 //! Files of results in doubles.
 
 use predicament_predicates::{Scene, Vertex};
+use serde::Serialize;
 use serde_json::json;
 
 use super::settled::{Result, Settled};
 use crate::algorithm::overlay::Contacts;
 use predicament_tasks::output::{self, Error, Files};
+
+/// The file of pieces.
+#[derive(Serialize)]
+pub(super) struct Pieces<P> {
+    pub broken: Option<&'static str>,
+    pub pieces: P,
+}
 
 /// Offers a mesh for each operation, and `rounding.json` with the statistics of the limit and of rounding for each.
 ///

@@ -10,8 +10,10 @@ use predicament_predicates::{Declined, Scene, Vertex};
 use super::content::TwoMeshes;
 use predicament_tasks::{Halt, Refusal};
 
-/// Bytes for each given triangle: about twice the measured maximum for 10^7 triangles, 1.13 GiB.
+/// Bytes of an overlay for each given triangle: about twice the measured maximum for 10^7 triangles, 1.13 GiB.
 const TRIANGLE: u64 = 250;
+/// Bytes for each given triangle if all results are rounded and written, as measured.
+pub(super) const FILES: u64 = 3_500;
 /// Bytes for each point where an edge passes through a triangle, with the pieces around it.
 const POINT: u64 = 2_000;
 /// The maximum memory of an overlay, in bytes: 64 GiB.
@@ -26,7 +28,7 @@ type Point = [f64; 3];
 /// # Errors
 /// [`Halt::Refused`], with the estimate.
 pub(super) fn affordable(scene: &Scene, content: &TwoMeshes) -> Result<(), Halt> {
-    let bytes = estimate(scene, content);
+    let bytes = estimate(scene, content, TRIANGLE);
     if bytes <= MOST {
         return Ok(());
     }
@@ -39,10 +41,10 @@ pub(super) fn affordable(scene: &Scene, content: &TwoMeshes) -> Result<(), Halt>
     Err(Halt::Refused(Refusal { check: "memory", why: Declined::scene(why) }))
 }
 
-/// The approximate memory of an overlay, in bytes.
-fn estimate(scene: &Scene, content: &TwoMeshes) -> u64 {
+/// The approximate memory of an overlay, in bytes, with so many for each given triangle.
+pub(super) fn estimate(scene: &Scene, content: &TwoMeshes, of_triangle: u64) -> u64 {
     let [first, second] = content.meshes.each_ref().map(|mesh| mesh.triangles().len() as u64);
-    let given = TRIANGLE.saturating_mul(first + second);
+    let given = of_triangle.saturating_mul(first + second);
     // Counted by sides of triangles; each edge has two.
     let pairs = 3 * first.saturating_mul(second);
     if pairs.saturating_mul(POINT) <= MOST {

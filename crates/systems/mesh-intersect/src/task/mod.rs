@@ -35,7 +35,7 @@ pub use content::TwoMeshes;
 pub use section::MeshIntersectRow;
 pub use settled::{Settled, Unsettled};
 
-use predicament_tasks::output::{Canvas, Files, Placed};
+use predicament_tasks::output::{Canvas, Each, Files, Placed};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Agreement, Answer, Asked, Case, Check, Compared, Contestant, Dispute, ExplainError, Explanation, Halt, How, Knob,
@@ -202,6 +202,14 @@ impl Task for MeshIntersect {
         true
     }
 
+    fn memory(&self, scene: &Scene, content: &TwoMeshes) -> Option<u64> {
+        Some(memory::estimate(scene, content, memory::FILES))
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("intersect-spheres", 1).with("placed = \"apart\""))
+    }
+
     fn constructs(&self) -> bool {
         true
     }
@@ -336,7 +344,7 @@ impl Task for MeshIntersect {
         }
         let regions = &answer.regions;
         files.json("pieces.json", || {
-            let piece = |at: usize| {
+            let piece = move |at: usize| {
                 let sides = regions.sides[at].map(|side| regions.pairs[side as usize]);
                 serde_json::json!({
                     "vertices": regions.triangles[at].map(|v| v.to_string()),
@@ -346,8 +354,8 @@ impl Task for MeshIntersect {
                     "behind": sides[1],
                 })
             };
-            let pieces: Vec<serde_json::Value> = (0..regions.triangles.len()).map(piece).collect();
-            serde_json::json!({ "pieces": pieces, "broken": answer.broken.map(Contradiction::rule) })
+            let pieces = Each(move || (0..regions.triangles.len()).map(piece));
+            files::Pieces { broken: answer.broken.map(Contradiction::rule), pieces }
         })?;
         if answer.contacts != Contacts::default() {
             let place = |v: Vertex| placed.exact.construction(v).is_none().then(|| placed.exact.point3(v));

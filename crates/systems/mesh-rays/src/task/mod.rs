@@ -23,7 +23,7 @@ use predicament_report::drawing::Role;
 
 pub use content::RayScene;
 
-use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::output::{Canvas, Each, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::segment_source::named;
 use predicament_tasks::{
@@ -232,7 +232,7 @@ impl Task for MeshRays {
         files: &mut Files,
     ) -> Result<(), output::Error> {
         files.json("hits.json", || {
-            let ray = |(ends, hits): (&[Vertex; 2], &Hits)| {
+            let ray = move |(ends, hits): (&[Vertex; 2], &Hits)| {
                 let words = |group: &Vec<_>| group.iter().map(ToString::to_string).collect::<Vec<String>>();
                 serde_json::json!({
                     "points": ends.map(|v| scene.point(v).to_vec()),
@@ -241,7 +241,7 @@ impl Task for MeshRays {
                     "crossings": hits.crossings,
                 })
             };
-            content.rays.iter().zip(&answer.0).map(ray).collect()
+            Each(move || content.rays.iter().zip(&answer.0).map(ray))
         })
     }
 

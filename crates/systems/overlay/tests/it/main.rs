@@ -2,6 +2,7 @@
 
 mod common;
 mod judged;
+mod memory;
 mod overlay;
 mod overlay_lies;
 mod overlay_near;

@@ -37,6 +37,18 @@ impl Layered {
         }
     }
 
+    /// The segments, or the sides of the polygons.
+    pub(super) fn segments(&self) -> Vec<[Vertex; 2]> {
+        match &self.layers {
+            Layers::Segments(segments) => segments.clone(),
+            Layers::Polygons(loops, _) => loops
+                .iter()
+                .flatten()
+                .flat_map(|one| one.iter().zip(one.iter().cycle().skip(1)).map(|(&a, &b)| [a, b]))
+                .collect(),
+        }
+    }
+
     /// The segments as edges.
     pub(super) fn edges(&self) -> Vec<Edge> {
         match &self.layers {

@@ -15,14 +15,16 @@ use crate::algorithm::overlay::{
     Contradiction, Edge, Method, Operation, Overlay, Polygon, Regions, Rule, arrange, combine, operate, overlay,
 };
 use predicament_corpus::{Context, Family, InDecimals, LoadedScene, SceneFormat, Source};
+use predicament_crossings::task::memory::{Bytes, estimate};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{PredicateKind, Predicates, Query, Refused, Scene, Vertex};
 use predicament_report::drawing::Role;
+use serde::Serialize;
 
 pub use content::{Layered, Layers};
 
 pub use checks::RULES;
-use predicament_tasks::output::{Canvas, Files};
+use predicament_tasks::output::{Canvas, Each, Files};
 use predicament_tasks::replies::Replies;
 use predicament_tasks::{
     Agreement, Answer, Asked, Case, Check, Compared, Contestant, ExplainError, Explanation, Halt, How, Knob, Outcome,
@@ -181,6 +183,15 @@ impl SceneFormat for Overlay2d {
     }
 }
 
+/// The file of an arrangement.
+#[derive(Serialize)]
+struct Arranged<'a, E> {
+    broken: Option<&'static str>,
+    edges: E,
+    faces: usize,
+    windings: &'a [[i32; 2]],
+}
+
 impl Task for Overlay2d {
     type Content = Layered;
     type Truth = ();
@@ -206,6 +217,14 @@ impl Task for Overlay2d {
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn memory(&self, scene: &Scene, content: &Layered) -> Option<u64> {
+        Some(estimate(scene, &content.segments(), Bytes { segment: 4_000, crossing: 3_000 }))
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("overlay-segments", 1))
     }
 
     fn constructs(&self) -> bool {
@@ -316,17 +335,17 @@ impl Task for Overlay2d {
         }
         files.json("arrangement.json", || {
             let subdivision = &arrangement.subdivision;
-            let edge = |(at, piece): (u32, &crate::algorithm::overlay::Piece)| {
+            let edge = move |(at, piece): (u32, &crate::algorithm::overlay::Piece)| {
                 let vertices = piece.ends.map(|node| arrangement.vertices[node as usize].to_string());
                 let faces = [2 * at, 2 * at + 1].map(|half| subdivision.face(half));
                 serde_json::json!({ "vertices": vertices, "left": faces[0], "right": faces[1] })
             };
-            serde_json::json!({
-                "edges": (0..).zip(&arrangement.pieces).map(edge).collect::<Vec<_>>(),
-                "faces": subdivision.faces(),
-                "windings": answer.overlay.windings,
-                "broken": arrangement.broken.map(Contradiction::rule),
-            })
+            Arranged {
+                broken: arrangement.broken.map(Contradiction::rule),
+                edges: Each(move || (0..).zip(&arrangement.pieces).map(edge)),
+                faces: subdivision.faces(),
+                windings: &answer.overlay.windings,
+            }
         })?;
         output::vertices(files, &shown, arrangement.vertices.iter().map(|&v| at(v)))
     }

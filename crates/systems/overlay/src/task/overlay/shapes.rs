@@ -1,6 +1,7 @@
 //! Generated segments and pairs of polygons: points, and indices of them.
 
 use predicament_corpus::Random;
+use predicament_crossings::task::content::short;
 use predicament_formats::bits::{integer, power_of_two, step};
 
 /// Points and segments between them.
@@ -38,11 +39,8 @@ fn small(n: usize) -> i64 {
 
 /// Short segments, uniform in the unit square: each crosses about one other.
 pub(super) fn uniform(n: usize, rng: &mut Random) -> Lines {
-    let length = 1.5 / integer(small(n.isqrt().max(1)));
     let mut lines = Lines::default();
-    for _ in 0..n {
-        let a = [rng.unit(), rng.unit()];
-        let b = a.map(|x| x + rng.between(-length, length));
+    for &[a, b] in short(n, rng).as_chunks().0 {
         lines.push(a, b);
     }
     lines

@@ -8,7 +8,7 @@ use predicament_corpus::{
 use predicament_formats::{Cache, CorpusError, Entry, Fields};
 use predicament_predicates::{Scene, Vertex};
 
-use predicament_crossings::task::content::{lattice, near, uniform};
+use predicament_crossings::task::content::{lattice, near, short, uniform};
 use predicament_tasks::segment_source::SegmentSource;
 
 /// Segments, and the pixels to which they are rounded.
@@ -150,8 +150,9 @@ macro_rules! family {
 }
 
 /// The families of segments.
-pub(super) static FAMILIES: [Family; 4] = [
+pub(super) static FAMILIES: [Family; 5] = [
     family!("snap-uniform", "segments between points uniform in the unit square", uniform),
+    family!("snap-short", "short segments, uniform in the unit square: each crosses about one other", short),
     family!("snap-lattice", "lines of a lattice and its diagonals: crossings at corners of pixels", lattice),
     family!("snap-near", "segments that pass the centre of the unit square within a few ulps", near),
     family!("snap-fans", "two fans of segments that cross at small angles: many hot pixels near each segment", fans),

@@ -15,6 +15,7 @@ use crate::algorithm::overlay::{self, Arrangement, Edge, arrange};
 use crate::algorithm::snap::{Drawing, Pixel, Snapped, snap};
 use crate::truth::Truth;
 use predicament_corpus::{Context, Family, LoadedScene, SceneFormat, Source};
+use predicament_crossings::task::memory::{Bytes, estimate};
 use predicament_formats::{CorpusError, Fields};
 use predicament_predicates::{Construction, Plane, PredicateKind, Predicates, Query, Scene, Sign, Vertex};
 use predicament_records::{RunDir, TableSpec};
@@ -193,6 +194,14 @@ impl Task for Snap2d {
 
     fn asks(&self, _: &Scene) -> Vec<PredicateKind> {
         vec![PredicateKind::Compare, PredicateKind::Orient2d]
+    }
+
+    fn memory(&self, scene: &Scene, content: &Drawn) -> Option<u64> {
+        Some(estimate(scene, &content.segments, Bytes { segment: 1_000, crossing: 500 }))
+    }
+
+    fn scaled(&self) -> Option<Compared> {
+        Some(Compared::general("snap-short", 1).with("pixel = 20"))
     }
 
     fn constructs(&self) -> bool {

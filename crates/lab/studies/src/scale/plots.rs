@@ -1,0 +1,27 @@
+//! The plots: time and memory of an element over the size.
+
+use predicament_report::{Curve, Curves, curves};
+
+use super::Row;
+use crate::{Error, File};
+
+/// The plots `scale-time` and `scale-memory`.
+pub(super) fn all(rows: &[Row]) -> Result<Vec<File>, Error> {
+    let time = plot(rows, "scale-time", "nanoseconds an element", Row::nanoseconds)?;
+    let memory = plot(rows, "scale-memory", "bytes an element", |row| row.bytes_each()[0])?;
+    Ok([time, memory].concat())
+}
+
+fn plot(rows: &[Row], name: &str, y: &str, of: impl Fn(&Row) -> f64) -> Result<Vec<File>, Error> {
+    let lines = rows.chunk_by(|a, b| a.task == b.task && a.backend == b.backend).filter_map(|rows| {
+        let points = rows.iter().map(|row| (row.count(), of(row))).filter(|(_, y)| *y > 0.0);
+        let points: Vec<_> = points.collect();
+        (!points.is_empty()).then(|| Curve::new(format!("{}, {}", rows[0].task, rows[0].backend), points))
+    });
+    let lines: Vec<Curve> = lines.collect();
+    if lines.is_empty() {
+        return Ok(Vec::new());
+    }
+    let drawn = curves(&Curves { x: "elements".into(), y: y.into(), curves: lines, ..Curves::default() });
+    Ok(File::plot(name, drawn.map_err(Error::format)?))
+}
